@@ -28,6 +28,7 @@ HOMES = {
     "spec.robot": ("Body", "Damping", "Link", "Modes", "Robot"),
     "spec.screw": ("Screw",),
     "spec.section": ("Section",),
+    "spec.transmission": ("Transmission",),
     "studies.analysis": ("Analysis", "analyse"),
     "studies.assemble": ("assemble",),
     "studies.convergence": ("Convergence", "convergence"),

@@ -34,6 +34,7 @@ from .spec.robot import Modes as Modes
 from .spec.robot import Robot as Robot
 from .spec.screw import Screw as Screw
 from .spec.section import Section as Section
+from .spec.transmission import Transmission as Transmission
 from .studies.analysis import Analysis as Analysis
 from .studies.analysis import analyse as analyse
 from .studies.assemble import assemble as assemble

@@ -111,11 +111,11 @@ Given = Numbers | Mapping[str, Any] | None
 
 FREE = (
     *("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia"),
-    *("joint.limits.lower", "joint.limits.upper"),
+    *("joint.limits.lower", "joint.limits.upper", "joint.drives.transmission.angle"),
 )
 """Fields whose numbers may have either sign."""
 
-DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity")
+DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity", "transmission.crank", "transmission.base")
 POSITIVE = ("length", "rhoA", "joint.limits.stiffness", *(f"joint.drives.{name}" for name in DRIVES))
 
 

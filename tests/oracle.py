@@ -23,8 +23,8 @@ import numpy as np
 import scipy.linalg
 from oracle_cloud import Cloud, build_cloud, gradient, modal_slices, per_column, rates, slices
 from oracle_drives import Drives
-from oracle_stops import Stops
 from oracle_link import read_link
+from oracle_stops import Stops
 
 
 def part_error(reference, value, companion) -> float:
@@ -106,7 +106,7 @@ class Oracle:
 
     @cached_property
     def kinetic(self) -> ca.SX:
-        rotors = ca.dot(ca.DM(self.armature) * self.v, self.v) / 2
+        rotors = ca.dot(ca.DM(self.armature) * self.v, self.v) / 2 + self.drives.kinetic(self.q, self.v)
         return sum(cloud.kinetic() for cloud in self.clouds) + rotors
 
     @cached_property
@@ -141,12 +141,13 @@ class Oracle:
         power = sum(map(self._virtual_power, self.clouds, trial))
         springs = ca.DM(self.K) @ self.q + ca.gradient(ca.SX(self.stops.potential(self.q)), self.q)
         force = gradient(power, self.trial) + springs + self._losses()
+        force += self.drives.pushed(self.q, self.v, self.a)
         force += ca.DM(self.armature) * self.a - gradient(self.external_power, self.v)
         return self._function([self.q, self.v, self.a, self.w_ext], force)
 
     def _losses(self) -> ca.SX:
         """(nv,): the forces of dampers, friction and stops that no potential has."""
-        return ca.DM(self.D) @ self.v + self.drives.friction(self.v) + self.stops.losses(self.q, self.v)
+        return ca.DM(self.D) @ self.v + self.drives.friction(self.q, self.v) + self.stops.losses(self.q, self.v)
 
     def _virtual_power(self, cloud: Cloud, trial: Cloud) -> ca.SX:
         momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), cloud.spin]
@@ -210,10 +211,10 @@ class Oracle:
     def _w(self, w_ext) -> np.ndarray:
         return np.zeros((6, self.n)) if w_ext is None else np.array(w_ext, dtype=float).reshape(self.n, 6).T
 
-    def _force(self, tau) -> np.ndarray:
+    def _force(self, tau, q) -> np.ndarray:
         out = np.zeros(self.nv)
         if tau is not None:
-            out[self.drives.driven] = tau
+            out[self.drives.driven] = self.drives.levers(q) * tau
         return out
 
     def mass_matrix(self, q) -> np.ndarray:
@@ -263,7 +264,7 @@ class Oracle:
 
     def forward_dynamics(self, q, v, tau=None, w_ext=None) -> tuple[np.ndarray, np.ndarray]:
         """(vdot (nv,), wrench (n, 6)); one step of iterative refinement in the linear solve."""
-        vdot, force = np.zeros(self.nv), self._force(tau)
+        vdot, force = np.zeros(self.nv), self._force(tau, q)
         if self.nv:
             factors = scipy.linalg.lu_factor(self.mass_matrix(q))
             for _ in range(2):
@@ -284,8 +285,8 @@ class Oracle:
         v = np.array(v, dtype=float)
         twists = self.tip_twists(q, v)
         external = 0.0 if w_ext is None else float(np.sum(twists * np.reshape(w_ext, (self.n, 6))))
-        losses = self.D @ v + (self.drives.friction(ca.DM(v)) + self.stops.losses(ca.DM(q), ca.DM(v))).full()[:, 0]
-        return float(v @ self._force(tau) - v @ losses) + external
+        losses = ca.Function("f", [self.q, self.v], [self._losses()])(q, v).full()[:, 0]
+        return float(v @ self._force(tau, q) - v @ losses) + external
 
     def momentum(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """Linear momentum, and angular momentum about the inertial origin, of the whole arm; no armature."""

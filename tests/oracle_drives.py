@@ -17,9 +17,13 @@ class Drives:
         self.rotors = [axis for axis, drive in enumerate(drives) if "stiffness" in drive]
         self.inertia, self.K, self.D = np.zeros(nv), np.zeros((nv, nv)), np.zeros((nv, nv))
         self.driven, self.dry = [], []
+        self.cylinders = [(axis, drive) for axis, drive in enumerate(drives) if "transmission" in drive]
         for axis, drive in enumerate(drives):
             ratio, inertia = drive.get("ratio", 1.0), drive.get("rotor_inertia", 0.0)
             place = axis
+            if "transmission" in drive:
+                self.driven.append(axis)
+                continue
             if axis in self.rotors:
                 place = len(drives) + self.rotors.index(axis)
                 twist = np.zeros(nv)
@@ -33,9 +37,45 @@ class Drives:
                 self.dry.append((place, friction["coulomb"], friction["velocity"]))
             self.driven.append(place)
 
-    def friction(self, v):
-        """(nv,): the force of dry friction at the rates, symbols or numbers of CasADi."""
-        out = type(v).zeros(v.shape[0])
+    def lengths(self, q):
+        """The lengths of the cylinders: the distances of two eyes in the plane of the joint."""
+        out = []
+        for axis, drive in self.cylinders:
+            given, angle = drive["transmission"], q[axis] + drive["transmission"]["angle"]
+            out.append(ca.norm_2(given["crank"] * ca.vertcat(ca.cos(angle), ca.sin(angle)) - ca.vertcat(given["base"], 0)))
+        return ca.vertcat(type(q)(0, 1), *out)
+
+    def kinetic(self, q, v):
+        """The energy of the rotors that the cylinders turn."""
+        return ca.dot(self._masses, ca.jtimes(self.lengths(q), q, v) ** 2) / 2
+
+    def pushed(self, q, v, a):
+        """(nv,): what the inertia of these rotors asks of the coordinates, by the accelerations of the lengths."""
+        rate = ca.jtimes(self.lengths(q), q, v)
+        change = ca.jtimes(rate, ca.vertcat(q, v), ca.vertcat(v, a))
+        return ca.jtimes(self.lengths(q), q, self._masses * change, True)
+
+    def levers(self, q) -> np.ndarray:
+        """(n_tau,): what torques are multiplied by at the numbers q."""
+        x, out = ca.SX.sym("x", len(q)), np.ones(len(self.driven))
+        slopes = ca.Function("f", [x], [ca.jacobian(self.lengths(x), x)])(q).full()
+        for k, (axis, _) in enumerate(self.cylinders):
+            out[axis] = slopes[k, axis]
+        return out
+
+    @property
+    def _masses(self) -> ca.DM:
+        return ca.DM([d.get("ratio", 1.0) ** 2 * d.get("rotor_inertia", 0.0) for _, d in self.cylinders])
+
+    def friction(self, q, v):
+        """(nv,): the force of dry friction, and of all friction of cylinders, at the rates."""
+        lengths = self.lengths(q)
+        rates, forces = ca.jtimes(lengths, q, v), []
+        for k, (_, drive) in enumerate(self.cylinders):
+            given, w = drive.get("friction", {}), rates[k]
+            dry = given.get("coulomb", 0.0) / ca.sqrt(w**2 + given.get("velocity", 1.0) ** 2)
+            forces.append((given.get("viscous", 0.0) + dry) * w)
+        out = ca.jtimes(lengths, q, ca.vertcat(ca.SX(0, 1), *forces), True)
         for place, dry, velocity in self.dry:
             out[place] += dry * v[place] / ca.sqrt(v[place] ** 2 + velocity**2)
         return out

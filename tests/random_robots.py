@@ -27,6 +27,7 @@ LIMITS = {
     "armature": 0.4,
     "drives": 0.0,  # of a joint: gears with rotors, some of them elastic or with friction
     "stops": 0.0,  # of an axis: limits, most of them with stops
+    "cylinders": 0.0,  # of a drive of an axis that turns: a cylinder in place of a gear
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
     "no_section_rotation": 0.15,
     "no_gravity": 0.15,
@@ -120,9 +121,25 @@ def random_joint(rng, limits: dict) -> dict:
         joint["drives"] = [random_drive(rng) for _ in range(count)]
         if any("rotor_inertia" in drive for drive in joint["drives"]):
             joint.pop("armature", None)
+    if limits["cylinders"]:
+        with_cylinders(rng, joint, limits["cylinders"])
     if count and limits["stops"]:
         joint["limits"] = [random_limits(rng) if chance(rng, limits["stops"]) else {} for _ in range(count)]
     return joint
+
+
+def with_cylinders(rng, joint: dict, probability: float) -> None:
+    """Some axes that turn get a cylinder, whose rotor at the joint is about as heavy as an armature."""
+    drives = joint.get("drives", [{}] * len(joint["axes"]))
+    for k, axis in enumerate(joint["axes"]):
+        if not isinstance(axis, dict) and chance(rng, probability):
+            drive = {name: value for name, value in drives[k].items() if name not in ("stiffness", "damping")}
+            base = float(rng.uniform(0.3, 1.5))
+            lever = {"base": base, "crank": base * float(rng.choice([rng.uniform(0.2, 0.8), rng.uniform(1.2, 2.0)]))}
+            drive["transmission"] = lever | {"angle": float(rng.uniform(-np.pi, np.pi))}
+            drives = [*drives[:k], drive, *drives[k + 1 :]]
+    if any("transmission" in drive for drive in drives):
+        joint["drives"] = drives
 
 
 def random_limits(rng) -> dict:

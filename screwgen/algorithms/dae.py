@@ -278,6 +278,7 @@ def joint_rows(s: Scope) -> None:
     qdot = mx.multiply(S_plus, _relative_twist(s, q, R, twist, "omega_T", "v_T"))
     beta = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "beta_omega", "beta_v")
     _free_terms(s, twist)
+    tau, inertia = joint_torque(s, q, qdot)
     given = {
         "R_rel": R,
         "S": motion_subspace(s, q),
@@ -285,7 +286,8 @@ def joint_rows(s: Scope) -> None:
         "r_J": joint_offset(s, q),
         "beta": np.concatenate(beta),
         "b_P": s.read("base.b"),
-        "tau": joint_torque(s, q, qdot),
+        "tau": tau,
+        "J_m": inertia,
         "qdot": qdot,
         "q": q,
     }

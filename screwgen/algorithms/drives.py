@@ -14,13 +14,14 @@ import numpy as np
 from ..ir.program import Array, Value
 from ..spec.link_class import DriveClass, LinkClass
 from . import matrices as mx
+from . import transmissions as tm
 from .axis_laws import stop_energy, stop_torque
 from .scope import Scope
 
 NONE = DriveClass()
 PREPARED = (
     "armature joint_damping joint_stiffness spring "
-    "rotor_inertia rotor_damping rotor_stiffness gear_damping gear_stiffness"
+    "rotor_inertia rotor_damping rotor_stiffness gear_damping gear_stiffness crank_inertia"
 ).split()
 """The constants of an axis that follow from its drive."""
 
@@ -39,10 +40,12 @@ def constant(s: Scope, name: str, axis: int) -> Value:
     match name:
         case "armature":
             own = read(name) if s.key.armature else 0.0
-            return own if drive.stiffness else own + ratio * ratio * inertia
+            return own if drive.stiffness or drive.transmission else own + ratio * ratio * inertia
+        case "crank_inertia":
+            return ratio * ratio * inertia
         case "joint_damping":
             own = read(name) if s.key.joint_damping else 0.0
-            return own + (d if drive.stiffness else stated("viscous"))
+            return own + (d if drive.stiffness else 0.0 if drive.transmission else stated("viscous"))
         case "joint_stiffness":
             return (read(name) if s.key.stiffness else 0.0) + k
         case "spring":
@@ -84,15 +87,20 @@ def armature(s: Scope) -> Array:
 
 
 def own_inertia(s: Scope) -> Array:
-    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint; a free one has none."""
+    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint; a free one has none.
+
+    That of the rotors of transmissions is added.
+    """
     if s.key.free:
         return mx.zeros(6)
-    return s.read("m_q") if s.key.sprung else armature(s)
+    own = s.read("m_q") if s.key.sprung else armature(s)
+    return own + tm.kept(s).inertia if s.key.swung else own
 
 
 def own_force(s: Scope) -> Array:
-    """The generalised forces of the joint's damper and spring."""
-    return s.read("f_q") if s.key.sprung else mx.zeros(s.key.freedoms)
+    """The generalised forces of the joint's damper and spring, and of transmissions."""
+    own = s.read("f_q") if s.key.sprung else mx.zeros(s.key.freedoms)
+    return own + tm.kept(s).force if s.key.cranked else own
 
 
 def condense(s: Scope) -> tuple[Array, Array]:
@@ -103,6 +111,8 @@ def condense(s: Scope) -> tuple[Array, Array]:
     """
     inertia, force = own_inertia(s).copy(), own_force(s)
     tau = mx.zeros(6) if s.key.free else s.read("tau")
+    if s.key.cranked:
+        tau = tau * tm.kept(s).slope
     if not s.key.motors:
         return inertia, tau - force
     m, f, coupling = s.read("m_theta"), s.read("f_theta"), s.read("m_gear")
@@ -139,12 +149,16 @@ def rotor_accelerations(s: Scope) -> None:
     s.write("thetaddot", (torque - s.read("f_theta")) / s.read("m_theta"))
 
 
-def joint_torque(s: Scope, q: Array, qdot: Array) -> Array:
-    """What acts on the joint's axes besides dampers and springs with one end at rest; dry friction and stops are included.
+def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
+    """What acts on the joint's axes besides dampers and springs with one end at rest, and the inertia of the axes.
 
-    That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause.
+    That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause. Dry
+    friction and stops are included, and what a transmission makes of the drive.
     """
-    tau = s.read("tau").copy()
+    tau, inertia = s.read("tau").copy(), armature(s)
+    if s.key.cranked:
+        found = tm.cranks(s, q, qdot)
+        tau, inertia = found.slope * tau - found.force, inertia + found.inertia
     of = lambda name, axis: s.constant(f"{name}_{axis + 1}")  # noqa: E731
     for k, axis in enumerate(s.key.motors):
         tau[axis] = -(of("gear_stiffness", axis) * s.read("theta")[k])
@@ -154,7 +168,7 @@ def joint_torque(s: Scope, q: Array, qdot: Array) -> Array:
         speed = of("drive_velocity", axis)
         size = s.tracer.call("sqrt", qdot[axis] * qdot[axis] + speed * speed)
         tau[axis] = tau[axis] - of("drive_coulomb", axis) / size * qdot[axis]
-    return tau + stop_torque(s, q, qdot) if s.key.stops else tau
+    return (tau + stop_torque(s, q, qdot) if s.key.stops else tau), inertia
 
 
 def spring(s: Scope) -> Array:
@@ -163,9 +177,9 @@ def spring(s: Scope) -> Array:
     return mx.array([s.constant(f"{label}_{j + 1}") if s.key.stiffness else 0.0 for j in range(s.key.joints)])
 
 
-def drive_energies(s: Scope, q: Array) -> tuple[Value, Value]:
-    """Twice the kinetic energy of the rotors' spin, and twice the potential of gears and stops."""
-    kinetic: Value = 0.0
+def drive_energies(s: Scope, q: Array, qdot: Array) -> tuple[Value, Value]:
+    """Twice the kinetic energy of the rotors' spin, and twice the potential of gears and stops; rigid gears without."""
+    kinetic = tm.kinetic(s, q, qdot)
     potential: Value = stop_energy(s, q)
     for k, axis in enumerate(s.key.motors):
         theta, thetadot = s.read("theta")[k], s.read("thetadot")[k]

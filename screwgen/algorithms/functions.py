@@ -9,7 +9,7 @@ from ..errors import SingularError
 from ..ir.program import Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from . import dae, loops, validity
+from . import dae, loops, transmissions, validity
 from . import matrices as mx
 from . import phases as ph
 from . import sensitivity as sy
@@ -30,6 +30,8 @@ MOTION: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.tip_twist, O
 ENERGY: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.energy, OUTWARD))
 MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
+
+LEVERS: Algorithm = (Phase(transmissions.levers, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
 ROTORS: Algorithm = (Phase(rotor_accelerations, OUTWARD),)
@@ -289,10 +291,14 @@ class Functions:
         rest = [0.0] * self.chain.nv
         return self.loads(q, rest, rest, w_ext)
 
-    def sensitivities(self, q, v, vdot, w_ext) -> list[dict[str, list]]:
+    def levers(self, q) -> list:
+        """What the torque of each axis is multiplied by: the travel of its cylinder per rad, or 1."""
+        return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
+
+    def sensitivities(self, q, v, vdot, w_ext, tau) -> list[dict[str, list]]:
         """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
-        return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext))[0]
+        return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext), self._torques(tau))[0]
 
     def poses(self, q) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""

@@ -224,6 +224,11 @@ def bias(chain: Chain, constants="parameters") -> Program:
     return fuse(chain, "bias", inputs, body, constants)
 
 
+def levers(chain: Chain, constants="parameters") -> Program:
+    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
+    return fuse(chain, "levers", {"q": chain.nq}, lambda f, x: {"levers": f.levers(x["q"])}, constants)
+
+
 def inertial_force(chain: Chain, constants="parameters") -> Program:
     """``(q, vdot) -> (force)`` at rest: its Jacobian in ``vdot`` is the mass matrix."""
 

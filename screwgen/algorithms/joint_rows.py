@@ -37,8 +37,8 @@ def joint_rows_block(key: LinkClass) -> Block:
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
     free = identity(size) - N
-    if key.weighted:
-        J_m = b.parameter("armature", (m, 1))
+    if key.weighted or key.swung:
+        J_m = b.input("J_m", (m, 1)) if key.swung else b.parameter("armature", (m, 1))
         free = free + S_plus.T @ Diagonal(J_m) @ S_plus
     P_c = b.step("P_c", _whole(free, identity(3)))
     b.step("joint_w", _whole(N, zeros(3, 3)))

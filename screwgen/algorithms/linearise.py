@@ -46,13 +46,13 @@ class Slopes:
 EXACT = "code for exact derivatives", "differentiate the CasADi functions"
 
 
-def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcontext()) -> Slopes:
+def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext()) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
-    Only the lower triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
+    Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``. Only the lower triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
     """
     f.chain.needs_fixed(*EXACT)
-    stores = f.sensitivities(q, v, vdot, w_ext)
+    stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
     out = Slopes(*(mx.zeros(nv, nv) for _ in range(3)))
@@ -70,7 +70,7 @@ def slopes(f: Functions, q, v, vdot, w_ext, section: Section = lambda _: nullcon
 
 def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
     key = chain.keys[i]
-    shapes = {name: STORE[name].size_of(key) for name in PAIRS}
+    shapes = {name: STORE[name].size_of(key) for name in (*PAIRS, *["crank_inertia"] * key.swung)}
     return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
 
 
@@ -90,6 +90,8 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
     constants, key = f.constants[i], f.chain.keys[i]
     M_q, K_q, D_q = _joint_columns(key, constants)
     out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
+    if key.swung:
+        out.M[q, q] = out.M[q, q] + mx.diagonal(link["crank_inertia"])
     out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
     modal_matrix = lambda A, below: mx.coupled(constants[A], key.coupled, constants.get(below, ()))  # noqa: E731
     out.M[eta, eta] = link["M_eta_eta"] + modal_matrix("M_eta", "M_below")
@@ -198,7 +200,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
         vdot, _ = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
         tracer = next((x.tracer for x in vdot if isinstance(x, Node)), None)
         section = tracer.section if tracer else lambda _: nullcontext()
-        found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], section)
+        found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], section)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
 

@@ -22,6 +22,7 @@ from .drives import accelerate_rotors, armature, condense, drive_energies, own_f
 from .joint_terms import joint_offset, joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
+from .transmissions import store
 from .validity import axial_motion
 
 
@@ -68,6 +69,7 @@ def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
     s.keep("lever", lever)
     s.keep("omega", omega)
     s.keep("acc_0", np.concatenate([alpha, a]))
+    store(s, q, qdot)
 
 
 def swing(alpha: Array, omega: Array, r: Array) -> Array:
@@ -315,7 +317,7 @@ def energy(s: Scope) -> None:
     m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
     M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
     body = mx.dot(V_T, mx.multiply(M_T, V_T))
-    spin, wound = drive_energies(s, q)
+    spin, wound = drive_energies(s, q, qdot)
     rotor = mx.dot(qdot, armature(s) * qdot) + spin
     s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
     R, r, R_T, r_T = s.read("R"), s.read("r"), s.read("tip.R"), s.read("tip.r")

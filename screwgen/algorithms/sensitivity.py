@@ -20,6 +20,7 @@ import numpy as np
 from ..ir.derivative import columns
 from ..ir.program import Array
 from . import matrices as mx
+from . import transmissions
 from .joint_terms import joint_offset, joint_point
 from .phases import swing as swung
 from .phases import tip_state
@@ -218,10 +219,11 @@ def joint_answers(s: Scope, carried: Load) -> None:
         w = mx.shift_wrench(-r_B, carried.wrench)
         turned = np.vstack([columns_cross(A, w[:3]) + columns_cross(T, w[3:]), columns_cross(A, w[3:])])
         F_q = mx.multiply(answer, u_q)
+        cranked_q, cranked_qdot = transmissions.answers(s)
         later = mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
-        s.write("w.f_q", mx.multiply(axes.T, F_q) + later)
+        s.write("w.f_q", mx.multiply(axes.T, F_q) + later + cranked_q)
         F_qdot = mx.multiply(answer, u_qdot)
-        s.write("w.f_qdot", mx.multiply(axes.T, F_qdot))
+        s.write("w.f_qdot", mx.multiply(axes.T, F_qdot) + cranked_qdot)
         s.write("w.F_q", F_q + shifted(r_B, turned))
         s.write("w.F_qdot", F_qdot)
         s.write("base.f", mx.shift_wrench(r_J, mx.rotate_wrench(R, w)))

@@ -144,6 +144,7 @@ CALL: dict[str, Signal] = {
     "tip_twist": Signal((6,), TWIST, INERTIAL, "angular velocity of the tip section and velocity of the tip point"),
     "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "angular velocity about y and z, axial motion and force"),
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
+    "levers": Signal(("m",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
 }
@@ -178,6 +179,9 @@ STORE = {
     "joint_w": Signal(("m",), "rad/s^2", "-", "term w in qddot = L^-T (w - W delta)"),
     "rotor_W": Signal(("t",), "-", "-", "factor W in thetaddot = w - W qddot"),
     "rotor_w": Signal(("t",), "rad/s^2", "-", "term w in thetaddot = w - W qddot"),
+    "crank_slope": Signal(("m",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
+    "crank_inertia": Signal(("m",), "kg*m^2", "-", "inertia of each axis that moves with its cylinder"),
+    "crank_force": Signal(("m",), "N*m", "-", "friction of each cylinder and what the change of its lever costs"),
     "Lambda_i": Signal((6, 6), INERTIA, F_I, "articulated inertia of the link and all that it carries"),
     "p_i": Signal((6,), WRENCH, F_I, "bias force of the link and all that it carries"),
     "M_V": Signal((6, 6), INERTIA, F_I, "inertia in the twist rows"),

@@ -176,12 +176,14 @@ def record(e: Equilibrium) -> dict:
 
 WORDS = ("joint angles", "torques")
 """Of a robot without slides: what its joint coordinates are, and their forces."""
+FORCES = "torques and forces"
 
 
 def text(model: Model, e: Equilibrium) -> str:
     """The report."""
     m = model.n_joints
-    coordinates, torques = ("joint coordinates", "torques and forces") if model.chain.sliding else WORDS
+    coordinates, torques = ("joint coordinates", FORCES) if model.chain.sliding else WORDS
+    torques = FORCES if model.chain.cranked else torques
     angles = coordinates + ", held" * e.held
     torques += " that hold them" if e.held else " given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]

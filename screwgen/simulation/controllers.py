@@ -6,10 +6,12 @@ import os
 import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..algorithms.transmissions import efforts
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..spec.load import DEEP_KEY, one_line, syntax_error
@@ -73,7 +75,8 @@ class Holding:
             settled = np.abs(moved).max(initial=0.0) <= self.TOLERANCE * np.abs(x[i]).max(initial=0.0)
             if settled and np.abs(changed).max(initial=0.0) <= self.SETTLED * np.abs(forces).max(initial=0.0):
                 break
-        return self.chain.at_rotors(np.where(self.stated, force[:m], 0.0), self.p)
+        torques = self.chain.at_rotors(np.where(self.stated, force[:m], 0.0), self.p)
+        return efforts(self.chain, torques, x[:m], self.p)
 
     def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
         try:
@@ -97,7 +100,8 @@ class PD:
 
     Gains, limits and angles are those of the joints. Where these stand in the `q` and `v` of a robot a run says by
     `through`: behind a floating base; of an elastic drive the law measures the rotor's angle over the ratio in place of
-    the joint's, and its torque acts on the rotor, less by the ratio.
+    the joint's, and its torque acts on the rotor, less by the ratio. A cylinder is given the force that exerts the
+    torque; its limit in `tau_max` is that of the force, N.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -112,6 +116,7 @@ class PD:
     driven: tuple[int, ...] | None = None
     ahead: int = 0
     ratios: tuple[float, ...] | None = None
+    efforts: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
 
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
@@ -142,7 +147,9 @@ class PD:
         if len(self.q_des) != chain.n_tau:
             raise UsageError(f"PD: q_des has length {len(self.q_des)}; the robot has {chain.n_tau} joint coordinates")
         ratios, ahead = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
-        return replace(self, driven=tuple(chain.driven), ahead=ahead, ratios=tuple(ratios.tolist()))
+        cylinders = partial(_efforts, chain, p) if chain.cranked else None
+        driven = tuple(chain.driven)
+        return replace(self, driven=driven, ahead=ahead, ratios=tuple(ratios.tolist()), efforts=cylinders)
 
     @property
     def _ratios(self) -> np.ndarray:
@@ -164,8 +171,8 @@ class PD:
 
     @property
     def plain(self) -> bool:
-        """Whether the law has gains, one goal and limits only."""
-        return not self.waypoints and self.gravity is None
+        """Whether the law has gains, one goal and limits only, and drives no cylinder."""
+        return not self.waypoints and self.gravity is None and self.efforts is None
 
     @property
     def set_points(self) -> tuple[tuple[float, tuple[float, ...]], ...]:
@@ -190,9 +197,15 @@ class PD:
         (q_ref, v_ref), most = self.reference(t), self.bounds
         there, rate = self.measured(q, self.ahead), self.measured(v)
         tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self._ratios
+        if self.efforts is not None:
+            tau = self.efforts(tau, there)
         if self.gravity is not None:
             tau = tau + self.gravity(there)
         return tau if most is None else np.clip(tau, -most, most)
+
+
+def _efforts(chain: Chain, p: np.ndarray, torques: np.ndarray, q: np.ndarray) -> np.ndarray:
+    return efforts(chain, torques, q, p)
 
 
 def read_pd(path: str | os.PathLike[str], model: Model) -> PD:

@@ -11,6 +11,7 @@ from .parameters import Parameter, coordinate_names, parameters
 from .robot import Body, Damping, Link, Robot
 from .section import Section
 from .stations import Station, Stations
+from .transmission import Transmission
 
 __all__ = [
     "DIRECTIONS",
@@ -29,6 +30,7 @@ __all__ = [
     "Section",
     "Station",
     "Stations",
+    "Transmission",
     "coordinate_names",
     "dump",
     "equivalent_stiffness",

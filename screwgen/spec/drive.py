@@ -7,14 +7,16 @@ from pydantic import Field, PlainValidator, model_validator
 
 from .part import Part
 from .ranges import within
+from .screw import Screw
+from .transmission import Transmission
 from .values import refuse, shown
 
 
 class Friction(Part):
     """Dry and viscous friction, `(viscous + coulomb / sqrt(w² + velocity²)) w` at the rate w.
 
-    It acts on the coordinate that the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, else
-    on the joint (of a slide N, N·s/m, m/s).
+    It acts on what the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, on the cylinder of a
+    transmission (N, N·s/m, m/s), else on the joint (of a slide N, N·s/m, m/s).
     """
 
     coulomb: Annotated[float, PlainValidator(within("coulomb"))] | None = Field(
@@ -45,7 +47,9 @@ class Drive(Part):
     """The drive of one axis. Without `stiffness` its gear is rigid: the rotor adds `ratio² rotor_inertia` to the axis.
 
     With `stiffness` the rotor's angle is a coordinate of its own and the torque acts on the rotor; `stiffness` and
-    `damping` are those of the gear as seen at the joint. An empty table is no drive.
+    `damping` are those of the gear as seen at the joint. An empty table is no drive. With `transmission` a cylinder
+    drives the axis, and the rotor turns by `ratio` (rad/m) per travel of it; with a ratio of 1 `rotor_inertia` is a
+    mass that moves with the rod, kg.
     """
 
     ratio: Annotated[float, PlainValidator(within("ratio"))] | None = Field(
@@ -61,6 +65,9 @@ class Drive(Part):
         None, description="damping of the gear at the joint, N·m·s/rad (of a slide N·s/m)"
     )
     friction: Friction | None = Field(None, description="as { coulomb = …, viscous = …, velocity = … }")
+    transmission: Transmission | None = Field(
+        None, description="of an axis that a cylinder drives, as { crank = …, base = …, angle = … }"
+    )
 
     @property
     def elastic(self) -> bool:
@@ -76,15 +83,22 @@ class Drive(Part):
         if self.damping is not None and not self.elastic:
             what = "is stated without stiffness, and a rigid gear has none"
             raise refuse(f"{what}; use the joint's damping, or friction = {{ viscous = … }}", at=("damping",))
+        if self.transmission is not None and self.elastic:
+            what = "is stated beside transmission, whose gear is rigid"
+            raise refuse(f"{what}; leave it out, or model the cylinder by links and a loop", at=("stiffness",))
         return self
 
 
-def check(drives: Sequence[Drive], axes: int, armature: Sequence[float] | None) -> None:
-    """Refuse another number of drives than of axes, and rotors whose inertia at the joint is stated twice."""
-    if len(drives) != axes:
-        what = f"has length {len(drives)}; it must hold one table per axis, {axes}; an empty one is no drive"
+def check(drives: Sequence[Drive], screws: Sequence[Screw], armature: Sequence[float] | None) -> None:
+    """Refuse another number of drives than of axes, cylinders of axes that slide, and inertia that is stated twice."""
+    if len(drives) != len(screws):
+        what = f"has length {len(drives)}; it must hold one table per axis, {len(screws)}; an empty one is no drive"
         raise refuse(what, at=("drives",))
+    for k, (drive, screw) in enumerate(zip(drives, screws, strict=True)):
+        if drive.transmission is not None and screw.slides:
+            what = "is stated of an axis along which the link slides, and a cylinder turns a link"
+            raise refuse(f"{what}; leave it out, for the force of a slide acts along it", at=("drives", k, "transmission"))
     for k, (drive, inertia) in enumerate(zip(drives, armature or (), strict=False)):
-        if drive.rotor_inertia is not None and not drive.elastic and inertia:
+        if drive.rotor_inertia is not None and not drive.elastic and drive.transmission is None and inertia:
             what = f"is stated beside armature[{k}] = {shown(inertia)}, which means the same"
             raise refuse(f"{what}; leave one of them out", at=("drives", k, "rotor_inertia"))

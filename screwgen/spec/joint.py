@@ -85,7 +85,7 @@ class Joint(Part):
                 what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
                 raise refuse(what, at=(name,))
         if self.drives is not None:
-            check(self.drives, len(self.axes), self.armature)
+            check(self.drives, self.screws, self.armature)
         if self.limits is not None:
             check_limits(self.limits, len(self.axes))
         return self

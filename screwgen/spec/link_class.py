@@ -41,6 +41,8 @@ class DriveClass:
     damping: bool = False
     coulomb: bool = False
     viscous: bool = False
+    transmission: str = ""
+    """The kind of its transmission, if its ratio depends on the posture."""
 
 
 Stop = tuple[int, str]
@@ -149,13 +151,23 @@ class LinkClass:
 
     @property
     def rubbed(self) -> tuple[int, ...]:
-        """The axes with dry friction."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.coulomb)
+        """The axes with dry friction on a coordinate."""
+        return tuple(k for k, drive in enumerate(self.drives) if drive.coulomb and not drive.transmission)
+
+    @property
+    def cranked(self) -> tuple[int, ...]:
+        """The axes whose drives have a transmission."""
+        return tuple(k for k, drive in enumerate(self.drives) if drive.transmission)
 
     @property
     def weighted(self) -> bool:
-        """Whether the joint's coordinates have an inertia of their own."""
-        return self.armature or any(drive.rotor_inertia and not drive.stiffness for drive in self.drives)
+        """Whether the joint's coordinates have an inertia of their own, the same in every posture."""
+        return self.armature or any(d.rotor_inertia and not (d.stiffness or d.transmission) for d in self.drives)
+
+    @property
+    def swung(self) -> bool:
+        """Whether they have one that depends on the posture."""
+        return any(self.drives[axis].rotor_inertia for axis in self.cranked)
 
     @property
     def braced(self) -> bool:
@@ -165,12 +177,14 @@ class LinkClass:
     @property
     def damped(self) -> bool:
         """Whether viscous dampers act on the joint's axes."""
-        return self.joint_damping or any(d.damping if d.stiffness else d.viscous for d in self.drives)
+        return self.joint_damping or any(
+            d.damping if d.stiffness else d.viscous and not d.transmission for d in self.drives
+        )
 
     @property
     def sprung(self) -> bool:
         """Whether springs, dampers, friction or stops act on the joint's axes."""
-        dry = any(d.coulomb and not d.stiffness for d in self.drives)
+        dry = any(not self.drives[axis].stiffness for axis in self.rubbed)
         return self.damped or self.braced or dry or bool(self.stops)
 
     @cached_property
@@ -212,7 +226,7 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
         friction = drive.friction or NO_FRICTION
         stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
         stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous")}
-        out.append(DriveClass(**stated))
+        out.append(DriveClass(**stated, transmission=drive.transmission.kind if drive.transmission else ""))
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()
 
 

@@ -14,6 +14,7 @@ from .robot import Body, Link, Robot
 from .section import Section
 from .segments import segments
 from .stations import Stations
+from .transmission import Transmission
 
 Index = tuple[int, ...]
 Value = float | tuple[float, ...] | None
@@ -87,6 +88,15 @@ FIELDS = {
     "joint.limits.upper": Field("joint.limits[{}].upper", "rad", "largest coordinate of the joint"),
     "joint.limits.stiffness": Field("joint.limits[{}].stiffness", "N·m/rad", "stiffness of the stops at the limits"),
     "joint.limits.damping": Field("joint.limits[{}].damping", "N·m·s/rad", "damping of the stops at the limits"),
+    "joint.drives.transmission.crank": Field(
+        "joint.drives[{}].transmission.crank", "m", "distance of the cylinder's eye on the link from the joint axis"
+    ),
+    "joint.drives.transmission.base": Field(
+        "joint.drives[{}].transmission.base", "m", "distance of the cylinder's eye on the carrier from the joint axis"
+    ),
+    "joint.drives.transmission.angle": Field(
+        "joint.drives[{}].transmission.angle", "rad", "angle between the eyes of the cylinder at q = 0"
+    ),
     "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
     "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
@@ -116,6 +126,12 @@ SLIDING = {
 }
 """Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has those."""
 
+CRANKED = {
+    "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the cylinder"),
+    **{field: SLIDING[field] for field in SLIDING if ".friction." in field},
+}
+"""The same of an axis that a cylinder drives."""
+
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 
 
@@ -142,11 +158,13 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
 
 def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
     """A parameter of a joint's axis with unit and meaning of a slide, if it is one."""
-    if parameter.field not in SLIDING or joint.screws[axis := parameter.index[0]].turn:
+    if parameter.field not in SLIDING:
         return parameter
-    if ".friction." in parameter.field and joint.drives and joint.drives[axis].elastic:
+    drive = joint.drives[parameter.index[0]] if joint.drives else None
+    units = CRANKED if drive and drive.transmission else {} if joint.screws[parameter.index[0]].turn else SLIDING
+    if parameter.field not in units or (".friction." in parameter.field and drive and drive.elastic):
         return parameter
-    unit, description = SLIDING[parameter.field]
+    unit, description = units[parameter.field]
     return replace(parameter, unit=unit, description=description)
 
 
@@ -156,6 +174,8 @@ def driven(drive: Drive) -> Iterator[tuple[str, Value]]:
         yield f"joint.drives.{name}", getattr(drive, name)
     for name in ("coulomb", "viscous", "velocity"):
         yield f"joint.drives.friction.{name}", getattr(drive.friction or NO_FRICTION, name)
+    for name in Transmission.model_fields if drive.transmission else ():
+        yield f"joint.drives.transmission.{name}", getattr(drive.transmission, name)
 
 
 def limited(limit: Limit) -> Iterator[tuple[str, Value]]:
@@ -234,7 +254,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     the axis, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
     v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m). Of an axis that
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
-    drive `cart.torque[0]` (N·m). wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
+    drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N). wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
     Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
     """
@@ -269,16 +289,16 @@ def turning(robot: Robot) -> list[bool]:
 
 
 def force_units(robot: Robot) -> list[str]:
-    """The units of tau: N·m for axes that turn and for rotors, N for axes that slide."""
+    """The units of tau: N·m for axes that turn and for rotors, N for axes that slide and for cylinders."""
     return ["N·m" if turns else "N" for _, _, turns in _driven(robot)]
 
 
 def _driven(robot: Robot) -> Iterator[tuple[Link, int, bool]]:
     """Link and number of every axis, and whether what its torque acts on turns: the axis, or its rotor."""
     for link in robot.links:
-        elastic = [drive.elastic for drive in link.joint.drives or ()] or [False] * len(link.joint.axes)
-        for j, (screw, rotor) in enumerate(zip(link.joint.screws, elastic, strict=True)):
-            yield link, j, screw.turn or rotor
+        drives = link.joint.drives or [Drive()] * len(link.joint.axes)
+        for j, (screw, drive) in enumerate(zip(link.joint.screws, drives, strict=True)):
+            yield link, j, drive.elastic or (screw.turn and drive.transmission is None)
 
 
 def per_rotor(robot: Robot, quantity: str) -> tuple[str, ...]:

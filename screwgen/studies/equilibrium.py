@@ -9,6 +9,7 @@ import numpy as np
 import scipy.linalg
 
 from .. import notebook
+from ..algorithms.transmissions import efforts
 from ..arguments import Given, Numbers, choice
 from ..backends.numpy.closing import closed
 from ..errors import UsageError
@@ -193,10 +194,11 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: 
     model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.driven
     straight = statics.at(np.append(b.q[:m], np.zeros(model.nq - m)))
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
+    holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p)
     stability, eigenvalues, loose = _stability(statics, b)
     return Equilibrium(
         q=b.q,
-        tau=np.where(held, b.force[driven] + 0.0, statics.load[driven]),
+        tau=np.where(held, holding + 0.0, statics.load[driven]),
         held=hold,
         passive=tuple(
             name for name, h, k in zip(model.q_names, held, statics.springs, strict=False) if hold > h and k > 0

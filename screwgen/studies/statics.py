@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.optimize import least_squares
 
+from ..algorithms.transmissions import travels
 from ..errors import UsageError
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
@@ -79,20 +80,34 @@ class Statics:
     def at(self, q: np.ndarray) -> Balance:
         """The balance at `q`."""
         energy, force, slope, weight, wrench, tip = self._functions(q, self.w_ext)
-        force, scale = force[:, 0], self.scales(q, force[:, 0], weight)
+        work, load, softening = self.driven(q)
+        force, scale = force[:, 0], self.scales(q, force[:, 0], weight, load)
         places = {"wrench": wrench.T, "tip": tip[:, 0], "moving": self.moving}
-        return Balance(q, energy.item() - self.load @ q, force - self.load, slope, scale, **places)
+        return Balance(q, energy.item() - work, force - load, slope - softening, scale, **places)
+
+    def driven(self, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray | float]:
+        """The work of the torques up to `q`, their generalised forces (nq,), and the derivative of these with q.
+
+        A cylinder's force does work along its travel, and what it exerts on its joint depends on the posture.
+        """
+        chain, m = self.model.chain, self.model.n_joints
+        if not chain.cranked:
+            return self.load @ q, self.load, 0.0
+        along, load, slope = q.copy(), self.load.copy(), np.zeros(len(q))
+        along[:m], lever, slope[:m] = travels(chain, q[:m], self.p)
+        load[:m] *= lever
+        return self.load @ along, load, np.diag(self.load * slope)
 
     def _functions(self, q: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         return [np.array(x) for x in self.model.statics(q, w_ext.T, self.p)]
 
-    def scales(self, q: np.ndarray, force: np.ndarray, weight: np.ndarray) -> np.ndarray:
+    def scales(self, q: np.ndarray, force: np.ndarray, weight: np.ndarray, load: np.ndarray) -> np.ndarray:
         """(nq,): for every coordinate the largest load of its unit, N·m or N; 1 if there is none.
 
         Loads are what gravity does to a coordinate if it points in the worst direction, the force of its spring, its
         torque, and what the wrenches on the tips do to it.
         """
-        loads = self.weights(weight) + np.abs(self.springs * q) + np.abs(self.load)
+        loads = self.weights(weight) + np.abs(self.springs * q) + np.abs(load)
         if self.w_ext.any():
             loads += np.abs(force - self._functions(q, 0 * self.w_ext)[1][:, 0])
         out = np.ones(len(q))
@@ -275,7 +290,8 @@ def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibrium
     away = statics.wandered(b.q - start)
     k = int(away[0]) if away.size else int(np.argmax(b.shares))
     joint = k < statics.model.chain.eta_q
-    kind, unit = ("torque", "N·m") if statics.turning[k] else ("force", "N")
+    pushed = k < statics.model.n_joints and k in statics.model.chain.cranked
+    kind, unit = ("torque", "N·m") if statics.turning[k] and not pushed else ("force", "N")
     what = f"its {kind} of {statics.load[k]:.6g} {unit}" if joint and statics.load[k] else "its load"
     what += ", with the wrenches on the tips" if statics.w_ext.any() else ""
     return NoEquilibriumError(

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import scipy.linalg
 
+from ..algorithms.transmissions import efforts
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..simulation.validity import Validity
@@ -81,12 +82,14 @@ def steady(
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
+    tau = efforts(chain, force[chain.driven], q[: chain.n_joints], p)
+    if chain.cranked:
+        M, K, C = numeric.slopes(q, v, None, None, tau)
     if v.any():
         further = q + FURTHER / np.max(np.abs(v)) * v
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    tau, columns = force[chain.driven], K[:, :m]
-    rigid = unresisted(columns, tau, K[:, m:] @ q[m:])
+    rigid = unresisted(K[:, :m], force[chain.driven], K[:, m:] @ q[m:])
     return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid, np.zeros((0, model.nv)), {})
 
 

@@ -182,6 +182,11 @@ class Coordinates:
         """The joint coordinate, as its number among those, of every stop, and the sign of those beyond it."""
         return [(self.q_offset[i] + axis, SIDES[side]) for i, key in enumerate(self.keys) for axis, side in key.stops]
 
+    @cached_property
+    def cranked(self) -> list[int]:
+        """The joint coordinates, as their numbers, whose drives have a transmission."""
+        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.cranked]
+
     @property
     def slides(self) -> bool:
         """Whether any joint moves its link along an axis."""

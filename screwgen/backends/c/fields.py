@@ -54,7 +54,7 @@ def structs(chain: Chain) -> dict[str, list[Field]]:
 
     def field(struct: str, name: str, s: Signal) -> Field:
         sizes = {"NINERTIA": inertia} | ({"NMODES": inner} if struct.startswith("dae") else {})
-        comment = joint_comment(s, chain.sliding)
+        comment = joint_comment(s, chain.sliding) + CYLINDERS * (name == "tau" and bool(chain.cranked))
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return Field(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
@@ -68,6 +68,7 @@ def drives(chain: Chain) -> bool:
 
 
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
+CYLINDERS = "; N where a cylinder drives it"
 ROTORS = {
     "eta": "rad, m: angles of the rotors, then modal coordinates",
     "etadot": "rad/s, m/s: their rates",

@@ -19,7 +19,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case, cases
-from . import batch, check, derivatives, estimator, files, loops, steps
+from . import batch, check, derivatives, estimator, files, levers, loops, steps
 from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
 from .fields import (
@@ -171,6 +171,7 @@ class CProject:
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "loops": self._loops,
+            "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
             "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),
             "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),

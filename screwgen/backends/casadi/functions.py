@@ -107,6 +107,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         ("tip_pose", "q p", tip_pose),
         ("link_pose", "q p", link_pose),
     )
+    if chain.cranked:
+        rows += (("levers", "q p", lambda: outputs(fused.levers)),)
     return {name: made(name, inputs, results) for name, inputs, results in rows}
 
 
@@ -115,7 +117,7 @@ def _inertia(chain: Chain) -> Program:
 
     def body(f: Functions, x: Mapping) -> dict[str, list]:
         rest, nothing = [0.0] * chain.nv, [0.0] * 6 * chain.n
-        M = slopes(f, x["q"], rest, rest, nothing).M
+        M = slopes(f, x["q"], rest, rest, nothing, [0.0] * chain.n_tau).M
         return {"lower": [M[i, j] for i in range(chain.nv) for j in range(i + 1)]}
 
     return fused.fuse(chain, "mass_matrix", {"q": chain.nq}, body)

@@ -70,6 +70,14 @@ DRIVEN: tuple[Named, ...] = (
 )
 """Symbols of robots with drives."""
 
+CRANKED: tuple[Named, ...] = (
+    (r"l", "length of the cylinder that drives an axis; primes are derivatives with q", "m", "1", "-", STATE),
+    (r"F", "force of the cylinder, positive where it extends it", "N", "1", "-", STATE),
+    (r"b_0, c_0", "distances of the cylinder's eyes on carrier and link from the joint axis", "m", "1", "-", PARAMETER),
+    (r"\alpha_0", "angle between the eyes at q = 0", "rad", "1", "-", PARAMETER),
+)
+"""Symbols of robots with cylinders that drive joints."""
+
 TIMES = r"\times"
 
 

@@ -90,6 +90,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "armature": key.armature,
         "elastic drives": key.motors,
         "rigid gears": any(drive.rotor_inertia and not drive.stiffness for drive in key.drives),
+        "cylinders": key.cranked,
         "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
         "joint damping": key.joint_damping,
         "joint stiffness": key.stiffness,

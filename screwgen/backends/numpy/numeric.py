@@ -16,6 +16,7 @@ from ...algorithms.functions import (
     ENERGY,
     FORWARD,
     INVERSE,
+    LEVERS,
     MEASURING,
     MOTION,
     PLACEMENT,
@@ -138,14 +139,22 @@ class Numeric:
         """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
         self.chain.needs_fixed_tree(*EXACT)
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
-        M, f_q, f_v = self.slopes(q, v, vdot, w_ext)
-        given = np.eye(self.chain.nv)[:, self.chain.driven]
+        M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)
+        given = np.eye(self.chain.nv)[:, self.chain.driven] * self.levers(q)
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
-    def slopes(self, q, v, vdot, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nq, nq) each."""
+    def levers(self, q) -> np.ndarray:
+        """What the torque of each axis is multiplied by (n_tau,): the travel of its cylinder per rad, m, or 1."""
+        return np.array(self._functions(LEVERS).levers(*self._rows(q=q)))
+
+    def slopes(self, q, v, vdot, w_ext, tau=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nq, nq) each.
+
+        ``tau`` counts where cylinders drive joints: what their forces do changes with the posture.
+        """
         self.chain.needs_fixed(*EXACT)
-        found = slopes(self._functions(INVERSE, SENSITIVITY), *self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext))
+        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
+        found = slopes(self._functions(INVERSE, SENSITIVITY), *given)
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         return np.tril(M) + np.tril(M, -1).T, f_q, f_v
 

@@ -1,0 +1,194 @@
+"""Transmissions: drives whose ratio depends on the posture.
+
+A transmission of an axis is a relation from its coordinate q to the travel ``l(q)`` of what drives it. The input of the
+axis is the effort ``F`` along that travel, so the axis gets ``l' F``. A rotor of inertia ``J_r`` that turns by ``N`` per
+travel has the energy ``J_r N^2 l'^2 qdot^2 / 2``: the inertia ``J_r N^2 l'^2`` of the axis and the force
+``J_r N^2 l' l'' qdot^2``. Friction acts at the rate ``l' qdot``, and ``l'`` times it on the axis. All of it depends on
+posture and rates alone and is explicit in every method.
+
+A further transmission is a function like :func:`cylinder` in ``KINDS``, with its keys in ``spec/transmission.py``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from ..errors import SingularError
+from ..ir.derivative import columns
+from ..ir.program import Array, Program, Tracer, Value
+from ..ir.replay import run
+from ..spec.parameters import coordinate_names
+from ..topology.chain import Chain
+from . import matrices as mx
+from .scope import Scope
+
+Relation = tuple[Value, Value, Value]
+"""The travel ``l`` of a transmission, and its first and second derivative with the coordinate of the axis."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of transmission: the keys of its parameters, and the relation of coordinate and parameters."""
+
+    keys: tuple[str, ...]
+    relation: Callable[..., Relation]
+
+
+def cylinder(t: Tracer, q: Value, crank: Value, base: Value, angle: Value) -> Relation:
+    """A cylinder from an eye on the carrier to one on the link; where its length is zero nothing is finite.
+
+    ``l^2 = (base - crank)^2 + 4 base crank sin^2(u / 2)`` with ``u = q + angle``, which loses no digits where it is short.
+    """
+    half = 0.5 * (q + angle)
+    sine, cosine = t.call("sin", half), t.call("cos", half)
+    area, gap = base * crank, base - crank
+    square = gap * gap + 4.0 * area * (sine * sine)
+    length = t.call("sqrt", square)
+    slope = 2.0 * area * (sine * cosine) / length
+    return length, slope, (area * (1.0 - 2.0 * (sine * sine)) - slope * slope) / length
+
+
+KINDS = {"cylinder": Kind(("crank", "base", "angle"), cylinder)}
+
+
+@cache
+def relation(kind: str) -> Program:
+    """``(q, given) -> (relation)`` of a kind, with the values of its keys as ``given``: l, l' and l''."""
+    tracer, keys = Tracer(), KINDS[kind].keys
+    found = KINDS[kind].relation(tracer, tracer.input("q", 1)[0], *tracer.input("given", len(keys)))
+    return tracer.program("relation", {"q": 1, "given": len(keys)}, {"relation": list(found)})
+
+
+@dataclass
+class Cranks:
+    """The transmissions of a joint's axes: l', inertia and force, (m,) each; an axis without one has 1, 0 and 0."""
+
+    slope: Array
+    inertia: Array
+    force: Array
+
+    def keep(self, s: Scope) -> None:
+        """Store it for later phases of the link."""
+        for name, values in vars(self).items():
+            s.keep(f"crank_{name}", values)
+
+
+def kept(s: Scope) -> Cranks:
+    """What an earlier phase stored."""
+    return Cranks(*(s.kept(f"crank_{name}") for name in ("slope", "inertia", "force")))
+
+
+def of_axis(s: Scope, axis: int, q: Array) -> Relation:
+    """The relation of an axis with a transmission."""
+    kind = KINDS[s.key.drives[axis].transmission]
+    return kind.relation(s.tracer, q[axis], *(s.constant(f"drive_{name}_{axis + 1}") for name in kind.keys))
+
+
+def slopes(s: Scope, q: Array) -> Array:
+    """``l'`` of every axis (m,), 1 without a transmission."""
+    return mx.array([of_axis(s, k, q)[1] if k in s.key.cranked else 1.0 for k in range(s.key.joints)])
+
+
+def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
+    """The transmissions of the joint's axes at a posture and at rates."""
+    m = s.key.joints
+    out = Cranks(mx.array([1.0] * m), mx.zeros(m), mx.zeros(m))
+    for axis in s.key.cranked:
+        _, slope, curve = of_axis(s, axis, q)
+        rate = slope * qdot[axis]
+        force = _friction(s, axis, rate)
+        if s.key.drives[axis].rotor_inertia:
+            mass = s.constant(f"crank_inertia_{axis + 1}")
+            out.inertia[axis] = mass * slope * slope
+            force = force + mass * curve * qdot[axis] * qdot[axis]
+        out.slope[axis], out.force[axis] = slope, slope * force
+    return out
+
+
+def _friction(s: Scope, axis: int, rate: Value) -> Value:
+    """The friction along the travel at its rate."""
+    drive, total = s.key.drives[axis], 0.0
+    if drive.viscous:
+        total = s.constant(f"drive_viscous_{axis + 1}") * rate
+    if drive.coulomb:
+        speed = s.constant(f"drive_velocity_{axis + 1}")
+        size = s.tracer.call("sqrt", rate * rate + speed * speed)
+        total = total + s.constant(f"drive_coulomb_{axis + 1}") / size * rate
+    return total
+
+
+def kinetic(s: Scope, q: Array, qdot: Array) -> Value:
+    """Twice the kinetic energy of the rotors."""
+    total: Value = 0.0
+    for axis in s.key.cranked if s.key.swung else ():
+        if s.key.drives[axis].rotor_inertia:
+            rate = of_axis(s, axis, q)[1] * qdot[axis]
+            total = total + s.constant(f"crank_inertia_{axis + 1}") * rate * rate
+    return total
+
+
+def store(s: Scope, q: Array, qdot: Array) -> None:
+    """Base to tip: the transmissions of the joint's axes, for the phases that follow."""
+    if s.key.cranked:
+        cranks(s, q, qdot).keep(s)
+
+
+def levers(s: Scope) -> None:
+    """The travel per unit of each axis: what its effort is multiplied by."""
+    s.write("levers", slopes(s, s.read("q")) if s.key.cranked else np.array([1.0] * s.key.joints, object))
+
+
+def answers(s: Scope) -> tuple[Array, Array]:
+    """The derivatives (m, m) of what the transmissions ask of the joint, less their efforts, with q and with qdot."""
+    m, q, qdot = s.key.joints, s.read("q"), s.read("qdot")
+    if not s.key.cranked:
+        return mx.zeros(m, m), mx.zeros(m, m)
+    found = cranks(s, q, qdot)
+    s.write("w.crank_inertia", found.inertia)
+    asked = found.inertia * s.read("qddot") + found.force - found.slope * s.read("tau")
+    both = (columns([asked[k] if k in s.key.cranked else 0.0 for k in range(m)], x) for x in (q, qdot))
+    with_q, with_qdot = (mx.array(x, (m, m)).T for x in both)
+    return with_q, with_qdot
+
+
+# ------------------------------------------------------------------------------------ of a robot, in numbers
+
+
+def travels(chain: Chain, q: Sequence[float], p: Sequence[float]) -> np.ndarray:
+    """(3, n_joints): ``l``, ``l'`` and ``l''`` of every axis at the joint coordinates ``q``; q, 1 and 0 without one."""
+    out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
+    for i, key in enumerate(chain.keys):
+        for axis in key.cranked:
+            kind, place = key.drives[axis].transmission, chain.q_offset[i] + axis
+            given = [p[chain.parameter_labels[i][f"drive_{name}_{axis + 1}"]] for name in KINDS[kind].keys]
+            found, _ = run(relation(kind), {"q": [float(q[place])], "given": given}, _unary)
+            out[:, place] = found["relation"]
+    return out
+
+
+def _unary(op: str, x: float) -> float:
+    return -x if op == "neg" else getattr(math, op)(x)
+
+
+def efforts(chain: Chain, torques: np.ndarray, q: Sequence[float], p: Sequence[float]) -> np.ndarray:
+    """Torques of the joints (n_tau,) at ``q`` as the efforts that cause them: forces where cylinders drive joints.
+
+    Raises SingularError where a cylinder stands in a dead centre and would need an infinite force.
+    """
+    if not chain.cranked:
+        return torques
+    slope = travels(chain, q, p)[1]
+    for joint in chain.cranked:
+        if abs(slope[joint]) < DEAD and torques[joint]:
+            name = coordinate_names(chain.robot).q[chain.base_q + joint]
+            raise SingularError(f"{name}: its cylinder is in a dead centre, where no force turns the joint; leave it")
+    return torques / np.where(slope == 0, 1.0, slope)
+
+
+DEAD = 1e-9
+"""m/rad: a lever that counts as none."""

@@ -45,8 +45,8 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
 def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
-    """The n + 1 nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
-    out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
+    """The nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
+    out: list[dict[str, list]] = [{} for _ in range(chain.tree.size)]
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
     out[0] |= {"acc_0": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
@@ -278,7 +278,7 @@ class Functions:
     def poses(self, q) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""
         links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
-        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1:]]
+        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1 : self.chain.n + 1]]
 
     def coordinate_rates(self, q, v) -> list:
         """``dq/dt``: the rates themselves, but for the pose of a floating base."""

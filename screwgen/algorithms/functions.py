@@ -11,21 +11,22 @@ from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from . import dae, loops, validity
 from . import matrices as mx
+from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .drives import friction, rotor_accelerations
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
-POSES = Phase(ph.poses, OUTWARD)
+POSES = Phase(mo.poses, OUTWARD)
 
 SOLVE: Algorithm = (Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
 
 FORWARD: Algorithm = (KINEMATICS, *SOLVE)
 INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
 PLACES: Algorithm = (POSES,)
-MOTION: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.tip_twist, OUTWARD))
-ENERGY: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.energy, OUTWARD))
+MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
+ENERGY: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.energy, OUTWARD))
 MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
 
@@ -278,7 +279,9 @@ class Functions:
     def poses(self, q) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""
         links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
-        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1 : self.chain.n + 1]]
+        return [(link["R"], link["r"]) for link in links], [
+            (node["R"], node["r"]) for node in places[1 : self.chain.n + 1]
+        ]
 
     def coordinate_rates(self, q, v) -> list:
         """``dq/dt``: the rates themselves, but for the pose of a floating base."""

@@ -294,7 +294,7 @@ def edge_name(name: str, station: int) -> str:
 
 def is_node(where: str) -> bool:
     """Whether the prefix of a signal is that of a node: the base's, the tip's, or a station's."""
-    return where in ("base", "tip") or where[:2] == "at" and where[2:].isdigit()
+    return where in ("base", "tip") or (where[:2] == "at" and where[2:].isdigit())
 
 
 def type_of(name: str) -> Signal:

@@ -204,6 +204,10 @@ class LinkClass:
         return [b for b, body in enumerate(self.bodies) if body and body.at == section]
 
 
+MARKER = LinkClass(("",) * 4, (0,) * 4, (), *[False] * 9, bodies=(), length=False, beam=False)
+"""The class of a marker that a loop joins: a link without mass, welded to the section."""
+
+
 def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
     """What the drives of a joint state, axis by axis; none where they state nothing."""
     out = []

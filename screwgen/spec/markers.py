@@ -15,7 +15,7 @@ from .stations import place
 from .values import Path, quoted, refuse, shown
 
 if TYPE_CHECKING:
-    from .robot import Link, Robot
+    from .robot import Link
 
 ENDS = {"base": 0.0, "tip": 1.0}
 """The markers that every link has."""
@@ -45,7 +45,7 @@ def marker(value: Any) -> str | Place:
         return value
     if isinstance(value, dict):
         if list(value) != ["s"]:
-            raise refuse(f'has the keys {", ".join(map(quoted, value)) or "of no place"}; {AT}')
+            raise refuse(f"has the keys {', '.join(map(quoted, value)) or 'of no place'}; {AT}")
         return Place(place(value["s"], at=("s",)))
     if not isinstance(value, str) or not IDENTIFIER.fullmatch(value):
         raise refuse(f"is {shown(value)}; {AT}")
@@ -73,7 +73,7 @@ def carried_at(links: Sequence[Link]) -> list[float]:
         at: Path = ("links", i, "at")
         if parent < 0:
             if link.at != "tip":
-                what = f'is stated for a link on the {WORLD}, which has no markers; leave it out, or use the mount'
+                what = f"is stated for a link on the {WORLD}, which has no markers; leave it out, or use the mount"
                 raise refuse(what, at)
             out.append(TIP)
             continue
@@ -92,7 +92,7 @@ def reached(link: Link, s: float, at: Path) -> float:
     if link.length is None:
         if s == BASE:
             return TIP
-        raise refuse(f"is a place along link '{link.name}', which states no length; choose \"tip\" or \"base\"", at)
+        raise refuse(f'is a place along link \'{link.name}\', which states no length; choose "tip" or "base"', at)
     return s
 
 

@@ -16,7 +16,7 @@ from .joint import Joint, Position
 from .loops import Loop, refuse_loops
 from .markers import TIP, Marker, Place, carried_at, check_markers, marker, written
 from .modes import DIRECTIONS, NEEDS, SHEARED, Modes
-from .names import link_name, robot_name
+from .names import distinct, link_name, robot_name
 from .needs import require, require_divisible, require_uniform, segment_count
 from .parents import parent_name, parents
 from .part import Part
@@ -178,7 +178,7 @@ class Robot(Part):
         FIXED, description='"fixed", or "floating": the first link moves freely, its pose is part of the state'
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
-    loops: tuple[Loop, ...] = Field((), description="joints between the tips of two links, [[loops]] tables")
+    loops: tuple[Loop, ...] = Field((), description="joints between markers of two links, [[loops]] tables")
 
     @property
     def floating(self) -> bool:
@@ -197,12 +197,13 @@ class Robot(Part):
     def _links_with_names_of_their_own(self) -> Self:
         if not self.links:
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
-        distinct_names(self)
+        distinct([link.name for link in self.links])
         check_markers(self.links)
         if self.floating:
             check_floating(self.links)
         refuse_axes(self)
-        refuse_loops([link.name for link in self.links], self.loops, self.base == FLOATING)
+        refuse_loops(self.links, self.loops, self.base == FLOATING)
+        distinct_names(self)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..arguments import Parameters, array
 from ..errors import SingularError, UsageError
-from ..spec.link_class import link_class
+from ..spec.link_class import MARKER, link_class
 from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
@@ -31,6 +31,8 @@ class Chain(Coordinates):
         self.tree, stations = mounted(robot, self.segments)
         keys = [
             link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number, robot.floating and i == 0)
+            if s.marker is None
+            else MARKER
             for i, s in enumerate(self.segments)
         ]
         keys = [replace(key, stations_at=at) if at else key for key, at in zip(keys, stations, strict=True)]
@@ -103,6 +105,11 @@ class Chain(Coordinates):
     def last(self) -> int:
         """The segment whose tip is that of the robot, of the last link of the file."""
         return self.lasts[-1]
+
+    @property
+    def last_entries(self) -> slice:
+        """The entries of its point among those of all tips."""
+        return slice(3 * self.last, 3 * self.last + 3)
 
     @property
     def firsts(self) -> list[int]:

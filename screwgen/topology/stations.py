@@ -33,7 +33,9 @@ def _mounts(robot: Robot, pieces: Sequence[Segment]) -> list[Mount]:
     out: list[Mount] = []
     for place, segment in enumerate(pieces):
         parent = carriers[segment.link]
-        if not segment.first:
+        if segment.marker is not None:
+            out.append(section(robot, firsts, segment.link, segment.marker))
+        elif not segment.first:
             out.append((place - 1, END))
         elif parent < 0:
             out.append((BASE, END))

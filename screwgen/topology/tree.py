@@ -17,7 +17,7 @@ class Tree:
 
     Links meet in nodes: node 0 is the base, node i + 1 the tip of link i. Behind the tips come the stations, the other
     sections at which links are carried: `stations[i]` is how many link i has, `carried_at[i]` the number, among those
-    of its parent, of the one that carries link i, or ``TIP``. The contributions of several links to one node are summed.
+    of its parent, of the one that carries link i, or ``TIP``. What several links hand to one node is summed.
     """
 
     parents: tuple[int, ...]

@@ -14,6 +14,7 @@ from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, p
 from ...ir.block import Signal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
+from ...spec.markers import TIP, carried_at
 from ...spec.parents import parents
 from ...topology.chain import Chain
 from .code import literal
@@ -182,17 +183,26 @@ def floating_base(chain: Chain) -> dict[str, object]:
     }
 
 
+def last_tip(chain: Chain) -> dict[str, str]:
+    """The link whose tip is that of the robot, and the node of that tip, as C."""
+    if chain.last == chain.n - 1:
+        return {"last_link": "$$_NLINKS - 1", "last_node": "$$_NLINKS"}
+    return {"last_link": str(chain.last), "last_node": str(chain.tree.tip(chain.last))}
+
+
 def topology(chain: Chain) -> dict[str, object]:
     """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:
-        return {"bases": [], "stations": [], "carriers": [], **floating_base(chain)}
+        return {"bases": [], "stations": [], "carriers": [], **floating_base(chain), **last_tip(chain)}
     links = chain.robot.links
     names = ["no other link" if chain.floating else "the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]
     stations = [chain.tree.station(i, 0) for i in range(chain.n)] if any(chain.tree.stations) else []
-    carriers = [names[parent + 1] for parent in parents(links)]
+    carried = zip(parents(links), carried_at(links), strict=True)
+    carriers = [names[parent + 1] + (f" at s = {s:g}" if s != TIP else "") for parent, s in carried]
     more = {"bases": bases, "stations": stations, "n_stations": sum(chain.tree.stations), "carriers": carriers}
-    return {**floating_base(chain), **more}
+    more |= {"markers": any(segment.marker is not None for segment in chain.segments)}
+    return {**floating_base(chain), **last_tip(chain), **more}
 
 
 def node_fields(programs: Iterable[Program]) -> list[Field]:

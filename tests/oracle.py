@@ -24,6 +24,7 @@ import scipy.linalg
 from oracle_cloud import Cloud, build_cloud, gradient, modal_slices, per_column, rates, slices
 from oracle_drives import Drives
 from oracle_link import read_link
+from oracle_stations import place_of, section
 from oracle_stops import Stops
 
 
@@ -85,13 +86,20 @@ class Oracle:
         clouds: list[Cloud] = []
         follow = self.robot.get("section_rotation", True)
         parts = zip(self.links, self.parents, self.joint_slices, self.modal_slices, strict=True)
-        for link, parent, joints, modal in parts:
-            carrier = None if parent < 0 else clouds[parent]
-            R, point = (ca.SX(np.eye(3)), ca.SX.zeros(3)) if carrier is None else (carrier.tip_R, carrier.tip_point)
+        for i, (link, parent, joints, modal) in enumerate(parts):
+            R, point = (ca.SX(np.eye(3)), ca.SX.zeros(3)) if parent < 0 else self.carrying(i, parent, clouds[parent])
             angles = [self.q[i] for i in range(joints.start, joints.stop)]
             where = modal_slices(link, modal.start)
             clouds.append(build_cloud(link, self.q, angles, where, R, point, follow))
         return clouds
+
+    def carrying(self, i: int, parent: int, cloud: Cloud) -> tuple[ca.SX, ca.SX]:
+        """Rotation and place of the section of its parent at which link i is carried."""
+        return self.section(parent, cloud, place_of(self.robot, i, parent))
+
+    def section(self, i: int, cloud: Cloud, s: float) -> tuple[ca.SX, ca.SX]:
+        """Rotation and place of a section of link i."""
+        return section(self.robot["links"][i], self.links[i], cloud, self.q[self.modal_slices[i]], s, self.robot)
 
     def _with_rates(self, clouds: list[Cloud], direction: ca.SX) -> list[Cloud]:
         moving = [getattr(cloud, name) for cloud in clouds for name in cloud.moving]

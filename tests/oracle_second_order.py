@@ -69,8 +69,8 @@ def integrated(values: np.ndarray, length: float, times: int) -> np.ndarray:
     return series.reshape(len(series), *values.shape[:-1])
 
 
-def second_order(basis: str, counts: dict[str, int], length: float, nodes: np.ndarray) -> SecondOrder:
-    """The second-order shape of a rod at its nodes (s) and at its tip."""
+def second_order(basis: str, counts: dict[str, int], length: float, nodes: np.ndarray, end: float = 1.0) -> SecondOrder:
+    """The second-order shape of a rod at its nodes (s) and at its tip, or at another section, `end`."""
     psi, kappa, gamma = strains(basis, counts, length)
     across = lambda a, b: np.cross(a[:, None], b[None], axis=2)  # noqa: E731  (r, r, 3, points)
     swung = np.stack([0 * kappa[:, 0], kappa[:, 2], -kappa[:, 1]], axis=1)  # kappa x e_x
@@ -80,4 +80,5 @@ def second_order(basis: str, counts: dict[str, int], length: float, nodes: np.nd
     symmetric = lambda x: np.moveaxis(x + np.swapaxes(x, 0, 1), 2, 0)  # noqa: E731
     place = lambda x: chebyshev.chebval(x, twice) + chebyshev.chebval(x, once)  # noqa: E731
     at_nodes = np.moveaxis(np.array([place(2 * s - 1) for s in nodes]), 0, -1)
-    return SecondOrder(symmetric(at_nodes), symmetric(place(1.0)), symmetric(chebyshev.chebval(1.0, turned)))
+    x = 2 * end - 1
+    return SecondOrder(symmetric(at_nodes), symmetric(place(x)), symmetric(chebyshev.chebval(x, turned)))

@@ -15,6 +15,7 @@ from .drives import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
 from .phases import free_motion, joint_motion, relative_posture, tip_motion, tip_state
 from .scope import Scope
+from .signals import PER_CHILD
 
 
 def dae_kinematics(s: Scope) -> None:
@@ -24,8 +25,9 @@ def dae_kinematics(s: Scope) -> None:
         s.write("qdot", mx.zeros(0))
     else:
         _joint_kinematics(s)
-    tip_motion(s)
-    s.write("tip.v", s.lower("tip_motion", tip_state(s, s.read("twist")), "v_t")[0])
+    for section in s.sections:
+        tip_motion(section)
+        section.write("tip.v", section.lower("tip_motion", tip_state(s, s.read("twist")), "v_t")[0])
 
 
 def _joint_kinematics(s: Scope) -> None:
@@ -142,11 +144,12 @@ def _half_skew(E: Array) -> Array:
 def _measured_tip(s: Scope, R: Array, twist: Array, eta: Array, etadot: Array) -> None:
     """Pose and twist of the tip as the unprojected state has them."""
     state = {"omega": twist[:3], "v": twist[3:], "eta": eta, "etadot": etadot}
-    omega_T, v_T, r_T = s.lower("tip", state, "omega_T", "v_T", "r_T")
-    s.write("tip.omega_m", omega_T)
-    s.write("tip.v_m", v_T)
-    s.write("tip.R_m", mx.multiply(R, _tip_rotation(s, eta)))
-    s.write("tip.r_m", s.read("position") + mx.multiply(R, r_T))
+    for section in s.sections:
+        omega_T, v_T, r_T = section.lower("tip", state, "omega_T", "v_T", "r_T")
+        section.write("tip.omega_m", omega_T)
+        section.write("tip.v_m", v_T)
+        section.write("tip.R_m", mx.multiply(R, _tip_rotation(section, eta)))
+        section.write("tip.r_m", s.read("position") + mx.multiply(R, r_T))
 
 
 def _tip_rotation(s: Scope, eta: Array) -> Array:
@@ -167,12 +170,13 @@ def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
     s.write("new_quaternion", Q)
     s.write("new_position", r)
     state = {"omega": omega, "v": v, "eta": eta, "etadot": etadot}
-    r_T, omega_T, v_T = s.lower("tip", state, "r_T", "omega_T", "v_T")
-    s.write("tip.omega_T", omega_T)
-    s.write("tip.v_T", v_T)
-    s.write("tip.R", mx.multiply(R, _tip_rotation(s, eta)))
-    s.write("tip.r", r + mx.multiply(R, r_T))
-    s.write("tip.Q", quaternion_product(Q, _tip_quaternion(s, eta)))
+    for section in s.sections:
+        r_T, omega_T, v_T = section.lower("tip", state, "r_T", "omega_T", "v_T")
+        section.write("tip.omega_T", omega_T)
+        section.write("tip.v_T", v_T)
+        section.write("tip.R", mx.multiply(R, _tip_rotation(section, eta)))
+        section.write("tip.r", r + mx.multiply(R, r_T))
+        section.write("tip.Q", quaternion_product(Q, _tip_quaternion(section, eta)))
 
 
 # ----------------------------------------------------------------------------------------- quaternions
@@ -269,7 +273,7 @@ def joint_rows(s: Scope) -> None:
     twist, q = s.read("twist"), s.read("q")
     if s.key.free:
         _free_terms(s, twist)
-        s.write("tip.b", s.kept("b_T"))
+        _write_biases(s)
         _write_rows(s, {})
         return
     parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
@@ -295,7 +299,12 @@ def joint_rows(s: Scope) -> None:
     X, PX = s.lower("joint_rows", given, "X", "PX")
     s.write("base.X", X)
     s.write("base.PX", PX)
-    s.write("tip.b", s.kept("b_T"))
+    _write_biases(s)
+
+
+def _write_biases(s: Scope) -> None:
+    for section in s.sections:
+        section.write("tip.b", section.kept("b_T"))
 
 
 def _write_rows(s: Scope, given: dict[str, Array]) -> None:
@@ -313,6 +322,12 @@ def _free_terms(s: Scope, twist: Array) -> None:
     s.keep("M_D", M_D)
     s.keep("h_V", h_V)
     s.keep("h_eta", h_eta)
+    for section in s.sections:
+        _tip_terms(section, state, g)
+
+
+def _tip_terms(s: Scope, state: dict[str, Array], g: Array) -> None:
+    """The same of a section: its pose, its Jacobian and the bodies there."""
     names = ["r_T", "omega_T", "v_T", "b_omega", "b_v", "Phi_c"]
     turned = ["R_T", "J_l", "Psi_c"] if s.key.section_rotation else []
     values = dict(zip(names + turned, s.lower("tip", state, *names, *turned), strict=True))
@@ -341,3 +356,9 @@ def link_rows(s: Scope) -> None:
     given |= {"X": s.read("tip.X"), "PX": s.read("tip.PX")}
     for name, value in zip(LINK_ROWS, s.lower("link_rows", given, *LINK_ROWS), strict=True):
         s.write(name, value)
+    for station in s.stations:
+        given = {name: station.kept(name) for name in ("R_T", "r_T", "J_l", "Psi_c", "Phi_c")}
+        given |= {"X": station.read("tip.X"), "PX": station.read("tip.PX")}
+        names = [name for name in LINK_ROWS if name in PER_CHILD]
+        for name, value in zip(names, s.lower("link_rows", given, *names), strict=True):
+            station.write(name, value)

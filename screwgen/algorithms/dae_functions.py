@@ -15,6 +15,7 @@ from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, ROTORS, Functions
 from .schedule import Algorithm
+from .signals import edge_name
 
 POSE = ("qw", "qx", "qy", "qz", "px", "py", "pz")
 
@@ -203,9 +204,11 @@ def block_places(chain: Chain, i: int) -> dict[str, tuple[int, int, int, int]]:
         "eta_V": (modal, link, r, 6),
         "eta_eta": (modal, modal, r, r),
     }
-    carried = chain.tree.children[chain.tree.tip(i)]
     own = {name: place for name, place in places.items() if place[3]}
-    return own | (edge_places(chain, carried[-1]) if carried else {})
+    for where, node in chain.tree.places(i).items():
+        if where != "base" and (carried := chain.tree.children[node]):
+            own |= edge_places(chain, carried[-1])
+    return own
 
 
 def edge_places(chain: Chain, child: int) -> dict[str, tuple[int, int, int, int]]:
@@ -219,4 +222,5 @@ def edge_places(chain: Chain, child: int) -> dict[str, tuple[int, int, int, int]
         "V_next": (link, joint, 6, 6),
         "eta_next": (modal, joint, r, 6),
     }
-    return {name: place for name, place in places.items() if place[2] * place[3]}
+    station = chain.tree.at(child)
+    return {edge_name(name, station): place for name, place in places.items() if place[2] * place[3]}

@@ -11,6 +11,7 @@ from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from . import dae, loops, transmissions, validity
 from . import matrices as mx
+from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import STOP, friction, stop
@@ -19,15 +20,15 @@ from .drives import rotor_accelerations
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
-POSES = Phase(ph.poses, OUTWARD)
+POSES = Phase(mo.poses, OUTWARD)
 
 SOLVE: Algorithm = (Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
 
 FORWARD: Algorithm = (KINEMATICS, *SOLVE)
 INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
 PLACES: Algorithm = (POSES,)
-MOTION: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.tip_twist, OUTWARD))
-ENERGY: Algorithm = (Phase(ph.velocities, OUTWARD), POSES, Phase(ph.energy, OUTWARD))
+MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
+ENERGY: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.energy, OUTWARD))
 MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
 
@@ -49,8 +50,8 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
 def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
-    """The n + 1 nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
-    out: list[dict[str, list]] = [{} for _ in range(chain.n + 1)]
+    """The nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
+    out: list[dict[str, list]] = [{} for _ in range(chain.tree.size)]
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
     out[0] |= {"acc_0": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
@@ -303,7 +304,9 @@ class Functions:
     def poses(self, q) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""
         links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
-        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in places[1:]]
+        return [(link["R"], link["r"]) for link in links], [
+            (node["R"], node["r"]) for node in places[1 : self.chain.n + 1]
+        ]
 
     def coordinate_rates(self, q, v) -> list:
         """``dq/dt``: the rates themselves, but for the pose of a floating base."""

@@ -174,7 +174,7 @@ def complete_dynamics(chain: Chain, constants="constants") -> Program:
 
     def body(f: Functions, x):
         outputs = _watched(f, x)
-        R, position = f.poses(x["q"])[1][-1]
+        R, position = f.poses(x["q"])[1][chain.last]
         return outputs | {"tip_rotation": R, "tip_position": position}
 
     return fuse(chain, "complete_dynamics", _dynamics_inputs(chain, True), body, constants)

@@ -8,7 +8,7 @@ per unit of ``vdot`` (columns), and inward the derivatives with a node's motion 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 
@@ -17,19 +17,23 @@ import numpy as np
 from ..ir.program import Array, Node, Program, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from ..topology.tree import BASE
+from ..topology.tree import BASE, TIP
 from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
 from .fused import fuse
 from .schedule import COLUMNS
-from .signals import STORE
+from .scope import OF_TIP
+from .signals import STORE, at_station, edge_name, plain
 
 PAIRS = (
     "F_q F_qdot f_q f_qdot u_q u_qdot rows_q axes F_eta F_etadot f_eta f_etadot tip_eta tip_etadot rows_eta M_eta_eta "
     "E R_T R_rel r_T udot_T omega_s omega_i omega_J r_B r_J v_J"
 ).split()
 """The signals of a link's store that the blocks of two links need."""
+
+OF_MOTION = ("R_T", "r_T", "udot_T", "omega_s")
+"""Those that a section's motion in the link consists of."""
 
 Section = Callable[[str], AbstractContextManager]
 
@@ -49,7 +53,8 @@ EXACT = "code for exact derivatives", "differentiate the CasADi functions"
 def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext()) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
-    Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``. Only the lower triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
+    Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``. Only the lower triangle
+    of ``M`` counts.  ``section`` opens a titled section of a tracer.
     """
     f.chain.needs_fixed(*EXACT)
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
@@ -70,7 +75,9 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
 
 def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
     key = chain.keys[i]
-    shapes = {name: STORE[name].size_of(key) for name in (*PAIRS, *["crank_inertia"] * key.swung)}
+    names = [*PAIRS, *(at_station(name, k) for name in PAIRS if name in OF_TIP for k in range(len(key.stations_at)))]
+    names += ["crank_inertia"] * key.swung
+    shapes = {name: STORE[plain(name)].size_of(key) for name in names}
     return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
 
 
@@ -138,11 +145,11 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> 
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
     """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations."""
-    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(6, 0), [])] * (chain.n + 1)
+    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(6, 0), [])] * chain.tree.size
     for i, link in enumerate(links):
         (q, eta), (given, owners) = places(chain, i), at_nodes[chain.tree.base(i)]
         with section(i):
-            R, R_T = link["R_rel"], link["R_T"]
+            R = link["R_rel"]
             at_joint = rw.rotated_columns(R.T, _moved(link["r_J"], given))
             here = _moved(-link["r_B"], at_joint)
             if owners:
@@ -152,9 +159,17 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
                 for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
                     J[owners, q] = mx.multiply(here.T, link[f"F_{joint}"])
                     J[owners, eta] = mx.multiply(here.T, link[f"F_{modal}"])
-            if chain.tree.children[chain.tree.tip(i)]:
-                at_tip = np.hstack([_moved(link["r_T"], np.hstack([here, link["axes"]])), link["E"]])
-                at_nodes[chain.tree.tip(i)] = rw.rotated_columns(R_T.T, at_tip), owners + _coordinates(chain, i)
+            for node, own in _carrying(chain, i, link):
+                at_tip = np.hstack([_moved(own["r_T"], np.hstack([here, link["axes"]])), own["E"]])
+                at_nodes[node] = rw.rotated_columns(own["R_T"].T, at_tip), owners + _coordinates(chain, i)
+
+
+def _carrying(chain: Chain, i: int, link: Mapping[str, Array]) -> Iterator[tuple[int, dict[str, Array]]]:
+    """The nodes at which a link carries others, each with what the link stores of it, by the names of the tip's."""
+    for where, node in chain.tree.places(i).items():
+        if where != "base" and chain.tree.children[node]:
+            number = TIP if where == "tip" else int(where[2:])
+            yield node, {name: link[edge_name(name, number)] for name in PAIRS if name in OF_TIP}
 
 
 def _moved(r: Array, accelerations: Array) -> Array:
@@ -165,24 +180,27 @@ def _moved(r: Array, accelerations: Array) -> Array:
 
 def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
     """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates."""
-    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(0, 9), [])] * (chain.n + 1)
+    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(0, 9), [])] * chain.tree.size
     for i in reversed(range(chain.n)):
-        link, (q, eta), (rows, owners) = links[i], places(chain, i), at_nodes[chain.tree.tip(i)]
+        link, (q, eta) = links[i], places(chain, i)
         with section(i):
-            if owners:
-                motion = (link[x] for x in ("R_T", "r_T", "udot_T", "omega_s", "omega_i"))
-                at_tip, here = rw.to_link(rows, *motion)
+            rows, owners = mx.zeros(0, 9), []
+            for node, own in _carrying(chain, i, link):
+                carried, those = at_nodes[node]
+                at_tip, here = rw.to_link(carried, *(own[x] for x in OF_MOTION), link["omega_i"])
                 for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
-                    J[owners, q] = mx.multiply(here, link[f"u_{joint}"])
-                    J[owners, eta] = mx.multiply(at_tip, link[f"tip_{modal}"])
-                rows = here
+                    J[those, q] = mx.multiply(here, link[f"u_{joint}"])
+                    J[those, eta] = mx.multiply(at_tip, own[f"tip_{modal}"])
+                rows, owners = np.vstack([rows, here]), [*owners, *those]
             if (parent := chain.tree.parents[i]) != BASE:
-                own = np.vstack([rows, link["rows_q"], link["rows_eta"]])
+                handed = np.vstack([rows, link["rows_q"], link["rows_eta"]])
                 joint = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
-                carrier, (others, known) = links[parent], at_nodes[parent + 1]
-                omega_P = mx.multiply(carrier["R_T"].T, carrier["omega_i"] + carrier["omega_s"])
-                handed = rw.to_parent(own, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
-                at_nodes[parent + 1] = np.vstack([others, handed]), [*known, *owners, *_coordinates(chain, i)]
+                carrier, at, node = links[parent], chain.tree.at(i), chain.tree.base(i)
+                omega_s, R_T = (carrier[edge_name(name, at)] for name in ("omega_s", "R_T"))
+                omega_P = mx.multiply(R_T.T, carrier["omega_i"] + omega_s)
+                handed = rw.to_parent(handed, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
+                others, known = at_nodes[node]
+                at_nodes[node] = np.vstack([others, handed]), [*known, *owners, *_coordinates(chain, i)]
 
 
 def linearisation(chain: Chain, constants="constants") -> Program:

@@ -9,6 +9,8 @@ For each link class the one with fewer operations is taken when its programs are
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..ir.program import Array
@@ -22,13 +24,16 @@ WAYS = (FACTOR, COMPLIANCE)
 
 Rows = tuple[Array, Array, Array, Array]
 """``M_V, M_D, h_V, h_eta`` of the link alone."""
+Load = tuple[Scope, Array, Array]
+"""A section, and the reaction ``Lambda, p`` of what it carries, in F_i axes at its point."""
 
 
-def eliminate_modes(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
-    """Add the tip's reaction ``Lambda, p`` (F_i axes, tip point) to the link's equations and eliminate etaddot."""
+def eliminate_modes(s: Scope, own: Rows, loads: Sequence[Load]) -> tuple[Array, Array]:
+    """Add the reactions at the tip and at the stations to the link's equations and eliminate etaddot."""
     with s.step("modes: the tip load folded in, modal accelerations eliminated (83)"):
         if s.way == FACTOR:
-            return _dense(s, own, Lambda, p)
+            return _dense(s, own, loads)
+        ((_, Lambda, p),) = loads
         return _compliant(s, own, Lambda, p)
 
 
@@ -44,16 +49,18 @@ def _tip_shapes(s: Scope) -> Array:
     return s.name("Theta", np.vstack([mx.multiply(s.kept("J_l"), s.kept("Psi_c")), s.kept("Phi_c")]))
 
 
-def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
-    M_V, M_D, h_V, h_eta = own
-    r_T, m_eta, Theta = s.kept("r_T"), s.modal_inertia(), _tip_shapes(s)
-    M = s.name("M_loaded", M_V + mx.shift(r_T, Lambda))
-    h = s.name("h_loaded", h_V + mx.shift_wrench(r_T, p), "h_V")
-    loaded = mx.multiply(Lambda, Theta)
-    C = s.name("C", M_D + _columns(r_T, loaded))
-    elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + m_eta[i, j]  # noqa: E731
-    inertia = mx.symmetric(s.key.modes, elastic)
-    h_phi = s.name("h_phi", h_eta + s.read("f_eta") + mx.multiply(Theta.T, p))
+def _dense(s: Scope, own: Rows, loads: Sequence[Load]) -> tuple[Array, Array]:
+    M, C, h, h_phi = own
+    places, inertia = [section.kept("r_T") for section, _, _ in loads], s.modal_inertia()
+    for (section, Lambda, p), r_T in zip(loads, places, strict=True):
+        Theta = _tip_shapes(section)
+        M = s.name("M_loaded", M + mx.shift(r_T, Lambda))
+        h = s.name("h_loaded", h + mx.shift_wrench(r_T, p), "h_V")
+        loaded = mx.multiply(Lambda, Theta)
+        C = s.name("C", C + _columns(r_T, loaded))
+        inertia = _loaded(Theta, loaded, inertia)
+        stress = s.read("f_eta") if section is s else mx.zeros(s.key.modes)
+        h_phi = s.name("h_phi", h_phi + stress + mx.multiply(Theta.T, p))
     L, inverse = mx.factorise(s.name("modal_inertia", inertia), s.tracer)
     s.name("modes_inverse", inverse)
     Z, z = mx.forward(L, C.T), mx.forward(L, h_phi)
@@ -62,6 +69,12 @@ def _dense(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Array]:
     s.keep("modes_W", W)
     s.keep("modes_w", w)
     return s.name("M_i", mx.subtract_product(M, Z, W)), s.name("h_i", h - mx.multiply(W.T, z), "h_V")
+
+
+def _loaded(Theta: Array, loaded: Array, inertia: Array) -> Array:
+    """The modes' inertia with that of a load, whose wrenches per unit of each mode are given."""
+    elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + inertia[i, j]  # noqa: E731
+    return mx.symmetric(len(inertia), elastic)
 
 
 def _columns(r: Array, wrenches: Array) -> Array:

@@ -18,8 +18,8 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .drives import accelerate_rotors, armature, condense, drive_energies, own_force, own_inertia, rotor_forces, spring
-from .joint_terms import joint_offset, joint_point, rotation
+from .drives import accelerate_rotors, condense, own_force, own_inertia, rotor_forces
+from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
 from .transmissions import store
@@ -34,7 +34,8 @@ def kinematics(s: Scope) -> None:
         q, qdot = s.read("q"), s.read("qdot")
         omega_R = relative_posture(s)
         joint_motion(s, q, qdot, omega_R)
-    tip_motion(s)
+    for section in s.sections:
+        tip_motion(section)
 
 
 def free_motion(s: Scope) -> None:
@@ -139,7 +140,10 @@ def eliminate(s: Scope) -> None:
     own = rows(s)
     if s.key.unstiffened:
         s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
-    M, h = eliminate_modes(s, own, *tip_load(s))
+    loads = [(section, *tip_load(section)) for section in s.sections]
+    for station, Lambda, p in loads[1:]:
+        station.keep("load_axial", np.concatenate([Lambda[3], p[3:4]]))
+    M, h = eliminate_modes(s, own, loads)
     Lambda, p = eliminate_joint(s, M, h)
     if s.key.free:
         return
@@ -191,11 +195,26 @@ def accelerate(s: Scope) -> None:
         s.write("alpha", alpha)
         etaddot = modal_accelerations(s, delta)
         s.write("etaddot", etaddot)
+    at_stations = [_tip_delta(station, delta, etaddot) for station in s.stations]
     if s.key.unstiffened:
         own = mx.dot(s.kept("own_axial"), np.concatenate([delta, etaddot, [1.0]]))
+        for station, delta_T in zip(s.stations, at_stations, strict=True):
+            own = own + on_the_way(station) * mx.dot(station.kept("load_axial"), np.concatenate([delta_T, [1.0]]))
         axial_motion(s, s.kept("omega"), alpha[3], own)
+    _tip_delta(s, delta, etaddot)
+
+
+def _tip_delta(s: Scope, delta: Array, etaddot: Array) -> Array:
+    """What is added to the acceleration of the tip section, which is written."""
     with s.step("tip: what is added to the acceleration of the tip section (accconst1b)"):
-        s.write("tip.delta", s.name("delta_T", tip_acceleration(s, delta, etaddot), "delta"))
+        delta_T = s.name("delta_T", tip_acceleration(s, delta, etaddot), "delta")
+        s.write("tip.delta", delta_T)
+    return delta_T
+
+
+def on_the_way(station: Scope) -> float:
+    """The part of a station's axial load that is no load at the tip: at s it buckles the link as s² of it there."""
+    return 1.0 - station.key.section_at**2
 
 
 def imparted(s: Scope) -> Array:
@@ -220,24 +239,32 @@ def inverse_outward(s: Scope) -> None:
     qddot, etaddot = given_acceleration(s), s.read("etaddot")
     delta = imparted(s) + mx.multiply(s.kept("S"), qddot)
     s.keep("delta", delta)
-    s.write("tip.delta", tip_acceleration(s, delta, etaddot))
+    for section in s.sections:
+        section.write("tip.delta", tip_acceleration(section, delta, etaddot))
 
 
 def inverse_inward(s: Scope) -> None:
     """Tip to base: the joint wrenches of given accelerations, and the generalised forces."""
     qddot, etaddot, delta = given_acceleration(s), s.read("etaddot"), s.kept("delta")
     M_V, M_D, h_V, h_eta = rows(s)
-    m, S, I = tip_bodies(s)
-    bodies = body_force(s.read("tip.omega"), s.read("tip.acc_0") + s.read("tip.delta"), m, S, I)
-    load = bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext")) + s.read("tip.p")
+    load = tip_reaction(s)
     needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
     if s.key.unstiffened:
-        axial_motion(s, s.kept("omega"), s.kept("acc_0")[3] + delta[3], needed[3])
+        own = needed[3]
+        for station in s.stations:
+            own = own + on_the_way(station) * station.read("tip.p")[3]
+        axial_motion(s, s.kept("omega"), s.kept("acc_0")[3] + delta[3], own)
     total = needed + mx.shift_wrench(s.kept("r_T"), load)
     modal = mx.multiply(M_D.T, delta) + mx.multiply(s.modal_inertia(), etaddot)
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
-    s.write("force_eta", modal + h_eta + s.read("f_eta") + turned + moved)
+    modal = modal + h_eta + s.read("f_eta") + turned + moved
+    for station in s.stations:
+        load = station.read("tip.p")
+        total = total + mx.shift_wrench(station.kept("r_T"), load)
+        turned = mx.multiply(station.kept("Psi_c").T, mx.multiply(station.kept("J_l").T, load[:3]))
+        modal = modal + turned + mx.multiply(station.kept("Phi_c").T, load[3:])
+    s.write("force_eta", modal)
     force = mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s)
     s.write("force", force[: s.key.joints])
     if s.key.motors:
@@ -249,78 +276,13 @@ def inverse_inward(s: Scope) -> None:
     s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
 
 
+def tip_reaction(s: Scope) -> Array:
+    """The wrench that the motion of all behind the tip needs, in F_i axes at the tip point."""
+    m, S, I = tip_bodies(s)
+    bodies = body_force(s.read("tip.omega"), s.read("tip.acc_0") + s.read("tip.delta"), m, S, I)
+    return bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext")) + s.read("tip.p")
+
+
 def given_acceleration(s: Scope) -> Array:
     """The accelerations of the joint: those of its coordinates, or the rate of a floating base's twist."""
     return s.read("Vdot" if s.key.free else "qddot")
-
-
-# -------------------------------------------------------------------------------------- poses, energy
-
-
-def poses(s: Scope) -> None:
-    """Base to tip: rotation and position of F_i and of the tip section in the inertial frame."""
-    R_rel, R_T, r_T = _relative_pose(s)
-    R_P, r_P = s.read("base.R"), s.read("base.r")
-    with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
-        if s.key.free:
-            R, r = R_rel, s.read("position")
-        else:
-            R = mx.multiply(R_P, R_rel)
-            joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else None))
-            r = joint - mx.multiply(R, joint_point(s))
-        s.write("R", R)
-        s.write("r", r)
-    with s.step("pose: rotation and position of the tip section in the inertial frame (Ad)"):
-        s.write("tip.R", s.name("R_tip", mx.multiply(R, R_T), "R"))
-        s.write("tip.r", s.name("r_tip", r + mx.multiply(R, r_T), "r"))
-
-
-def _relative_pose(s: Scope) -> tuple[Array, Array, Array]:
-    """``R_rel, R_T, r_T``, stored by an earlier phase or computed."""
-    if "R_rel" in s.layouts:
-        return s.kept("R_rel"), s.kept("R_T"), s.kept("r_T")
-    R_rel = rotation(s)
-    eta = {"eta": s.read("eta")}
-    r_T = s.lower("tip_pose", eta, "r_T")[0]
-    R_T = s.lower("tip_pose", eta, "R_T")[0] if s.key.section_rotation else mx.identity(3)
-    return R_rel, R_T, r_T
-
-
-def velocities(s: Scope) -> None:
-    """Base to tip: the twists of F_i and of the tip section, each in its own frame."""
-    if s.key.free:
-        omega, v = np.split(s.read("twist"), 2)
-    else:
-        parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
-        omega, v = s.lower("joint", {"q": s.read("q"), "qdot": s.read("qdot"), **parent}, "omega", "v")
-    s.keep("twist", np.concatenate([omega, v]))
-    modal = {"eta": s.read("eta"), "etadot": s.read("etadot")}
-    omega_T, v_T = s.lower("tip", {"omega": omega, "v": v, **modal}, "omega_T", "v_T")
-    s.write("tip.omega_T", omega_T)
-    s.write("tip.v_T", v_T)
-
-
-def tip_twist(s: Scope) -> None:
-    """The twist of the tip section, at the tip point, in inertial axes."""
-    R = s.read("tip.R")
-    s.write("tip_twist", [*mx.multiply(R, s.read("tip.omega_T")), *mx.multiply(R, s.read("tip.v_T"))])
-
-
-def energy(s: Scope) -> None:
-    """Energies of one link: kinetic, and potential of stress, joint springs and weight."""
-    q, qdot, eta = s.read("q"), s.read("qdot"), s.read("eta")
-    twist = s.kept("twist")
-    state = {"omega": twist[:3], "v": twist[3:], "g": mx.zeros(3), "eta": eta, "etadot": s.read("etadot")}
-    kinetic, stress, m, S = s.lower("energy", state, "kinetic", "stress", "m", "S")
-    V_T = np.concatenate([s.read("tip.omega_T"), s.read("tip.v_T")])
-    still = {"omega_T": V_T[:3], "v_T": V_T[3:], "g_T": mx.zeros(3)}
-    m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
-    M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
-    body = mx.dot(V_T, mx.multiply(M_T, V_T))
-    spin, wound = drive_energies(s, q, qdot)
-    rotor = mx.dot(qdot, armature(s) * qdot) + spin
-    s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
-    R, r, R_T, r_T = s.read("R"), s.read("r"), s.read("tip.R"), s.read("tip.r")
-    moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
-    springs = mx.dot(q * spring(s), q) + wound
-    s.write("potential", [stress.item() + 0.5 * springs - mx.dot(s.read("gravity"), moment)])

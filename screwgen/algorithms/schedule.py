@@ -15,7 +15,8 @@ from ..topology.chain import Chain
 from .axis_laws import STOP, constant_of_stop
 from .drives import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
-from .scope import Layout, Scope, derived
+from .scope import AT_TIP, Layout, Scope, derived, owner_of
+from .signals import is_node
 
 OUTWARD, INWARD = +1, -1
 COLUMNS = {
@@ -79,9 +80,9 @@ def _ways(key: LinkClass) -> tuple[str, ...]:
     """The methods worth tracing. Only the factor holds where the tip shapes may lose rank.
 
     That is to second order, when a link is straight; where sections that turn without inertia have rank at the tip
-    alone; and where the shapes are the numbers of a file.
+    alone; where the shapes are the numbers of a file; and where several sections carry links.
     """
-    if key.order == 2 or key.light or key.modes < FEW or key.elastic is not None:
+    if key.order == 2 or key.light or key.modes < FEW or key.elastic is not None or key.stations_at:
         return (FACTOR,)
     return WAYS if key.modes <= MANY else (COMPLIANCE,)
 
@@ -109,8 +110,10 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
         if key.drives and (own := labelled(scope, label)) is not None:
             scope.write(label, [own])
             continue
-        owner = next((b for b in blocks.values() if any(s.name == label for s in b.bindings)), None)
-        scope.write(label, [scope.read(f"p.{label}", 1)[0] if owner is None else _prepared(scope, owner, label)])
+        section, own = owner_of(key, label)
+        places = blocks.values() if section is key else (derived(section)[name] for name in AT_TIP)
+        owner = next((b for b in places if any(s.name == own for s in b.bindings)), None)
+        scope.write(label, [scope.read(f"p.{label}", 1)[0] if owner is None else _prepared(scope, owner, own)])
     inputs = _parameters(scope, derived(key)["link"])
     for part, size in (("eta", key.modes), ("below", len(key.coupled))):
         for name in COLUMNS[part] if size or part == "eta" else ():
@@ -158,9 +161,6 @@ def constant_labels(key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[st
 SUMMED = frozenset(f"base.{name}" for name in ("Lambda", "p", "f", "Gamma", "Lambda_T"))
 """What a link adds to the node that carries it."""
 
-PER_CHILD = frozenset({"next_V", "next_eta", "V_next", "eta_next"})
-"""What a phase computes for each link that is carried."""
-
 Apply = Callable[[int, int, Program, Mapping[str, list]], Mapping[str, list]]
 
 
@@ -173,15 +173,15 @@ def execute(
 ) -> list[dict[str, list]]:
     """Run an algorithm over the chain: the schedule of every back end.
 
-    ``links`` holds the inputs and constants of every link, ``nodes`` the n + 1 nodes with the known values of base
-    and tip; ``apply(link, phase, program, inputs)`` runs one program on values of any algebra.  Returns, for every
+    ``links`` holds the inputs and constants of every link, ``nodes`` the nodes of the tree with the known values of
+    base and leaves; ``apply(link, phase, program, inputs)`` runs one program on values of any algebra.  Returns, for every
     link, all signals that it has read or written.
     """
     stores = [dict(link) for link in links]
     handed: set[tuple[int, int, str]] = set()
     for number, i, edge in visits(chain, algorithm):
-        program, base, tip = trace(chain.keys[i], algorithm)[number], chain.tree.base(i), chain.tree.tip(i)
-        places = {"base": nodes[base], "tip": nodes[tip], "": stores[i]}
+        program, base = trace(chain.keys[i], algorithm)[number], chain.tree.base(i)
+        places = {where: nodes[node] for where, node in chain.tree.places(i).items()} | {"": stores[i]}
         inputs = {name: _fetch(name, places) for name in program.inputs}
         outputs = _applied(apply, chain, i, number, program, inputs)
         if edge is not None and algorithm[number].per_child:
@@ -222,7 +222,7 @@ def further_children(chain: Chain) -> list[int]:
 def _place(name: str, places: Mapping[str, dict]) -> tuple[dict, str]:
     """The mapping that holds a signal, and the signal's name there."""
     where, _, what = name.partition(".")
-    return (places[where], what) if where in ("base", "tip") else (places[""], name)
+    return (places[where], what) if is_node(where) else (places[""], name)
 
 
 def _fetch(name: str, places: Mapping[str, dict]) -> list:

@@ -4,6 +4,7 @@ A chain of n links has n + 1 *nodes*: node 0 is the base, node i + 1 is the tip 
 link i reads and writes signals. The prefix of a signal's name says where it is stored:
 
 ``base.*``, ``tip.*``  node i and node i + 1: twists, poses, accelerations, reactions
+``at0.*``, ``at1.*``   the nodes of the stations, other sections at which the link carries links; see :class:`Station`
 ``w.*``                the link's store, which later phases of the same link read
 ``c.*``                constants of the link, prepared from its parameters
 anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, ``wrench`` ...)
@@ -11,9 +12,10 @@ anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from math import prod
 
 import numpy as np
@@ -30,7 +32,7 @@ from ..spec.link_class import LinkClass
 from . import matrices as mx
 from .joint_rows import joint_rows_block
 from .link_rows import link_rows_block
-from .signals import signal, type_of
+from .signals import PER_CHILD, at_station, signal, type_of
 
 BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
     "joint": joint_block,
@@ -98,6 +100,21 @@ def repeated(key: LinkClass) -> dict[str, tuple[float, str]]:
     return {label: alias for label, alias in out.items() if alias[1] != label}
 
 
+def of_station(label: str, number: int) -> str:
+    """The label of a constant of a station."""
+    return f"at{number}_{label}"
+
+
+OF_STATION = re.compile(r"at(\d+)_(.+)")
+
+
+def owner_of(key: LinkClass, label: str) -> tuple[LinkClass, str]:
+    """The class whose blocks define a constant, the link's or that of a station, and its label there."""
+    if key.stations_at and (found := OF_STATION.fullmatch(label)):
+        return key.station(int(found[1])), found[2]
+    return key, label
+
+
 @dataclass
 class Layout:
     """The layout of an array in the link's store, which has places for computed entries only.
@@ -155,6 +172,16 @@ class Scope:
         """Operations recorded inside form a section with this title."""
         return self.tracer.section(title)
 
+    @property
+    def sections(self) -> list[Scope]:
+        """The tip, which is this scope itself, and the stations."""
+        return [self, *self.stations]
+
+    @cached_property
+    def stations(self) -> list[Scope]:
+        """The other sections at which the link carries links."""
+        return [Station(self, number) for number in range(len(self.key.stations_at))]
+
     def constant(self, label: str) -> Value:
         """A constant of the link, by the label of the step that prepares it."""
         sign, label = repeated(self.key).get(label, (1.0, label))
@@ -209,3 +236,52 @@ class Scope:
     def program(self, name: str) -> Program:
         """The recorded operations as a program."""
         return self.tracer.program(name, {k: len(v) for k, v in self.inputs.items()}, self.outputs)
+
+
+AT_TIP = ("tip", "tip_motion", "tip_pose", "tip_body")
+"""The blocks that describe the tip."""
+OF_TIP = (
+    frozenset("r_T R_T J_l Psi_c Phi_c b_T M_T h_T load_axial udot_T omega_s E tip_eta tip_etadot".split()) | PER_CHILD
+)
+"""What a link keeps of its tip, and writes of what is carried there."""
+
+
+class Station(Scope):
+    """The scope of a phase in which a station stands for the tip: its node, its blocks, what is kept of it.
+
+    So what a phase does at the tip is done there by the same lines. Nothing acts on a station but what it carries.
+    """
+
+    def __init__(self, link: Scope, number: int):
+        super().__init__(link.key.station(number), link.tracer, link.layouts, link.way, link.inputs, link.outputs)
+        self.link, self.number = link, number
+        self.parameters: set[str] = set()
+
+    def _own(self, name: str) -> str:
+        tip = name.startswith("tip.") or name.removeprefix("w.") in OF_TIP
+        return at_station(name, self.number) if tip else name
+
+    def read(self, name: str, *shape: int) -> Array:
+        return mx.zeros(6) if name == "w_ext" else self.link.read(self._own(name), *shape)
+
+    def write(self, name: str, values: Array | Sequence[Value]) -> None:
+        self.link.write(self._own(name), values)
+
+    def keep(self, name: str, values: Array) -> None:
+        self.link.keep(self._own(name), values)
+
+    def kept(self, name: str) -> Array:
+        return self.link.kept(self._own(name))
+
+    def lower(self, block: str | Block, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
+        if block not in AT_TIP:
+            return self.link.lower(block, inputs, *outputs)
+        owner = derived(self.key)[block]
+        self.parameters = {symbol.name for name in owner.inputs for symbol in owner.values[name].flat}
+        return super().lower(owner, inputs, *outputs)
+
+    def constant(self, label: str) -> Value:
+        """A constant of the link, or of the station, whose label tells which."""
+        if label in self.parameters:
+            return self.link.constant(label)
+        return self._entries(f"c.{of_station(label, self.number)}", 1)[0]

@@ -48,9 +48,10 @@ def motion(s: Scope) -> None:
     s.write("w.omega_i", s.name("omega", link.omega))
     s.write("w.acc_i", s.name("acc", link.stacked, "acc_i"))
     s.write("w.a_J", a_J)
-    tip = tip_motion(s, link)
-    s.write("tip.omega_T", tip.omega)
-    s.write("tip.acc", tip.stacked)
+    for section in s.sections:
+        tip = tip_motion(section, link)
+        section.write("tip.omega_T", tip.omega)
+        section.write("tip.acc", tip.stacked)
 
 
 def link_motion(s: Scope) -> tuple[Motion, Array]:
@@ -104,6 +105,12 @@ class Load:
     Lambda: Array
     Gamma: Array
 
+    def with_load(self, r: Array, load: Load, with_omega: Array) -> Load:
+        """The sum with a load at the point ``r``, whose derivative with the link's angular velocity is given."""
+        Gamma = self.Gamma + shifted(r, with_omega)
+        wrench = self.wrench + mx.shift_wrench(r, load.wrench)
+        return Load(wrench, self.Lambda + mx.shift(r, load.Lambda), Gamma)
+
 
 def answers(s: Scope) -> None:
     """Tip to base: the wrench of a link and all that it carries, and its first-order changes."""
@@ -116,20 +123,76 @@ def link_answers(s: Scope) -> Load:
     Stored for the blocks of two links: the derivatives of wrench, modal forces and tip motion with eta and etadot, and
     those of the modal forces with the link's motion.
     """
-    r = s.key.modes
     link = Motion(s.read("w.omega_i"), *np.split(s.read("w.acc_i"), 2))
-    t, load, (r_T, Phi, udot) = turning(s), tip_load(s), tip_point(s)
-    E = np.vstack([t.phi, Phi])
+    loaded = [Loaded.of(section) for section in s.sections]
     own, slopes = link_wrench(s, link)
     with s.step("link: wrench at F_i that the motion needs, its inertia and its change with omega"):
-        reach = np.vstack([-mx.hat(t.omega_s), swing(link.omega, r_T, udot)])
-        with_omega = load.Gamma + mx.multiply(load.Lambda, reach)
-        Gamma = slopes["omega"][:6] + shifted(r_T, with_omega)
-        wrench = own["wrench"] + mx.shift_wrench(r_T, load.wrench)
-        carried = Load(wrench, own["M_V"] + mx.shift(r_T, load.Lambda), Gamma)
-        coupling = own["M_D"] + shifted(r_T, mx.multiply(load.Lambda, E))
-        s.write("w.rows_eta", np.hstack([slopes["omega"][6:] + mx.multiply(E.T, with_omega), coupling.T]))
-        s.write("w.M_eta_eta", mx.congruence(E, load.Lambda))
+        carried = Load(own["wrench"], own["M_V"], slopes["omega"][:6])
+        rows, coupling, inertia = slopes["omega"][6:], own["M_D"], mx.zeros(s.key.modes, s.key.modes)
+        for x in loaded:
+            reach = np.vstack([-mx.hat(x.t.omega_s), swing(link.omega, x.r_T, x.udot)])
+            with_omega = x.load.Gamma + mx.multiply(x.load.Lambda, reach)
+            carried = carried.with_load(x.r_T, x.load, with_omega)
+            coupling = coupling + shifted(x.r_T, mx.multiply(x.load.Lambda, x.E))
+            rows = rows + mx.multiply(x.E.T, with_omega)
+            inertia = inertia + mx.congruence(x.E, x.load.Lambda)
+        s.write("w.rows_eta", np.hstack([rows, coupling.T]))
+        s.write("w.M_eta_eta", inertia)
+    changes = [_changes(x, link) for x in loaded]
+    with s.step("link: change of wrench and modal forces with the modes and their rates"):
+        held = [x.held() for x in loaded]
+        for k, name in enumerate(("eta", "etadot")):
+            d_wrench, d_force = slopes[name][:6], slopes[name][6:]
+            for x, u, (turned, lever) in zip(loaded, changes, held, strict=True):
+                d_load = mx.multiply(x.load.Gamma, u[k][:3]) + mx.multiply(x.load.Lambda, u[k][3:])
+                d_load = d_load + (mx.zeros(6, s.key.modes) if k else turned)
+                d_wrench = d_wrench + shifted(x.r_T, d_load)
+                d_force = d_force + mx.multiply(x.E.T, d_load)
+                d_wrench = d_wrench if k else d_wrench + lever
+            s.write(f"w.F_{name}", d_wrench)
+            for x in () if k else loaded:
+                moment, force = np.split(x.load.wrench, 2)
+                d_force = d_force + (turned_moment(x.section, moment) + held_load(x.section, moment, force))
+            s.write(f"w.f_{name}", d_force)
+    for x in loaded:
+        x.write()
+    return carried
+
+
+@dataclass
+class Loaded:
+    """A section with what it carries: its turn, the load, its place and how the modes move it; F_i axes."""
+
+    section: Scope
+    t: Turning
+    load: Load
+    r_T: Array
+    Phi: Array
+    udot: Array
+    E: Array
+
+    @classmethod
+    def of(cls, s: Scope) -> Loaded:
+        t, load, (r_T, Phi, udot) = turning(s), tip_load(s), tip_point(s)
+        return cls(s, t, load, r_T, Phi, udot, np.vstack([t.phi, Phi]))
+
+    def held(self) -> tuple[Array, Array]:
+        """The change, with the modes, of a load that turns with the section, and of its lever."""
+        moment, force = np.split(self.load.wrench, 2)
+        turned = np.vstack([columns_cross(self.t.phi, moment), columns_cross(self.t.phi, force)])
+        return turned, np.vstack([columns_cross(self.Phi, force), mx.zeros(3, self.Phi.shape[1])])
+
+    def write(self) -> None:
+        """Store what the blocks of two links need."""
+        s, t = self.section, self.t
+        kept = {"R_T": tip_rotation(s), "r_T": self.r_T, "udot_T": self.udot, "omega_s": t.omega_s, "E": self.E}
+        for name, value in kept.items():
+            s.write(f"w.{name}", value)
+
+
+def _changes(x: Loaded, link: Motion) -> tuple[Array, Array]:
+    """The derivatives of a section's motion with the modes and with their rates, which are stored."""
+    s, t, Phi = x.section, x.t, x.Phi
     z = tip_motion_in_link(s, link, t)
     Phidot, Phiddot = shape_rates(s, "Phi2dot")
     with s.step("link: change of the tip's motion with the modes and their rates, in F_i components"):
@@ -139,20 +202,7 @@ def link_answers(s: Scope) -> Load:
         u_etadot[6:] = u_etadot[6:] + 2.0 * Phidot
         s.write("w.tip_eta", u_eta)
         s.write("w.tip_etadot", u_etadot)
-    with s.step("link: change of wrench and modal forces with the modes and their rates"):
-        turned = np.vstack([columns_cross(t.phi, load.wrench[:3]), columns_cross(t.phi, load.wrench[3:])])
-        lever = np.vstack([columns_cross(Phi, load.wrench[3:]), mx.zeros(3, r)])
-        for name, u, extra in (("eta", u_eta, turned), ("etadot", u_etadot, mx.zeros(6, r))):
-            d_load = mx.multiply(load.Gamma, u[:3]) + mx.multiply(load.Lambda, u[3:]) + extra
-            d_wrench = slopes[name][:6] + shifted(r_T, d_load)
-            d_force = slopes[name][6:] + mx.multiply(E.T, d_load)
-            moved = name == "eta"
-            s.write(f"w.F_{name}", d_wrench + lever if moved else d_wrench)
-            held = turned_moment(s, load.wrench[:3]) + held_load(s, load.wrench[:3], load.wrench[3:]) if moved else 0.0
-            s.write(f"w.f_{name}", d_force + held)
-    for name, value in {"R_T": tip_rotation(s), "r_T": r_T, "udot_T": udot, "omega_s": t.omega_s, "E": E}.items():
-        s.write(f"w.{name}", value)
-    return carried
+    return u_eta, u_etadot
 
 
 def tip_load(s: Scope) -> Load:

@@ -8,6 +8,7 @@ first. Accelerations are those of material points in the inertial frame, less fr
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 from ..ir.program import component
@@ -92,6 +93,9 @@ M_SYS = {
 }
 """The blocks of M_sys that a link computes, by rows and columns."""
 
+PER_CHILD = frozenset({"next_V", "next_eta", "V_next", "eta_next"})
+"""What a phase computes for each link that is carried."""
+
 H_SYS = {
     "joint_H": Signal((6,), MIXED, F_I, "joint's rows, bias", "H + 12 * i"),
     "joint_W": Signal((6,), MIXED, F_I, "joint's rows, torques", "W + 12 * i"),
@@ -165,6 +169,7 @@ STORE = {
     "Psi_c": Signal((3, "r"), "1/m", F_I, "rotation of the tip section per unit of each mode"),
     "Phi_c": Signal((3, "r"), "-", F_I, "displacement of the tip point per unit of each mode"),
     "own_axial": Signal(("r+7",), "kg, N", F_I, "factors of (delta, etaddot, 1) in the link's own axial force"),
+    "load_axial": Signal((7,), "kg, N", F_I, "factors of (delta, 1) in the axial force of what the tip carries"),
     "twist": Signal((6,), TWIST, F_I, "angular velocity of F_i and velocity of its origin"),
     "modes_L": Signal(("r", "r"), "-", "-", "unit lower factor L of the modal inertia"),
     "modes_W": Signal(("r", 6), "1/m", F_I, "factor W in etaddot = -L^-T (w + W delta)"),
@@ -269,18 +274,41 @@ ROBOT = {
 }
 """Of the whole robot, by the struct of the generated C that holds them; sizes are its constants."""
 
+STATION = re.compile(r"_at\d+$")
+"""The end of the name of what a link has at a station, as it has at its tip."""
+
 UNTYPED = Signal((), "-", "-", "")
 """The type of values that no phase hands on: their entries are numbered."""
+
+
+def plain(name: str) -> str:
+    """The name of a signal at the tip from that of the same at a station."""
+    return STATION.sub("", name)
+
+
+def at_station(name: str, number: int) -> str:
+    """The name of a signal of the tip at a station of the link: `at0.p` of `tip.p`, `w.r_T_at0` of `w.r_T`."""
+    return f"at{number}.{name[4:]}" if name.startswith("tip.") else f"{name}_at{number}"
+
+
+def edge_name(name: str, station: int) -> str:
+    """The name of what is computed for a link that is carried at a station, or at the tip (-1)."""
+    return name if station < 0 else at_station(name, station)
+
+
+def is_node(where: str) -> bool:
+    """Whether the prefix of a signal is that of a node: the base's, the tip's, or a station's."""
+    return where in ("base", "tip") or (where[:2] == "at" and where[2:].isdigit())
 
 
 def type_of(name: str) -> Signal:
     """The type of a signal, its prefix left out where it is clear; ``UNTYPED`` if there is none of the name."""
     where, _, what = name.rpartition(".")
-    tables = {"base": (NODE,), "tip": (NODE,), "w": (STORE,)}.get(where, (STORE, CALL, NODE))
-    return next((table[what] for table in tables if what in table), UNTYPED)
+    tables = (NODE,) if is_node(where) else {"w": (STORE,)}.get(where, (STORE, CALL, NODE))
+    return next((table[plain(what)] for table in tables if plain(what) in table), UNTYPED)
 
 
 def signal(name: str) -> Signal:
     """The type of the signal that a phase calls ``name``."""
     where, _, what = name.rpartition(".")
-    return {"base": NODE, "tip": NODE, "w": STORE, "": CALL}[where][what]
+    return NODE[what] if is_node(where) else {"w": STORE, "": CALL}[where][plain(what)]

@@ -14,7 +14,8 @@ from ..ir.program import Node, Program, live
 from ..ir.replay import bind
 from ..topology.chain import Chain
 from .functions import nodes
-from .schedule import PER_CHILD, SUMMED, Algorithm, execute, trace, visits
+from .schedule import SUMMED, Algorithm, execute, trace, visits
+from .signals import PER_CHILD, edge_name, is_node
 
 
 class Unknown:
@@ -111,17 +112,19 @@ def passages(chain: Chain, run: Applied, results: Iterable[str], each_tip=False)
     ``each_tip``.
     """
     results = frozenset(results)
+    count = max(chain.tree.stations, default=0)
+    named_at = {edge_name(name, station) for name in results & PER_CHILD for station in range(count)}
     read: set[tuple[str, str, int, int]] = set()
     out, cache = [], {}
     siblings = chain.tree.children
     for number, i, edge, program in reversed(run):
         together, adds = len(siblings[chain.tree.base(i)]) > 1, i != siblings[chain.tree.base(i)][-1]
-        asked = results if edge is None else results & PER_CHILD
+        asked = results | named_at if edge is None else {edge_name(n, chain.tree.at(edge)) for n in results & PER_CHILD}
         wanted = frozenset(
             (name, k)
             for name, values in program.outputs.items()
             for k, v in enumerate(values)
-            if (name in asked and (each_tip or not name.startswith("tip.") or i == chain.n - 1))
+            if (name in asked and (each_tip or not name.startswith("tip.") or i == chain.last))
             or ((*_place(chain, name, i), k) in read and _written(v, together and name in SUMMED, adds))
         )
         key = (id(program), wanted)
@@ -143,8 +146,8 @@ def _written(value, summed: bool, adds: bool) -> bool:
 def _place(chain: Chain, name: str, i: int) -> tuple[str, str, int]:
     """The place of a signal of link i: its store, or a node."""
     where, _, what = name.partition(".")
-    if where in ("base", "tip"):
-        return "node", what, chain.tree.tip(i) if where == "tip" else chain.tree.base(i)
+    if is_node(where):
+        return "node", what, chain.tree.places(i)[where]
     return "link", name, i
 
 

@@ -22,7 +22,7 @@ class Accelerometer(Functions):
         """The proper acceleration (3) of the last tip point, inertial minus free fall, in tip-frame components."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         _, places = self._run(MOTION, self._state(q, v), motion)
-        return places[-1]["acc"][3:]
+        return places[self.chain.tree.tip(self.chain.last)]["acc"][3:]
 
 
 def tip_acceleration(chain: Chain, constants="constants") -> Program:

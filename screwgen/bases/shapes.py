@@ -130,10 +130,12 @@ def products(a: Shapes, b: Shapes) -> Matrix:
 
 
 @cache
-def integrals(a: Shapes, b: Shapes, first: int, second: int, times: int, weight: int | None = None) -> Matrix:
+def integrals(
+    a: Shapes, b: Shapes, first: int, second: int, times: int, weight: int | None = None, end: float = 1.0
+) -> Matrix:
     """Integrals of f = psi_k^(first) of `a` times psi_l^(second) of `b`: a.count x b.count, dimensionless.
 
-    `weight` None: f integrated `times` (1 or more) from 0, at s = 1. Otherwise the integral over [0, 1] of s^weight
+    `weight` None: f integrated `times` (1 or more) from 0, at s = `end`. Otherwise the integral over [0, 1] of s^weight
     times that repeated integral. Both are single integrals of f times a polynomial.
     """
     digits = working_digits(max(a.count, b.count))
@@ -141,9 +143,11 @@ def integrals(a: Shapes, b: Shapes, first: int, second: int, times: int, weight:
         kernel = [[mpf(0)] * (weight or 0) + [mpf(1)]]
         for _ in range(times - (weight is None)):
             kernel = to_the_end(kernel, [mpf(1)])
-        left = [polynomial_form(*kernel) * psi.derivative(first) for psi in a.functions]
-        right = [psi.derivative(second) for psi in b.functions]
-        return tuple(rounded(inner(f, g) for g in right) for f in left)
+        scale = mpf(end) ** times  # f on [0, end] is a function on [0, 1], each integral of it times `end`
+        part = lambda psi, order: psi.derivative(order).within(mpf(0), mpf(end))  # noqa: E731
+        left = [polynomial_form(*kernel) * part(psi, first) for psi in a.functions]
+        right = [part(psi, second) for psi in b.functions]
+        return tuple(rounded(scale * inner(f, g) for g in right) for f in left)
 
 
 def to_the_end(pieces: Sequence[Sequence[mpf]], sizes: Sequence[mpf]) -> list[list[mpf]]:

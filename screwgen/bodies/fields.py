@@ -12,6 +12,7 @@ from ..algebra.expression import Symbol
 from ..bases import ORDER, integrals, products
 from ..ir.block import Block
 from ..spec.link_class import AXIS, TURN, LinkClass
+from ..spec.markers import TIP
 from ..spec.modes import DIRECTIONS
 from .moments import XI, Moments
 from .second_order import Part, parts
@@ -64,17 +65,24 @@ class Fields(Moments):
     def rotation(self) -> np.ndarray:
         """Ψ(c), 3 x r: the rotation of the tip section, [torsion angle, -u_z', u_y']."""
         out = np.full((3, self.key.modes), sp.S.Zero, dtype=object)
-        for k, (d, i) in enumerate(self.key.directions):
+        for k, (d, _) in enumerate(self.key.directions):
             if d == "torsion":
-                out[0, k] = number(self._constants[d].tip_value[i])
+                out[0, k] = self._at_section(k, 0)
             elif d in TURN:
                 row, sign = TURN[d]
-                out[row, k] = sign * number(self._constants[d].tip_slope[i]) / self.length
+                out[row, k] = sign * self._at_section(k, 1) / self.length
         return out
 
     def tip(self) -> np.ndarray:
         """Φ(c), 3 x r: the displacement of the tip section."""
-        return self.Phi([number(self._constants[d].tip_value[i]) for d, i in self.key.directions])
+        return self.Phi([self._at_section(k, 0) for k in range(self.key.modes)])
+
+    def _at_section(self, k: int, derivative: int) -> sp.Expr:
+        """The value of a mode's shape, or its slope, at the tip, or at the station that stands for it."""
+        (shape, i), s = self._shape(k), self.key.section_at
+        if s == TIP:
+            return number((shape.tip_slope if derivative else shape.tip_value)[i])
+        return number(shape.evaluate((s,), derivative)[i][0])
 
     def _matrix(self, rows, row_of, values) -> np.ndarray:
         out = np.full((rows, self.key.modes), sp.S.Zero, dtype=object)

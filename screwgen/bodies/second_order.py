@@ -117,11 +117,11 @@ def entry(axis: str, k: int, m: int) -> sp.Symbol:
 
 
 def at_tip(key: LinkClass, terms: list[Term], length: sp.Expr) -> np.ndarray:
-    """The symmetric (r, r) matrix ``H`` with ``1/2 eta^T H eta`` the sum of ``terms`` at the tip."""
+    """The symmetric (r, r) matrix ``H`` with ``1/2 eta^T H eta`` the sum of ``terms`` at the tip, or at a station."""
     out = np.full((key.modes, key.modes), sp.S.Zero, dtype=object)
     for k, m, term, i, j in entries(key, terms):
         (first, a), (second, b) = term.first, term.second
-        constant = integrals(key.shapes(first), key.shapes(second), a, b, term.times)[i][j]
+        constant = integrals(key.shapes(first), key.shapes(second), a, b, term.times, end=key.section_at)[i][j]
         value = term.factor * constant * length ** (term.times - a - b)
         out[k, m] += value
         out[m, k] += value

@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, hat, identity, matrix, unit, vector, zeros
+from ..algebra.expression import Expression, Symbol, hat, identity, matrix, number, unit, vector, zeros
 from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
+from ..spec.markers import BASE, TIP
 from .fields import Fields, length
 from .lumped import lumped
 from .reduced import numerals
@@ -106,11 +107,16 @@ def end_of_rod(b: Block, key: LinkClass) -> End:
     whole: Expression = length(b, key) if key.length else zeros(1)
     fields = Fields(key, b.values[whole.name].item() if key.length else sp.S.Zero, sp.S.Zero)
     second = [[at_tip(key, t, fields.length) for t in terms] if key.order == 2 else () for terms in (PLACE, TURN)]
-    reach = whole
+    reach = whole if key.section_at == TIP else _place(b, key.section_at, whole)
     if key.frame_at:
         frame_at = b.parameter("frame_at", (1, 1))
-        reach = b.step("reach", whole - frame_at)
+        reach = b.step("reach", reach - frame_at)
     return End(reach @ unit(0), identity(3), fields.tip(), fields.rotation(), *second)
+
+
+def _place(b: Block, s: float, whole: Expression) -> Expression:
+    """The distance of a station from the base."""
+    return zeros(1) if s == BASE else b.step("place", number(s) @ whole)
 
 
 def end_of_body(b: Block, key: LinkClass) -> End:

@@ -1,4 +1,4 @@
-"""The links of a robot as lines in space: each from the tip that carries it, or from where it is mounted."""
+"""The links of a robot as lines in space: each from the section that carries it, or from where it is mounted."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..spec.markers import carried_at
 from ..spec.parents import parents
 
 if TYPE_CHECKING:
@@ -21,14 +22,22 @@ def feet(model: Model) -> list[np.ndarray]:
 def strands(model: Model, lines: np.ndarray) -> list[np.ndarray]:
     """The polylines (1 + stations, 3), m, of links with the centrelines `lines` (n, stations, 3).
 
-    The first point of each is the tip of its parent, or its mount: a joint that slides moves the link away from it. A
-    floating base begins where it is.
+    The first point of each is the section of its parent that carries it, or its mount: a joint that slides moves the
+    link away from it. A floating base begins where it is. Between their stations the lines are straight.
     """
     loose = lines[0, 0] if model.chain.floating else None
-    carried = enumerate(parents(model.robot.links))
+    links = model.robot.links
+    carried = enumerate(zip(parents(links), carried_at(links), strict=True))
     mounted = lambda i: _mount(model.robot.links[i]) if loose is None else loose  # noqa: E731
-    starts = [lines[parent, -1] if parent >= 0 else mounted(i) for i, parent in carried]
+    starts = [_on(lines[parent], s) if parent >= 0 else mounted(i) for i, (parent, s) in carried]
     return [np.concatenate([start[None], line]) for start, line in zip(starts, lines, strict=True)]
+
+
+def _on(line: np.ndarray, s: float) -> np.ndarray:
+    """The point (3,) at s of a line (stations, 3) whose stations are at even distances."""
+    whole = s * (len(line) - 1)
+    first = min(int(whole), len(line) - 2)
+    return line[first] + (whole - first) * (line[first + 1] - line[first]) if s < 1 else line[-1]
 
 
 def _mount(link) -> np.ndarray:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..bases import Basis, shapes
 from ..reduction.invariants import Invariants
 from .drive import NO_FRICTION
 from .joint import Joint
+from .markers import TIP
 from .modes import DIRECTIONS, SHEARED
 from .reduced import damped, directions, elastic
 from .robot import Link
@@ -104,6 +105,15 @@ class LinkClass:
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
     free: bool = False
     """Whether the link is a floating base: its pose and twist are state, and its motion subspace is the identity."""
+    stations_at: tuple[float, ...] = ()
+    """The places s in [0, 1) along the link, or along its segment, at which it carries others, besides its tip."""
+    section_at: float = TIP
+    """The place of the section that blocks of the tip describe; see `station`."""
+
+    def station(self, number: int) -> LinkClass:
+        """The class in which a station stands for the tip; it carries no bodies."""
+        bodies = tuple(body if body and body.at != "tip" else None for body in self.bodies)
+        return replace(self, section_at=self.stations_at[number], stations_at=(), bodies=bodies if any(bodies) else ())
 
     @property
     def modes(self) -> int:
@@ -217,6 +227,10 @@ class LinkClass:
 
     def bodies_at(self, section: str) -> list[int]:
         return [b for b, body in enumerate(self.bodies) if body and body.at == section]
+
+
+MARKER = LinkClass(("",) * 4, (0,) * 4, (), *[False] * 9, bodies=(), length=False, beam=False)
+"""The class of a marker that a loop joins: a link without mass, welded to the section."""
 
 
 def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:

@@ -1,17 +1,22 @@
-"""Loops: joints between the tips of two links, which close a tree of links."""
+"""Loops: joints between markers of two links, which close a tree of links."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field, PlainValidator
 
 from .joint import PER_AXIS, Joint
+from .markers import TIP, named, reached, split
+from .parents import WORLD
 from .part import Part
 from .ranges import within
 from .screw import Screw
 from .values import Path, array, quoted, refuse, shown
+
+if TYPE_CHECKING:
+    from .robot import Link
 
 Ends = tuple[str, str]
 STABILISATION = 20.0
@@ -19,51 +24,73 @@ STABILISATION = 20.0
 
 
 def ends(value: Any) -> Ends:
-    """Two markers, each the name of a link with `.tip`."""
-    stated = array(value, 'an array of two tips, as ["rod.tip", "slider.tip"]')
+    """Two markers, each the name of a link with that of its marker, as `rod.tip`."""
+    stated = array(value, 'an array of two markers, as ["rod.tip", "slider.tip"]')
     if len(stated) != 2:
-        raise refuse(f'has {len(stated)} entries; it must name two tips, as ["rod.tip", "slider.tip"]')
+        raise refuse(f'has {len(stated)} entries; it must name two markers, as ["rod.tip", "slider.tip"]')
     for i, entry in enumerate(stated):
-        if not isinstance(entry, str) or not entry.endswith(".tip"):
-            raise refuse(f'is {shown(entry)}; it must be the name of a link with ".tip", as "rod.tip"', at=(i,))
+        if not isinstance(entry, str) or entry.count(".") != 1 or not all(entry.split(".")):
+            what = 'it must be the name of a link with that of its marker, as "rod.tip"'
+            raise refuse(f"is {shown(entry)}; {what}", at=(i,))
     return tuple(stated)
 
 
 class Loop(Part):
-    """A joint between two tips; its motions are those that the loop leaves free.
+    """A joint between markers of two links; its motions are those that the loop leaves free.
 
-    It sits at the tip of the first link in `between`, its axes are those of that tip frame. Where all its coordinates
-    are zero the two tip frames coincide. Slides come before turns. `stabilisation` λ (1/s): a gap g that rounding or
+    It sits at the first marker in `between`, its axes are those of the frame of the section there. Where all its
+    coordinates are zero the two frames coincide. Slides come before turns. `stabilisation` λ (1/s): a gap g that rounding or
     the integrator has opened closes by `g̈ + 2 λ ġ + λ² g = 0`.
     """
 
     between: Annotated[Ends, PlainValidator(ends)] = Field(
-        description='the tips that the loop joins, as ["rod.tip", "slider.tip"]'
+        description='the markers that the loop joins, as ["rod.tip", "casting.hook"]'
     )
-    joint: Joint = Field(description='the motions that the loop leaves free, as { axes = ["y"] }; [] welds the tips')
+    joint: Joint = Field(description='the motions that the loop leaves free, as { axes = ["y"] }; [] welds them')
     stabilisation: Annotated[float, PlainValidator(within("stabilisation"))] = Field(
         STABILISATION, description="the rate at which an open gap closes, rad/s"
     )
 
 
-def refuse_loops(names: Sequence[str], loops: Sequence[Loop]) -> None:
-    """Refuse loops whose tips are no two links, and joints that no loop can have."""
+def refuse_loops(links: Sequence[Link], loops: Sequence[Loop]) -> None:
+    """Refuse loops that join no two links at markers of theirs, and joints that no loop can have."""
     for i, loop in enumerate(loops):
         at: Path = ("loops", i)
-        first, second = (end.removesuffix(".tip") for end in loop.between)
-        for k, name in enumerate((first, second)):
-            if name not in names:
-                known = " or ".join(map(quoted, names[:8]))
-                raise refuse(f"is the tip of {quoted(name)}, which is no link; choose {known}", (*at, "between", k))
+        (first, _), (second, _) = (joined(links, loop, k, (*at, "between", k)) for k in range(2))
         if first == second:
-            raise refuse("joins a link with itself; name the tips of two links", (*at, "between"))
+            raise refuse("joins a link with itself; name markers of two links", (*at, "between"))
         _refuse_joint(loop.joint, (*at, "joint"))
+
+
+def joined(links: Sequence[Link], loop: Loop, end: int, at: Path = ()) -> tuple[int, float]:
+    """The link that an end of a loop joins, and the place s along it."""
+    name, marker = loop.between[end].split(".")
+    names = [link.name for link in links]
+    if name not in names:
+        if name == WORLD:
+            what = f'is a place of the {WORLD}; anchor the loop by a link with axes = [] whose parent is "{WORLD}"'
+            raise refuse(what, at)
+        known = " or ".join(map(quoted, names[:8]))
+        raise refuse(f"is a marker of {quoted(name)}, which is no link; choose {known}", at)
+    i = names.index(name)
+    return i, reached(links[i], named(links, i, marker, at), at)
+
+
+def joined_places(links: Sequence[Link], loops: Sequence[Loop]) -> dict[int, dict[float, str]]:
+    """The places s at which loops join links between the ends of their segments, with the markers' names, by link."""
+    out: dict[int, dict[float, str]] = {}
+    for loop in loops:
+        for k, end in enumerate(loop.between):
+            i, s = joined(links, loop, k)
+            if split(s, links[i].pieces)[1] != TIP:
+                out.setdefault(i, {}).setdefault(s, end.partition(".")[2])
+    return out
 
 
 def _refuse_joint(joint: Joint, at: Path) -> None:
     if joint.mount is not None:
-        what = "is stated, but a loop's joint sits at the tip of the first link"
-        raise refuse(f"{what}; leave it out, or weld a link to that tip to have the joint elsewhere", (*at, "mount"))
+        what = "is stated, but a loop's joint sits at its first marker"
+        raise refuse(f"{what}; leave it out, or weld a link there to have the joint elsewhere", (*at, "mount"))
     for key in PER_AXIS:
         if getattr(joint, key) is not None:
             what = "is stated, but nothing drives a loop's joint; leave it out"

@@ -323,5 +323,6 @@ def per_mode(robot: Robot, quantity: str) -> tuple[str, ...]:
     return tuple(
         f"{segment.name}.{quantity}.{direction}[{k}]"
         for segment in segments(robot)
+        if segment.marker is None
         for direction, k in directions(robot.links[segment.link])
     )

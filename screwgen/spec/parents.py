@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any, Protocol
 
 from .names import link_name
-from .values import quoted, refuse, shown
+from .values import quoted, refuse
 
 WORLD = "world"
 """The parent of a link that no link carries; a link of that name takes precedence."""
@@ -25,14 +25,6 @@ class Named(Protocol):
 def parent_name(value: Any) -> str:
     """The name of a link, or "world"."""
     return link_name(value)
-
-
-def marker(value: Any) -> str:
-    """The place of a joint on the parent."""
-    if value != "tip":
-        what = 'it must be "tip", the only place that links are carried at so far'
-        raise refuse(f"is {shown(value)}; {what}; weld two links to have a joint between them")
-    return value
 
 
 def parents(links: Sequence[Named]) -> tuple[int, ...]:

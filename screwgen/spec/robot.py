@@ -7,17 +7,18 @@ those of NOTATION.md.
 
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import Field, PlainValidator, model_validator
+from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..errors import UsageError
 from .base import FIXED, FLOATING, check_floating
 from .frequencies import Frequencies
 from .joint import Joint, Position
 from .loops import Loop, refuse_loops
+from .markers import TIP, Marker, Place, carried_at, check_markers, marker, written
 from .modes import DIRECTIONS, NEEDS, SHEARED, Modes
-from .names import link_name, robot_name
+from .names import distinct, link_name, robot_name
 from .needs import require, require_divisible, require_uniform, segment_count
-from .parents import marker, parent_name, parents
+from .parents import parent_name, parents
 from .part import Part
 from .physics import inertia
 from .profile import profiled
@@ -93,9 +94,10 @@ class Link(Part):
     parent: Annotated[str, PlainValidator(parent_name)] | None = Field(
         None, description='the link that carries this one, "world" for none; without it the link before'
     )
-    at: Annotated[str, PlainValidator(marker)] = Field(
-        "tip", description='where on its parent the joint sits: "tip" is all that is possible so far'
+    at: Annotated[str | Place, PlainValidator(marker), PlainSerializer(written)] = Field(
+        "tip", description='where on its parent the joint sits: "tip", "base", { s = 0.4 } or the name of a marker'
     )
+    markers: tuple[Marker, ...] = Field((), description='named places, as { name = "hook", at = 0.7 }')
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
     body: Annotated[Any, PlainValidator(link_body)] = Field(
@@ -176,7 +178,7 @@ class Robot(Part):
         FIXED, description='"fixed", or "floating": the first link moves freely, its pose is part of the state'
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
-    loops: tuple[Loop, ...] = Field((), description="joints between the tips of two links, [[loops]] tables")
+    loops: tuple[Loop, ...] = Field((), description="joints between markers of two links, [[loops]] tables")
 
     @property
     def floating(self) -> bool:
@@ -195,12 +197,13 @@ class Robot(Part):
     def _links_with_names_of_their_own(self) -> Self:
         if not self.links:
             raise refuse("is empty; state at least one [[links]] table", at=("links",))
-        distinct_names(self)
-        parents(self.links)
+        distinct([link.name for link in self.links])
+        check_markers(self.links)
         if self.floating:
             check_floating(self.links)
         refuse_axes(self)
-        refuse_loops([link.name for link in self.links], self.loops)
+        refuse_loops(self.links, self.loops)
+        distinct_names(self)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"
@@ -209,7 +212,7 @@ class Robot(Part):
 
     @model_validator(mode="after")
     def _turning_sections_have_inertia(self) -> Self:
-        carrying = parents(self.links)
+        carrying = {parent for parent, s in zip(parents(self.links), carried_at(self.links), strict=True) if s == TIP}
         for i, link in enumerate(self.links):
             carries = i in carrying or any(body.at == "tip" for body in link.bodies)
             for direction, (_, needed) in SHEARED.items():

@@ -1,13 +1,14 @@
 """The segments of a robot's links: the equal pieces, welded to each other, that a link with `segments = k` consists of.
 
 A link that is not split is one segment. Segments are what kinematics and dynamics see as links; parameters, joints
-and bodies are the link's.
+and bodies are the link's. A place between base and tip at which a loop joins a link is one of them too: it has neither
+mass nor length, follows the link's own segments, and is welded to the section there, so that forces can act on it.
 """
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from .names import distinct
+from .loops import joined_places
 from .values import quoted, refuse
 
 if TYPE_CHECKING:
@@ -26,26 +27,34 @@ class Segment:
     """How many segments the link has."""
     owner: str
     """The name of its link."""
+    marker: float | None = None
+    """The place s on its link, if it is a marker that a loop joins."""
+    label: str = ""
+    """The marker's name."""
 
     @property
     def name(self) -> str:
-        """The link's name, of one segment of several `boom[2]`."""
+        """The link's name, of one segment of several `boom[2]`, of a marker `boom.hook`."""
+        if self.marker is not None:
+            return f"{self.owner}.{self.label}"
         return f"{self.owner}[{self.number}]" if self.count > 1 else self.owner
 
     @property
     def identifier(self) -> str:
-        """The name in generated code, `boom_2`."""
+        """The name in generated code, `boom_2`, `boom_hook`."""
+        if self.marker is not None:
+            return f"{self.owner}_{self.label}"
         return f"{self.owner}_{self.number}" if self.count > 1 else self.owner
 
     @property
     def first(self) -> bool:
         """Whether the link's joint and the bodies at its base are on this segment."""
-        return self.number == 0
+        return self.number == 0 and self.marker is None
 
     @property
     def last(self) -> bool:
         """Whether the link's tip and the bodies there are on this segment."""
-        return self.number == self.count - 1
+        return self.number == self.count - 1 and self.marker is None
 
     @property
     def jointed(self) -> str:
@@ -59,10 +68,13 @@ class Segment:
 
 
 def segments(robot: "Robot") -> tuple[Segment, ...]:
-    """The segments of all links, base to tip."""
-    return tuple(
-        Segment(i, k, link.pieces, link.name) for i, link in enumerate(robot.links) for k in range(link.pieces)
-    )
+    """The segments of all links, base to tip, each link's followed by its markers that loops join."""
+    joined = joined_places(robot.links, robot.loops)
+    out: list[Segment] = []
+    for i, link in enumerate(robot.links):
+        out += [Segment(i, k, link.pieces, link.name) for k in range(link.pieces)]
+        out += [Segment(i, 0, 1, link.name, s, label) for s, label in joined.get(i, {}).items()]
+    return tuple(out)
 
 
 def owner(name: str) -> str:
@@ -71,10 +83,10 @@ def owner(name: str) -> str:
 
 
 def distinct_names(robot: "Robot") -> None:
-    """Refuse two links of one name, and a link with the name that a segment has in generated code."""
-    distinct([link.name for link in robot.links])
-    taken = {s.identifier.upper(): s for s in segments(robot) if s.count > 1}
+    """Refuse a link with the name that a segment or a marker has in generated code."""
+    taken = {s.identifier.upper(): s for s in segments(robot) if s.identifier != s.owner}
     for i, link in enumerate(robot.links):
         if segment := taken.get(link.name.upper()):
-            what = f"is {quoted(link.name)}, the name in generated code of segment {segment.name}; choose another name"
+            kind = "segment" if segment.marker is None else "marker"
+            what = f"is {quoted(link.name)}, the name in generated code of {kind} {segment.name}; choose another name"
             raise refuse(what, at=("links", i, "name"))

@@ -5,22 +5,21 @@ A link that is split into segments stands here as so many links; see :mod:`..spe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
 
 from ..arguments import Parameters, array
 from ..errors import SingularError, UsageError
-from ..spec.link_class import link_class
+from ..spec.link_class import MARKER, link_class
 from ..spec.parameters import turning
-from ..spec.parents import parents
 from ..spec.robot import Robot
-from ..spec.segments import Segment, segments
+from ..spec.segments import segments
 from .coordinates import Coordinates
 from .loops import Closure, closures
 from .parameters import labels
-from .tree import BASE, Tree
+from .stations import mounted
 
 
 class Chain(Coordinates):
@@ -29,13 +28,16 @@ class Chain(Coordinates):
     def __init__(self, robot: Robot):
         self.robot = robot
         self.segments = segments(robot)
+        self.tree, stations = mounted(robot, self.segments)
         keys = [
             link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number, robot.floating and i == 0)
+            if s.marker is None
+            else MARKER
             for i, s in enumerate(self.segments)
         ]
+        keys = [replace(key, stations_at=at) if at else key for key, at in zip(keys, stations, strict=True)]
         own = labels(robot)
         super().__init__(keys, [own[s.link] for s in self.segments])
-        self.tree = Tree(_carriers(robot, self.segments))
         self.classes = list(dict.fromkeys(self.keys))
         self.closures: tuple[Closure, ...] = closures(robot, self.segments)
 
@@ -100,6 +102,16 @@ class Chain(Coordinates):
         return out
 
     @property
+    def last(self) -> int:
+        """The segment whose tip is that of the robot, of the last link of the file."""
+        return self.lasts[-1]
+
+    @property
+    def last_entries(self) -> slice:
+        """The entries of its point among those of all tips."""
+        return slice(3 * self.last, 3 * self.last + 3)
+
+    @property
     def firsts(self) -> list[int]:
         """Where in the chain each link of the robot begins: its only or its first segment."""
         return [i for i, s in enumerate(self.segments) if s.first]
@@ -108,13 +120,3 @@ class Chain(Coordinates):
     def lasts(self) -> list[int]:
         """Where in the chain each link of the robot ends."""
         return [i for i, s in enumerate(self.segments) if s.last]
-
-
-def _carriers(robot: Robot, pieces: Sequence[Segment]) -> tuple[int, ...]:
-    """The number of the segment that carries each segment: the one before it, or the last of the link's parent."""
-    carriers, last = parents(robot.links), {BASE: BASE}
-    out = []
-    for place, segment in enumerate(pieces):
-        out.append(last[carriers[segment.link]] if segment.first else place - 1)
-        last[segment.link] = place
-    return tuple(out)

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..joints.constraints import Distance, Row, rows
+from ..spec.loops import joined
 from ..spec.robot import Robot
 from ..spec.segments import Segment
+from .stations import section
 
 
 @dataclass(frozen=True)
@@ -38,11 +40,18 @@ def _shown(direction: Sequence[float]) -> str:
     return letter or f"[{', '.join(f'{x:g}' for x in direction)}]"
 
 
+def _segment(robot: Robot, segments: Sequence[Segment], link: int, s: float) -> int:
+    """The segment whose tip is at a place of a link: one that ends there, or the marker."""
+    for i, segment in enumerate(segments):
+        if segment.link == link and segment.marker == s:
+            return i
+    return section(robot, [i for i, segment in enumerate(segments) if segment.first], link, s)[0]
+
+
 def closures(robot: Robot, segments: Sequence[Segment]) -> tuple[Closure, ...]:
     """All rows of all loops, in the order of the file."""
-    last = {s.owner: i for i, s in enumerate(segments)}
     out = []
     for k, loop in enumerate(robot.loops):
-        first, second = (last[end.removesuffix(".tip")] for end in loop.between)
+        first, second = (_segment(robot, segments, *joined(robot.links, loop, end)) for end in range(2))
         out += [Closure(k, first, second, row, loop.stabilisation) for row in rows(loop.joint.screws)]
     return tuple(out)

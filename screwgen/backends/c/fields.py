@@ -9,11 +9,12 @@ from types import MappingProxyType
 
 from ...algorithms.columns import robot_columns
 from ...algorithms.schedule import COLUMNS
-from ...algorithms.scope import derived
-from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal
+from ...algorithms.scope import AT_TIP, derived, owner_of
+from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
 from ...ir.block import Signal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
+from ...spec.markers import TIP, carried_at
 from ...spec.parents import parents
 from ...topology.chain import Chain
 from .code import literal
@@ -103,13 +104,21 @@ def fused_place(name: str, k: int) -> str:
 def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
     """The members of ``ella_link_constants``, documented by the steps that define them."""
     signals = _signals_of_labels(chain.classes)
-    return [Field(name, (), _constant_comment(signals.get(name))) for name in sorted(labels)]
+    return [Field(name, (), _comment(chain, signals, name)) for name in sorted(labels)]
+
+
+def _comment(chain: Chain, signals: Mapping[str, Constant], label: str) -> str:
+    """The comment of a constant; where it is of a station, what it is at the tip."""
+    found = next((own for key in chain.classes if (own := owner_of(key, label)[1]) != label), None)
+    return _constant_comment(signals.get(found or label)) + ("; of a station" if found else "")
 
 
 def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Constant]:
     """The signal that every label of the classes' blocks belongs to; the first that has it."""
     out: dict[str, Constant] = {}
-    for block in (block for key in classes for block in derived(key).values()):
+    own = [block for key in classes for block in derived(key).values()]
+    stations = [key.station(k) for key in classes for k in range(len(key.stations_at))]
+    for block in (*own, *(derived(key)[name] for key in stations for name in AT_TIP)):
         for step in block.steps.values():
             for symbol, _ in step.assignments:
                 out.setdefault(symbol.name, step.signal)
@@ -181,33 +190,51 @@ def floating_base(chain: Chain) -> dict[str, object]:
     }
 
 
+def last_tip(chain: Chain) -> dict[str, str]:
+    """The link whose tip is that of the robot, and the node of that tip, as C."""
+    if chain.last == chain.n - 1:
+        return {"last_link": "$$_NLINKS - 1", "last_node": "$$_NLINKS"}
+    return {"last_link": str(chain.last), "last_node": str(chain.tree.tip(chain.last))}
+
+
 def topology(chain: Chain) -> dict[str, object]:
     """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:
-        return {"bases": [], "carriers": [], **floating_base(chain)}
+        return {"bases": [], "stations": [], "carriers": [], **floating_base(chain), **last_tip(chain)}
     links = chain.robot.links
     names = ["no other link" if chain.floating else "the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]
-    return {**floating_base(chain), "bases": bases, "carriers": [names[parent + 1] for parent in parents(links)]}
+    stations = [chain.tree.station(i, 0) for i in range(chain.n)] if any(chain.tree.stations) else []
+    carried = zip(parents(links), carried_at(links), strict=True)
+    carriers = [names[parent + 1] + (f" at s = {s:g}" if s != TIP else "") for parent, s in carried]
+    more = {"bases": bases, "stations": stations, "n_stations": sum(chain.tree.stations), "carriers": carriers}
+    more |= {"markers": any(segment.marker is not None for segment in chain.segments)}
+    return {**floating_base(chain), **last_tip(chain), **more}
 
 
 def node_fields(programs: Iterable[Program]) -> list[Field]:
     """The members of a node that the programs read or write."""
-    return [Field(n, (s,), NODE[n].comment) for n, s in _signals(programs, ("base.", "tip.")).items()]
+    return [Field(n, (s,), NODE[n].comment) for n, s in _signals(programs, is_node).items()]
 
 
 def store_fields(programs: Iterable[Program], sliding: bool) -> list[Field]:
     """The members of a link's store."""
-    return [Field(n, (s,), joint_comment(STORE[n], sliding)) for n, s in _signals(programs, ("w.",)).items()]
+    found = _signals(programs, lambda where: where == "w")
+    return [Field(n, (s,), joint_comment(STORE[plain(n)], sliding) + _where(n)) for n, s in found.items()]
 
 
-def _signals(programs: Iterable[Program], prefixes: Sequence[str]) -> dict[str, int]:
+def _where(name: str) -> str:
+    """What is added to the comment of a member that is of a station."""
+    return f"; of station {name.rpartition('_at')[2]}" if plain(name) != name else ""
+
+
+def _signals(programs: Iterable[Program], there: Callable[[str], bool]) -> dict[str, int]:
     """Name without prefix and largest size of the signals in these places, in order of appearance."""
     out: dict[str, int] = {}
     for program in programs:
         for name, size in [*program.inputs.items(), *((n, len(v)) for n, v in program.outputs.items())]:
-            if name.startswith(tuple(prefixes)):
-                short = name.partition(".")[2]
+            where, _, short = name.partition(".")
+            if short and there(where):
                 out[short] = max(size, out.get(short, 0))
     return dict(sorted(out.items()))
 
@@ -223,7 +250,7 @@ def scratch(
     sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
     own = {name: total(fields) for name, fields in structs(c).items()}
-    chain = (c.n + 1) * total(node) + c.n * total(store)
+    chain = c.tree.size * total(node) + c.n * total(store)
     loops = 0 if kept is None else 1 + own["input"] + 2 * own["state"] + kept
     work = own["work"] + states * (own["state"] + c.base_v) + own["output"] + chain * modular + loops
     dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain + loops

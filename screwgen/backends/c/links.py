@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places, edge_places
 from ...algorithms.schedule import OUTWARD, SUMMED, Algorithm, further_children
-from ...algorithms.signals import CALL, H_SYS, M_SYS
+from ...algorithms.signals import CALL, H_SYS, M_SYS, is_node, plain
 from ...algorithms.structure import Applied, Passage, passages, specialised_phases
 from ...ir.program import Program
 from ...topology.chain import Chain
@@ -242,9 +242,9 @@ class Places:
         where, _, what = name.partition(".")
         if where == "c" and what:
             return f"c->{what}"
-        if where in ("base", "tip", "w"):
+        if where == "w" or is_node(where):
             return f"{'link' if where == 'w' else where}->{what}[{k}]"
-        if name in M_SYS:
+        if plain(name) in M_SYS:
             return f"M[place[{self.matrix[name, k]}]]" if (name, k) in self.matrix else None
         return f"{name}[{k}]"
 
@@ -256,8 +256,9 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE"}
-        return signals | tables | {"c", "link", "base", "tip", "place", "M"}
+        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE", "STATION"}
+        nodes = self.links.chain.tree.places(self.passage.link)
+        return signals | tables | {"c", "link", "place", "M", *nodes}
 
     def arguments(self) -> tuple[list[str], list[str]]:
         """Parameters of the function and the arguments of a call."""
@@ -266,10 +267,10 @@ class Places:
         out = self._structs(reads, writes)
         out += [(f"const $_real {n}[{alone}{inputs[n]}]", self._address(n, n)) for n in reads if "." not in n]
         for name in writes:
-            if "." not in name and name not in M_SYS:
+            if "." not in name and plain(name) not in M_SYS:
                 address = self._address(name if name.startswith("new_") else f"new_{name}", name)
                 out.append((f"$_real {name}[{alone}{len(outputs[name])}]", address))
-        if any(n in M_SYS for n in writes):
+        if any(plain(n) in M_SYS for n in writes):
             block = "i" if self.passage.edge is None else "m"
             out += [("const int *place", f"M_PLACE + M_OFFSET[{block}]"), ("$_real *M", "call->M")]
         return [a for a, _ in out], [b for _, b in out]
@@ -278,10 +279,12 @@ class Places:
         out: list[tuple[str, str]] = []
         if any(n.startswith("c.") for n in reads):
             out.append((f"const $_link_constants *{self._restrict}c", "&c->links[i]"))
+        stations = [place for place in self.links.chain.tree.places(self.passage.link) if place not in ("base", "tip")]
         for where, type_, value in (
             ("w", "link_store", "&chain->links[i]"),
             ("base", "node", f"&chain->nodes[{'i' if self.links.chain.tree.is_chain else 'BASE[i]'}]"),
             ("tip", "node", "&chain->nodes[i + 1]"),
+            *((place, "node", f"&chain->nodes[STATION[i] + {k}]") for k, place in enumerate(stations)),
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
@@ -313,7 +316,7 @@ def matrix_entries(links: Links, i: int, edge: int | None = None) -> list[tuple[
         (name, k)
         for passage in own
         for name, values in passage.program.outputs.items()
-        if name in M_SYS
+        if plain(name) in M_SYS
         for k, v in enumerate(values)
         if not (isinstance(v, float) and v == 0.0)
     ]

@@ -273,7 +273,7 @@ class CProject:
     def prepare_functions(self) -> list[dict]:
         if self.baked is not None:
             return []
-        return [self._prepare_function(i) for i in self._first_links()]
+        return [self._prepare_function(i) for i in self._first_links() if self.labels[i]]
 
     def _first_links(self) -> list[int]:
         return [self.chain.keys.index(key) for key in self.chain.classes]
@@ -305,6 +305,8 @@ class CProject:
     def prepare_calls(self) -> list[str]:
         out = []
         for i, (key, segment) in enumerate(zip(self.chain.keys, self.chain.segments, strict=True)):
+            if not self.labels[i]:
+                continue  # a marker has no constants
             first = self.chain.identifiers[self.chain.keys.index(key)]
             own = columns(self.chain, i, lambda _, name, k: f"c->{name} + {k}")
             out.append(f"constants_of_{first}(&p->links[{segment.link}], &c->links[{i}]{own});")

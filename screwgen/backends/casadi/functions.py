@@ -84,8 +84,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         return {"measures": ca.reshape(outputs(fused.validity)["measures"], len(MEASURES), n)}
 
     def tip_pose() -> dict[str, ca.SX]:
-        found = outputs(fused.poses)
-        return {"R": rotations(found["tip_R"], n)[:, -3:], "position": found["tip_position"][-3:]}
+        found, own = outputs(fused.poses), chain.last_entries
+        return {"R": rotations(found["tip_R"], n)[:, own], "position": found["tip_position"][own]}
 
     def link_pose() -> dict[str, ca.SX]:
         found = outputs(fused.poses)

@@ -86,7 +86,7 @@ def statics(chain: Chain) -> ca.Function:
     def body(f: Functions, x):
         rest = [0.0] * chain.nv
         force, wrench = f.statics(x["q"], x["w_ext"])
-        energy, tip = f.energy(x["q"], rest)[1], f.poses(x["q"])[1][-1][1]
+        energy, tip = f.energy(x["q"], rest)[1], f.poses(x["q"])[1][chain.last][1]
         return {"force": force, "wrench": wrench, "potential": [energy], "tip": tip}
 
     given = {"q": ca.SX.sym("q", chain.nq), "w_ext": ca.SX.sym("w_ext", 6, chain.n)} | parameter_symbols(chain)

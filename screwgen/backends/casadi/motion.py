@@ -108,8 +108,8 @@ def step(chain: Chain, method: Method, name: str) -> ca.Function:
 def tip_jacobian(chain: Chain) -> ca.Function:
     """``(q, p) -> (J)``: J v is the twist of the last tip, [ω; ṙ] of its section and point in inertial components."""
     given = symbols(chain, "q p")
-    found = expressions(fused.poses(chain), given)
-    R, position = rotations(found["tip_R"], chain.n)[:, -3:], found["tip_position"][-3:]
+    found, own = expressions(fused.poses(chain), given), chain.last_entries
+    R, position = rotations(found["tip_R"], chain.n)[:, own], found["tip_position"][own]
     slopes = along_rates(chain, ca.vec(R), given)
     columns = [_axis(ca.reshape(slopes[:, k], 3, 3) @ R.T) for k in range(chain.nv)]
     turning = ca.horzcat(ca.SX(3, 0), *columns)

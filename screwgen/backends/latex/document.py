@@ -142,7 +142,9 @@ def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
 
 def _robot(robot: Robot, chain: Chain) -> Section:
     links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
-    links += f" of {chain.n} segments" if chain.n > len(robot.links) else ""
+    pieces = sum(link.pieces for link in robot.links)
+    links += f" of {pieces} segments" if pieces > len(robot.links) else ""
+    links += f", {chain.n - pieces} markers that loops join" if chain.n > pieces else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     joints += f", {chain.n_motors} of rotors" if chain.n_motors else ""
     count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal"
@@ -166,7 +168,9 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         several=chain.n > 1,
         slides=chain.slides,
         tree=not chain.tree.is_chain,
+        stations=any(chain.tree.stations),
         loops=bool(chain.closures),
+        markers=any(segment.marker is not None for segment in chain.segments),
         floating=chain.floating,
         drives=any(key.drives for key in chain.keys),
         cranked=bool(chain.cranked),

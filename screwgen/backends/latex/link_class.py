@@ -14,7 +14,7 @@ from .content import Display, Heading, Item, Paragraph, Section, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
 from .steps import BlockView
-from .tables import DIRECTION, decimal, modes, named_axes
+from .tables import DIRECTION, decimal, modes, named_axes, stations
 
 ORDER = (
     *("link", "turning_link", "tip", "tip_body", "tip_pose", "joint", "posture"),
@@ -90,9 +90,25 @@ def _segments(key: LinkClass) -> Iterator[Item]:
         )
 
 
+def _carries(key: LinkClass) -> Iterator[Item]:
+    """The sections besides the tip at which links are carried."""
+    if key.stations_at:
+        places = ", ".join(f"{s:.6g}" for s in key.stations_at)
+        shapes = f", with the shapes there{', integrals of the second order from the base to there' * (key.order == 2)}"
+        yield Paragraph(
+            rf"The link carries others at $s = {places}$ too. What is said of the tip section holds of each of these "
+            rf"sections, with the place $s\,l_i$ in place of $l_i${shapes * bool(key.modes)}; in the equations of the link "
+            r"and of its modes $\boldsymbol{\Lambda}$ and $\mathbf{p}$ of all sections are summed, each moved by the "
+            r"$\mathbf{J}_T$ of its own. Bodies and external wrenches are those of the tip."
+        )
+        if key.modes:
+            yield stations(key)
+
+
 def _field(key: LinkClass) -> Iterator[Item]:
     yield from _segments(key)
     yield from _stations(key)
+    yield from _carries(key)
     if not key.modes:
         yield Paragraph(r"The link is rigid: $\mathbf{r}_{ib} = \mathbf{r}_b = [\xi,\ 0,\ 0]^{\top}$.")
         return

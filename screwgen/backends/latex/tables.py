@@ -11,10 +11,12 @@ from ...algebra.notation import number
 from ...bases import Basis, Shapes
 from ...ir.block import Binding
 from ...spec.link_class import LinkClass
+from ...spec.markers import Place
 from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
 from ...spec.screw import Screw
+from ...spec.segments import segments
 from .content import Table
 from .symbols import Entry
 
@@ -34,13 +36,12 @@ def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass])
     """One row per link: its class, joint, shapes and bodies."""
     kinds = "x, y, z, torsion" + ", shear" * any(len(key.counts) > 4 for key in keys)
     head = ("link", "name", "class", "length", "joint axes", f"modes: {kinds}", "bodies, remarks")
-    rows, first = [], 0
-    for link in robot.links:
+    rows, firsts = [], [i for i, segment in enumerate(segments(robot)) if segment.first]
+    for link, first in zip(robot.links, firsts, strict=True):
         own = keys[first : first + link.pieces]
         numbers = dict.fromkeys(f"{classes.index(key) + 1}" for key in own)
         place = f"{first + 1}" if len(own) == 1 else f"{first + 1}–{first + len(own)}"
         rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(link, own[0])))
-        first += len(own)
     return Table(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
 
 
@@ -101,7 +102,23 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "measured frequencies": key.measured,
     }
     bodies += [f"on `{link.parent}`"] if link.parent else []
+    bodies += [f"at {_place(link)}"] if link.at != "tip" else []
     return "; ".join(split + bodies + [name for name, present in stated.items() if present])
+
+
+def _place(link: Link) -> str:
+    """Where on its parent a link is carried."""
+    return rf"$s = {link.at.s:.6g}$" if isinstance(link.at, Place) else f"`{link.at}`"
+
+
+def stations(key: LinkClass) -> Table:
+    """The values and slopes of the mode shapes at the sections where a link carries others, besides its tip."""
+    head = ("shape", *(rf"${x}({s:.4g})$" for s in key.stations_at for x in (r"\psi", r"\psi'")))
+    rows = []
+    for k, (direction, i) in enumerate(key.directions):
+        at = [key.shapes(direction).evaluate(key.stations_at, derivative)[i] for derivative in (0, 1)]
+        rows.append((rf"$\varphi_{{{k + 1}}}$", *(decimal(x) for pair in zip(*at, strict=True) for x in pair)))
+    return Table(head, (0.1, *[0.9 / (len(head) - 1)] * (len(head) - 1)), tuple(rows))
 
 
 def modes(key: LinkClass) -> Table:

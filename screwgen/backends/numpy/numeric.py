@@ -173,7 +173,7 @@ class Numeric:
     def tip_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotation (3, 3) and position (3,) of the last link's tip frame."""
         R, position = self.tip_poses(q)
-        return R[-1], position[-1]
+        return R[self.chain.last], position[self.chain.last]
 
     # DAE form ---------------------------------------------------------------------------------
 

@@ -97,7 +97,7 @@ def _case(chain: Chain, functions: Functions, number: int) -> Case:
     state = _state(chain, functions, number)
     exact = {name: [mpmath.mpf(x) for x in entries] for name, entries in state.items()}
     vdot, wrench = functions.forward_dynamics(exact["q"], exact["v"], exact["tau"], exact["w_ext"])
-    R, position = functions.poses(exact["q"])[1][-1]
+    R, position = functions.poses(exact["q"])[1][chain.last]
     results = {"vdot": vdot, "wrench": wrench, "tip_rotation": R, "tip_position": position}
     return state | {name: [float(x) for x in entries] for name, entries in results.items()}
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import block_places, edge_places, unknown_size
+from ...algorithms.signals import plain
 from ...ir.block import Binding
 from ...ir.lower import lower
 from ...ir.program import Tracer
@@ -235,7 +236,7 @@ def structure(model: Model) -> Structure:
     for i in range(n):
         blocks = block_places(chain, i) | (edge_places(chain, i) if chain.tree.parents[i] != BASE else {})
         for name, (row, column, height, width) in blocks.items():
-            kinds[row : row + height, column : column + width] = named[name]
+            kinds[row : row + height, column : column + width] = named[plain(name)]
     core = (rows < 12 * n) & (columns < 12 * n)
     across = np.abs(rows // 6 - columns // 6)[core]
     labels = [name for i in range(1, n + 1) for name in (f"w_{i}", f"V_{i}")]

@@ -76,10 +76,12 @@ lint: $(READY)
 bench: $(BENCH)/.ready
 	$(BENCH)/bin/python bench/bench.py $(ARGS)
 
-# ELLA's modes under PD, a beam that is spun up and a pendulum against Exudyn's geometrically exact beams. Some minutes.
+# ELLA's modes under PD, a beam that is spun up, a pendulum and the rod of a slider-crank against Exudyn's geometrically
+# exact beams. Some minutes.
 exact-beams: $(BENCH)/.ready
 	$(BENCH)/bin/python bench/exact_beams.py $(ARGS)
 	$(BENCH)/bin/python bench/exact_swings.py
+	$(BENCH)/bin/python bench/exact_slider_crank.py
 
 # Which basis, how many modes: errors against finite elements, and operations. Some minutes.
 mode-table: $(READY)

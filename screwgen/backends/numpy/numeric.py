@@ -135,16 +135,15 @@ class Numeric:
         return np.array(columns).reshape(nv, nv).T
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
-        self.chain.needs_fixed_tree(*EXACT)
+        """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); of a floating base with ``pose exp(δ)``."""
+        self.chain.needs_tree(*EXACT)
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext)
         given = np.eye(self.chain.nv)[:, self.chain.driven]
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
     def slopes(self, q, v, vdot, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nq, nq) each."""
-        self.chain.needs_fixed(*EXACT)
+        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nv, nv) each."""
         found = slopes(self._functions(INVERSE, SENSITIVITY), *self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext))
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         return np.tril(M) + np.tril(M, -1).T, f_q, f_v

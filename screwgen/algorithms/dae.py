@@ -14,6 +14,7 @@ from . import matrices as mx
 from .drives import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
 from .phases import free_motion, joint_motion, relative_posture, tip_motion, tip_state
+from .quaternions import joint_quaternion, quaternion_matrix, quaternion_product, tip_quaternion, unit_quaternion
 from .scope import Scope
 from .signals import PER_CHILD
 
@@ -165,7 +166,7 @@ def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
         R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
         R = mx.multiply(s.read("base.R"), R_rel)
         r = s.read("base.r") + mx.multiply(s.read("base.R"), joint_offset(s, q)) - mx.multiply(R, joint_point(s))
-        Q = quaternion_product(s.read("base.Q"), _joint_quaternion(s, q))
+        Q = quaternion_product(s.read("base.Q"), joint_quaternion(s, q))
     s.write("new_twist", np.concatenate([omega, v]))
     s.write("new_quaternion", Q)
     s.write("new_position", r)
@@ -176,75 +177,7 @@ def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
         section.write("tip.v_T", v_T)
         section.write("tip.R", mx.multiply(R, _tip_rotation(section, eta)))
         section.write("tip.r", r + mx.multiply(R, r_T))
-        section.write("tip.Q", quaternion_product(Q, _tip_quaternion(section, eta)))
-
-
-# ----------------------------------------------------------------------------------------- quaternions
-
-
-def quaternion_product(a: Array, b: Array) -> Array:
-    """The quaternion product, (w, x, y, z)."""
-    scalar = a[0] * b[0] - mx.dot(a[1:], b[1:])
-    return np.concatenate([mx.array([scalar]), a[0] * b[1:] + b[0] * a[1:] + mx.cross(a[1:], b[1:])])
-
-
-def quaternion_matrix(Q: Array) -> Array:
-    """The rotation of a quaternion of any length."""
-    scale = 2.0 / mx.dot(Q, Q)
-    w, u = Q[0], Q[1:]
-    square = mx.symmetric(3, lambda i, j: u[i] * u[j] - (mx.dot(u, u) if i == j else 0.0))
-    return mx.identity(3) + scale * (w * mx.hat(u) + square)
-
-
-def unit_quaternion(s: Scope, Q: Array) -> Array:
-    """``Q / |Q|``."""
-    return Q * (1.0 / s.tracer.call("sqrt", mx.dot(Q, Q)))
-
-
-def _axis_quaternion(s: Scope, axis, angle) -> Array:
-    half = 0.5 * angle
-    sine = s.tracer.call("sin", half)
-    return mx.array([s.tracer.call("cos", half), *(sine * a for a in axis)])
-
-
-def _joint_quaternion(s: Scope, q: Array) -> Array:
-    """The quaternion of ``R_rel``: the mount, then every axis."""
-    turns = []
-    if s.key.mount_rpy:
-        turns += [_axis_quaternion(s, mx.identity(3)[k], s.constant(f"mount_rpy_{'xyz'[k]}")) for k in (2, 1, 0)]
-    turns += [_axis_quaternion(s, screw.axis, x) for screw, x in zip(s.key.screws, q, strict=True) if screw.turn]
-    total = mx.array([1.0, 0.0, 0.0, 0.0])
-    for turn in turns:
-        total = quaternion_product(total, turn)
-    return total
-
-
-def _tip_quaternion(s: Scope, eta: Array) -> Array:
-    """The quaternion of ``R_T``: the turn of the section, then the axes of the tip of a body from a file."""
-    if not s.key.section_rotation:
-        return mx.array([1.0, 0.0, 0.0, 0.0])
-    turn = turn_quaternion(s, s.lower("tip_pose", {"eta": eta}, "theta")[0])
-    axes = np.eye(3) if s.key.elastic is None else np.array(s.key.elastic.tip.axes)
-    return turn if np.array_equal(axes, np.eye(3)) else quaternion_product(turn, _quaternion_of(axes))
-
-
-def _quaternion_of(R: np.ndarray) -> Array:
-    """The quaternion of a rotation by its largest component, which has no cancellation."""
-    symmetric, trace = R + R.T, np.trace(R)
-    squares = np.block(
-        [[np.eye(1) * (1 + trace), np.zeros((1, 3))], [np.zeros((3, 1)), symmetric + (1 - trace) * np.eye(3)]]
-    )
-    squares[0, 1:] = squares[1:, 0] = R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]
-    largest = squares[np.argmax(np.diag(squares))]
-    return mx.array((largest / np.linalg.norm(largest)).tolist())
-
-
-def turn_quaternion(s: Scope, theta: Array) -> Array:
-    """``exp(theta)`` as a quaternion: ``[c_0(x/4), c_1(x/4) theta / 2]``, regular at rest."""
-    quarter = 0.25 * mx.dot(theta, theta)
-    c2 = 0.5 - quarter * s.tracer.call("c4", quarter)
-    c3 = 1.0 / 6.0 - quarter * s.tracer.call("c5", quarter)
-    return np.concatenate([mx.array([1.0 - quarter * c2]), (0.5 * (1.0 - quarter * c3)) * theta])
+        section.write("tip.Q", quaternion_product(Q, tip_quaternion(section, eta)))
 
 
 # ------------------------------------------------------------------------------------------- assembly

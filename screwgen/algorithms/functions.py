@@ -323,8 +323,6 @@ class Functions:
         return sum_of(links, "kinetic"), sum_of(links, "potential")
 
 
-
-
 def dry_places(key: LinkClass) -> list[tuple[str, int]]:
     """Where the dry friction of each axis acts: the part of the coordinates, ``q`` or ``theta``, and the place."""
     return [("theta", key.motors.index(axis)) if axis in key.motors else ("q", axis) for axis in key.rubbed]

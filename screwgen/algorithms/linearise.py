@@ -40,7 +40,10 @@ Section = Callable[[str], AbstractContextManager]
 
 @dataclass
 class Slopes:
-    """Mass matrix and partial derivatives of the inverse dynamics with q and v, (nq, nq) each."""
+    """Mass matrix and partial derivatives of the inverse dynamics with q and v, (nv, nv) each.
+
+    Derivatives with q are those along v: of a floating base with a twist-like change of its pose, ``pose exp(delta)``.
+    """
 
     M: Array
     f_q: Array
@@ -56,7 +59,6 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
     Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``. Only the lower triangle
     of ``M`` counts.  ``section`` opens a titled section of a tracer.
     """
-    f.chain.needs_fixed(*EXACT)
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
@@ -83,8 +85,9 @@ def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]
 
 def places(chain: Chain, i: int) -> tuple[slice, slice]:
     """The slices of v with the joint and the modal rates of a link."""
-    m = chain.eta_v
-    return slice(*chain.q_offset[i : i + 2]), slice(*(m + e for e in chain.eta_offset[i : i + 2]))
+    m, first = chain.eta_v, 0 if chain.keys[i].free else chain.base_v
+    joint = first, first + chain.keys[i].freedoms
+    return slice(*(x + chain.q_offset[i] for x in joint)), slice(*(m + e for e in chain.eta_offset[i : i + 2]))
 
 
 def _coordinates(chain: Chain, i: int) -> list[int]:
@@ -122,15 +125,16 @@ def _drives(f: Functions, q, v, out: Slopes) -> None:
         own = f.constants[i]
         for k in range(len(key.motors)):
             rotor, joint = next(rotors)
+            joint += chain.base_v
             for J, name in ((out.M, "M"), (out.f_q, "K"), (out.f_v, "D")):
                 J[rotor, rotor] = own[f"{name}_theta"][k]
                 J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
         for slope in f.friction(i, state[i])["slope"]:
-            place = next(dry)
+            place = next(dry) + chain.base_v
             out.f_v[place, place] = out.f_v[place, place] + slope
         found = f.stop(i, state[i])
         for slope_x, slope_w in zip(found["slope_x"], found["slope_w"], strict=True):
-            place = next(stops)[0]
+            place = next(stops)[0] + chain.base_v
             out.f_q[place, place] = out.f_q[place, place] + slope_x
             out.f_v[place, place] = out.f_v[place, place] + slope_w
 
@@ -139,7 +143,7 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> 
     """Inertia, stiffness and damping of the joint's own coordinates."""
     if key.sprung:
         return [constants[name] for name in COLUMNS["q"]]
-    none = [0.0] * key.joints
+    none = [0.0] * key.freedoms
     return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
 
 
@@ -206,10 +210,10 @@ def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, sec
 def linearisation(chain: Chain, constants="constants") -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program.
 
-    ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nq, nq), row by row.  Forward dynamics and
+    ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
     its guards are included, so common operations are computed once.
     """
-    chain.needs_fixed_tree(*EXACT)
+    chain.needs_tree(*EXACT)
     sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 

@@ -21,7 +21,7 @@ from ..ir.derivative import columns
 from ..ir.program import Array
 from . import matrices as mx
 from . import transmissions
-from .joint_terms import joint_offset, joint_point
+from .joint_terms import joint_offset, joint_point, rotation
 from .phases import swing as swung
 from .phases import tip_state
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
@@ -56,6 +56,8 @@ def motion(s: Scope) -> None:
 
 def link_motion(s: Scope) -> tuple[Motion, Array]:
     """The motion of F_i, and the acceleration of its joint point."""
+    if s.key.free:
+        return free_motion(s)
     q, qdot, qddot = (s.read(name) for name in ("q", "qdot", "qddot"))
     (R,) = s.lower("posture", {"q": q}, "R_rel")
     with s.step("motion: that of the parent's tip in F_i axes"):
@@ -253,6 +255,9 @@ def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
 
 def joint_answers(s: Scope, carried: Load) -> None:
     """The joint's rows, their derivatives with the joint's coordinates, and the load passed to the parent."""
+    if s.key.free:
+        free_answers(s, carried)
+        return
     m, omega_P = s.key.joints, s.read("base.omega_T")
     q, qdot = s.read("q"), s.read("qdot")
     R, A = s.lower("posture", {"q": q}, "R_rel", "A")
@@ -284,6 +289,34 @@ def joint_answers(s: Scope, carried: Load) -> None:
     for name, value in {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": axes}.items():
         s.write(f"w.{name}", value)
     for name, value in {"R_rel": R, "omega_J": omega_J, "r_B": r_B, "r_J": r_J, "v_J": v_J}.items():
+        s.write(f"w.{name}", value)
+
+
+def free_motion(s: Scope) -> tuple[Motion, Array]:
+    """The motion of a floating base, and its part that the posture makes: the acceleration against free fall."""
+    twist, Vdot = s.read("twist"), s.read("Vdot")
+    a_R = mx.multiply(rotation(s).T, s.read("base.acc")[3:])
+    (a,) = s.lower("joint_motion", {"omega": twist[:3], "v": twist[3:], "a_R": a_R}, "a")
+    return Motion(twist[:3], Vdot[:3], a + Vdot[3:]), a_R
+
+
+def free_answers(s: Scope, carried: Load) -> None:
+    """The rows of a floating base, and their derivatives with its twist and with a change delta of its pose.
+
+    The pose becomes ``pose exp(delta)``, delta = [turn; shift] in axes of F_i. That turns what comes from outside in
+    F_i: free fall alone.
+    """
+    omega, v = np.split(s.read("twist"), 2)
+    with s.step("floating base: its rows and their changes with pose and twist"):
+        none, one = mx.zeros(3, 3), mx.identity(3)
+        u_q = np.vstack([np.hstack([none, none])] * 2 + [np.hstack([mx.hat(s.read("w.a_J")), none])])
+        slip = np.hstack([-mx.hat(v), mx.hat(omega)])
+        u_qdot = np.vstack([np.hstack([one, none]), np.hstack([none, none]), slip])
+        rows = np.hstack([carried.Gamma, carried.Lambda])
+        F_q, F_qdot = mx.multiply(rows, u_q), mx.multiply(rows, u_qdot)
+    changes = {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": mx.identity(6)}
+    changes |= {"F_q": F_q, "F_qdot": F_qdot, "f_q": F_q, "f_qdot": F_qdot, "R_rel": rotation(s)}
+    for name, value in (changes | dict.fromkeys(("omega_J", "r_B", "r_J", "v_J"), mx.zeros(3))).items():
         s.write(f"w.{name}", value)
 
 

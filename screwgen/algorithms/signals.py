@@ -32,7 +32,7 @@ class Signal(NamedTuple):
 
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""
-        counts = {"m": key.joints, "t": len(key.motors), "r": key.modes, "b": len(key.coupled)}
+        counts = {"m": key.joints, "f": key.freedoms, "t": len(key.motors), "r": key.modes, "b": len(key.coupled)}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
@@ -204,20 +204,20 @@ STORE = {
     "r_B": Signal((3,), "m", F_I, "position of the joint point"),
     "r_J": Signal((3,), "m", "parent's tip frame", "joint point relative to the parent's tip point"),
     "v_J": Signal((3,), "m/s", "parent's tip frame", "velocity of the joint point relative to the parent's tip"),
-    "axes": Signal((6, "m"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
+    "axes": Signal((6, "f"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
     "E": Signal((6, "r"), "1/m, -", F_I, "motion of the tip section per unit of each mode"),
-    "u_q": Signal((9, "m"), "-", F_I, "derivative of the motion of F_i with the joint coordinates"),
-    "u_qdot": Signal((9, "m"), "-", F_I, "derivative of the motion of F_i with the joint rates"),
+    "u_q": Signal((9, "f"), "-", F_I, "derivative of the motion of F_i with the joint coordinates"),
+    "u_qdot": Signal((9, "f"), "-", F_I, "derivative of the motion of F_i with the joint rates"),
     "tip_eta": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modes"),
     "tip_etadot": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modal rates"),
-    "rows_q": Signal(("m", 9), "-", F_I, "derivative of the joint's forces with the motion of F_i"),
+    "rows_q": Signal(("f", 9), "-", F_I, "derivative of the joint's forces with the motion of F_i"),
     "rows_eta": Signal(("r", 9), "-", F_I, "derivative of the modal forces with the motion of F_i"),
-    "F_q": Signal((6, "m"), WRENCH, F_I, "derivative of the wrench with the joint coordinates"),
-    "F_qdot": Signal((6, "m"), WRENCH, F_I, "derivative of the wrench with the joint rates"),
+    "F_q": Signal((6, "f"), WRENCH, F_I, "derivative of the wrench with the joint coordinates"),
+    "F_qdot": Signal((6, "f"), WRENCH, F_I, "derivative of the wrench with the joint rates"),
     "F_eta": Signal((6, "r"), WRENCH, F_I, "derivative of the wrench with the modes"),
     "F_etadot": Signal((6, "r"), WRENCH, F_I, "derivative of the wrench with the modal rates"),
-    "f_q": Signal(("m", "m"), "N*m", "-", "derivative of the joint's forces with its coordinates"),
-    "f_qdot": Signal(("m", "m"), "N*m*s", "-", "derivative of the joint's forces with its rates"),
+    "f_q": Signal(("f", "f"), "N*m", "-", "derivative of the joint's forces with its coordinates"),
+    "f_qdot": Signal(("f", "f"), "N*m*s", "-", "derivative of the joint's forces with its rates"),
     "f_eta": Signal(("r", "r"), "N/m", "-", "derivative of the modal forces with the modes"),
     "f_etadot": Signal(("r", "r"), "N*s/m", "-", "derivative of the modal forces with the modal rates"),
     "M_eta_eta": Signal(("r", "r"), "kg", "-", "modal inertia of the tip load"),

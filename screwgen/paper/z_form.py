@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 
 from ..algorithms import matrices as mx
-from ..algorithms.dae import quaternion_matrix, turn_quaternion
+from ..algorithms.quaternions import quaternion_matrix, turn_quaternion
 from ..algorithms.scope import Scope
 from .z_form_blocks import z_form_block, z_rows_block
 

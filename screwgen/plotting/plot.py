@@ -143,7 +143,12 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Slides", "q", "m", _with(_with(q(".slide["), "goal", goals, ~turning), "ends", ends, ~turning)),
         Panel("Rotor angles", "θ", "rad", q(".theta[")),
         Panel("Torques" if rotors else "Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
-        Panel("Forces on slides" if turns.sum() == turning.sum() else "Forces of drives", "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
+        Panel(
+            "Forces on slides" if turns.sum() == turning.sum() else "Forces of drives",
+            "f",
+            "N",
+            _with(tau(".force["), "bound", bounds, ~turns),
+        ),
         Panel("Bending in y", eta, "m", modes("bending_y")),
         Panel("Bending in z", eta, "m", modes("bending_z")),
         Panel("Shear in y", eta, "m", modes("shear_y")),

@@ -81,7 +81,7 @@ class CompiledBatch:
         return out
 
     def run(self, q, v, tau, w_ext, constants, dt: float, hold: int, method: str | Method, threads: int):
-        """Fill the paths ``q``, ``v`` (periods + 1, nq, batch) from their first rows on.
+        """Fill the paths ``q`` (periods + 1, nq, batch) and ``v`` (.., nv, batch) from their first rows on.
 
         ``tau`` and ``w_ext`` are (periods, n, batch), or (1, n, batch) for all periods.  Returns, for every
         scenario, status, link at fault and steps done, (batch,) each.  Can be interrupted.

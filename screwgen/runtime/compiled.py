@@ -172,14 +172,14 @@ class Compiled(Memory):
             return kinetic, potential
 
     def linearise(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
-        """``vdot`` (nv,) and its partial derivatives with q (nv, nq), v (nv, nv) and tau (nv, n_tau).
+        """``vdot`` (nv,) and its partial derivatives with q, v (nv, nv) and tau (nv, n_tau).
 
-        Needs ``derivatives=True``.  Arrays of a robot without joint coordinates have no columns in the last.
+        Of a floating base with a change δ (6,) = [turn; shift] of its pose in its own axes, `pose exp(δ)`. Needs ``derivatives=True``.  Arrays of a robot without joint coordinates have no columns in the last.
         """
         if not self.project.with_derivatives:
             raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
-        nq, nv, m = self.chain.nq, self.chain.nv, self.chain.n_tau
-        arrays = [np.zeros(shape, self.real) for shape in (nv, (nv, nq), (nv, nv), (nv, m))]
+        nv, m = self.chain.nv, self.chain.n_tau
+        arrays = [np.zeros(shape, self.real) for shape in (nv, (nv, nv), (nv, nv), (nv, m))]
         with self._lock:
             self._set(q, v, tau, w_ext)
             self.check(self.library.shim_linearise(self.memory, self._linearise_memory, *map(pointer, arrays)))

@@ -15,6 +15,7 @@ from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..runtime.batch import OK, SINGULAR, compiled_batch
 from ..runtime.compiled import NO_METHOD
+from ..topology.coordinates import SLACK
 from .loop import added
 from .rollout_validity import watched
 from .validity import Validity
@@ -29,7 +30,7 @@ MAX_BYTES = 4 * 2**30
 class Rollout:
     """The motions of a batch of scenarios; SI units, radians.
 
-    ``t`` (steps + 1,): sample times; ``q``, ``v`` (batch, steps + 1, nq): coordinates, joints then modes, and
+    ``t`` (steps + 1,): sample times; ``q`` (batch, steps + 1, nq), ``v`` (.., nv): coordinates in their order and
     their rates, views of arrays that hold the scenarios side by side.  ``status`` (batch,): 0 for a scenario that
     completed, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
     joint or mode could not be solved for; that scenario keeps its last good state from there on.
@@ -58,7 +59,7 @@ class Rollout:
 
     @property
     def x(self) -> np.ndarray:
-        """The states [q; v], (batch, steps + 1, 2 nq)."""
+        """The states [q; v], (batch, steps + 1, nq + nv)."""
         return np.concatenate([self.q, self.v], axis=2)
 
     def report(self) -> list[str]:
@@ -89,7 +90,8 @@ def rollout(
 ) -> Rollout:
     """Roll out a batch of scenarios in the compiled C, as many at a time as a vector register has lanes.
 
-    `x0`: initial states [q; v], (batch, 2 nq), or (2 nq,) for all. `tau`: joint torques in N·m, (batch, steps,
+    `x0`: initial states [q; v], (batch, nq + nv), or (nq + nv,) for all; the quaternion of a floating base has length
+    1 to a thousandth and is scaled to it. `tau`: joint torques in N·m, (batch, steps,
     n_tau); (steps, n_tau) for all scenarios; (n_tau,) for all and held; zero by default. `w_ext`: tip
     wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
     `step` seconds, which the integrator, by name or a :class:`~screwgen.integrators.Method`, divides into `substeps`
@@ -103,11 +105,10 @@ def rollout(
     A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
-    model.chain.needs_fixed("batch", "simulate the scenarios one after the other")
     _check_numbers(step, steps, substeps, threads)
     method = method_of(integrator, missing=NO_METHOD)
     given = {
-        "x0": _array(x0, "x0", (2 * model.nq,), "(batch, 2 nq) or (2 nq,)"),
+        "x0": _states(x0, model),
         "tau": _sequence(tau, "tau", (model.n_tau,)),
         "w_ext": _sequence(w_ext, "w_ext", (model.n_links, 6)),
         "parameters": _parameters(parameters, model),
@@ -120,13 +121,14 @@ def rollout(
 
 def _run(model, given, count, periods, step, substeps, method, threads, single) -> Rollout:
     batch = compiled_batch(model, single, added(method))
-    x = np.broadcast_to(given["x0"], (count, 2 * model.nq)).T
-    path = np.empty((2, periods + 1, model.nq, count), batch.real)
-    path[:, 0] = x.reshape(2, model.nq, count)
+    starts = np.split(np.broadcast_to(given["x0"], (count, model.nq + model.nv)).T, [model.nq])
+    path = [np.empty((periods + 1, *start.shape), batch.real) for start in starts]
+    for rows, start in zip(path, starts, strict=True):
+        rows[0] = start
     constants = batch.constants(given["parameters"])
     tau, w_ext = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
     status, fault, done = batch.run(path[0], path[1], tau, w_ext, constants, step / substeps, substeps, method, threads)
-    q, v = path.transpose(0, 3, 1, 2)
+    q, v = (rows.transpose(2, 0, 1) for rows in path)
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)
     validity = watched(model, given, t, q, v)
@@ -170,6 +172,19 @@ def _array(values: Any, name: str, shape: tuple[int, ...], allowed: str) -> np.n
         ending = f", here ending in {shape}" if shape else ""
         raise UsageError(f"{name} has the shape {out.shape}; it must be {allowed}{ending}")
     return out if out.ndim > len(shape) else out[None]
+
+
+def _states(values: Any, model: Model) -> np.ndarray:
+    """Initial states, (batch or 1, nq + nv)."""
+    count, sizes = model.nq + model.nv, "nq + nv" if model.chain.floating else "2 nq"
+    out = _array(values, "x0", (count,), f"(batch, {sizes}) or ({sizes},)")
+    if model.chain.floating:
+        length = np.linalg.norm(out[:, 3:7], axis=1, keepdims=True)
+        for k in np.flatnonzero(~(np.abs(length[:, 0] - 1) <= SLACK))[:1]:
+            said = f"entries 3 to 6 (w, x, y, z) of scenario {k}"
+            raise UsageError(f"x0 has a quaternion of length {length[k, 0]:.6g}, {said}; it must have length 1")
+        out = np.hstack([out[:, :3], out[:, 3:7] / length, out[:, 7:]])
+    return out
 
 
 def _sequence(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
@@ -222,6 +237,6 @@ def _periods(steps: int | None, leads: Mapping[str, tuple[int, ...]]) -> int:
 
 
 def _check_size(count: int, periods: int, model: Model) -> None:
-    size = 16 * count * (periods + 1) * max(model.nq, 1)
+    size = 8 * count * (periods + 1) * max(model.nq + model.nv, 1)
     if size > MAX_BYTES:
         raise UsageError(f"the rollout would take {size / 1e9:.0f} GB; take fewer scenarios or steps")

@@ -21,7 +21,7 @@ the joints turn fastest."""
 
 
 def watched(model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray) -> Validity:
-    """The largest measures of a batch of motions `q`, `v` (batch, samples, nq) at the times `t` (samples,).
+    """The largest measures of a batch of motions `q` (batch, samples, nq), `v` (.., nv) at the times `t` (samples,).
 
     `given`: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
     """
@@ -30,7 +30,7 @@ def watched(model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.
     if not count or samples < 2:
         return watch.validity()
     chosen = set(np.linspace(0, count * samples - 1, min(SPREAD, count * samples)).astype(int).tolist())
-    chosen.add(int(np.argmax(np.abs(v[..., : model.n_joints]).sum(axis=2))))
+    chosen.add(int(np.argmax(np.abs(v[..., : model.chain.base_v + model.n_joints]).sum(axis=2))))
     bending = [_bending(model, i, given["parameters"], q) for i in range(model.n_links)]
     chosen |= {int(np.argmax(size)) for sizes in bending for size in sizes}
     evaluate = Evaluator(model.casadi()["validity"])

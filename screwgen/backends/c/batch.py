@@ -45,7 +45,6 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
     ``constants`` are the members of a link's struct, ``states`` those of a scenario in a step, ``place`` is that of the
     fused function.
     """
-    chain.needs_fixed("batch", "step the scenarios one after the other")
     program = dynamics(chain, baked)
     pointers = ("c", "state", "input", "work", "output", "sin_q", "cos_q", KEPT)
     placed = piece_place(chain, KEPT, {"m_eta": lambda k: f"work->m_eta[{k}]"}, place)
@@ -57,7 +56,7 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
 def _stack(chain: Chain, constants: int, states: int, kept: int) -> int:
     """The size in bytes of a group of scenarios, for the widest lanes."""
     given, inertia = max(chain.n_given, 1), max(chain.n_inertia, 1)
-    state, joints = max(chain.nq, 1) + max(chain.nv, 1), max(chain.n_tau, 1)
+    state, joints = max(chain.nq, 1) + max(chain.nv, 1) + chain.base_v, max(chain.base_q + chain.n_tau, 1)
     group = 3 + chain.n * constants + 4 * inertia + given + states * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints)
 

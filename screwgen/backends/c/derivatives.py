@@ -26,21 +26,21 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
 
     Raises :class:`UsageError` if the code would be too long to compile.
     """
-    chain.needs_fixed_tree("C of derivatives, and no estimator", "differentiate the CasADi functions")
-    check_size(chain, chain.nq, COORDINATES, "coordinates")
+    chain.needs_tree("C of derivatives, and no estimator", "differentiate the CasADi functions")
+    check_size(chain, chain.nv, COORDINATES, "coordinates")
     program = linearisation(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")
-    nq, nv = chain.nq, chain.nv
+    nv = chain.nv
     own = {
         "vdot": lambda k: f"out->vdot[{k}]",
         "m_eta": lambda k: f"work->m_eta[{k}]",
         "M": lambda k: "work->M[{}][{}]".format(*_triangle(k)),
-        "f_q": lambda k: f"out->vdot_q[{k // nq}][{k % nq}]",
+        "f_q": lambda k: f"out->vdot_q[{k // nv}][{k % nv}]",
         "f_v": lambda k: f"out->vdot_v[{k // nv}][{k % nv}]",
     }
     placed = piece_place(chain, "work->kept", own, place)
     return pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular) | {
-        "solve": nv**3 // 3 + 2 * nv * nv * (nq + nv + chain.n_tau),
+        "solve": nv**3 // 3 + 2 * nv * nv * (2 * nv + chain.n_tau),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
     }
@@ -63,6 +63,7 @@ def _triangle(k: int) -> tuple[int, int]:
 
 
 def _owners(chain: Chain) -> list[int]:
-    """The link of every coordinate."""
+    """The link of every rate."""
     parts = (lambda key: key.joints, lambda key: len(key.motors), lambda key: key.modes)
-    return [i for count in parts for i, key in enumerate(chain.keys) for _ in range(count(key))] or [0]
+    owners = [i for count in parts for i, key in enumerate(chain.keys) for _ in range(count(key))]
+    return [0] * chain.base_v + owners or [0]

@@ -15,6 +15,7 @@ from ...algorithms.dae_functions import dae_names, state_size, unknown_size
 from ...errors import UsageError
 from ...spec.parameters import WRENCH, coordinate_names, parameters
 from ...topology.chain import Chain
+from .functions import coordinate_rates
 
 FORMS = ("joint", "dae")
 BINDINGS = ("runtime", "baked")
@@ -66,7 +67,7 @@ def acados(
     chain: Chain, functions: Mapping[str, Any], form="joint", binding="runtime", w_ext: bool = False
 ) -> AcadosExport:
     """The export of a chain from its CasADi functions; see :meth:`screwgen.Model.acados`."""
-    chain.needs_fixed_tree("export to acados", "take casadi()['step'] as discrete dynamics")
+    chain.needs_tree("export to acados", "take casadi()['step'] as discrete dynamics")
     _check("form", form, FORMS)
     _check("binding of the parameters", binding, BINDINGS)
     tau = ca.SX.sym("tau", chain.n_tau)
@@ -99,20 +100,25 @@ def _parameters(chain: Chain, binding: str, w_ext: bool):
 
 
 def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:
-    """x = [q; v].  Implicit: ``qdot - v`` and ``inverse_dynamics - [tau; 0]``, which cost less than ``xdot - f``."""
-    nq, names = chain.nq, coordinate_names(chain.robot)
-    x, xdot = ca.SX.sym("x", 2 * nq), ca.SX.sym("xdot", 2 * nq)
+    """x = [q; v].  Implicit: ``qdot - v`` and ``inverse_dynamics - [tau; 0]``, which cost less than ``xdot - f``.
+
+    Of a floating base ``qdot`` is that of position and quaternion, whose length nothing corrects: the dynamics do not
+    depend on it.
+    """
+    nq, nv, names = chain.nq, chain.nv, coordinate_names(chain.robot)
+    x, xdot = ca.SX.sym("x", nq + nv), ca.SX.sym("xdot", nq + nv)
     q, v = x[:nq], x[nq:]
+    rates = coordinate_rates(chain, q, v, p)
     vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext, p)
-    driven = ca.SX(nq, 1)
+    driven = ca.SX(nv, 1)
     driven[chain.driven] = tau
-    implicit = ca.vertcat(xdot[:nq] - v, force - driven)
+    implicit = ca.vertcat(xdot[:nq] - rates, force - driven)
     return {
         "x": x,
         "xdot": xdot,
         "z": ca.SX(0, 1),
-        "f_expl_expr": ca.densify(ca.vertcat(v, vdot)),
+        "f_expl_expr": ca.densify(ca.vertcat(rates, vdot)),
         "f_impl_expr": ca.densify(implicit),
         "x_labels": (*names.q, *names.v),
         "z_labels": (),

@@ -136,8 +136,8 @@ class Numeric:
         return np.array(columns).reshape(nv, nv).T
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Partial derivatives of ``vdot`` with q, v (nq, nq) and tau (nq, m)."""
-        self.chain.needs_fixed_tree(*EXACT)
+        """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); of a floating base with ``pose exp(δ)``."""
+        self.chain.needs_tree(*EXACT)
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)
         given = np.eye(self.chain.nv)[:, self.chain.driven] * self.levers(q)
@@ -148,11 +148,10 @@ class Numeric:
         return np.array(self._functions(LEVERS).levers(*self._rows(q=q)))
 
     def slopes(self, q, v, vdot, w_ext, tau=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nq, nq) each.
+        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nv, nv) each.
 
         ``tau`` counts where cylinders drive joints: what their forces do changes with the posture.
         """
-        self.chain.needs_fixed(*EXACT)
         given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
         found = slopes(self._functions(INVERSE, SENSITIVITY), *given)
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))

@@ -60,7 +60,7 @@ def mobility(J: np.ndarray, kinds: Kinds) -> Mobility:
     N[chosen] = -np.linalg.lstsq(J[:, chosen], J[:, independent])[0]
     for tiers, end in zip(kinds, ends, strict=True):  # what closes a gap does not need the kinds behind it
         same = np.isin(independent, [k for tier in tiers for k in tier])
-        N[np.ix_(chosen[end:], np.flatnonzero(same))] = 0.0
+        N[np.ix_(np.array(chosen[end:], int), np.flatnonzero(same))] = 0.0
     return Mobility(independent, np.array(chosen, int), N)
 
 

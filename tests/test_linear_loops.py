@@ -8,7 +8,7 @@ from conftest import swept
 from helpers import arm, link, model_of
 from test_loops import COUPLER, CRANK, DRAWS, GROUND, JOINTS, ROCKER, SIXTH, angles, lagrangian, looped
 
-from screwgen import UsageError, dump, equilibrium, natural_frequencies
+from screwgen import SingularError, UsageError, dump, equilibrium, natural_frequencies
 from screwgen.backends.numpy.closing import closed, jacobian, moving
 from screwgen.cli.linear import record, text
 from screwgen.cli.main import main
@@ -260,6 +260,17 @@ def test_the_commands_name_what_is_held_and_what_follows(rigid, tmp_path, capsys
     assert "rad, follows the loops" in text(rigid, found) and "force on the tip, N" in text(rigid, found)
     told = record(found)
     assert told["following"] == ["coupler.joint[0]", "rocker.joint[0]"] and np.shape(told["loop_wrench"]) == (3, 6)
+
+
+def test_a_linkage_in_line_is_singular():
+    """Crank and rocker of one length, side by side on the ground line: each could turn without the other."""
+    crank, coupler, rocker = (link(name, length, "y") for name, length in (("a", 0.3), ("b", 0.5), ("c", 0.3)))
+    rocker |= {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.5, 0.0, 0.0]}}}
+    loop = {"between": ["b.tip", "c.tip"], "joint": {"axes": ["y"]}}
+    model = model_of(arm(crank, coupler, rocker) | {"loops": [loop]})
+    for study in (natural_frequencies, type(model).linearise, lambda *given: equilibrium(*given, hold=True)):
+        with pytest.raises(SingularError, match=r"^the loops of 'arm' are singular in this posture; "):
+            study(model, np.zeros(3))
 
 
 def test_what_loops_cannot_have_is_refused(rigid):

@@ -1,6 +1,5 @@
 """Equilibria, vibrations and linear models of robots with loops: linkages in closed form, published beams."""
 
-import json
 from pathlib import Path
 
 import numpy as np
@@ -9,8 +8,9 @@ from conftest import swept
 from helpers import arm, link, model_of
 from test_loops import COUPLER, CRANK, DRAWS, GROUND, JOINTS, ROCKER, SIXTH, angles, lagrangian, looped
 
-from screwgen import UsageError, assemble, dump, equilibrium, natural_frequencies
+from screwgen import SingularError, UsageError, dump, equilibrium, natural_frequencies
 from screwgen.backends.numpy.closing import closed, jacobian, moving
+from screwgen.cli.linear import record, text
 from screwgen.cli.main import main
 from screwgen.simulation.controllers import Holding
 from screwgen.simulation.mobility import mobility, stated_joints
@@ -252,19 +252,25 @@ def test_the_joints_that_are_stated_are_those_with_drives_then_the_first():
 
 
 def test_the_commands_name_what_is_held_and_what_follows(rigid, tmp_path, capsys):
-    robot, state = str(tmp_path / "arm.toml"), tmp_path / "state.json"
+    robot = str(tmp_path / "arm.toml")
     Path(robot).write_text(dump(rigid.robot))
-    state.write_text(json.dumps({"q": assemble(rigid, angles(1.3)).tolist()}))
-    assert main(["modes", robot, "--posture", str(state), "--joints", "free", "--loaded"]) == 0
-    assert "unstable, grows as" in capsys.readouterr().out
     assert main(["modes", robot]) == 0  # the closed posture next to zero
     assert "locks crank.joint[0]; coupler.joint[0], rocker.joint[0] follow" in capsys.readouterr().err
-    assert main(["equilibrium", robot, "--state", str(state), "--hold"]) == 0
-    out = capsys.readouterr().out
-    assert "rad, follows the loops" in out and "force on the tip, N" in out
-    assert main(["equilibrium", robot, "--state", str(state), "--hold", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
+    found = equilibrium(rigid, angles(1.3), hold=True)
+    assert "rad, follows the loops" in text(rigid, found) and "force on the tip, N" in text(rigid, found)
+    told = record(found)
     assert told["following"] == ["coupler.joint[0]", "rocker.joint[0]"] and np.shape(told["loop_wrench"]) == (3, 6)
+
+
+def test_a_linkage_in_line_is_singular():
+    """Crank and rocker of one length, side by side on the ground line: each could turn without the other."""
+    crank, coupler, rocker = (link(name, length, "y") for name, length in (("a", 0.3), ("b", 0.5), ("c", 0.3)))
+    rocker |= {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.5, 0.0, 0.0]}}}
+    loop = {"between": ["b.tip", "c.tip"], "joint": {"axes": ["y"]}}
+    model = model_of(arm(crank, coupler, rocker) | {"loops": [loop]})
+    for study in (natural_frequencies, type(model).linearise, lambda *given: equilibrium(*given, hold=True)):
+        with pytest.raises(SingularError, match=r"^the loops of 'arm' are singular in this posture; "):
+            study(model, np.zeros(3))
 
 
 def test_what_loops_cannot_have_is_refused(rigid):

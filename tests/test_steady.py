@@ -61,7 +61,9 @@ def test_eigenvalues_are_those_of_the_linear_model(order, loaded):
 def found_at(model, q, rates, loaded):
     from screwgen.studies.steady import steady
 
-    return steady(model, q, rates, loaded, np.array(model.parameter_values), movable(model, "locked"))
+    return steady(
+        model, q, rates, loaded, np.array(model.parameter_values), movable(model, "locked", q, model.parameter_values)
+    )
 
 
 def test_without_rates_and_gravity_nothing_changes():

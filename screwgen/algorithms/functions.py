@@ -246,10 +246,7 @@ class Functions:
         try:
             forces = [apply(b) for b in wanted]
         except SingularError:
-            remedy = "let their joints leave free what the links cannot follow, or give the links modes that can"
-            raise SingularError(
-                f"the loops of '{self.chain.robot.name}' are singular in this posture; {remedy}"
-            ) from None
+            raise self.chain.singular_loops() from None
         return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
     def _inertia(self) -> list:

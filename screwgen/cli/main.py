@@ -177,7 +177,7 @@ def modes(
     robot: RobotFile,
     posture: Annotated[
         str | None,
-        typer.Option(metavar="FILE", help="A state file, of which q is read; q = 0 without.", show_default=False),
+        typer.Option(metavar="FILE", help="A state file, of which q is read; zero without.", show_default=False),
     ] = None,
     joints: Annotated[str, typer.Option(metavar="HOW", help="locked, springs and all, or free.")] = "locked",
     rates: Annotated[

@@ -60,7 +60,7 @@ def mobility(J: np.ndarray, kinds: Kinds) -> Mobility:
     N[chosen] = -np.linalg.lstsq(J[:, chosen], J[:, independent])[0]
     for tiers, end in zip(kinds, ends, strict=True):  # what closes a gap does not need the kinds behind it
         same = np.isin(independent, [k for tier in tiers for k in tier])
-        N[np.ix_(chosen[end:], np.flatnonzero(same))] = 0.0
+        N[np.ix_(np.array(chosen[end:], int), np.flatnonzero(same))] = 0.0
     return Mobility(independent, np.array(chosen, int), N)
 
 
@@ -106,10 +106,13 @@ def jacobian(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
 def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(n_joints,) of bool: the joints whose coordinates may be stated, as many as the loops leave; all without loops.
 
-    Those with drives come before others, and then those that come first in the file. The others follow them.
+    Those with drives come before others, and then those that come first in the file. The others follow them. Raises
+    SingularError where rows of the loops depend on each other in this posture.
     """
-    out = np.ones(model.n_joints, bool)
-    dependent = mobility(jacobian(model, q, p), by_drive(model.chain)).dependent - model.chain.base_v
+    out, J = np.ones(model.n_joints, bool), jacobian(model, q, p)
+    dependent = mobility(J, by_drive(model.chain)).dependent - model.chain.base_v
+    if len(dependent) < len(J):
+        raise model.chain.singular_loops()
     out[dependent[dependent < model.n_joints]] = False
     return out
 

@@ -288,7 +288,7 @@ def output_groups(chain: Chain) -> Groups:
         "rotor_rates": v[b + m : chain.eta_v],
         "mode_rates": v[chain.eta_v :],
     }
-    parts = {name: dict(own) for name, own in parts.items() if own or not name.startswith(("rotor", "base"))}
+    named = {name: dict(own) for name, own in parts.items() if own or not name.startswith(("rotor", "base"))}
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
     wrenches = dict(zip(names.wrench, [unit for _, unit in WRENCH_UNITS] * chain.n, strict=True))
     gauged = {
@@ -296,7 +296,7 @@ def output_groups(chain: Chain) -> Groups:
         for i in chain.firsts
         for strain in strains(chain.keys[i], 0.0)
     }
-    return {**parts, **tip, "wrenches": wrenches, "base_strain": gauged}
+    return {**named, **tip, "wrenches": wrenches, "base_strain": gauged}
 
 
 def entries(groups: Groups) -> dict[str, str]:

@@ -168,14 +168,19 @@ def posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
 
 
 def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
-    """The same; without a `q` the posture with closed loops next to zero. Raises UsageError where a loop is open."""
+    """The same; without a `q` the posture with closed loops next to zero.
+
+    Raises UsageError where a loop is open, and SingularError where loops are singular.
+    """
     chain, at = model.chain, posture(model, q, p)
     if not chain.closures:
         return at
     if q is None:
-        at = closed(model.numpy(p), at, np.arange(chain.nv) >= chain.eta_v)
-        at = np.append(chain.relaxed(at[: chain.n_joints], p), at[chain.eta_q :])
+        near, first = closed(model.numpy(p), at, np.arange(chain.nv) >= chain.eta_v), chain.base_q
+        joints = chain.relaxed(near[first : first + chain.n_joints], p)
+        at = np.concatenate([near[:first], joints, near[chain.eta_q :]])
     check_closed(chain, "q", model.numpy(p).gaps(at, None)[0])
+    stated_joints(model, at, p)
     return at
 
 

@@ -73,6 +73,11 @@ class Chain(Coordinates):
             return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         return SingularError(f"the joint of link '{self.names[link]}' is singular in this posture{self.caution}")
 
+    def singular_loops(self) -> SingularError:
+        """The error of loops whose rows depend on each other in a posture."""
+        remedy = "let their joints leave free what the links cannot follow, or give the links modes that can"
+        return SingularError(f"the loops of '{self.robot.name}' are singular in this posture; {remedy}")
+
     @property
     def caution(self) -> str:
         """What else than a posture may make the mass matrix singular, for the end of a message."""

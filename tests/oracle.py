@@ -101,6 +101,11 @@ class Oracle:
         """Rotation and place of a section of link i."""
         return section(self.robot["links"][i], self.links[i], cloud, self.q[self.modal_slices[i]], s, self.robot)
 
+    def section_pose(self, i: int, q, s: float) -> tuple[np.ndarray, np.ndarray]:
+        """Rotation (3, 3) and position (3,) of a section of link i in the inertial frame."""
+        R, place = self._function([self.q], *self.section(i, self.clouds[i], s))(q)
+        return R.full(), place.full()[:, 0]
+
     def _with_rates(self, clouds: list[Cloud], direction: ca.SX) -> list[Cloud]:
         moving = [getattr(cloud, name) for cloud in clouds for name in cloud.moving]
         values = iter(rates(moving, self.q, direction))

@@ -4,6 +4,7 @@ import numpy as np
 import random_robots as rr
 from oracle import parents_of
 from oracle_link import read_axis
+from oracle_stations import place_of
 from scipy.spatial.transform import Rotation
 
 G = 9.81
@@ -49,9 +50,12 @@ def pinocchio_model(robot):
     import pinocchio as pin
 
     model, found = pin.Model(), []
-    tips = {-1: (0, pin.SE3.Identity())}
+    frames = {-1: (0, pin.SE3.Identity())}
     for i, (link, carrier) in enumerate(zip(robot["links"], parents_of(robot["links"]), strict=True)):
-        parent, place = tips[carrier]
+        parent, place = frames[carrier]
+        if carrier >= 0:
+            along = place_of(robot, i, carrier) * robot["links"][carrier]["length"]
+            place = place * pin.SE3(np.eye(3), np.array([along, 0, 0]))
         mount = link["joint"].get("mount", {})
         turn = Rotation.from_euler("xyz", mount.get("rpy", [0, 0, 0])).as_matrix()
         place = place * pin.SE3(turn, np.array(mount.get("xyz", [0.0, 0, 0])))
@@ -63,7 +67,7 @@ def pinocchio_model(robot):
         for inertia in pinocchio_inertias(pin, link):
             model.appendBodyToJoint(parent, inertia, place)
         found.append((parent, place))
-        tips[i] = parent, place * pin.SE3(np.eye(3), np.array([link["length"], 0, 0]))
+        frames[i] = parent, place
     return pin, model, found
 
 

@@ -11,6 +11,7 @@ from bad_robot_files import GOOD, refusal
 from conftest import require_tool, swept
 from helpers import arm, casadi_forward, example, link, model_of, quick
 from oracle import Oracle
+from oracle_stations import named
 
 from screwgen import (
     OpenLoopError,
@@ -30,8 +31,11 @@ from screwgen.studies.assemble import redundant
 JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
 
 
-def looped(rng, joint: list, count: int) -> tuple[dict, dict]:
-    """A random tree with a loop that is closed in a random state: a welded bridge leads from one tip to another."""
+def looped(rng, joint: list, count: int, s: float = 1.0) -> tuple[dict, dict]:
+    """A random tree with a loop that is closed in a random state: a welded bridge leads from one tip to another link.
+
+    It ends at the tip of that link, or at a marker at `s`.
+    """
     tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1)
     return bridged(rng, joint, tree, state, oracle)
 
@@ -41,14 +45,16 @@ def bridged(rng, joint: list, tree: dict, state: dict, oracle: Oracle) -> tuple[
     count, parents = oracle.n, [-1, *oracle.parents[1:]]
     apart = [(i, j) for i in range(count) for j in range(count) if i != j and parents[i] != j and parents[j] != i]
     i, j = apart[rng.integers(len(apart))] if apart else (0, count - 1)
-    poses = oracle.poses(state["q"])
-    R, r = poses["tip_R"][i].T, poses["tip_point"]
-    turn = R @ poses["tip_R"][j]
-    mount = {"xyz": (R @ (r[j] - r[i]) - 0.1 * turn[:, 0]).tolist(), "rpy": roll_pitch_yaw(turn)}
+    (R, r), (R_end, end) = oracle.section_pose(i, state["q"], 1.0), oracle.section_pose(j, state["q"], s)
+    turn = R.T @ R_end
+    mount = {"xyz": (R.T @ (end - r) - 0.1 * turn[:, 0]).tolist(), "rpy": roll_pitch_yaw(turn)}
     names = [x["name"] for x in tree["links"]]
     bridge = {"name": "bridge", "length": 0.1, "section": {"rhoA": 2.0}, "joint": {"axes": [], "mount": mount}}
     bridge["parent"] = names[i]
     loop = {"between": ["bridge.tip", f"{names[j]}.tip"], "joint": {"axes": joint}}
+    if s < 1:
+        tree["links"][j]["markers"] = [{"name": "hook", "at": s}]
+        loop["between"][1] = f"{names[j]}.hook"
     wrenches = [*state["w_ext"], rng.normal(size=6).tolist()]
     return tree | {"links": [*tree["links"], bridge], "loops": [loop]}, state | {"w_ext": wrenches}
 
@@ -62,9 +68,11 @@ def rows(oracle: Oracle, robot: dict) -> list[ca.SX]:
     """The gaps of all rows, written anew from the joint's definition: what a motion of the joint leaves at zero."""
     names, out = [x["name"] for x in robot["links"]], []
     for loop in robot["loops"]:
-        a, b = (oracle.clouds[names.index(end.removesuffix(".tip"))] for end in loop["between"])
-        R = a.tip_R.T @ b.tip_R
-        d = a.tip_R.T @ (b.tip_point - a.tip_point)
+        ends = ((names.index(name), marker) for name, marker in (end.split(".") for end in loop["between"]))
+        places = [(i, named(robot["links"][i], marker)) for i, marker in ends]
+        (R_a, a), (R_b, b) = (oracle.section(i, oracle.clouds[i], s) for i, s in places)
+        R = R_a.T @ R_b
+        d = R_a.T @ (b - a)
         axes = loop["joint"]["axes"]
         slides = [unit(x["slide"]) for x in axes if isinstance(x, dict)]
         turns = [unit(x) for x in axes if not isinstance(x, dict)]
@@ -300,13 +308,15 @@ def test_a_robot_with_loops_is_written_and_read(tmp_path):
 
 LOOP = '[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = { axes = ["y"] }\n'
 WRONG = (
-    ('["upper.tip", "fore.tip"]', '["upper.tip"]', "loops[0].between", "has 1 entries; it must name two tips"),
-    ('["upper.tip", "fore.tip"]', '"upper.tip"', "loops[0].between", "must be an array of two tips"),
-    ('"upper.tip"', '"upper.base"', "loops[0].between[0]", 'must be the name of a link with ".tip"'),
+    ('["upper.tip", "fore.tip"]', '["upper.tip"]', "loops[0].between", "has 1 entries; it must name two markers"),
+    ('["upper.tip", "fore.tip"]', '"upper.tip"', "loops[0].between", "must be an array of two markers"),
+    ('"upper.tip"', '"upper"', "loops[0].between[0]", "must be the name of a link with that of its marker"),
+    ('"upper.tip"', '"upper.hook"', "loops[0].between[0]", 'no marker of link \'upper\'; choose "base" or "tip"'),
+    ('"upper.tip"', '"world.tip"', "loops[0].between[0]", "anchor the loop by a link with axes = [] whose parent is"),
     ('"upper.tip"', '"lower.tip"', "loops[0].between[0]", 'which is no link; choose "upper" or "fore"'),
     ('"upper.tip"', '"fore.tip"', "loops[0].between", "joins a link with itself"),
     ('axes = ["y"]', 'axes = ["y"], armature = [1.0]', "loops[0].joint.armature", "nothing drives a loop's joint"),
-    ('axes = ["y"]', 'axes = ["y"], mount = {}', "loops[0].joint.mount", "sits at the tip of the first link"),
+    ('axes = ["y"]', 'axes = ["y"], mount = {}', "loops[0].joint.mount", "sits at its first marker"),
     ('["y"]', '[{ screw = "y", pitch = 0.1 }]', "loops[0].joint.axes[0]", "is a screw, which no loop can have"),
     ('["y"]', '["y", { slide = "x" }]', "loops[0].joint.axes[1]", "put it first"),
     ("joint =", "stabilisation = -1.0\njoint =", "loops[0].stabilisation", "must be"),

@@ -301,9 +301,8 @@ class Functions:
     def poses(self, q) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""
         links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
-        return [(link["R"], link["r"]) for link in links], [
-            (node["R"], node["r"]) for node in places[1 : self.chain.n + 1]
-        ]
+        tips = places[1 : self.chain.n + 1]
+        return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in tips]
 
     def coordinate_rates(self, q, v) -> list:
         """``dq/dt``: the rates themselves, but for the pose of a floating base."""

@@ -174,8 +174,8 @@ def execute(
     """Run an algorithm over the chain: the schedule of every back end.
 
     ``links`` holds the inputs and constants of every link, ``nodes`` the nodes of the tree with the known values of
-    base and leaves; ``apply(link, phase, program, inputs)`` runs one program on values of any algebra.  Returns, for every
-    link, all signals that it has read or written.
+    base and leaves; ``apply(link, phase, program, inputs)`` runs one program on values of any algebra.  Returns, for
+    every link, all signals that it has read or written.
     """
     stores = [dict(link) for link in links]
     handed: set[tuple[int, int, str]] = set()

@@ -240,9 +240,8 @@ class Scope:
 
 AT_TIP = ("tip", "tip_motion", "tip_pose", "tip_body")
 """The blocks that describe the tip."""
-OF_TIP = (
-    frozenset("r_T R_T J_l Psi_c Phi_c b_T M_T h_T load_axial udot_T omega_s E tip_eta tip_etadot".split()) | PER_CHILD
-)
+KEPT = "r_T R_T J_l Psi_c Phi_c b_T M_T h_T load_axial udot_T omega_s E tip_eta tip_etadot"
+OF_TIP = frozenset(KEPT.split()) | PER_CHILD
 """What a link keeps of its tip, and writes of what is carried there."""
 
 

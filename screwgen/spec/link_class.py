@@ -229,7 +229,23 @@ class LinkClass:
         return [b for b, body in enumerate(self.bodies) if body and body.at == section]
 
 
-MARKER = LinkClass(("",) * 4, (0,) * 4, (), *[False] * 9, bodies=(), length=False, beam=False)
+MARKER = LinkClass(
+    bases=("",) * 4,
+    counts=(0,) * 4,
+    screws=(),
+    mount_xyz=False,
+    mount_rpy=False,
+    armature=False,
+    joint_damping=False,
+    stiffness=False,
+    frame_at=False,
+    spin=False,
+    damping=False,
+    section_rotation=False,
+    bodies=(),
+    length=False,
+    beam=False,
+)
 """The class of a marker that a loop joins: a link without mass, welded to the section."""
 
 

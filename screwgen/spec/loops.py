@@ -39,8 +39,8 @@ class Loop(Part):
     """A joint between markers of two links; its motions are those that the loop leaves free.
 
     It sits at the first marker in `between`, its axes are those of the frame of the section there. Where all its
-    coordinates are zero the two frames coincide. Slides come before turns. `stabilisation` λ (1/s): a gap g that rounding or
-    the integrator has opened closes by `g̈ + 2 λ ġ + λ² g = 0`.
+    coordinates are zero the two frames coincide. Slides come before turns. `stabilisation` λ (1/s): a gap g that
+    rounding or the integrator has opened closes by `g̈ + 2 λ ġ + λ² g = 0`.
     """
 
     between: Annotated[Ends, PlainValidator(ends)] = Field(

@@ -97,9 +97,9 @@ def _carries(key: LinkClass) -> Iterator[Item]:
         shapes = f", with the shapes there{', integrals of the second order from the base to there' * (key.order == 2)}"
         yield Paragraph(
             rf"The link carries others at $s = {places}$ too. What is said of the tip section holds of each of these "
-            rf"sections, with the place $s\,l_i$ in place of $l_i${shapes * bool(key.modes)}; in the equations of the link "
-            r"and of its modes $\boldsymbol{\Lambda}$ and $\mathbf{p}$ of all sections are summed, each moved by the "
-            r"$\mathbf{J}_T$ of its own. Bodies and external wrenches are those of the tip."
+            rf"sections, with the place $s\,l_i$ in place of $l_i${shapes * bool(key.modes)}; in the equations of "
+            r"the link and of its modes $\boldsymbol{\Lambda}$ and $\mathbf{p}$ of all sections are summed, each moved "
+            r"by the $\mathbf{J}_T$ of its own. Bodies and external wrenches are those of the tip."
         )
         if key.modes:
             yield stations(key)

@@ -1,0 +1,302 @@
+"""Links carried at, and loops joining, places between base and tip: against the oracle, Pinocchio and each other."""
+
+import tomllib
+from functools import cache
+
+import numpy as np
+import pytest
+import random_robots as rr
+from bad_robot_files import GOOD, refusal
+from conftest import swept
+from helpers import Case, casadi_forward, model_of, quick
+from oracle import Oracle
+from oracle_robots import pinocchio_model, relative
+from test_loops import JOINTS, constrained, looped
+
+from screwgen import Robot, assemble, dump, equilibrium, simulate
+from screwgen.algorithms.fused import forward_dynamics
+from screwgen.backends.numpy.closing import moving
+from screwgen.plotting.strands import strands
+from screwgen.simulation.motion import centrelines
+
+SECTION = {"rhoA": 1.5, "EIy": 900.0, "EIz": 700.0}
+
+
+def rod(name: str, axes: list, length=0.7, **more) -> dict:
+    more = {"modes": {"bending_y": 2, "bending_z": 1}, **more}
+    return {"name": name, "length": length, "section": SECTION, "joint": {"axes": axes}, **more}
+
+
+def arm(*links: dict, **more):
+    return model_of({"name": "arm", "gravity": [0.0, 1.0, -9.81], "links": list(links), **more})
+
+
+@pytest.fixture(scope="module")
+def branched():
+    """A trunk that carries two links at a marker, one at its base and one at its tip."""
+    trunk = rod("trunk", ["y"], markers=[{"name": "hook", "at": 0.4}])
+    mounted = rod("left", ["z"], parent="trunk", at="hook") | {
+        "joint": {"axes": ["z"], "mount": {"xyz": [0.1, 0.0, 0.05]}}
+    }
+    right, low = rod("right", ["y"], parent="trunk", at={"s": 0.4}), rod("low", ["z"], parent="trunk", at="base")
+    return arm(trunk, mounted, right, low, rod("fore", ["y"], parent="trunk"))
+
+
+def at_stations(rng, robot: dict) -> dict:
+    """The robot with most of its links carried at the base, at a marker or at a place of their parents."""
+    names = [link["name"] for link in robot["links"]]
+    for i, link in enumerate(robot["links"][1:], 1):
+        if link.get("parent") == "world" or rng.random() > 0.8:
+            continue
+        s, kind = float(rng.uniform(0.05, 0.95)), rng.integers(3)
+        parent = robot["links"][names.index(link.get("parent", names[i - 1]))]
+        if kind == 2:
+            parent.setdefault("markers", []).append({"name": f"m{i}", "at": s})
+        link["at"] = ("base", {"s": s}, f"m{i}")[kind]
+    return robot
+
+
+@cache
+def random_case(seed: int) -> Case:
+    """A random tree whose links are carried at bases, markers and places along their parents."""
+    rng = np.random.default_rng(4000 + seed)
+    limits = dict(branching=0.5, sliding=0.2, drives=0.2, stations=0.2, shear=0.1, max_modes=1 + (seed % 5 == 4))
+    limits["second_order"] = 0.5 * (seed % 3 == 0)
+    while True:
+        robot, state, _ = rr.draw_regular(rng, 2 + seed % 3, **limits)
+        robot = at_stations(rng, robot)
+        oracle = Oracle(robot)
+        if any("at" in link for link in robot["links"]) and oracle.condition(state["q"]) < 1e7:
+            return Case(robot, state, oracle, model_of(robot))
+
+
+@pytest.mark.parametrize("seed", swept(range(20), 1))
+def test_random_trees_equal_the_oracle_in_all_forms(seed):
+    case = random_case(seed)
+    numeric, n = case.model.numpy(), case.model.n_links
+    for vdot, wrench in (numeric.forward_dynamics(*case.inputs), casadi_forward(case.model, *case.inputs)):
+        assert max(case.oracle.errors(case.state, vdot, wrench).values()) < case.tolerance
+    q, v, tau, w_ext = case.inputs
+    assert max(case.oracle.errors(case.state, *numeric.dae_forward_dynamics(*case.inputs)).values()) < case.tolerance
+    M, H, W = numeric.assemble(numeric.dae_state(q, v), tau, w_ext)
+    z = np.linalg.solve(M, W - H)
+    assert np.allclose(z[: 12 * n].reshape(n, 12)[:, :6], wrench, rtol=0, atol=1e-8 * abs(wrench).max())
+    force = numeric.inverse_dynamics(q, v, vdot, w_ext)
+    expected = case.oracle.inverse_dynamics(q, v, vdot, w_ext)
+    assert np.allclose(force, expected, rtol=0, atol=1e-9 * max(abs(expected).max(), abs(tau).max(initial=1.0)))
+    assert np.allclose(numeric.link_pose(q)[1], case.oracle.poses(q)["origin"], rtol=0, atol=1e-12)
+    assert np.allclose(numeric.tip_pose(q)[1], case.oracle.tip_pose(q)[1], rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("layout", ["fused", "modular"])
+def test_compiled_c_equals_the_oracle_in_both_forms(layout):
+    case = random_case(1)
+    compiled = quick(case.model, layout=layout)
+    for form in ("joint", "dae"):
+        errors = case.oracle.errors(case.state, *compiled.forward_dynamics(*case.inputs, form))
+        assert max(errors.values()) < case.tolerance
+
+
+@pytest.mark.parametrize("seed", swept(range(8), 2))
+def test_rigid_trees_equal_pinocchio(seed):
+    rng = np.random.default_rng(60 + seed)
+    robot, state, _ = rr.draw_regular(rng, 4, rigid=1.0, branching=0.5, sliding=0.2, material=0.0, frame_at=0.0)
+    for link in robot["links"]:
+        for key in ("armature", "damping", "stiffness"):
+            link["joint"].pop(key, None)
+    robot = at_stations(rng, robot)
+    assert any("at" in link for link in robot["links"])
+    pin, model, _ = pinocchio_model(robot)
+    model.gravity.linear = np.array(robot["gravity"])
+    q, v, tau = (np.array(state[name]) for name in ("q", "v", "tau"))
+    expected = pin.aba(model, model.createData(), q, v, tau)
+    found, _ = model_of(robot).numpy().forward_dynamics(q, v, tau, np.zeros((4, 6)))
+    assert relative(found, expected) < 1e-10
+
+
+def test_derivatives_are_those_of_differences(branched):
+    rng, h, numeric = np.random.default_rng(5), 1e-6, branched.numpy()
+    q, v, tau = 0.05 * rng.normal(size=branched.nq), rng.normal(size=branched.nq), rng.normal(size=5)
+    w_ext = rng.normal(size=(5, 6))
+    vdot = lambda q, v: numeric.forward_dynamics(q, v, tau, w_ext)[0]  # noqa: E731
+    by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
+    for found, change in (
+        (by_q, lambda e: vdot(q + e, v) - vdot(q - e, v)),
+        (by_v, lambda e: vdot(q, v + e) - vdot(q, v - e)),
+    ):
+        expected = np.array([change(h * e) / (2 * h) for e in np.eye(len(q))]).T
+        assert np.allclose(found, expected, rtol=0, atol=1e-6 * abs(expected).max())
+
+
+def test_where_segments_meet_a_link_is_carried_by_a_tip():
+    """The boundary of two segments needs no station, and is the tip of the first of two welded halves."""
+    whole = rod("boom", ["y"], segments=2), rod("arm", ["z"], parent="boom", at={"s": 0.5})
+    halves = rod("boom", ["y"], length=0.35), rod("rest", [], length=0.35), rod("arm", ["z"], parent="boom")
+    split, explicit = arm(*whole), arm(*halves)
+    assert split.chain.tree.parents == explicit.chain.tree.parents == (-1, 0, 0) and not split.chain.tree.stations
+    assert forward_dynamics(split.chain).operation_count <= forward_dynamics(explicit.chain).operation_count
+    rng = np.random.default_rng(1)
+    q, v, tau = 0.05 * rng.normal(size=split.nq), rng.normal(size=split.nq), rng.normal(size=2)
+    ends = [m.numpy().forward_dynamics(q, v, tau, np.zeros((3, 6)))[0] for m in (split, explicit)]
+    assert relative(*ends) < 1e-11
+    beside = arm(whole[0], whole[1] | {"at": {"s": 0.75}})
+    assert beside.chain.keys[1].stations_at == (0.5,) and beside.chain.tree.parents == (-1, 0, 1)
+
+
+def test_a_place_moves_with_the_length_of_its_link(branched):
+    """The length is a parameter at run time; the place is a share of it."""
+    values = np.array(branched.parameter_values)
+    values[branched.parameter_names.index("trunk.length")] = 0.9
+    longer = rod("trunk", ["y"], length=0.9, markers=[{"name": "hook", "at": 0.4}])
+    again = model_of(branched.robot.model_dump(exclude_none=True, exclude_defaults=True) | {})
+    links = [longer, *tomllib.loads(dump(again.robot))["links"][1:]]
+    q = np.full(branched.nq, 0.02)
+    expected = arm(*links).numpy().link_pose(q)[1]
+    found = np.array(branched.casadi()["link_pose"](q, values)[1]).T
+    assert np.allclose(found, expected, rtol=0, atol=1e-13) and abs(expected[1, 0] - 0.46) < 0.1
+
+
+@pytest.mark.parametrize("seed", swept(range(6), 1))
+def test_a_loop_at_a_marker_equals_the_oracle(seed):
+    rng = np.random.default_rng([902, seed])
+    robot, state = looped(rng, JOINTS[(2 * seed + 2) % len(JOINTS)], 4, s=0.2 + 0.1 * seed)
+    model, oracle = model_of(robot), Oracle(robot)
+    (marker,) = (i for i, segment in enumerate(model.chain.segments) if segment.marker is not None)
+    judge, q = model.numpy(), np.array(state["q"])
+    assert np.max(np.abs(judge.gaps(q, None)[0])) < 1e-12
+    state |= {"v": moving(judge, q, state["v"])}
+    expected = constrained(oracle, robot, state)
+    given = q, state["v"], state["tau"], np.insert(np.array(state["w_ext"]), marker, 0.0, axis=0)
+    found, wrench = judge.forward_dynamics(*given)
+    for vdot in (found, casadi_forward(model, *given)[0], judge.dae_forward_dynamics(*given)[0]):
+        assert relative(vdot, expected) < 1e-9
+    loads, link = given[3] + judge.loop_wrenches(*given), model.chain.segments[marker].link
+    (R, r), (R_T, tip) = (oracle.section_pose(link, q, s) for s in (model.chain.segments[marker].marker, 1.0))
+    moment, force = R @ loads[marker, :3], R @ loads[marker, 3:]
+    loads = np.delete(loads, marker, axis=0)
+    loads[link] += np.concatenate([R_T.T @ (moment + np.cross(r - tip, force)), R_T.T @ force])
+    balance = oracle.wrenches(q, state["v"], found, loads)
+    assert relative(np.delete(wrench, marker, axis=0), balance) < 1e-9
+    if seed == 1:
+        for form in ("joint", "dae"):
+            assert relative(quick(model, layout="modular").forward_dynamics(*given, form=form)[0], expected) < 1e-9
+
+
+def linkage(last: str):
+    """A linkage whose rocker is hinged to the coupler at a marker; which of the two the file has last."""
+    crank = rod("crank", ["y"], length=0.3, modes={})
+    coupler = rod("coupler", ["y"], length=0.9, modes={"bending_z": 1}, markers=[{"name": "hook", "at": 0.7}])
+    rocker = rod("rocker", ["y"], length=0.6, modes={}, parent="world")
+    rocker["joint"] = {"axes": ["y"], "mount": {"xyz": [0.6, 0.0, 0.0]}}
+    others = [coupler | {"parent": "crank"}, rocker]
+    loop = {"between": ["coupler.hook", "rocker.tip"], "joint": {"axes": ["y"]}}
+    return arm(crank, *others[:: 1 if last == "rocker" else -1], loops=[loop], gravity=[0.0, 0.0, -9.81])
+
+
+def test_the_tip_is_that_of_the_last_link_of_the_file_and_not_a_marker():
+    model = linkage("coupler")
+    assert model.chain.names == ["crank", "rocker", "coupler", "coupler.hook"] and model.chain.last == 2
+    q = assemble(model, [0.3, -2.0, -1.8], hold=["crank.joint[0]"])
+    run = simulate(model, 0.01, 1e-3, q0=q)
+    slow = simulate(model, 0.01, 1e-3, q0=q, backend="numpy")
+    ends = centrelines(model, run.q[-1], [0.0, 0.7, 1.0])
+    assert np.allclose(run.q, slow.q, rtol=0, atol=1e-13)
+    assert np.allclose(run.tip_position[-1], ends[2, 2], rtol=0, atol=1e-12)
+    assert np.allclose(ends[2, 1], ends[1, 2], rtol=0, atol=1e-4)  # the marker is on the rocker's tip
+    assert np.allclose(model.casadi()["tip_pose"](run.q[-1], model.parameter_values)[1].T, ends[2, 2])
+    assert any("coupler.hook.F_x" in name for name in run.wrench_names)
+
+
+def test_pictures_draw_links_from_the_section_that_carries_them(branched):
+    q = np.zeros(branched.nq)
+    q[0] = 0.7
+    lines = centrelines(branched, q, np.linspace(0, 1, 17))
+    starts = [strand[0] for strand in strands(branched, lines)]
+    trunk = np.array([np.cos(0.7), 0.0, -np.sin(0.7)]) * 0.7
+    assert np.allclose(starts, [np.zeros(3), 0.4 * trunk, 0.4 * trunk, np.zeros(3), trunk], rtol=0, atol=1e-12)
+
+
+def test_an_equilibrium_carries_the_weight_of_all_branches(branched):
+    rest = equilibrium(branched, np.zeros(5), hold=True)
+    weight = 1.5 * 0.7 * np.linalg.norm(branched.robot.gravity)
+    assert np.linalg.norm(rest.wrench[:, 3:], axis=1) == pytest.approx([5 * weight, *[weight] * 4], rel=1e-12)
+
+
+@pytest.mark.parametrize(("place", "share"), [("tip", 1.0), ({"s": 0.5}, 0.25), ("base", 0.0)])
+def test_a_weight_below_the_tip_buckles_a_column_by_the_square_of_its_height(place, share):
+    """P at s l has the buckling load π² EI / 4 (s l)²."""
+    column = {**rod("column", [], modes={"bending_y": 1, "bending_z": 1}), "section": {**SECTION, "rhoA": 1e-9}}
+    column["joint"] = {"axes": [], "mount": {"rpy": [0.0, -np.pi / 2, 0.0]}}
+    weight = {"name": "weight", "joint": {"axes": []}, "bodies": [{"at": "base", "mass": 3.0}], "at": place}
+    model = arm(column, weight, gravity=[0.0, 0.0, -10.0])
+    q = np.zeros(model.nq)
+    found = np.array(model.casadi()["validity"](q, q, [], np.zeros((6, 2)), model.parameter_values))[2, 0]
+    whole = 4 * 0.7**2 * 30.0 / (np.pi**2 * 700.0)
+    assert found == pytest.approx(share * whole, rel=1e-6, abs=1e-8)
+
+
+def test_the_header_and_the_document_say_where_links_are_carried(branched, tmp_path):
+    branched.write(tmp_path / "out", targets=("c", "latex"), layout="modular")
+    header = (tmp_path / "out" / "c" / "arm.h").read_text()
+    assert "ARM_LINK_LEFT = 1, /* on trunk at s = 0.4 */" in header and "ARM_LINK_FORE = 4 /* on trunk */" in header
+    text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
+    assert r"The link carries others at $s = 0, 0.4$ too." in text and "that section stands for the tip" in text
+
+
+def test_markers_survive_their_file(branched):
+    text = dump(branched.robot)
+    assert "at = { s = 0.4 }" in text and 'at = "hook"' in text
+    assert Robot.model_validate(tomllib.loads(text)) == branched.robot
+
+
+ON_UPPER = 'name = "fore"'
+MARKERS = 'markers = [{ name = "hook", at = 0.4 }]\nname = "upper"'
+WRONG = [
+    (ON_UPPER, f'{ON_UPPER}\nat = "hook"', "links[1].at", 'no marker of link \'upper\'; choose "base" or "tip"'),
+    (ON_UPPER, f"{ON_UPPER}\nat = 0.4", "links[1].at", 'is 0.4; it must be "tip", "base", a place as { s = 0.4 }'),
+    (ON_UPPER, f"{ON_UPPER}\nat = {{ s = 1.2 }}", "links[1].at.s", "is 1.2; it must be from 0 at the base to 1"),
+    (ON_UPPER, f'{ON_UPPER}\nat = {{ s = "mid" }}', "links[1].at.s", 'is "mid"; it must be a number'),
+    (ON_UPPER, f"{ON_UPPER}\nat = {{ x = 0.3 }}", "links[1].at", 'has the keys "x"; it must be "tip", "base"'),
+    (ON_UPPER, f"{ON_UPPER}\nat = {{}}", "links[1].at", "has the keys of no place"),
+    (
+        ON_UPPER,
+        f'{ON_UPPER}\nparent = "world"\nat = "base"',
+        "links[1].at",
+        "a link on the world, which has no markers",
+    ),
+    ('name = "upper"', 'name = "upper"\nat = "base"', "links[0].at", "a link on the world, which has no markers"),
+    ('name = "upper"', MARKERS.replace("0.4", "-0.1"), "links[0].markers[0].at", "is -0.1; it must be from 0"),
+    ('name = "upper"', MARKERS.replace("0.4", "nan"), "links[0].markers[0].at", "must be a finite number"),
+    ('name = "upper"', MARKERS.replace("hook", "tip"), "links[0].markers[0].name", 'is "tip", which every link has'),
+    ('name = "upper"', MARKERS.replace("hook", "a b"), "links[0].markers[0].name", "must be a C identifier"),
+    ('name = "upper"', MARKERS.replace("at = 0.4", "s = 0.4"), "links[0].markers[0].s", "is an unknown key"),
+    (
+        'name = "upper"',
+        MARKERS.replace("]", ', { name = "hook", at = 0.5 }]'),
+        "links[0].markers[1].name",
+        'is "hook", the name of an earlier one',
+    ),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "where", "fragment"), WRONG)
+def test_wrong_places_are_refused_in_one_line(tmp_path, old, new, where, fragment):
+    path = tmp_path / "bot.toml"
+    path.write_text(GOOD.replace(old, new, 1), encoding="utf-8")
+    message = refusal(path)
+    assert message.startswith(f"{where}: ") and fragment in message, message
+
+
+HUB = '[[links]]\nname = "hub"\njoint = { axes = [] }\nbodies = [{ at = "base", mass = 1.0 }]\n'
+
+
+def test_a_link_without_length_has_base_and_tip_alone(tmp_path):
+    path = tmp_path / "bot.toml"
+    path.write_text(GOOD + HUB + HUB.replace('"hub"', '"low"\nat = "base"'), encoding="utf-8")
+    assert not model_of(tomllib.loads(path.read_text())).chain.tree.stations
+    path.write_text(GOOD + HUB + HUB.replace('"hub"', '"low"\nat = { s = 0.4 }'), encoding="utf-8")
+    assert refusal(path).startswith("links[3].at: is a place along link 'hub', which states no length; choose")
+    loop = '[[loops]]\nbetween = ["upper.hook", "hub.tip"]\njoint = { axes = ["y"] }\n'
+    other = HUB.replace('"hub"', '"upper_hook"')
+    path.write_text(GOOD.replace('name = "upper"', MARKERS, 1) + HUB + other + loop, encoding="utf-8")
+    assert "the name in generated code of marker upper.hook; choose another name" in refusal(path)

@@ -109,7 +109,14 @@ Numbers = Sequence[float] | np.ndarray
 Given = Numbers | Mapping[str, Any] | None
 """Values of all parameters, or of some by name; None: the robot file's."""
 
-FREE = ("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia", "joint.drives.transmission.angle")
+FREE = (
+    "gravity",
+    "joint.mount.xyz",
+    "joint.mount.rpy",
+    "bodies.com",
+    "bodies.inertia",
+    "joint.drives.transmission.angle",
+)
 """Fields whose numbers may have either sign."""
 
 DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity", "transmission.crank", "transmission.base")

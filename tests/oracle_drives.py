@@ -42,7 +42,9 @@ class Drives:
         out = []
         for axis, drive in self.cylinders:
             given, angle = drive["transmission"], q[axis] + drive["transmission"]["angle"]
-            out.append(ca.norm_2(given["crank"] * ca.vertcat(ca.cos(angle), ca.sin(angle)) - ca.vertcat(given["base"], 0)))
+            out.append(
+                ca.norm_2(given["crank"] * ca.vertcat(ca.cos(angle), ca.sin(angle)) - ca.vertcat(given["base"], 0))
+            )
         return ca.vertcat(type(q)(0, 1), *out)
 
     def kinetic(self, q, v):

@@ -97,7 +97,9 @@ def check(drives: Sequence[Drive], screws: Sequence[Screw], armature: Sequence[f
     for k, (drive, screw) in enumerate(zip(drives, screws, strict=True)):
         if drive.transmission is not None and screw.slides:
             what = "is stated of an axis along which the link slides, and a cylinder turns a link"
-            raise refuse(f"{what}; leave it out, for the force of a slide acts along it", at=("drives", k, "transmission"))
+            raise refuse(
+                f"{what}; leave it out, for the force of a slide acts along it", at=("drives", k, "transmission")
+            )
     for k, (drive, inertia) in enumerate(zip(drives, armature or (), strict=False)):
         if drive.rotor_inertia is not None and not drive.elastic and drive.transmission is None and inertia:
             what = f"is stated beside armature[{k}] = {shown(inertia)}, which means the same"

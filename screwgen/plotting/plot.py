@@ -131,7 +131,8 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
     turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
     rotors = any(".theta[" in name for name in run.q_names)
-    forces = "Forces on slides" if sum(~turns) <= sum(~turning) else "Forces of drives"
+    pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
+    forces = "Forces of drives" if pushed else "Forces on slides"
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
         *_base(run),

@@ -39,7 +39,7 @@ PARTS = (
         profile.Box,
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
-    *(drive.Friction, spec.Body, reduced.Reduced, loops.Loop),
+    *(drive.Friction, drive.Transmission, spec.Body, reduced.Reduced, loops.Loop),
 )
 
 

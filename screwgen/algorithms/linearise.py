@@ -56,8 +56,8 @@ EXACT = "code for exact derivatives", "differentiate the CasADi functions"
 def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext()) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
-    Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``. Only the lower triangle
-    of ``M`` counts.  ``section`` opens a titled section of a tracer.
+    Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``.  Only the lower
+    triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
     """
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]

@@ -1,8 +1,8 @@
 """Transmissions: drives whose ratio depends on the posture.
 
-A transmission of an axis is a relation from its coordinate q to the travel ``l(q)`` of what drives it. The input of the
-axis is the effort ``F`` along that travel, so the axis gets ``l' F``. A rotor of inertia ``J_r`` that turns by ``N`` per
-travel has the energy ``J_r N^2 l'^2 qdot^2 / 2``: the inertia ``J_r N^2 l'^2`` of the axis and the force
+A transmission of an axis is a relation from its coordinate q to the travel ``l(q)`` of what drives it. The input of
+the axis is the effort ``F`` along that travel, so the axis gets ``l' F``. A rotor of inertia ``J_r`` that turns by
+``N`` per travel has the energy ``J_r N^2 l'^2 qdot^2 / 2``: the inertia ``J_r N^2 l'^2`` of the axis and the force
 ``J_r N^2 l' l'' qdot^2``. Friction acts at the rate ``l' qdot``, and ``l'`` times it on the axis. All of it depends on
 posture and rates alone and is explicit in every method.
 
@@ -42,7 +42,7 @@ class Kind:
 def cylinder(t: Tracer, q: Value, crank: Value, base: Value, angle: Value) -> Relation:
     """A cylinder from an eye on the carrier to one on the link; where its length is zero nothing is finite.
 
-    ``l^2 = (base - crank)^2 + 4 base crank sin^2(u / 2)`` with ``u = q + angle``, which loses no digits where it is short.
+    ``l^2 = (base - crank)^2 + 4 base crank sin^2(u / 2)`` with ``u = q + angle`` loses no digits where it is short.
     """
     half = 0.5 * (q + angle)
     sine, cosine = t.call("sin", half), t.call("cos", half)

@@ -136,6 +136,8 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     ends = None if model is None else limits(model)
     turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
     rotors = any(".theta[" in name for name in run.q_names)
+    pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
+    forces = "Forces of drives" if pushed else "Forces on slides"
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
     return [
         *_base(run),
@@ -143,12 +145,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Slides", "q", "m", _with(_with(q(".slide["), "goal", goals, ~turning), "ends", ends, ~turning)),
         Panel("Rotor angles", "θ", "rad", q(".theta[")),
         Panel("Torques" if rotors else "Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
-        Panel(
-            "Forces on slides" if turns.sum() == turning.sum() else "Forces of drives",
-            "f",
-            "N",
-            _with(tau(".force["), "bound", bounds, ~turns),
-        ),
+        Panel(forces, "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
         Panel("Bending in y", eta, "m", modes("bending_y")),
         Panel("Bending in z", eta, "m", modes("bending_z")),
         Panel("Shear in y", eta, "m", modes("shear_y")),

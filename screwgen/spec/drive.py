@@ -20,10 +20,10 @@ class Friction(Part):
     """
 
     coulomb: Annotated[float, PlainValidator(within("coulomb"))] | None = Field(
-        None, description="dry friction, N·m (of a slide with a rigid gear N)"
+        None, description="dry friction, N·m (of a cylinder, and of a slide with a rigid gear, N)"
     )
     viscous: Annotated[float, PlainValidator(within("damping"))] | None = Field(
-        None, description="viscous friction, N·m·s/rad (of a slide with a rigid gear N·s/m)"
+        None, description="viscous friction, N·m·s/rad (of a cylinder, and of a slide with a rigid gear, N·s/m)"
     )
     velocity: Annotated[float, PlainValidator(within("velocity"))] | None = Field(
         None, description="the rate over which dry friction changes its sign, rad/s (m/s), > 0"
@@ -53,7 +53,8 @@ class Drive(Part):
     """
 
     ratio: Annotated[float, PlainValidator(within("ratio"))] | None = Field(
-        None, description="turns of the rotor per turn of the joint (of a slide rad/m), > 0; 1 if it is left out"
+        None,
+        description="turns of the rotor per turn of the joint (of slides and cylinders rad/m), > 0; 1 if it is left out",
     )
     rotor_inertia: Annotated[float, PlainValidator(within("rotor inertia"))] | None = Field(
         None, description="inertia of the rotor about its own axis, kg·m², > 0"

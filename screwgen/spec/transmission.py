@@ -10,10 +10,11 @@ from .values import refuse, shown
 
 
 class Transmission(Part):
-    """A cylinder between the link and what carries it, of the length `l² = base² + crank² − 2 base crank cos(q + angle)`.
+    """A cylinder between the link and what carries it: `l² = base² + crank² − 2 base crank cos(q + angle)`.
 
     Its ends are the eye on the carrier, at the distance `base` from the joint axis, and the eye on the link, at the
-    distance `crank`; q + `angle` is the angle between both. The torque of the axis is then the cylinder's force.
+    distance `crank`; q + `angle` is the angle between both. The input of the axis is then the force of the cylinder, N,
+    positive where it extends it.
     """
 
     crank: Annotated[float, PlainValidator(within("length"))] = Field(

@@ -101,6 +101,10 @@ analyse-c: $(READY)
 long-run: $(READY)
 	$(BIN)/python tests/long_run.py
 
+# Three hundred random robots with everything at once, of which every eighth is compiled, against the oracle. An hour.
+mixed-arms: $(READY)
+	$(BIN)/python tests/mixed_arms.py 0 300
+
 # Regenerate the committed output of the examples.
 generated: $(READY)
 	$(BIN)/python examples/regenerate.py
@@ -131,4 +135,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test examples test-long lint bench exact-beams mode-table analyse-c long-run firmware generated minima clean
+.PHONY: demo paper mpc docs test examples test-long lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

@@ -177,7 +177,7 @@ WRONG = [  # what stands in GOOD, what replaces it, the key path of the message,
     (FORE_NAME, f'{FORE_NAME}\nchildren = ["hand"]', f"{FORE}.children", "is an unknown key; known here: name, length"),
     (FORE_NAME, f'{FORE_NAME}\nParent = "upper"', f"{FORE}.Parent", "is an unknown key; did you mean parent?"),
     # keys of a table below
-    (FORE_NAME, f"{FORE_NAME}\ndrives = [{{}}]", f"{FORE}.drives", "is an unknown key here; it belongs in joint; known"),
+    (FORE_NAME, f"{FORE_NAME}\ndrives = [{{}}]", f"{FORE}.drives", "is an unknown key here; it belongs in joint"),
     (FORE_NAME, f"{FORE_NAME}\nmass = 2.0", f"{FORE}.mass", "is an unknown key here; it belongs in bodies; known here"),
     ('name = "bot"', 'name = "bot"\nparent = "world"', "parent", "is an unknown key here; it belongs in links; known"),
     # slides and screws

@@ -23,8 +23,8 @@ import numpy as np
 import scipy.linalg
 from oracle_cloud import Cloud, build_cloud, gradient, modal_slices, per_column, rates, slices
 from oracle_drives import Drives
-from oracle_stops import Stops
 from oracle_link import read_link
+from oracle_stops import Stops
 
 
 def part_error(reference, value, companion) -> float:

@@ -123,7 +123,9 @@ def test_a_range_without_stop_is_watched_and_said():
     model = shuttle()
     bare = model_of(arm(link("cart", axes=[{"slide": "x"}], joint={"limits": [{"upper": 0.2}]}), gravity=(0, 0, 0)))
     assert not bare.chain.stops and model.chain.stops
-    with pytest.warns(LimitWarning, match=r"cart.slide\[0\] past its upper limit from 0.1 s to the end: 0.2 m deep; noth"):
+    with pytest.warns(
+        LimitWarning, match=r"cart.slide\[0\] past its upper limit from 0.1 s to the end: 0.2 m deep; noth"
+    ):
         run = simulate(bare, 0.2, 1e-3, v0=[2.0], backend="numpy")
     assert [(hit.stop, hit.force) for hit in run.hits] == [(False, 0.0)]
 
@@ -138,6 +140,8 @@ def test_the_command_line_prints_a_line_per_hit(tmp_path, capsys):
     path, state = tmp_path / "cart.toml", tmp_path / "state.json"
     path.write_text(dump(shuttle().robot), "utf-8")
     state.write_text('{"v": [2.0]}', "utf-8")
-    main(["simulate", str(path), "--duration", "0.5", "--step", "1e-3", "--state", str(state), "-o", f"{tmp_path}/a.npz"])
+    main(
+        ["simulate", str(path), "--duration", "0.5", "--step", "1e-3", "--state", str(state), "-o", f"{tmp_path}/a.npz"]
+    )
     out = capsys.readouterr().out.splitlines()
     assert len(out) == 3 and out[1].startswith("cart.slide[0] on its upper stop from 0.1") and out[1].endswith("N")

@@ -140,7 +140,7 @@ def rotor_accelerations(s: Scope) -> None:
 
 
 def joint_torque(s: Scope, q: Array, qdot: Array) -> Array:
-    """What acts on the joint's axes besides dampers and springs with one end at rest; dry friction and stops are included.
+    """What acts on the joint's axes besides dampers and springs with one end at rest, dry friction and stops included.
 
     That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause.
     """

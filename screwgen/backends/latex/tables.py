@@ -91,6 +91,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "elastic drives": key.motors,
         "rigid gears": any(drive.rotor_inertia and not drive.stiffness for drive in key.drives),
         "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
+        "stops": key.stops,
         "joint damping": key.joint_damping,
         "joint stiffness": key.stiffness,
         "modal damping": key.damping,

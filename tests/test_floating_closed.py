@@ -183,7 +183,7 @@ def test_a_law_moves_the_arms_through_their_gears():
     """The compiled loop of a run and the law in Python, which read the rotors behind the base."""
     model = holding()
     q, v = start(model)
-    goal = assemble(model, q[7:11] + (0.1, 0.0, 0.0, 0.0), hold=["left.joint[0]"])[7:11]
+    goal = assemble(model, (*q[7:11], 0.1, 0.0, 0.0, 0.0), hold=["left.joint[0]"])[7:11]
     law = PD(kp=(4.0,) * 4, kd=(1.5,) * 4, q_des=tuple(goal))
     runs = [simulate(model, 0.02, 1e-3, q, v, law, backend=backend) for backend in ("c", "numpy")]
     assert relative(runs[0].q[-1], runs[1].q[-1]) < 1e-10

@@ -37,10 +37,10 @@ def looped(rng, joint: list, count: int, s: float = 1.0) -> tuple[dict, dict]:
     It ends at the tip of that link, or at a marker at `s`.
     """
     tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1)
-    return bridged(rng, joint, tree, state, oracle)
+    return bridged(rng, joint, tree, state, oracle, s)
 
 
-def bridged(rng, joint: list, tree: dict, state: dict, oracle: Oracle) -> tuple[dict, dict]:
+def bridged(rng, joint: list, tree: dict, state: dict, oracle: Oracle, s=1.0) -> tuple[dict, dict]:
     """The tree with that bridge and loop; `oracle` is its own, or that of a robot with the same links and motions."""
     count, parents = oracle.n, [-1, *oracle.parents[1:]]
     apart = [(i, j) for i in range(count) for j in range(count) if i != j and parents[i] != j and parents[j] != i]
@@ -108,7 +108,7 @@ def constrained(oracle: Oracle, robot: dict, state: dict) -> np.ndarray:
     q, v, tau, w_ext = (np.array(state[k]) for k in ("q", "v", "tau", "w_ext"))
     gap, G, rate, gamma = (x.full() for x in f(q, v))
     M, h = oracle.mass_matrix(q), oracle.bias(q, v, w_ext)
-    free = np.linalg.solve(M, oracle._force(tau) - h)
+    free = np.linalg.solve(M, oracle._force(tau, q) - h)
     c = STABILISATION
     wanted = -(gamma + 2 * c * rate + c * c * gap)[:, 0] - G @ free
     inertia = G @ np.linalg.solve(M, G.T)

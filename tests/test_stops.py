@@ -223,11 +223,10 @@ def test_gears_carry_what_a_stop_takes():
 
 
 def test_stops_cost_the_dynamics_of_the_steps_nothing():
-    operations = lambda joint: (
-        fused.complete_dynamics(  # noqa: E731
-            model_of(arm(*(link(f"l{i}", 0.4, "yz"[i % 2], joint=joint) for i in range(4)))).chain
-        ).operation_count
-    )
+    def operations(joint: dict) -> int:
+        links = (link(f"l{i}", 0.4, "yz"[i % 2], joint=joint) for i in range(4))
+        return fused.complete_dynamics(model_of(arm(*links)).chain).operation_count
+
     table = {"lower": -1.0, "upper": 1.0, "stiffness": 1e4, "damping": 5.0}
     assert operations({"damping": [1.0], "limits": [table]}) == operations({"damping": [1.0]})
     assert operations({"limits": [{"lower": -1.0, "upper": 1.0}]}) == operations({})

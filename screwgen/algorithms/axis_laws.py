@@ -4,11 +4,11 @@ A stop acts on the joint coordinate while that is beyond its limit. With the pen
 ``max(0, k p + d pdot)``: a spring and a damper in parallel, clamped so that the stop never pulls. The potential
 ``k p^2 / 2`` is stored, all else dissipated.
 
-Implicit methods take every law as a linear one, by secants. That of dry friction is a damping of the size that it has at
-the rates of a stage. That of a stop follows from the way of the coordinate over a step, as its rate predicts it:
+Implicit methods take every law as a linear one, by secants. That of dry friction is a damping of the size that it has
+at the rates of a stage. That of a stop follows from the way of the coordinate over a step, as its rate predicts it:
 ``share`` of the way is beyond the limit, and ``k`` and ``d`` times the share act on the mean penetration of that part
-(:func:`secants`). With it the work over a step is at least the change of the potential, so a stop of any stiffness adds
-no energy to the bodies that hit it; in contact throughout it is the midpoint rule.
+(:func:`secants`). A body that hits a stop of any stiffness gets no more energy back than it brought; in contact
+throughout it is the midpoint rule.
 """
 
 from __future__ import annotations

@@ -20,8 +20,8 @@ def run(
 ):
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 
-    ``unary(op, value)`` evaluates ``neg``, ``sqrt``, ``sin``, ``cos``, ``on``, ``c4`` and ``c5``; ``literal`` makes a value of
-    a number that stands in the program.  Returns the outputs and the values of the guards.
+    ``unary(op, value)`` evaluates ``neg`` and the ``FUNCTIONS``; ``literal`` makes a value of a number that stands in
+    the program.  Returns the outputs and the values of the guards.
     """
     values: dict[int, object] = {}
     pick = lambda v: values[v.id] if isinstance(v, Node) else literal(v)  # noqa: E731

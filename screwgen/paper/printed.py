@@ -62,9 +62,8 @@ class PrintedModel:
         if not self.model.chain.serial:
             raise UsageError(f"{robot.name}: the paper's arm is a chain; leave out parent, or the formulation")
         if self.model.chain.n_motors or self.model.chain.dry or self.model.chain.stops:
-            raise UsageError(
-                f"{robot.name}: the paper has neither gears nor friction nor stops; leave out drives and limits, or the formulation"
-            )
+            said = f"{robot.name}: the paper has neither gears nor friction nor stops"
+            raise UsageError(f"{said}; leave out drives and limits, or the formulation")
 
     def _reduced(self, robot: Robot) -> Robot:
         bare = {"bodies": ()} if "26" in self.as_printed else {}

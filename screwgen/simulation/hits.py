@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ..arguments import Numbers
+from ..spec.limit import Limit
 from ..spec.link_class import SIDES
 
 if TYPE_CHECKING:
@@ -62,7 +64,7 @@ def lines(hits: Sequence[Hit]) -> list[str]:
     groups: dict[tuple[str, str], list[Hit]] = {}
     for hit in hits:
         groups.setdefault((hit.axis, hit.side), []).append(hit)
-    out = []
+    out: list[str] = []
     for (axis, side), own in groups.items():
         if len(own) <= MOST:
             out += map(str, own)
@@ -75,7 +77,7 @@ def lines(hits: Sequence[Hit]) -> list[str]:
 
 
 class Bound(NamedTuple):
-    """One limit of an axis: its number among the joint coordinates, its side, and what acts there (stiffness 0: none)."""
+    """One limit of an axis, by its number among the joint coordinates, and the stop there (stiffness 0: none)."""
 
     axis: int
     side: str
@@ -84,14 +86,14 @@ class Bound(NamedTuple):
     damping: float
 
 
-def bounds(model: Model, p: Sequence[float]) -> list[Bound]:
+def bounds(model: Model, p: Numbers) -> list[Bound]:
     """The limits of all axes, at the parameters `p`."""
-    values, out, first = dict(zip(model.parameter_names, p, strict=True)), [], 0
+    values, out, first = dict(zip(model.parameter_names, map(float, p), strict=True)), list[Bound](), 0
     for link in model.robot.links:
         for axis in range(len(link.joint.limits or ())):
-            of = lambda name, axis=axis, link=link: values.get(f"{link.name}.joint.limits[{axis}].{name}")  # noqa: E731
-            push = of("stiffness") or 0.0, of("damping") or 0.0
-            out += [Bound(first + axis, side, of(side), *push) for side in SIDES if of(side) is not None]
+            own = {name: values.get(f"{link.name}.joint.limits[{axis}].{name}") for name in Limit.model_fields}
+            push = own["stiffness"] or 0.0, own["damping"] or 0.0
+            out += [Bound(first + axis, side, at, *push) for side in SIDES if (at := own[side]) is not None]
         first += len(link.joint.axes)
     return out
 
@@ -120,7 +122,7 @@ class _Plan(ctypes.Structure):
 class Hits:
     """Gathers the hits of a run, step by step, in Python or, by :attr:`plan`, in C."""
 
-    def __init__(self, model: Model, p: Sequence[float]):
+    def __init__(self, model: Model, p: Numbers):
         self.bounds, self.names, chain = bounds(model, p), model.q_names[model.chain.base_q :], model.chain
         axes = np.array([x.axis for x in self.bounds], int)
         self.q, self.v = (axes + chain.base_q).astype(np.int32), (axes + chain.base_v).astype(np.int32)
@@ -140,7 +142,7 @@ class Hits:
             return
         deep, rate = self.side * (q[self.q] - self.at), self.side * v[self.v]
         force = np.maximum(0.0, self.stiffness * deep + self.damping * rate)
-        for i in np.flatnonzero((deep > 0) | ~np.isnan(self.begin)):
+        for i in map(int, np.flatnonzero((deep > 0) | ~np.isnan(self.begin))):
             inside, crossing = not np.isnan(self.begin[i]), t
             if not np.isnan(self.last) and deep[i] != self.before[i]:
                 crossing = self.last + (t - self.last) * self.before[i] / (self.before[i] - deep[i])
@@ -163,7 +165,7 @@ class Hits:
         """The hits so far, by their beginning; those that have not ended are without an end."""
         self.drain()
         kept = list(self.found)
-        for i in np.flatnonzero(~np.isnan(self.begin)):
+        for i in map(int, np.flatnonzero(~np.isnan(self.begin))):
             self._keep(i, self.begin[i], None, self.depth[i], self.force[i])
         self.found, out = kept, self.found
         return tuple(sorted(out, key=lambda hit: hit.begin))
@@ -203,7 +205,7 @@ def warn(hits: Sequence[Hit]) -> None:
         warnings.warn(f"{loose[0]}; {what}{more}", LimitWarning, stacklevel=3)
 
 
-def warn_goals(model: Model, p: Sequence[float], points: Sequence[tuple[float, Sequence[float]]]) -> None:
+def warn_goals(model: Model, p: Numbers, points: Sequence[tuple[float, Sequence[float]]]) -> None:
     """A :class:`LimitWarning` where a reference of the joints, at one of its set points, is beyond a limit."""
     for bound in bounds(model, p):
         worst = max((q[bound.axis] for _, q in points), key=lambda x: SIDES[bound.side] * x)

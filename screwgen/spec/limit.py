@@ -14,9 +14,9 @@ from .values import refuse, shown
 class Limit(Part):
     """The range of one axis, rad (of a slide m), and with `stiffness` the compliant stops at its ends.
 
-    Beyond a limit by the penetration p a stop pushes the joint back with `max(0, stiffness p + damping dp/dt)`; it never
-    pulls. Either limit may be left out; an empty table is no limit. Without `stiffness` the range is known to the model
-    and watched in simulations, but nothing holds the joint in it.
+    Beyond a limit by p a stop pushes the joint back with `max(0, stiffness p + damping dp/dt)`; it never pulls. Either
+    limit may be left out; an empty table is no limit. Without `stiffness` the range is known to the model and watched
+    in simulations, but nothing holds the joint in it.
     """
 
     lower: Annotated[float, PlainValidator(within("limit"))] | None = Field(

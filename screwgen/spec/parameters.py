@@ -146,11 +146,11 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     for field, value in (*shape(link), *joint(link.joint)):
         for parameter in spread(field, value, i, link.name):
             yield _sliding(parameter, link.joint)
-    for of_axis, tables in ((driven, link.joint.drives), (limited, link.joint.limits)):
-        for axis, table in enumerate(tables or ()):
-            for field, value in of_axis(table):
-                for parameter in spread(field, value, i, link.name, (axis,)):
-                    yield _sliding(parameter, link.joint)
+    tables = [[*map(driven, link.joint.drives or ())], [*map(limited, link.joint.limits or ())]]
+    for axis, fields in chain.from_iterable(map(enumerate, tables)):
+        for field, value in fields:
+            for parameter in spread(field, value, i, link.name, (axis,)):
+                yield _sliding(parameter, link.joint)
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])

@@ -68,8 +68,9 @@ class Held:
         columns = [self.properties[name] for name in STOP] if self.chain.stops else []
         out = []
         for k, (i, side) in enumerate(self.chain.stops):
-            own = (column[k] for column in columns)
-            out.append((i, secants(side, x[i], rate[i], there[i], h, *own, lambda x: x > 0)))
+            at, stiffness, damping = (column[k] for column in columns)
+            state = x[i], rate[i], there[i], h
+            out.append((i, secants(side, *state, at, stiffness, damping, lambda x: x > 0)))
         return out
 
     def _friction(self, v: ca.SX) -> ca.SX:

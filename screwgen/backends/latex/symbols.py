@@ -78,6 +78,13 @@ CRANKED: tuple[Named, ...] = (
 )
 """Symbols of robots with cylinders that drive joints."""
 
+STOPPED: tuple[Named, ...] = (
+    (r"q_s", "limit of a joint axis, of slides in m", "rad", "1", "-", PARAMETER),
+    (r"k_s, d_s", "stiffness and damping of its stop", "N*m/rad, N*m*s/rad", "1", "-", PARAMETER),
+    (r"p, \tau_s", "penetration of a stop, and its torque, of slides in m and N", "rad, N*m", "1", "-", STATE),
+)
+"""Symbols of robots whose joints have stops."""
+
 TIMES = r"\times"
 
 

@@ -93,6 +93,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "rigid gears": any(drive.rotor_inertia and not drive.stiffness for drive in key.drives),
         "cylinders": key.cranked,
         "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
+        "stops": key.stops,
         "joint damping": key.joint_damping,
         "joint stiffness": key.stiffness,
         "modal damping": key.damping,

@@ -40,7 +40,7 @@ def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
 def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None) -> np.ndarray:
     """The posture near `q` (nq,) in which the loops are closed; `held` coordinates stay, and so does a floating base.
 
-    Raises OpenLoopError. Where the search ends with open loops, as in a singular posture, it begins again from some near `q`.
+    Raises OpenLoopError. Where the search ends with open loops, as in a singular posture, it begins again near `q`.
     """
     q, chain = np.array(q, float), numeric.chain
     free = np.ones(chain.nq, bool) if held is None else ~np.asarray(held, bool)

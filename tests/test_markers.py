@@ -23,7 +23,7 @@ SECTION = {"rhoA": 1.5, "EIy": 900.0, "EIz": 700.0}
 
 
 def rod(name: str, axes: list, length=0.7, **more) -> dict:
-    more = {"modes": {"bending_y": 2, "bending_z": 1}, **more}
+    more = {"modes": {"bending_y": 1}, **more}
     return {"name": name, "length": length, "section": SECTION, "joint": {"axes": axes}, **more}
 
 
@@ -34,7 +34,7 @@ def arm(*links: dict, **more):
 @pytest.fixture(scope="module")
 def branched():
     """A trunk that carries two links at a marker, one at its base and one at its tip."""
-    trunk = rod("trunk", ["y"], markers=[{"name": "hook", "at": 0.4}])
+    trunk = rod("trunk", ["y"], modes={"bending_y": 1, "bending_z": 2}, markers=[{"name": "hook", "at": 0.4}])
     mounted = rod("left", ["z"], parent="trunk", at="hook") | {
         "joint": {"axes": ["z"], "mount": {"xyz": [0.1, 0.0, 0.05]}}
     }
@@ -147,9 +147,8 @@ def test_a_place_moves_with_the_length_of_its_link(branched):
     """The length is a parameter at run time; the place is a share of it."""
     values = np.array(branched.parameter_values)
     values[branched.parameter_names.index("trunk.length")] = 0.9
-    longer = rod("trunk", ["y"], length=0.9, markers=[{"name": "hook", "at": 0.4}])
-    again = model_of(branched.robot.model_dump(exclude_none=True, exclude_defaults=True) | {})
-    links = [longer, *tomllib.loads(dump(again.robot))["links"][1:]]
+    longer = tomllib.loads(dump(branched.robot))["links"][0] | {"length": 0.9}
+    links = [longer, *tomllib.loads(dump(branched.robot))["links"][1:]]
     q = np.full(branched.nq, 0.02)
     expected = arm(*links).numpy().link_pose(q)[1]
     found = np.array(branched.casadi()["link_pose"](q, values)[1]).T
@@ -177,7 +176,7 @@ def test_a_loop_at_a_marker_equals_the_oracle(seed):
     loads[link] += np.concatenate([R_T.T @ (moment + np.cross(r - tip, force)), R_T.T @ force])
     balance = oracle.wrenches(q, state["v"], found, loads)
     assert relative(np.delete(wrench, marker, axis=0), balance) < 1e-9
-    if seed == 1:
+    if seed == 2:
         for form in ("joint", "dae"):
             assert relative(quick(model, layout="modular").forward_dynamics(*given, form=form)[0], expected) < 1e-9
 
@@ -203,7 +202,7 @@ def test_the_tip_is_that_of_the_last_link_of_the_file_and_not_a_marker():
     assert np.allclose(run.q, slow.q, rtol=0, atol=1e-13)
     assert np.allclose(run.tip_position[-1], ends[2, 2], rtol=0, atol=1e-12)
     assert np.allclose(ends[2, 1], ends[1, 2], rtol=0, atol=1e-4)  # the marker is on the rocker's tip
-    assert np.allclose(model.casadi()["tip_pose"](run.q[-1], model.parameter_values)[1].T, ends[2, 2])
+    assert np.allclose(np.array(model.casadi()["tip_pose"](run.q[-1], model.parameter_values)[1])[:, 0], ends[2, 2])
     assert any("coupler.hook.F_x" in name for name in run.wrench_names)
 
 
@@ -284,7 +283,7 @@ def test_wrong_places_are_refused_in_one_line(tmp_path, old, new, where, fragmen
     path = tmp_path / "bot.toml"
     path.write_text(GOOD.replace(old, new, 1), encoding="utf-8")
     message = refusal(path)
-    assert message.startswith(f"{where}: ") and fragment in message, message
+    assert message.startswith(where) and fragment in message, message
 
 
 HUB = '[[links]]\nname = "hub"\njoint = { axes = [] }\nbodies = [{ at = "base", mass = 1.0 }]\n'
@@ -295,7 +294,10 @@ def test_a_link_without_length_has_base_and_tip_alone(tmp_path):
     path.write_text(GOOD + HUB + HUB.replace('"hub"', '"low"\nat = "base"'), encoding="utf-8")
     assert not model_of(tomllib.loads(path.read_text())).chain.tree.stations
     path.write_text(GOOD + HUB + HUB.replace('"hub"', '"low"\nat = { s = 0.4 }'), encoding="utf-8")
-    assert refusal(path).startswith("links[3].at: is a place along link 'hub', which states no length; choose")
+    message = refusal(path)
+    assert (
+        message.startswith("links[3].at") and "is a place along link 'hub', which states no length; choose" in message
+    )
     loop = '[[loops]]\nbetween = ["upper.hook", "hub.tip"]\njoint = { axes = ["y"] }\n'
     other = HUB.replace('"hub"', '"upper_hook"')
     path.write_text(GOOD.replace('name = "upper"', MARKERS, 1) + HUB + other + loop, encoding="utf-8")

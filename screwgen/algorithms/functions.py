@@ -9,7 +9,7 @@ from ..errors import SingularError
 from ..ir.program import Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from . import dae, loops, transmissions, validity
+from . import dae, given_motion, loops, transmissions, validity
 from . import matrices as mx
 from . import motions as mo
 from . import phases as ph
@@ -30,7 +30,7 @@ PLACES: Algorithm = (POSES,)
 MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
 ENERGY: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.energy, OUTWARD))
 MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
-SENSITIVITY: Algorithm = (Phase(sy.motion, OUTWARD), Phase(sy.answers, INWARD))
+SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers, INWARD))
 
 LEVERS: Algorithm = (Phase(transmissions.levers, OUTWARD),)
 

@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from ..ir.derivative import columns
 from ..ir.program import Program, Value
 from ..topology.chain import Chain
-from . import sensitivity as sy
+from . import given_motion
 from .functions import Functions
 from .fused import fuse
 from .schedule import OUTWARD, Algorithm, Phase
 
-MOTION: Algorithm = (Phase(sy.motion, OUTWARD),)
+MOTION: Algorithm = (Phase(given_motion.motion, OUTWARD),)
 
 
 class Accelerometer(Functions):

@@ -227,7 +227,7 @@ def _tip(model: Model | None, q: np.ndarray, link: int, direction: str) -> np.nd
 
 
 def _norms(run: Run, part: slice) -> list[Line]:
-    joints = [i for i, name in enumerate(run.wrench_names[::6]) if "[" not in name]
+    joints = [i for i, name in enumerate(run.wrench_names[::6]) if owner(name) == name.rpartition(".")[0]]
     sizes = (np.linalg.norm(run.wrench[:, i, part], axis=1) for i in joints)
     return [Line(size, color(i, len(joints))) for i, size in enumerate(sizes)]
 

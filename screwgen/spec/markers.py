@@ -29,7 +29,7 @@ class Marker(Part):
     """A named place on a link."""
 
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the marker's name, a C identifier")
-    at: Annotated[float, PlainValidator(place)] = Field(description="the place, s from 0 at the base to 1 at the tip")
+    at: Annotated[float, PlainValidator(place)] = Field(description="the place: s from 0 at the base to 1 at the tip")
 
 
 @dataclass(frozen=True)

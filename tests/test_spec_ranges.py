@@ -26,6 +26,8 @@ KEYS = {
     "ratio": r"\{ ratio = (?=9)",
     "rotor inertia": "rotor_inertia = ",
     "gear stiffness": r"\bstiffness = (?=1e4)",
+    "limit": "upper = (?=2)",
+    "stop stiffness": r"\bstiffness = (?=2e4)",
     "position": r"xyz = \[",
     "turn": r"rpy = \[",
     "gravity": r"gravity = \[",
@@ -42,6 +44,9 @@ TEXTS |= dict.fromkeys(("GAy", "GAz", "rhoIy", "rhoIz"), SHEARED)
 DRIVE = "ratio = 9.0, rotor_inertia = 1e-4, stiffness = 1e4, friction = { coulomb = 1.0, velocity = 1.0 }"
 DRIVEN = GOOD.replace(FREE, f"{FREE}, drives = {{ {DRIVE} }}")
 TEXTS |= dict.fromkeys(("ratio", "rotor inertia", "gear stiffness", "coulomb", "velocity"), DRIVEN)
+TEXTS |= dict.fromkeys(
+    ("limit", "stop stiffness"), GOOD.replace(FREE, f"{FREE}, limits = {{ upper = 2, stiffness = 2e4 }}")
+)
 TEXTS["stabilisation"] = (
     f'{GOOD}\n[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = {{ axes = [] }}\nstabilisation = 9.0\n'
 )

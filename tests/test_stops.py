@@ -5,13 +5,13 @@ from functools import cache
 import numpy as np
 import pytest
 from conftest import swept
-from helpers import Case, arm, case_of, drawn, link, model_of, quick, relative
+from helpers import Case, arm, case_of, drawn, link, model_of, quick, quick_batch, relative
 from judges import compiled, derivatives, numpy_and_casadi, solved_densely
 from random_robots import random_state
 from scipy.integrate import solve_ivp
 from stop_robots import MIXED
 
-from screwgen import equilibrium, natural_frequencies, simulate
+from screwgen import equilibrium, natural_frequencies, rollout, simulate
 from screwgen.algorithms import fused
 from screwgen.integrators import METHODS
 from screwgen.simulation.integrate import JointState, JointStepper
@@ -25,7 +25,7 @@ def drawn_with_stops(seed: int) -> Case:
     return drawn(seed, 1 + seed % 4, stops=0.9, drives=0.4 * (seed % 2), sliding=0.3, branching=0.3)
 
 
-@pytest.fixture(params=swept(SEEDS, 8801))
+@pytest.fixture(params=swept(SEEDS))
 def case(request) -> Case:
     return drawn_with_stops(request.param)
 
@@ -162,7 +162,7 @@ def test_a_slide_on_its_stop_is_a_half_swing():
 # -------- steps
 
 
-@pytest.mark.parametrize("method", swept(METHODS, "modal_midpoint", "rk4"))
+@pytest.mark.parametrize("method", swept(METHODS, "modal_midpoint"))
 def test_steps_of_c_casadi_and_both_forms_agree(method):
     """Over a hundred steps in which stops are hit and left."""
     c, h = everything(1), 2e-4 if METHODS[method].implicit else 1e-5
@@ -189,6 +189,18 @@ def test_the_amplification_matrix_is_the_derivative_of_a_step(method):
     x = np.append(q, v)
     columns = [(after(x + e) - after(x - e)) / (2 * h) for e in h * np.eye(len(x))]
     assert relative(step_map(c.model, method, q, v, dt, tau, w_ext=w_ext), np.array(columns).T) < 1e-6
+
+
+@pytest.mark.long
+def test_batches_have_stops():
+    c, rng = everything(1), np.random.default_rng(3)
+    quick_batch(c.model)
+    starts = np.array([np.append(*everything(1).inputs[:2])] * 5)
+    starts[:, : c.model.n_joints] += rng.uniform(-0.2, 0.2, (5, c.model.n_joints))
+    found = rollout(c.model, starts, step=1e-4, steps=100).x[:, -1]
+    for start, end in zip(starts, found, strict=True):
+        run = simulate(c.model, 0.01, 1e-4, *np.split(start, 2), backend="numpy", every=100)
+        assert relative(end, np.append(run.q[-1], run.v[-1])) < 1e-11
 
 
 # -------- rest and vibration

@@ -12,12 +12,13 @@ A further transmission is a function like :func:`cylinder` in ``KINDS``, with it
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
+from ..arguments import Numbers
 from ..errors import SingularError
 from ..ir.derivative import columns
 from ..ir.program import Array, Program, Tracer, Value
@@ -159,7 +160,7 @@ def answers(s: Scope) -> tuple[Array, Array]:
 # ------------------------------------------------------------------------------------ of a robot, in numbers
 
 
-def travels(chain: Chain, q: Sequence[float], p: Sequence[float]) -> np.ndarray:
+def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     """(3, n_joints): ``l``, ``l'`` and ``l''`` of every axis at the joint coordinates ``q``; q, 1 and 0 without one."""
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
     for i, key in enumerate(chain.keys):
@@ -175,7 +176,7 @@ def _unary(op: str, x: float) -> float:
     return -x if op == "neg" else getattr(math, op)(x)
 
 
-def efforts(chain: Chain, torques: np.ndarray, q: Sequence[float], p: Sequence[float]) -> np.ndarray:
+def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers) -> np.ndarray:
     """Torques of the joints (n_tau,) at ``q`` as the efforts that cause them: forces where cylinders drive joints.
 
     Raises SingularError where a cylinder stands in a dead centre and would need an infinite force.

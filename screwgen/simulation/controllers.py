@@ -184,7 +184,7 @@ class PD:
         return tau if most is None else np.clip(tau, -most, most)
 
 
-def _efforts(chain: Chain, p: np.ndarray, torques: np.ndarray, q: np.ndarray) -> np.ndarray:
+def _efforts(chain: Chain, p: Numbers, torques: np.ndarray, q: np.ndarray) -> np.ndarray:
     return efforts(chain, torques, q, p)
 
 

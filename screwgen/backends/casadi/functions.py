@@ -107,9 +107,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         ("tip_pose", "q p", tip_pose),
         ("link_pose", "q p", link_pose),
     )
-    if chain.cranked:
-        rows += (("levers", "q p", lambda: outputs(fused.levers)),)
-    return {name: made(name, inputs, results) for name, inputs, results in rows}
+    levers = (("levers", "q p", lambda: outputs(fused.levers)),) if chain.cranked else ()
+    return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers)}
 
 
 def _inertia(chain: Chain) -> Program:

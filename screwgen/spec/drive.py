@@ -54,7 +54,7 @@ class Drive(Part):
 
     ratio: Annotated[float, PlainValidator(within("ratio"))] | None = Field(
         None,
-        description="turns of the rotor per turn of the joint (of slides and cylinders rad/m), > 0; 1 if left out",
+        description="turns of the rotor per turn of the joint (of slides, cylinders rad/m), > 0; 1 if it is left out",
     )
     rotor_inertia: Annotated[float, PlainValidator(within("rotor inertia"))] | None = Field(
         None, description="inertia of the rotor about its own axis, kg·m², > 0"

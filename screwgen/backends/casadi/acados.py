@@ -112,7 +112,7 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext, p)
     driven = ca.SX(nv, 1)
-    driven[chain.driven] = tau
+    driven[chain.driven] = tau * functions["levers"](q, p) if chain.cranked else tau
     implicit = ca.vertcat(xdot[:nq] - rates, force - driven)
     return {
         "x": x,

@@ -97,7 +97,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         lower = ca.SX(ca.Sparsity.lower(nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
-    rows = [
+    rows = (
         ("forward_dynamics", "q v tau w_ext p", dynamics),
         ("validity", "q v tau w_ext p", validity),
         ("inverse_dynamics", "q v vdot w_ext p", lambda: outputs(fused.inverse_dynamics)),
@@ -106,9 +106,9 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         ("energy", "q v p", lambda: outputs(fused.energy)),
         ("tip_pose", "q p", tip_pose),
         ("link_pose", "q p", link_pose),
-        *([("levers", "q p", lambda: outputs(fused.levers))] if chain.cranked else ()),
-    ]
-    return {name: made(name, inputs, results) for name, inputs, results in rows}
+    )
+    levers = (("levers", "q p", lambda: outputs(fused.levers)),) if chain.cranked else ()
+    return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers)}
 
 
 def _inertia(chain: Chain) -> Program:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...algorithms.transmissions import efforts
 from ...errors import SingularError, UsageError
 from ...simulation.state import State, state_of
 from ...spec.parameters import turning
@@ -176,4 +177,5 @@ def holding(model: Model, q: np.ndarray) -> np.ndarray:
     still = np.zeros(model.nq)
     straight = model.chain.filled(q[: model.n_joints], model.parameter_values)
     force = model.numpy().bias(straight, still, np.zeros((model.n_links, 6)))[: model.n_joints]
-    return model.chain.at_rotors(force, model.parameter_values)
+    p = model.parameter_values
+    return efforts(model.chain, model.chain.at_rotors(force, p), q[: model.n_joints], p)

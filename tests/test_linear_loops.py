@@ -158,6 +158,22 @@ def test_a_propped_beam_has_the_published_frequencies(end):
     assert found[:2] == pytest.approx(roots[:2], rel=1e-5)
 
 
+def test_a_loop_that_welds_two_links_makes_one_arm_of_them():
+    """The outer half is on a light frame that slides and turns freely; the loop welds the frame to the inner half."""
+    soft = {"EIy": 40.0}
+    inner, outer = (link(name, 0.6, [], 1.0, {"bending_z": 2}, section=soft) for name in ("inner", "outer"))
+    frame = link("frame", 0.1, [{"slide": "x"}, {"slide": "z"}, "y"], 1e-7) | {"parent": "world"}
+    weld = {"between": ["inner.tip", "frame.tip"], "joint": {"axes": []}}
+    shut, chain = model_of(arm(inner, frame, outer) | {"loops": [weld]}), model_of(arm(inner, outer))
+    assert natural_frequencies(shut) == pytest.approx(natural_frequencies(chain), rel=1e-6)
+    found, expected = (equilibrium(model, hold=True) for model in (shut, chain))
+    assert found.tip_position == pytest.approx(expected.tip_position, abs=1e-8)
+    assert found.tip_deflection == pytest.approx(expected.tip_deflection, abs=1e-8) and found.tip_deflection[2] < -0.05
+    assert found.wrench[[0, 2]] == pytest.approx(expected.wrench, abs=1e-5)
+    loaded = [natural_frequencies(model, loaded=True) for model in (shut, chain)]
+    assert loaded[0] == pytest.approx(loaded[1], rel=1e-6)
+
+
 def test_one_more_mode_is_what_a_model_with_one_more_mode_has():
     model = propped(["y"], 3)
     for options in ({}, {"loaded": True}):

@@ -255,6 +255,22 @@ def test_linear_models_of_random_trees_with_a_loop_are_differences(seed):
     assert np.max(np.abs(linear.A[len(own) :] - found)) < 1e-6 * np.max(np.abs(found))
 
 
+@pytest.mark.parametrize("seed", swept((0, 1, 2, 6)))
+def test_random_trees_with_a_loop_rest_and_swing_as_their_linear_models(seed):
+    """Spatial, with gears and springs; rigid motions and those that grow among them."""
+    robot, state = looped(np.random.default_rng([DRAWS[seed], seed]), JOINTS[seed], 3 + seed % 3)
+    model = model_of(robot)
+    rest = equilibrium(model, state["q"], hold=True)
+    vdot, _ = model.numpy().forward_dynamics(rest.q, np.zeros(model.nv), rest.tau, None)
+    assert np.max(np.abs(model.numpy().mass_matrix(rest.q) @ vdot)) < 1e-9
+    smooth = {name: 0.0 for name in model.parameter_names if any(x in name for x in ("damping", "viscous", "coulomb"))}
+    poles = model.linearise(rest.q, tau=rest.tau, parameters=smooth).eigenvalues()
+    poles = poles[(poles.imag > 1e-3) | ((np.abs(poles.imag) < 1e-3) & (poles.real > 1e-3))]
+    found = mode_shapes(model, rest.q, "free", loaded=True)
+    sizes = np.hypot(2 * np.pi * found.frequencies, found.growth)
+    assert np.sort(sizes) == pytest.approx(np.sort(np.abs(poles)), rel=1e-6)
+
+
 def test_the_joints_that_are_stated_are_those_with_drives_then_the_first():
     driven = linkage(rocker={"joint": {"armature": [0.1]}})
     stated = lambda crank: stated_joints(driven, angles(crank), driven.parameter_values).tolist()  # noqa: E731

@@ -158,6 +158,22 @@ def test_a_propped_beam_has_the_published_frequencies(end):
     assert found[:2] == pytest.approx(roots[:2], rel=1e-5)
 
 
+def test_a_loop_that_welds_two_links_makes_one_arm_of_them():
+    """The outer half is on a light frame that slides and turns freely; the loop welds the frame to the inner half."""
+    soft = {"EIy": 40.0}
+    inner, outer = (link(name, 0.6, [], 1.0, {"bending_z": 2}, section=soft) for name in ("inner", "outer"))
+    frame = link("frame", 0.1, [{"slide": "x"}, {"slide": "z"}, "y"], 1e-7) | {"parent": "world"}
+    weld = {"between": ["inner.tip", "frame.tip"], "joint": {"axes": []}}
+    shut, chain = model_of(arm(inner, frame, outer) | {"loops": [weld]}), model_of(arm(inner, outer))
+    assert natural_frequencies(shut) == pytest.approx(natural_frequencies(chain), rel=1e-6)
+    found, expected = (equilibrium(model, hold=True) for model in (shut, chain))
+    assert found.tip_position == pytest.approx(expected.tip_position, abs=1e-8)
+    assert found.tip_deflection == pytest.approx(expected.tip_deflection, abs=1e-8) and found.tip_deflection[2] < -0.05
+    assert found.wrench[[0, 2]] == pytest.approx(expected.wrench, abs=1e-5)
+    loaded = [natural_frequencies(model, loaded=True) for model in (shut, chain)]
+    assert loaded[0] == pytest.approx(loaded[1], rel=1e-6)
+
+
 def test_one_more_mode_is_what_a_model_with_one_more_mode_has():
     model = propped(["y"], 3)
     for options in ({}, {"loaded": True}):
@@ -237,6 +253,22 @@ def test_linear_models_of_random_trees_with_a_loop_are_differences(seed):
     x, h = np.concatenate([q[own], v[own]]), 1e-5
     found = np.array([(motion(x + h * e) - motion(x - h * e)) / (2 * h) for e in np.eye(len(x))]).T
     assert np.max(np.abs(linear.A[len(own) :] - found)) < 1e-6 * np.max(np.abs(found))
+
+
+@pytest.mark.parametrize("seed", swept((0, 1, 2, 6)))
+def test_random_trees_with_a_loop_rest_and_swing_as_their_linear_models(seed):
+    """Spatial, with gears and springs; rigid motions and those that grow among them."""
+    robot, state = looped(np.random.default_rng([DRAWS[seed], seed]), JOINTS[seed], 3 + seed % 3)
+    model = model_of(robot)
+    rest = equilibrium(model, state["q"], hold=True)
+    vdot, _ = model.numpy().forward_dynamics(rest.q, np.zeros(model.nv), rest.tau, None)
+    assert np.max(np.abs(model.numpy().mass_matrix(rest.q) @ vdot)) < 1e-9
+    smooth = {name: 0.0 for name in model.parameter_names if any(x in name for x in ("damping", "viscous", "coulomb"))}
+    poles = model.linearise(rest.q, tau=rest.tau, parameters=smooth).eigenvalues()
+    poles = poles[(poles.imag > 1e-3) | ((np.abs(poles.imag) < 1e-3) & (poles.real > 1e-3))]
+    found = mode_shapes(model, rest.q, "free", loaded=True)
+    sizes = np.hypot(2 * np.pi * found.frequencies, found.growth)
+    assert np.sort(sizes) == pytest.approx(np.sort(np.abs(poles)), rel=1e-6)
 
 
 def test_the_joints_that_are_stated_are_those_with_drives_then_the_first():

@@ -61,9 +61,8 @@ def test_eigenvalues_are_those_of_the_linear_model(order, loaded):
 def found_at(model, q, rates, loaded):
     from screwgen.studies.steady import steady
 
-    return steady(
-        model, q, rates, loaded, np.array(model.parameter_values), movable(model, "locked", q, model.parameter_values)
-    )
+    values = np.array(model.parameter_values)
+    return steady(model, q, rates, loaded, values, movable(model, "locked", q, values))
 
 
 def test_without_rates_and_gravity_nothing_changes():

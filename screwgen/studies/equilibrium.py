@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,7 @@ import scipy.linalg
 from .. import notebook
 from ..algorithms.transmissions import efforts
 from ..arguments import Given, Numbers, choice
-from ..backends.numpy.closing import closed
+from ..backends.numpy.closing import OpenLoopError, closed
 from ..errors import UsageError
 from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
@@ -59,7 +60,8 @@ class Equilibrium:
     tip_position: np.ndarray
     """(3,): the last tip in the inertial frame, m."""
     tip_deflection: np.ndarray
-    """(3,): the tip's displacement from its place with straight links, inertial components, m."""
+    """(3,): the tip's displacement from its place with straight links, inertial components, m. Joints that follow loops
+    do so with straight links too, unless these cannot close the loops."""
     deflections: np.ndarray
     """(n, 3): each link's own tip from its undeformed centreline, F_i components, m."""
     validity: Validity
@@ -192,7 +194,9 @@ def rigid(robot: Robot) -> Robot:
 
 def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: np.ndarray) -> Equilibrium:
     model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.driven
-    straight = statics.at(np.append(b.q[:m], np.zeros(model.nq - m)))
+    straight = np.append(b.q[:m], np.zeros(model.nq - m))
+    with suppress(OpenLoopError):
+        straight = closed_start(model, statics.p, straight, True)[0]
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
     holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p)
     stability, eigenvalues, loose = _stability(statics, b)
@@ -209,7 +213,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: 
         loose=loose,
         wrench=statics.wrenches(b)[model.chain.firsts],
         tip_position=b.tip,
-        tip_deflection=b.tip - straight.tip,
+        tip_deflection=b.tip - statics.at(straight).tip,
         deflections=np.array(own),
         q_names=tuple(model.q_names),
         validity=model.validity_at_rest(b.q, statics.borne(b), statics.p),

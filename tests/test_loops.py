@@ -323,7 +323,7 @@ WRONG = (
     ("joint =", "damping = 1.0\njoint =", "loops[0].damping", "is an unknown key"),
     ("[[loops]]", "[loops]", "loops", "must be an array"),
     ("[[loops]]", "[[loop]]", "loop", "is an unknown key; did you mean loops?"),
-    ('between = ["upper.tip", "fore.tip"]\n', "", "loops[0].between", "is missing; state the markers that the loop joins"),
+    ('between = ["upper.tip", "fore.tip"]\n', "", "loops[0].between", "is missing; state the markers"),
     ('joint = { axes = ["y"] }', "", "loops[0].joint", "is missing; state the motions that the loop leaves free"),
     ('{ axes = ["y"] }', '["y"]', "loops[0].joint", "is an array of 1; it must be a table of axes"),
     ('"upper.tip"', "3", "loops[0].between[0]", 'is 3; it must be the name of a link with that of its marker'),

@@ -9,6 +9,7 @@ from stop_robots import mixed
 import screwgen
 from screwgen import PD, LimitWarning, UsageError, load, simulate
 from screwgen.cli.main import main
+from screwgen.plotting.plot import figure
 from screwgen.simulation.hits import lines
 from screwgen.spec import dump
 from screwgen.spec.parameters import parameters
@@ -48,6 +49,7 @@ def test_a_single_axis_needs_no_brackets_and_files_are_written_as_read(tmp_path)
     assert robot.links[1].joint.limits == (screwgen.Limit(lower=-1, upper=2, stiffness=1e4, damping=5),)
     path.write_text(dump(robot), "utf-8")
     assert load(path) == robot
+    assert screwgen.derive(robot).chain.limits.tolist()[1:] == [[-np.inf, np.inf], [-1.0, 2.0]]
 
 
 def test_no_limit_costs_nothing():
@@ -145,3 +147,11 @@ def test_the_command_line_prints_a_line_per_hit(tmp_path, capsys):
     )
     out = capsys.readouterr().out.splitlines()
     assert len(out) == 3 and out[1].startswith("cart.slide[0] on its upper stop from 0.1") and out[1].endswith("N")
+
+
+def test_figures_draw_the_limits_beside_the_coordinate(cart):
+    """Both as lines of their own; without a model there are none."""
+    run = simulate(cart, 0.45, 1e-3, v0=[2.0], backend="numpy")
+    for model, expected in ((cart, [-0.3, 0.2]), (None, [])):
+        axes = next(a for a in figure(run, model).axes if "Slides" in (a.get_title(), a.get_title(loc="left")))
+        assert sorted(x.get_ydata()[0] for x in axes.lines if len(x.get_ydata()) == 2) == pytest.approx(expected)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,7 +15,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
-from ..simulation.hits import limits
 from ..simulation.inputs import started
 from ..simulation.motion import centrelines, displacements, twist
 from ..simulation.runs import Run, check_output, outputs
@@ -59,8 +59,8 @@ class Line(NamedTuple):
     label: str | None = None
     goal: np.ndarray | None = None
     bound: float | None = None
-    ends: tuple[float, ...] = ()
-    """The limits of a joint axis."""
+    ends: Sequence[float] = ()
+    """The limits of a joint axis, infinite where there is none."""
 
 
 class Panel(NamedTuple):
@@ -133,7 +133,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     law = started(controller, run.q[0] if model else run.q[0, len(_place_names(run)) :], model)
     goals, bounds = _goals(run, law), _bounds(law)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
-    ends = None if model is None else limits(model)
+    ends = None if model is None else model.chain.limits
     turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
     rotors = any(".theta[" in name for name in run.q_names)
     pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
@@ -294,7 +294,7 @@ def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
         entries.append(("set point", GOAL))
     if any(line.bound is not None for line in lines):
         entries.append(("limit of the drive" if any(".force[" in x for x in run.tau_names) else "torque limit", BOUND))
-    if any(line.ends for line in lines):
+    if any(np.isfinite(line.ends).any() for line in lines):
         entries.append(("limit of the joint", END_OF_RANGE))
     entries.append(("path of the tip", PATH))
     entries += [(name, MARK | dict(color=shade)) for name, shade in (("its start", START), ("its end", END))]

@@ -98,13 +98,6 @@ def bounds(model: Model, p: Numbers) -> list[Bound]:
     return out
 
 
-def limits(model: Model) -> np.ndarray:
-    """The limits (n_joints,) of each axis in the robot file, tuples in rad, of slides m."""
-    out = np.empty(model.n_joints, object)
-    out[:] = [tuple(x.at for x in bounds(model, model.parameter_values) if x.axis == k) for k in range(model.n_joints)]
-    return out
-
-
 class _Plan(ctypes.Structure):
     """``shim_hits`` of the library."""
 

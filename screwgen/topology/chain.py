@@ -12,6 +12,7 @@ import numpy as np
 
 from ..arguments import Parameters, array
 from ..errors import SingularError, UsageError
+from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
 from ..spec.parameters import turning
 from ..spec.robot import Robot
@@ -90,6 +91,13 @@ class Chain(Coordinates):
     def sliding(self) -> bool:
         """Whether any joint has a coordinate in m."""
         return not all(turning(self.robot))
+
+    @property
+    def limits(self) -> np.ndarray:
+        """(n_joints, 2): lower and upper limits of the axes in the robot file, rad, of slides m; infinite without."""
+        joints = (link.joint for link in self.robot.links)
+        own = [limit.bounds for joint in joints for limit in joint.limits or (Limit(),) * len(joint.axes)]
+        return np.array(own, float).reshape(-1, 2)
 
     @property
     def names(self) -> list[str]:

@@ -161,13 +161,19 @@ def answers(s: Scope) -> tuple[Array, Array]:
 
 
 def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
-    """(3, n_joints): ``l``, ``l'`` and ``l''`` of every axis at the joint coordinates ``q``; q, 1 and 0 without one."""
+    """(3, n_joints): ``l``, ``l'`` and ``l''`` of every axis at the joint coordinates ``q``; q, 1 and 0 without one.
+
+    Raises SingularError where the length of a cylinder is zero, as parameters may make it.
+    """
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
     for i, key in enumerate(chain.keys):
         for axis in key.cranked:
             kind, place = key.drives[axis].transmission, chain.q_offset[i] + axis
-            given = [p[chain.parameter_labels[i][f"drive_{name}_{axis + 1}"]] for name in KINDS[kind].keys]
-            found, _ = run(relation(kind), {"q": [float(q[place])], "given": given}, _unary)
+            given = [float(p[chain.parameter_labels[i][f"drive_{name}_{axis + 1}"]]) for name in KINDS[kind].keys]
+            try:
+                found, _ = run(relation(kind), {"q": [float(q[place])], "given": given}, _unary)
+            except ZeroDivisionError:
+                raise chain.singular(i) from None
             out[:, place] = found["relation"]
     return out
 

@@ -291,6 +291,17 @@ def test_loops_that_cannot_be_closed_say_how_far_they_stay_open(four_bar):
         short.numpy().forward_dynamics([0.0, np.pi], None, None, None)
 
 
+def test_loops_of_which_nothing_can_move(four_bar):
+    """All axes held in a closed posture and in an open one; a robot without any coordinate."""
+    held = [f"{name}.joint[0]" for name in ("crank", "coupler", "rocker")]
+    assert np.array_equal(assemble(four_bar, angles(0.4), hold=held), angles(0.4))
+    with pytest.raises(OpenLoopError, match=r"^loop\[0\] stays open by"):
+        assemble(four_bar, [0.1, 0.2, 0.3], hold=held)
+    welded = link("a", 0.3, []), link("b", 0.3, [], parent="world")
+    model = model_of(arm(*welded) | {"loops": [{"between": ["a.tip", "b.tip"], "joint": {"axes": []}}]})
+    assert model.chain.closures == () and not model.numpy().forward_dynamics([], [], [], None)[0].size
+
+
 FAR = {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.5, 0.0, 0.0]}}}
 BALL = {"between": ["a.tip", "b.tip"], "joint": {"axes": ["x", "y", "z"]}}
 

@@ -34,7 +34,8 @@ class OpenLoopError(ScrewgenError):
 
 def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
     """(rows, nv): the rates of the gaps by the rates of the coordinates."""
-    return np.array([numeric.gaps(q, unit)[1] for unit in np.eye(numeric.chain.nv)]).T
+    columns = [numeric.gaps(q, unit)[1] for unit in np.eye(numeric.chain.nv)]
+    return np.array(columns).reshape(len(columns), len(numeric.chain.closures)).T
 
 
 def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None) -> np.ndarray:
@@ -70,6 +71,8 @@ def _nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndar
         return out
 
     gap = lambda x: numeric.gaps(at(x), None)[0]  # noqa: E731
+    if not free.any():
+        return q, gap(q[free])
     first, own = numeric.chain.base_v, free[numeric.chain.base_q :]
     slopes = lambda x: jacobian(numeric, at(x))[:, first:][:, own]  # noqa: E731
     found = least_squares(gap, q[free], slopes, **TOLERANCES).x

@@ -13,6 +13,7 @@ import numpy as np
 from ..algorithms.exponential import Series, exponential
 from ..ir.program import Program, Tracer
 
+
 def algebra_rate(u: np.ndarray, V: np.ndarray) -> np.ndarray:
     """The rate of ``u`` in ``pose = start exp(u)`` at the twist ``V``, row by row, with terms up to order four."""
     first = bracket(u, V)

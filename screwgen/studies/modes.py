@@ -129,7 +129,7 @@ def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> 
 
 def posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
     """The coordinates (nq,) of a posture: as given, the joints alone, or all zero; a floating base at home."""
-    if model.chain.floating and np.size(q) in (1 if q is None else model.n_joints,):
+    if model.chain.floating and (q is None or np.size(q) == model.n_joints):
         joints = np.zeros(model.n_joints) if q is None else checked(q, "q", model.n_joints)
         return np.append(model.chain.home[: model.chain.base_q], model.chain.filled(joints, p))
     if q is not None and np.size(q) == model.n_joints != model.nq:

@@ -33,14 +33,17 @@ class OpenLoopError(ScrewgenError):
 
 
 def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
-    """(rows, nv): the rates of the gaps by the rates of the coordinates."""
-    return np.array([numeric.gaps(q, unit)[1] for unit in np.eye(numeric.chain.nv)]).T
+    """(rows, nv): the rates of the gaps by the rates of the coordinates; a floating base opens none."""
+    units, base = np.eye(numeric.chain.nv), numeric.chain.base_v
+    slopes = [*np.zeros((base, len(numeric.chain.closures))), *(numeric.gaps(q, unit)[1] for unit in units[base:])]
+    return np.array(slopes).T
 
 
 def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None) -> np.ndarray:
     """The posture near `q` (nq,) in which the loops are closed; `held` coordinates stay, and so does a floating base.
 
-    Raises OpenLoopError. Where the search ends with open loops, as in a singular posture, it begins again from some near `q`.
+    Where the search ends with open loops, as in a singular posture, it begins again from some near `q`. Raises
+    OpenLoopError.
     """
     q, chain = np.array(q, float), numeric.chain
     free = np.ones(chain.nq, bool) if held is None else ~np.asarray(held, bool)

@@ -12,7 +12,7 @@ from floating_robots import SATELLITE, TAU, start
 from helpers import example, example_file, model_of, quick, relative
 from random_robots import to_toml
 
-from screwgen import PD, SingularError, UsageError, derive, equilibrium, rollout, simulate
+from screwgen import PD, SingularError, UsageError, derive, equilibrium, simulate
 from screwgen.cli.commands import evaluation
 from screwgen.errors import RobotFileError
 from screwgen.plotting import plot
@@ -149,14 +149,10 @@ def test_a_wrong_file_is_refused_in_one_line(change, said, tmp_path):
 
 def test_what_needs_a_fixed_base_says_so(satellite):
     q, v = start(satellite)
-    numeric, still = satellite.numpy(), np.zeros((4, 6))
     calls = {
         "equilibrium": lambda: equilibrium(satellite),
         "table of modes under loads": lambda: natural_frequencies(satellite, loaded=True),
-        "batch": lambda: rollout(satellite, np.zeros((2, 33)), np.zeros((2, 3, 4)), step=1e-3),
-        "code for exact derivatives": lambda: numeric.derivatives(q, v, TAU, still),
-        "C of derivatives": lambda: satellite.c_files(estimator=True),
-        "export to acados": satellite.acados,
+        "estimator in C": lambda: satellite.c_files(estimator=True),
         "analysis": lambda: analyse(satellite),
         "spectrum": lambda: spectrum.step_map(satellite, q, v, 1e-3, "rk4"),
         "torque that holds it": lambda: Holding(satellite),
@@ -169,8 +165,6 @@ def test_what_needs_a_fixed_base_says_so(satellite):
         assert "\n" not in str(said.value)
     with pytest.raises(UsageError, match="Z-form is that of a chain on a fixed base"):
         _ = satellite.cauchy_names
-    with pytest.raises(UsageError, match="batch"):
-        satellite.c_files(batch=True)
     with pytest.raises(UsageError, match=r"arm is a chain|floating base"):
         derive(satellite.robot, formulation="printed")
     K = stiffness_matrix(satellite)  # which modes of a free robot are found with

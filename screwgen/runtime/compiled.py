@@ -174,8 +174,8 @@ class Compiled(Memory):
     def linearise(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
         """``vdot`` (nv,) and its partial derivatives with q, v (nv, nv) and tau (nv, n_tau).
 
-        Of a floating base with a change δ (6,) = [turn; shift] of its pose in its own axes, `pose exp(δ)`. Needs
-        ``derivatives=True``.  Arrays of a robot without joint coordinates have no columns in the last.
+        Of a floating base those with q are with a change δ (6,) = [turn; shift] of its pose in its own axes,
+        ``pose exp(δ)``.  Needs ``derivatives=True``.  Without joint coordinates the last has no columns.
         """
         if not self.project.with_derivatives:
             raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")

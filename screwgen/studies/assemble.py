@@ -27,8 +27,8 @@ def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p
     """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
 
     `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, and gears
-    are without load; a floating base stays where `q` states it. `p`: parameter values. Raises UsageError, and
-    OpenLoopError where the search ends with an open loop, which it says.
+    are without load. A floating base stays as well. `p`: parameter values. Raises UsageError, and OpenLoopError where
+    the search ends with an open loop, which it says.
     """
     if not model.chain.closures:
         raise UsageError(f"robot '{model.robot.name}' has no loops; state [[loops]] tables, or leave this out")

@@ -33,9 +33,10 @@ class OpenLoopError(ScrewgenError):
 
 
 def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
-    """(rows, nv): the rates of the gaps by the rates of the coordinates."""
-    columns = [numeric.gaps(q, unit)[1] for unit in np.eye(numeric.chain.nv)]
-    return np.array(columns).reshape(len(columns), len(numeric.chain.closures)).T
+    """(rows, nv): the rates of the gaps by the rates of the coordinates; a floating base opens none."""
+    units, base = np.eye(numeric.chain.nv), numeric.chain.base_v
+    slopes = [*np.zeros((base, len(numeric.chain.closures))), *(numeric.gaps(q, unit)[1] for unit in units[base:])]
+    return np.array(slopes).T
 
 
 def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None) -> np.ndarray:

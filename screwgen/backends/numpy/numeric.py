@@ -136,7 +136,7 @@ class Numeric:
         return np.array(columns).reshape(nv, nv).T
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); of a floating base by ``pose exp(δ)``."""
+        """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); with the pose by ``pose exp(δ)``."""
         self.chain.needs_tree(*EXACT)
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)

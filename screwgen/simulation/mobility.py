@@ -50,8 +50,8 @@ def mobility(J: np.ndarray, kinds: Kinds) -> Mobility:
                 size = np.linalg.norm(rest[:, k])
                 if size > least * sizes[k] and size > RANK * largest:
                     direction = rest[:, k] / size
-                    rest -= np.outer(direction, direction @ rest)
-                    rest -= np.outer(direction, direction @ rest)
+                    for _ in range(2):  # twice, because of rounding
+                        rest -= np.outer(direction, direction @ rest)
                     chosen.append(k)
         ends.append(len(chosen))
     independent = np.setdiff1d(np.arange(J.shape[1]), chosen)

@@ -204,8 +204,10 @@ def linearise(
 
 def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
     """The coordinates (nq,) of a posture: as given, the joints alone, or where everything is zero."""
-    size = chain.n_joints if q is not None and np.size(q) == chain.n_joints else chain.nq
-    found = chain.complete(np.zeros(0) if q is None else checked(q, "q", size), p)
+    given = np.zeros(0)
+    if q is not None:
+        given = checked(q, "q", chain.n_joints if np.size(q) == chain.n_joints else chain.nq)
+    found = chain.complete(given, p)
     if isinstance(found, str):
         raise UsageError(f"q: {found}")
     return found

@@ -200,7 +200,8 @@ def last_tip(chain: Chain) -> dict[str, str]:
 def topology(chain: Chain) -> dict[str, object]:
     """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:
-        return {"bases": [], "stations": [], "carriers": [], **floating_base(chain), **last_tip(chain)}
+        none = {"bases": [], "stations": [], "carriers": [], "markers": False}
+        return {**floating_base(chain), **last_tip(chain), **none}
     links = chain.robot.links
     names = ["no other link" if chain.floating else "the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]

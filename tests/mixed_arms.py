@@ -1,7 +1,8 @@
 """Random robots with everything at once, held against the oracle: `python tests/mixed_arms.py 0 300`.
 
-Trees of up to eight links, mixed joints, rigid and elastic drives with friction, modes of both orders, sections that
-vary, shear, bodies from files, segments, fixed and floating bases, up to two loops. What the robot file refuses is
+Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, rigid and
+elastic drives with friction, modes of both orders, sections that vary, shear, bodies from files, segments, fixed and
+floating bases, up to two loops. What the robot file refuses is
 counted and drawn without. Where loops close the tree, the judge is the oracle's mass matrix and bias with Lagrange
 multipliers.
 """
@@ -34,6 +35,8 @@ LIMITS = {
     "branching": 0.4,
     "sliding": 0.25,
     "drives": 0.4,
+    "cylinders": 0.15,
+    "stops": 0.25,
     "second_order": 0.25,
     "stations": 0.15,
     "shear": 0.2,
@@ -133,7 +136,8 @@ class Loops:
             )
             for i, c in enumerate(oracle.clouds)
         ]
-        gap = ca.vertcat(*rows(SimpleNamespace(clouds=tips), robot))
+        ends = SimpleNamespace(clouds=tips, section=lambda i, cloud, s: (cloud.tip_R, cloud.tip_point))
+        gap = ca.vertcat(*rows(ends, robot))
         still = lambda x: ca.substitute(x, ca.vertcat(ca.vec(turn), ca.vec(shift)), ca.SX.zeros(6 * n))  # noqa: E731
         wrenches = still(ca.jacobian(gap, ca.vertcat(ca.vec(turn), ca.vec(shift))))
         gap = still(gap)
@@ -170,7 +174,7 @@ class Loops:
         wanted = -scale * (gamma + 2 * c * rate + c * c * gap)[:, 0]
         x = np.zeros(len(K))
         for _ in range(3):
-            force = self.oracle._force(tau) - self.oracle.inverse_dynamics(q, v, x[:nv], w_ext)
+            force = self.oracle._force(tau, q) - self.oracle.inverse_dynamics(q, v, x[:nv], w_ext)
             x = x + np.linalg.solve(K, np.append(force - K[:nv, nv:] @ x[nv:], wanted - K[nv:, :nv] @ x[:nv]))
         wrenches = np.split(units.T @ (scale * x[nv:]), 2)
         return x[:nv], np.hstack([w.reshape(-1, 3) for w in wrenches])
@@ -228,6 +232,16 @@ def with_segments(rng, robot: dict) -> dict:
     return robot
 
 
+def with_places(rng, robot: dict) -> dict:
+    """The robot with some links carried at a place along their parent, or at its base."""
+    names = [link["name"] for link in robot["links"]]
+    for i, link in enumerate(robot["links"][1:], 1):
+        parent = robot["links"][names.index(link.get("parent", names[i - 1]))] if link.get("parent") != "world" else {}
+        if "length" in parent and not {"cloud", "segments"} & set(parent) and rng.random() < 0.2:
+            link["at"] = "base" if rng.random() < 0.3 else {"s": float(rng.uniform(0.1, 0.9))}
+    return robot
+
+
 def drawn(seed: int, folder: Path, **limits) -> Mixed:
     """A robot whose equations are regular in its state; what the file refuses is left out and kept as `refused`."""
     rng, refused = np.random.default_rng([14, seed]), []
@@ -239,7 +253,7 @@ def drawn(seed: int, folder: Path, **limits) -> Mixed:
             wanted = max(wanted - 1, 0)
         tree = max(count - wanted, 1)
         base = fr.random_arm(rng, tree, **limits) if files else rr.random_robot(rng, tree, **limits)
-        base = with_segments(rng, floating(base) if free else base)
+        base = with_places(rng, with_segments(rng, floating(base) if free else base))
         case = _case(rng, base, wanted, folder, refused)
         if case is not None:
             return case
@@ -306,6 +320,9 @@ def described(case: Mixed) -> str:
         "rows": len(chain.closures),
         "floating": int(case.floating),
         "tree": int(not chain.tree.is_chain),
+        "stops": len(chain.stops),
+        "cylinders": len(chain.cranked),
+        "places": sum(map(len, (k.stations_at for k in keys))),
     }
     return " ".join(f"{k} {n}" for k, n in parts.items() if n)
 

@@ -51,6 +51,7 @@ class FlexibleLink:
     tip: list
     damping: np.ndarray
     drives: list[dict]
+    limits: list[dict]
     a: float = 0.0
 
     @property

@@ -155,7 +155,7 @@ def test_a_place_moves_with_the_length_of_its_link(branched):
     assert np.allclose(found, expected, rtol=0, atol=1e-13) and abs(expected[1, 0] - 0.46) < 0.1
 
 
-@pytest.mark.parametrize("seed", swept(range(6), 1))
+@pytest.mark.parametrize("seed", swept(range(1, 7), 1))
 def test_a_loop_at_a_marker_equals_the_oracle(seed):
     rng = np.random.default_rng([902, seed])
     robot, state = looped(rng, JOINTS[(2 * seed + 2) % len(JOINTS)], 3, s=0.2 + 0.1 * seed)

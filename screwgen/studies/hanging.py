@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.linalg
 
+from ..algorithms.transmissions import efforts
 from ..simulation.mobility import closing
 from ..topology.loops import Closure
 from .equilibrium import closed_start, rest
@@ -26,20 +27,21 @@ def hanging(model: Model, q: np.ndarray, p: np.ndarray) -> Steady:
     start, stated = closed_start(model, p, q, True)
     b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
     assert isinstance(b, ShutBalance)
-    tau = np.where(stated, b.force[model.chain.driven], 0.0)
+    torques = np.where(stated, b.force[model.chain.driven], 0.0)
+    tau = efforts(model.chain, torques, b.q[: model.n_joints], p)
     return about(model, b.q, p, dict(zip(model.chain.closures, b.forces, strict=True)), tau)
 
 
 def about(
     model: Model, q: np.ndarray, p: np.ndarray, loops: Mapping[Closure, float], tau: np.ndarray | None = None
 ) -> Steady:
-    """The same about `q` (nq,) with forces of rows, zero of those left out. `tau` (n_tau,): what holds the joints."""
+    """The same about `q` (nq,) with forces of rows, zero of those left out. `tau` (n_tau,): what the drives exert."""
     numeric, m, still = model.numpy(p), model.chain.eta_v, np.zeros(model.nv)
     forces = np.array([loops.get(row, 0.0) for row in model.chain.closures])
-    M, K, _ = numeric.slopes(q, still, None, None)
+    tau = np.zeros(model.n_tau) if tau is None else tau
+    M, K, _ = numeric.slopes(q, still, None, None, tau)
     _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))
     K = K - bend
-    tau = np.zeros(model.n_tau) if tau is None else tau
     kept = scipy.linalg.null_space(J[:, :m])
     rigid = kept @ unresisted(K[:, :m] @ kept, tau, K[:, m:] @ q[m:])
     return Steady(q, still, M, np.zeros_like(M), (K + K.T) / 2, tau, p, rigid, J, dict(loops), wrench.T)

@@ -157,7 +157,7 @@ class PD:
 
     def measured(self, x: np.ndarray, ahead: int = 0) -> np.ndarray:
         """The joints' part of `v` as the drives see it, or that of `q`, whose entries are so many places further on."""
-        return x[: len(self.q_des)] if self.driven is None else x[np.add(self.driven, ahead)] / self._ratios
+        return x[: len(self.q_des)] if self.driven is None else x[np.array(self.driven, int) + ahead] / self._ratios
 
     @property
     def bounds(self) -> np.ndarray | None:

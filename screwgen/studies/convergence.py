@@ -106,7 +106,7 @@ def _loaded(
     """Small motions of the rich model about `q` (nq,), where the other model is under `loads`."""
     if not rich.chain.closures:
         return steady(rich, q, rates, loaded, p, np.setdiff1d(np.arange(rich.nv), held), settle=False)
-    return about(rich, q, p, loads.loops)
+    return about(rich, q, p, loads.loops, loads.tau)
 
 
 def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:

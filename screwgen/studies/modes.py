@@ -176,7 +176,7 @@ def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
     if not chain.closures:
         return at
     if q is None:
-        near, first = closed(model.numpy(p), at, np.arange(chain.nv) >= chain.eta_v), chain.base_q
+        near, first = closed(model.numpy(p), at, np.arange(chain.nq) >= chain.eta_q), chain.base_q
         joints = chain.relaxed(near[first : first + chain.n_joints], p)
         at = np.concatenate([near[:first], joints, near[chain.eta_q :]])
     check_closed(chain, "q", model.numpy(p).gaps(at, None)[0])

@@ -226,7 +226,7 @@ def with_segments(rng, robot: dict) -> dict:
     """The robot with some of its uniform flexible links in pieces."""
     robot = copy.deepcopy(robot)
     for link in robot["links"]:
-        whole = "cloud" in link or "stations" in str(link["section"]) or "frame_at" in link
+        whole = "cloud" in link or "'at'" in str(link["section"]) or "frame_at" in link
         if not whole and any(isinstance(n, int) and n for n in link.get("modes", {}).values()) and rng.random() < 0.15:
             link["segments"] = 2
     return robot

@@ -1,7 +1,9 @@
 """Random robots with everything at once against the oracle; `python tests/mixed_arms.py 0 300` judges more of them."""
 
+import numpy as np
 import pytest
 from conftest import swept
+from helpers import arm, link, model_of
 from mixed_arms import EVERY, LAYOUTS, drawn
 
 
@@ -10,3 +12,13 @@ def test_a_random_robot_equals_the_oracle_in_every_back_end(seed, tmp_path):
     case = drawn(seed, tmp_path)
     layout = LAYOUTS[seed // EVERY % 2] if seed % EVERY == 0 else None
     assert max(case.judged(layout).values()) <= case.tolerance
+
+
+def test_rows_of_a_loop_that_stays_open_are_kept():
+    """Where the gap is smallest, rows depend on each other: that is no place to judge them."""
+    slider = link(
+        "slider", 0.1, [{"slide": [np.cos(0.5), 0.0, np.sin(0.5)]}], joint={"mount": {"rpy": [0.0, 0.5, 0.0]}}
+    )
+    swing = link("swing", 0.3, "y", parent="world", joint={"mount": {"xyz": [0.0, 0.0, 1.0]}})
+    ball = {"between": ["slider.tip", "swing.tip"], "joint": {"axes": ["x", "y", "z"]}}
+    assert [row.text[-1] for row in model_of(arm(slider, swing) | {"loops": [ball]}).chain.closures] == ["x", "z"]

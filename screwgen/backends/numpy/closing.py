@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 import numpy as np
 
@@ -102,19 +103,21 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
     """The rows of the loops that do not follow from those before them.
 
     A planar loop in space, for one, has three rows that its joints satisfy by themselves. Judged at postures of
-    straight links with closed loops, by the one that allows the most rows; where none is found, where the search ended.
+    straight links with closed loops, by the one that allows the most rows; where none is found, of bent links; else at
+    postures without pattern. Where a search ends with open loops is no place to judge: rows depend on each other there.
     """
     numeric, rng = Numeric(chain), np.random.default_rng(0)
-    shut, open_ = [], []
-    for seed in range(SEEDS):
-        start = np.array(chain.home)
-        joints = slice(chain.base_q, chain.eta_q)
-        start[joints] = SPREAD * (seed > 0) * rng.standard_normal(joints.stop - joints.start)
-        try:
-            shut.append(_independent(jacobian(numeric, closed(numeric, start, _modes(chain)))))
-        except OpenLoopError as error:
-            open_.append(_independent(jacobian(numeric, error.nearest)))
-    return tuple(chain.closures[k] for k in max(shut or open_, key=len))
+    starts, joints = np.tile(np.array(chain.home), (SEEDS, 1)), slice(chain.base_q, chain.eta_q)
+    starts[1:, joints] = SPREAD * rng.standard_normal((SEEDS, joints.stop - joints.start))[1:]
+    chosen: list[list[int]] = []
+    for held in (_modes(chain), None):
+        for start in starts:
+            with suppress(OpenLoopError):
+                chosen.append(_independent(jacobian(numeric, closed(numeric, start, held))))
+        if chosen:
+            break
+    chosen = chosen or [_independent(jacobian(numeric, start)) for start in starts]
+    return tuple(chain.closures[k] for k in max(chosen, key=len))
 
 
 def _modes(chain: Chain) -> np.ndarray:

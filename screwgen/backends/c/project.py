@@ -273,10 +273,14 @@ class CProject:
     def prepare_functions(self) -> list[dict]:
         if self.baked is not None:
             return []
-        return [self._prepare_function(i) for i in self._first_links() if self.labels[i]]
+        return [self._prepare_function(i) for i in self._first_links() if self._prepares(i)]
 
     def _first_links(self) -> list[int]:
         return [self.chain.keys.index(key) for key in self.chain.classes]
+
+    def _prepares(self, i: int) -> bool:
+        """Whether anything is computed from a link's parameters; a marker has none."""
+        return any(fused.preparation(self.chain.keys[i], self.labels[i]).outputs.values())
 
     def _prepare_function(self, i: int) -> dict:
         program = fused.preparation(self.chain.keys[i], self.labels[i])
@@ -304,12 +308,10 @@ class CProject:
     @property
     def prepare_calls(self) -> list[str]:
         out = []
-        for i, (key, segment) in enumerate(zip(self.chain.keys, self.chain.segments, strict=True)):
-            if not self.labels[i]:
-                continue  # a marker has no constants
-            first = self.chain.identifiers[self.chain.keys.index(key)]
+        for i in filter(self._prepares, range(self.chain.n)):
+            first = self.chain.identifiers[self.chain.keys.index(self.chain.keys[i])]
             own = columns(self.chain, i, lambda _, name, k: f"c->{name} + {k}")
-            out.append(f"constants_of_{first}(&p->links[{segment.link}], &c->links[{i}]{own});")
+            out.append(f"constants_of_{first}(&p->links[{self.chain.segments[i].link}], &c->links[{i}]{own});")
         return out
 
     @property

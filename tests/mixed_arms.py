@@ -213,9 +213,9 @@ def in_pieces(robot: dict) -> dict:
             continue
         ends = {at: [b for b in link.get("bodies", []) if b["at"] == at] for at in ("base", "tip")}
         for i in range(k):
-            piece = {x: copy.deepcopy(own[x]) for x in own if x not in ("bodies", "parent", "joint")}
+            piece = {x: copy.deepcopy(own[x]) for x in own if x not in ("bodies", "parent", "at", "joint")}
             piece |= {"length": link["length"] / k, "joint": link["joint"] if i == 0 else {"axes": []}}
-            piece |= {"parent": link["parent"]} if i == 0 and "parent" in link else {}
+            piece |= {x: link[x] for x in ("parent", "at") if i == 0 and x in link}
             piece["bodies"] = ends["base"] * (i == 0) + ends["tip"] * (i == k - 1)
             piece["name"] = link["name"] if i == k - 1 else f"{link['name']}_part{i}"
             links.append(piece)

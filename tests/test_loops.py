@@ -136,7 +136,10 @@ def test_random_trees_with_a_loop(seed):
     scale = np.max(np.abs(expected))
     assert np.max(np.abs(found - expected)) < 1e-9 * scale
     assert np.max(np.abs(casadi_forward(model, *given)[0] - expected)) < 1e-9 * scale
-    loads = np.array(state["w_ext"]) + judge.loop_wrenches(*given)
+    closing = judge.loop_wrenches(*given)
+    same = model.casadi()["loop_wrenches"](*given[:3], np.array(given[3]).T, model.parameter_values).full().T
+    assert np.max(np.abs(same - closing)) < 1e-9 * np.max(np.abs(closing))
+    loads = np.array(state["w_ext"]) + closing
     expected_wrench = oracle.wrenches(state["q"], state["v"], found, loads)
     assert np.max(np.abs(wrench - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
     dae = judge.dae_forward_dynamics(*given)

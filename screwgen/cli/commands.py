@@ -218,6 +218,7 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
     valid.warn()
     R, position = reference.tip_pose(s.q)
     kinetic, potential = reference.energy(s.q, s.v)
+    loops = reference.loop_wrenches(s.q, s.v, s.tau, s.w_ext) if model.chain.closures else None
     return {
         "vdot": (np.ravel(vdot) + 0.0).tolist(),
         "wrench": (np.reshape(wrench, (model.n_links, 6))[model.chain.firsts] + 0.0).tolist(),
@@ -226,6 +227,7 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
         "kinetic": float(kinetic),
         "potential": float(potential),
         "validity": valid.record(),
+        **({} if loops is None else {"loop_wrenches": (loops + 0.0).tolist()}),
     }
 
 

@@ -97,6 +97,9 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         lower = ca.SX(ca.Sparsity.lower(nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
+    def loop_wrenches() -> dict[str, ca.SX]:
+        return {"loop_wrench": ca.reshape(outputs(_loop_wrenches)["loop_wrench"], 6, n)}
+
     rows = (
         ("forward_dynamics", "q v tau w_ext p", dynamics),
         ("validity", "q v tau w_ext p", validity),
@@ -108,7 +111,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         ("link_pose", "q p", link_pose),
     )
     levers = (("levers", "q p", lambda: outputs(fused.levers)),) if chain.cranked else ()
-    return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers)}
+    loops = (("loop_wrenches", "q v tau w_ext p", loop_wrenches),) if chain.closures else ()
+    return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers, *loops)}
 
 
 def _inertia(chain: Chain) -> Program:
@@ -120,6 +124,16 @@ def _inertia(chain: Chain) -> Program:
         return {"lower": [M[i, j] for i in range(chain.nv) for j in range(i + 1)]}
 
     return fused.fuse(chain, "mass_matrix", {"q": chain.nq}, body)
+
+
+def _loop_wrenches(chain: Chain) -> Program:
+    """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
+    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
+
+    def body(f: Functions, x: Mapping) -> dict[str, list]:
+        return {"loop_wrench": f.loop_wrenches(x["q"], x["v"], x["tau"], x["w_ext"])}
+
+    return fused.fuse(chain, "loop_wrenches", sizes, body)
 
 
 def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:

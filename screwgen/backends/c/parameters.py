@@ -61,6 +61,8 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     """
     own = [(p.link, p) for p in parameters(robot) if p.link is not None]
     live = {member(p)[:2] for link, p in own if label(p) in read[link]}
+    cylinders = any(drive.transmission for link in robot.links for drive in link.joint.drives or ())
+    travels = "slides and cylinders" if cylinders else "slides"
     structs: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
     meanings: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
     for _, p in own:
@@ -70,7 +72,7 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
         unused = "" if (struct, name) in live else "; this model does not use it"
         meanings[struct, name][p.unit] = _general(p)
         units = sorted(meanings[struct, name], key=SLIDING_UNITS.count)
-        comment = ascii_unit(f"{', of slides '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
+        comment = ascii_unit(f"{f', of {travels} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
         structs[struct][name] = Field(name, max(shape, known.shape) if known else shape, comment)
     return {struct: list(fields.values()) for struct, fields in structs.items()}
 

@@ -297,3 +297,11 @@ def refusal(path):
     assert message.startswith(f"{path}: ") and message.isprintable(), message
     assert not any(jargon in message for jargon in ("pydantic", "type=", "input_", "Input should")), message
     return message.removeprefix(f"{path}: ")
+
+
+def refused(tmp_path, text: str, where: str, fragment: str) -> None:
+    """The file of this text is refused in one line that names the key and says what is wrong."""
+    path = tmp_path / "bot.toml"
+    path.write_text(text, encoding="utf-8")
+    message = refusal(path)
+    assert message.startswith(where) and fragment in message, message

@@ -3,7 +3,7 @@
 import casadi as ca
 import numpy as np
 import pytest
-from bad_robot_files import GOOD, refusal
+from bad_robot_files import GOOD, refused
 from drive_robots import ELASTIC, MIXED, mixed
 from helpers import example, link, model_of
 
@@ -49,10 +49,7 @@ WRONG = [
 
 @pytest.mark.parametrize(("drives", "where", "fragment"), WRONG)
 def test_wrong_drives_are_refused_in_one_line(tmp_path, drives, where, fragment):
-    path = tmp_path / "bot.toml"
-    path.write_text(GOOD.replace("armature = [0.1, 0.2]", f"armature = [0.1, 0.2]\ndrives = {drives}"), "utf-8")
-    message = refusal(path)
-    assert message.startswith(where) and fragment in message and "\n" not in message
+    refused(tmp_path, GOOD.replace("[0.1, 0.2]", f"[0.1, 0.2]\ndrives = {drives}"), where, fragment)
 
 
 def test_a_single_axis_needs_no_brackets_and_files_are_written_as_read(tmp_path):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bad_robot_files import GOOD, refusal
+from bad_robot_files import GOOD, refused
 from helpers import arm, link, model_of
 from stop_robots import mixed
 
@@ -35,10 +35,7 @@ WRONG = [
 
 @pytest.mark.parametrize(("limits", "where", "fragment"), WRONG)
 def test_wrong_limits_are_refused_in_one_line(tmp_path, limits, where, fragment):
-    path = tmp_path / "bot.toml"
-    path.write_text(GOOD.replace("armature = [0.1, 0.2]", f"armature = [0.1, 0.2]\nlimits = {limits}"), "utf-8")
-    message = refusal(path)
-    assert message.startswith(where) and fragment in message and "\n" not in message
+    refused(tmp_path, GOOD.replace("[0.1, 0.2]", f"[0.1, 0.2]\nlimits = {limits}"), where, fragment)
 
 
 def test_a_single_axis_needs_no_brackets_and_files_are_written_as_read(tmp_path):

@@ -7,7 +7,7 @@ import casadi as ca
 import numpy as np
 import pytest
 import random_robots as rr
-from bad_robot_files import GOOD, refusal
+from bad_robot_files import GOOD, refused
 from conftest import require_tool, swept
 from helpers import arm, casadi_forward, example, link, model_of, quick
 from oracle import Oracle
@@ -352,7 +352,4 @@ WRONG = (
 
 @pytest.mark.parametrize(("old", "new", "where", "fragment"), WRONG)
 def test_wrong_loops_are_refused_in_one_line(tmp_path, old, new, where, fragment):
-    path = tmp_path / "bot.toml"
-    path.write_text(GOOD + LOOP.replace(old, new, 1), encoding="utf-8")
-    message = refusal(path)
-    assert message.startswith(where) and fragment in message
+    refused(tmp_path, GOOD + LOOP.replace(old, new, 1), where, fragment)

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 import random_robots as rr
-from bad_robot_files import GOOD, refusal
+from bad_robot_files import GOOD, refusal, refused
 from conftest import swept
 from helpers import Case, casadi_forward, model_of, quick
 from oracle import Oracle
@@ -284,10 +284,7 @@ WRONG = [
 
 @pytest.mark.parametrize(("old", "new", "where", "fragment"), WRONG)
 def test_wrong_places_are_refused_in_one_line(tmp_path, old, new, where, fragment):
-    path = tmp_path / "bot.toml"
-    path.write_text(GOOD.replace(old, new, 1), encoding="utf-8")
-    message = refusal(path)
-    assert message.startswith(where) and fragment in message, message
+    refused(tmp_path, GOOD.replace(old, new, 1), where, fragment)
 
 
 HUB = '[[links]]\nname = "hub"\njoint = { axes = [] }\nbodies = [{ at = "base", mass = 1.0 }]\n'

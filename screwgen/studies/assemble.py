@@ -30,7 +30,7 @@ def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p
     are without load. A floating base stays as well. `p`: parameter values. Raises UsageError, and OpenLoopError where
     the search ends with an open loop, which it says.
     """
-    if not model.chain.closures:
+    if not model.robot.loops:
         raise UsageError(f"robot '{model.robot.name}' has no loops; state [[loops]] tables, or leave this out")
     for name in hold:
         choice(name, model.q_names, "hold: there is no coordinate")

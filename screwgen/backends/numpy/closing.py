@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
+from copy import copy
 
 import numpy as np
 
 from ...arguments import Numbers
-from ...errors import ScrewgenError
+from ...errors import ScrewgenError, UsageError
 from ...joints.constraints import Distance
 from ...topology.chain import Chain
 from ...topology.loops import Closure
@@ -17,6 +18,8 @@ from .numeric import Numeric
 TOLERANCES = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-15)
 CLOSED = 1e-12
 """Gap, in m or as a cosine, below which a loop counts as closed."""
+APART = 1e-9
+"""Gap from which a loop counts as one that cannot be closed."""
 ATTEMPTS = 4
 RANK = 1e-7
 """A row counts as dependent where less than this part of it is new."""
@@ -46,6 +49,8 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
     Raises OpenLoopError. Where the search ends with open loops, as in a singular posture, it begins again near `q`.
     """
     q, chain = np.array(q, float), numeric.chain
+    if not chain.closures:
+        return q
     free = np.ones(chain.nq, bool) if held is None else ~np.asarray(held, bool)
     free[: chain.base_q] = False
     rng, ends = np.random.default_rng(0), []
@@ -105,6 +110,7 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
     A planar loop in space, for one, has three rows that its joints satisfy by themselves. Judged at postures of
     straight links with closed loops, by the one that allows the most rows; where none is found, of bent links; else at
     postures without pattern. Where a search ends with open loops is no place to judge: rows depend on each other there.
+    Raises UsageError where a row that is left out stays open although those that remain are closed.
     """
     numeric, rng = Numeric(chain), np.random.default_rng(0)
     starts, joints = np.tile(np.array(chain.home), (SEEDS, 1)), slice(chain.base_q, chain.eta_q)
@@ -116,8 +122,27 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
                 chosen.append(_independent(jacobian(numeric, closed(numeric, start, held))))
         if chosen:
             break
+    met = bool(chosen)
     chosen = chosen or [_independent(jacobian(numeric, start)) for start in starts]
-    return tuple(chain.closures[k] for k in max(chosen, key=len))
+    rows = tuple(chain.closures[k] for k in max(chosen, key=len))
+    if not met:
+        _refuse_apart(numeric, rows, starts)
+    return rows
+
+
+def _refuse_apart(numeric: Numeric, rows: tuple[Closure, ...], starts: np.ndarray) -> None:
+    """Refuse loops that no motion closes: where the independent `rows` are closed another row stays open."""
+    part = copy(numeric.chain)
+    part.closures = rows
+    for start in starts:
+        with suppress(OpenLoopError):
+            gap = np.abs(numeric.gaps(closed(Numeric(part), start, _modes(part)), None)[0])
+            worst = int(np.argmax(gap))
+            if gap[worst] > APART:
+                row, name = numeric.chain.closures[worst], numeric.chain.robot.name
+                size = f"{gap[worst]:.3g}{' m' if isinstance(row.row, Distance) else ', as a cosine'}"
+                what = f"{row.text}: stays open by {size} wherever the other rows are closed"
+                raise UsageError(f"robot '{name}': {what}; move a mount so that both ends meet")
 
 
 def _modes(chain: Chain) -> np.ndarray:

@@ -28,20 +28,26 @@ FRICTION = {"coulomb": 0.3, "viscous": 0.02, "velocity": 0.2}
 ELASTIC = {"ratio": 30.0, "rotor_inertia": 2e-4, "stiffness": 900.0, "damping": 2.0, "friction": FRICTION}
 SCREW = {"ratio": 600.0, "rotor_inertia": 1e-5, "stiffness": 4e4}
 RIGID = {"ratio": 20.0, "rotor_inertia": 5e-4, "friction": {"coulomb": 1.5, "velocity": 0.1}}
-MIXED = arm(
-    link("cart", axes=[{"slide": "x"}], bodies=[TIP], joint={"drives": [SCREW], "damping": [3.0]}),
-    link("boom", axes="yz", modes={"axial": 1, "bending_z": 2}, section=SOFT, joint={"drives": [RIGID, ELASTIC]}),
-    link(
-        "hand",
-        0.4,
-        axes="xyz",
-        modes={"bending_y": 1, "torsion": 1},
-        section=SOFT,
-        bodies=[TIP],
-        joint={"drives": [ELASTIC, {}, {"friction": {"viscous": 0.4}}], "stiffness": [20.0, 0.0, 5.0]},
-    ),
-    link("tool", 0.3, axes=[{"slide": "z"}], parent="boom", joint={"drives": [RIGID]}, bodies=[TIP]),
-    gravity=(3.0, -2.0, -9.0),
+
+
+def mixed_arm(cart: dict, boom: dict, hand: dict, tool: dict) -> dict:
+    """A tree with slides, axes that turn and bending links, of which each joint states what is given besides."""
+    bent = {"modes": {"axial": 1, "bending_z": 2}, "section": SOFT}
+    turned = {"modes": {"bending_y": 1, "torsion": 1}, "section": SOFT, "bodies": [TIP]}
+    return arm(
+        link("cart", axes=[{"slide": "x"}], bodies=[TIP], joint={"damping": [3.0], **cart}),
+        link("boom", axes="yz", joint=boom, **bent),
+        link("hand", 0.4, axes="xyz", joint={"stiffness": [20.0, 0.0, 5.0], **hand}, **turned),
+        link("tool", 0.3, axes=[{"slide": "z"}], parent="boom", joint=tool, bodies=[TIP]),
+        gravity=(3.0, -2.0, -9.0),
+    )
+
+
+MIXED = mixed_arm(
+    cart={"drives": [SCREW]},
+    boom={"drives": [RIGID, ELASTIC]},
+    hand={"drives": [ELASTIC, {}, {"friction": {"viscous": 0.4}}]},
+    tool={"drives": [RIGID]},
 )
 """Elastic, rigid and no drives, on slides and on axes that turn, in a tree."""
 

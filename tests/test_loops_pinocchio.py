@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import random_robots as rr
 from helpers import arm, link, model_of, relative
-from mixed_arms import Loops, bridged
+from mixed_loops import Loops, bridged
 from oracle import Oracle
 from oracle_robots import pinocchio_model
 

@@ -53,11 +53,12 @@ class Slopes:
 EXACT = "code for exact derivatives", "differentiate the CasADi functions"
 
 
-def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext()) -> Slopes:
+def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext(), own=True) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
     Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``.  Only the lower
-    triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
+    triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.  Without ``own`` the given inertia, the
+    springs, dampers, friction and stops of single coordinates are left out: a step takes them elsewhere.
     """
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
@@ -65,9 +66,9 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
     out = Slopes(*(mx.zeros(nv, nv) for _ in range(3)))
     name = lambda i: f.chain.names[i]  # noqa: E731
     for i, link in enumerate(links):
-        with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
-            _own(f, i, link, out)
-    if f.chain.n_motors or f.chain.dry or f.chain.stops:
+        with section(f"{name(i)}, rows: what its own coordinates change" + ", joint stiffness and damping added" * own):
+            _own(f, i, link, out, own)
+    if own and (f.chain.n_motors or f.chain.dry or f.chain.stops):
         with section("drives: rotors, gears and dry friction" + "; stops" * bool(f.chain.stops)):
             _drives(f, q, v, out)
     _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
@@ -94,16 +95,18 @@ def _coordinates(chain: Chain, i: int) -> list[int]:
     return [k for s in places(chain, i) for k in range(s.start, s.stop)]
 
 
-def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes) -> None:
+def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool) -> None:
     """The block of one link."""
     q, eta = places(f.chain, i)
     constants, key = f.constants[i], f.chain.keys[i]
-    M_q, K_q, D_q = _joint_columns(key, constants)
+    M_q, K_q, D_q = _joint_columns(key, constants, own)
     out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
     if key.swung:
         out.M[q, q] = out.M[q, q] + mx.diagonal(link["crank_inertia"])
     out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
-    modal_matrix = lambda A, below: mx.coupled(constants[A], key.coupled, constants.get(below, ()))  # noqa: E731
+    empty = mx.zeros(key.modes, key.modes)
+    of_modes = lambda A, below: mx.coupled(constants[A], key.coupled, constants.get(below, ()))  # noqa: E731
+    modal_matrix = of_modes if own else lambda *_: empty
     out.M[eta, eta] = link["M_eta_eta"] + modal_matrix("M_eta", "M_below")
     for J, joint, modal, passive, stress in (
         (out.f_q, "q", "eta", K_q, modal_matrix("K", "K_below")),
@@ -139,11 +142,11 @@ def _drives(f: Functions, q, v, out: Slopes) -> None:
             out.f_v[place, place] = out.f_v[place, place] + slope_w
 
 
-def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> list[Sequence[Value]]:
-    """Inertia, stiffness and damping of the joint's own coordinates."""
-    if key.sprung:
-        return [constants[name] for name in COLUMNS["q"]]
+def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own: bool) -> list[Sequence[Value]]:
+    """Inertia, stiffness and damping of the joint's own coordinates; without ``own`` those that are not given."""
     none = [0.0] * key.freedoms
+    if key.sprung:
+        return [constants[name] for name in COLUMNS["q"]] if own else [none] * 3
     return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
 
 
@@ -207,8 +210,8 @@ def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, sec
                 at_nodes[node] = np.vstack([others, handed]), [*known, *owners, *_coordinates(chain, i)]
 
 
-def linearisation(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program.
+def linearisation(chain: Chain, constants="constants", own=True) -> Program:
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program; ``own``: see :func:`slopes`.
 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
     its guards are included, so common operations are computed once.
@@ -222,7 +225,7 @@ def linearisation(chain: Chain, constants="constants") -> Program:
         vdot, _ = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
         tracer = next((x.tracer for x in vdot if isinstance(x, Node)), None)
         section = tracer.section if tracer else lambda _: nullcontext()
-        found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], section)
+        found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], section, own)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
 

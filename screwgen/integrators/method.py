@@ -140,13 +140,13 @@ class Method:
             return f"the weights of its end add up to {self.end.reach}, not to 1"
         if self.order > 2 and any(move.moved != "stages" for move in (*self.stages, self.end)):
             return f"poses move with order {self.order} by the rates of stages alone"
-        *stages, end = self._places
+        *stages, end = self.places
         elastic = [self._elastic(i, place) for i, place in enumerate(stages)]
         power = unmet(self.order, stages, elastic, end)
         return power and f"it has the order {power - 1}, not {self.order}"
 
     @cached_property
-    def _places(self) -> list[Place]:
+    def places(self) -> list[Place]:
         """The states of the stages and of the end, in terms of the accelerations."""
         n, places = len(self.stages), []
         for move in (*self.stages, self.end):

@@ -107,7 +107,7 @@ class Compiled(Memory):
     def fresh(self, p: Given = None) -> Compiled:
         """Another instance with memory of its own in the same library, at the parameters ``p`` (None: the file's)."""
         out = object.__new__(Compiled)
-        out.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_linearise_memory"})
+        out.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_scratch"})
         out._place()
         out.prepare(p)
         return out
@@ -177,19 +177,45 @@ class Compiled(Memory):
         Of a floating base those with q are with a change δ (6,) = [turn; shift] of its pose in its own axes,
         ``pose exp(δ)``.  Needs ``derivatives=True``.  Without joint coordinates the last has no columns.
         """
-        if not self.project.with_derivatives:
-            raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
+        self._needs_derivatives()
         nv, m = self.chain.nv, self.chain.n_tau
         arrays = [np.zeros(shape, self.real) for shape in (nv, (nv, nv), (nv, nv), (nv, m))]
         with self._lock:
             self._set(q, v, tau, w_ext)
-            self.check(self.library.shim_linearise(self.memory, self._linearise_memory, *map(pointer, arrays)))
+            self.check(self.library.shim_linearise(self.memory, self._scratch["linearise"], *map(pointer, arrays)))
         return tuple(arrays)
 
+    def step_derivatives(
+        self, q, v, tau, w_ext, dt: float, method: str | Method = "modal_midpoint"
+    ) -> tuple[Array, Array, Array, Array]:
+        """The state after one step, and its derivatives: ``q, v, A, B``.
+
+        ``A`` (2 nv, 2 nv) is with respect to [q; v], ``B`` (2 nv, n_tau) with respect to tau; of a floating base the
+        first six rows and columns are changes δ = [turn; shift] of its pose in its own axes, ``pose exp(δ)``, after
+        and before the step.  Needs ``derivatives=True``.
+        """
+        self._needs_derivatives()
+        c, number, dt = self.chain, self.number(method), self._real(seconds(dt, "dt"))
+        arrays = [np.zeros(n, self.real) for n in (c.nq, c.nv, (2 * c.nv, 2 * c.nv), (2 * c.nv, c.n_tau))]
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            own, call = self._scratch["step_derivatives"], self.library.shim_step_derivatives
+            self.check(call(self.memory, own, number, dt, *map(pointer, arrays)))
+        return tuple(arrays)
+
+    def _needs_derivatives(self) -> None:
+        if not self.project.with_derivatives:
+            raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
+
     @cached_property
-    def _linearise_memory(self):
-        self.library.shim_linearise_size.restype = ctypes.c_size_t
-        return ctypes.create_string_buffer(self.library.shim_linearise_size())
+    def _scratch(self) -> dict:
+        """The memory of the derivatives, by function."""
+        out = {}
+        for name in ("linearise", "step_derivatives"):
+            size = self.library[f"shim_{name}_size"]
+            size.restype = ctypes.c_size_t
+            out[name] = ctypes.create_string_buffer(size())
+        return out
 
     def inverse_dynamics(self, q, v, vdot, w_ext=None) -> tuple[Array, Array]:
         """The generalised forces (nv,) and the joint wrenches (n, 6) of a motion."""

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ...algorithms.linearise import linearisation
 from ...errors import UsageError
+from ...integrators.method import Method
 from ...topology.chain import Chain
+from . import step_derivatives
 from .code import Place, singular
 from .pieces import piece_place, pieces
 
@@ -21,14 +25,14 @@ UNROLLED = 16
 """Up to this many coordinates the solver is written out: values in registers, two to three times as fast as loops."""
 
 
-def content(chain: Chain, baked: bool, place: Place) -> dict:
-    """The templates' context; ``place`` is that of the fused function.
+def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Method]) -> dict:
+    """The templates' context; ``place`` is that of the fused function, ``methods`` the integrators to differentiate.
 
     Raises :class:`UsageError` if the code would be too long to compile.
     """
     chain.needs_tree("C of derivatives, and no estimator", "differentiate the CasADi functions")
     check_size(chain, chain.nv, COORDINATES, "coordinates")
-    program = linearisation(chain, "baked" if baked else "constants")
+    program = linearisation(chain, "baked" if baked else "constants", own=False)
     check_size(chain, program.operation_count, LIMIT, "operations")
     nv = chain.nv
     own = {
@@ -39,8 +43,11 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         "f_v": lambda k: f"out->vdot_v[{k // nv}][{k % nv}]",
     }
     placed = piece_place(chain, "work->kept", own, place)
-    return pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular) | {
-        "solve": nv**3 // 3 + 2 * nv * nv * (2 * nv + chain.n_tau),
+    solve = nv**3 // 3 + 2 * nv * nv * (2 * nv + chain.n_tau)
+    of_steps = step_derivatives.content(chain, methods, program.operation_count + solve)
+    made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular) | of_steps
+    return made | {
+        "solve": solve,
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
     }

@@ -173,7 +173,8 @@ class CProject:
             "loops": self._loops,
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
-            "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),
+            "derivatives": self.with_derivatives
+            and derivatives.content(self.chain, bool(self.baked), fused_place, self.methods),
             "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
         }
 

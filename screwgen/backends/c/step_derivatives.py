@@ -1,0 +1,77 @@
+"""The derivatives of the integrators' steps, for the C templates: how the stages' changes follow from one another."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from ...integrators.method import Method
+from ...integrators.plan import Evaluate, Operation
+from ...integrators.pose_slopes import pose_slopes
+from ...topology.chain import Chain
+from .code import Writer, literal, trimmed
+from .steps import LONGEST, Steps
+
+
+class Slopes(Steps):
+    """The operations of a method, and of every move the terms that its change consists of."""
+
+    def evaluated(self, op: Operation) -> int:
+        """The number of the stage, from 1, whose accelerations an operation makes or uses."""
+        done = self.operations[: [x is op for x in self.operations].index(True) + 1]
+        return [x.number for x in done if isinstance(x, Evaluate)][-1]
+
+    def change(self, number: int | None) -> dict:
+        """The change of a state, that of a stage from 1, or the end's, None.
+
+        ``reach``: the length of the step to it; ``terms``: for every stage with a part in it the stage, from 0, and
+        what its accelerations are multiplied by in coordinates and in rates. For poses ``turning`` says whether the
+        rates of stages move them; then ``turns`` are the stages on the way and what these rates are multiplied by.
+        ``twist``: the multiple of the twist at the start.
+        """
+        i = len(self.method.stages) if number is None else number - 1
+        move, place = (*self.method.stages, self.method.end)[i], self.method.places[i]
+        pairs = enumerate(zip(place.coordinates, place.rates, strict=True))
+        turning, curved = move.moved == "stages", [bool(stage.terms) for stage in self.method.stages]
+        twist = sum((w for j, w in move.terms if not curved[j]), Fraction(0)) if turning else place.reach
+        return {
+            "reach": _part(place.reach, "dt"),
+            "terms": [(j, _part(x, "dt * dt"), _part(w, "dt")) for j, (x, w) in pairs if x or w],
+            "turning": turning,
+            "turns": [(j, _part(w, "dt")) for j, w in move.terms if turning and curved[j]],
+            "twist": _part(twist, "dt"),
+        }
+
+    @property
+    def products(self) -> int:
+        """The products of two matrices."""
+        return sum(len(self.change(i)["terms"]) for i in range(1, len(self.method.stages) + 1))
+
+
+def _part(part: Fraction, step: str) -> str:
+    """A number times a power of the step, in C."""
+    if not part:
+        return "0"
+    if part.denominator > LONGEST:
+        return f"{literal(float(part))} * {step}"
+    times = f"{abs(part.numerator)} * " * (abs(part.numerator) > 1)
+    return f"{'-' * (part < 0)}{times}{step}" + f" / {part.denominator}" * (part.denominator > 1)
+
+
+def content(chain: Chain, methods: Mapping[str, Method], per_stage: int) -> dict:
+    """The templates' context; ``per_stage``: the operations of an acceleration's derivatives, the solver's included."""
+    steps = [Slopes(method) for method in methods.values()]
+    product = 2 * chain.nv**2 * (2 * chain.nv + chain.n_tau)
+    count = lambda m: len(m.method.stages) * per_stage + m.products * product  # noqa: E731
+    return {
+        "steps": [(m, f"{round(count(m), -2):,}".replace(",", " ")) for m in steps],
+        "stages": max(len(m.method.stages) for m in steps),
+        "coupled": chain.coupled,
+        "pose": _pose() if chain.floating else [],
+    }
+
+
+def _pose() -> list[str]:
+    """The body of the function that finds the changes of a pose."""
+    own = lambda name, k: "u[{}]".format(k) if name == "u" else f"{name}[{k // 6}][{k % 6}]"  # noqa: E731
+    return trimmed(Writer(pose_slopes(), own, None, {"u", "turned", "carried"}, apart=True).lines())

@@ -61,7 +61,7 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
     springs, dampers, friction and stops of single coordinates are left out: a step takes them elsewhere.
     """
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
-    links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
+    links = [arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
     out = Slopes(*(mx.zeros(nv, nv) for _ in range(3)))
     name = lambda i: f.chain.names[i]  # noqa: E731
@@ -72,13 +72,24 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
         with section("drives: rotors, gears and dry friction" + "; stops" * bool(f.chain.stops)):
             _drives(f, q, v, out)
     _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
-    _inward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"))
+    inward(
+        f.chain,
+        links,
+        lambda i: (np.vstack([links[i]["rows_q"], links[i]["rows_eta"]]), _coordinates(f.chain, i)),
+        (out.f_q, out.f_v),
+        lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"),
+    )
     return out
 
 
-def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
+def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] = ()) -> dict[str, Array]:
+    """What the blocks of two links need of a link's store, and ``more``."""
     key = chain.keys[i]
-    names = [*PAIRS, *(at_station(name, k) for name in PAIRS if name in OF_TIP for k in range(len(key.stations_at)))]
+    names = [
+        *PAIRS,
+        *more,
+        *(at_station(name, k) for name in PAIRS if name in OF_TIP for k in range(len(key.stations_at))),
+    ]
     names += ["crank_inertia"] * key.swung
     shapes = {name: STORE[plain(name)].size_of(key) for name in names}
     return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
@@ -152,26 +163,36 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
     """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations."""
+    for i, owners, here in accelerations(chain, links, section):
+        link, (q, eta) = links[i], places(chain, i)
+        for s, rows in ((q, "rows_q"), (eta, "rows_eta")):
+            out.M[s, owners] = mx.multiply(link[rows][:, 3:], here)
+            out.M[owners, s] = out.M[s, owners].T
+        for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
+            J[owners, q] = mx.multiply(here.T, link[f"F_{joint}"])
+            J[owners, eta] = mx.multiply(here.T, link[f"F_{modal}"])
+
+
+def accelerations(chain: Chain, links: Sequence[Mapping[str, Array]], section) -> Iterator[tuple[int, list, Array]]:
+    """Every link that another carries, the coordinates of those that do, and its acceleration per unit of theirs.
+
+    The columns (6, k) are those of F_i at its origin; what is done with them stands in the section of the link.
+    """
     at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(6, 0), [])] * chain.tree.size
     for i, link in enumerate(links):
-        (q, eta), (given, owners) = places(chain, i), at_nodes[chain.tree.base(i)]
+        given, owners = at_nodes[chain.tree.base(i)]
         with section(i):
             R = link["R_rel"]
             at_joint = rw.rotated_columns(R.T, _moved(link["r_J"], given))
             here = _moved(-link["r_B"], at_joint)
             if owners:
-                for s, rows in ((q, "rows_q"), (eta, "rows_eta")):
-                    out.M[s, owners] = mx.multiply(link[rows][:, 3:], here)
-                    out.M[owners, s] = out.M[s, owners].T
-                for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
-                    J[owners, q] = mx.multiply(here.T, link[f"F_{joint}"])
-                    J[owners, eta] = mx.multiply(here.T, link[f"F_{modal}"])
-            for node, own in _carrying(chain, i, link):
+                yield i, owners, here
+            for node, own in carrying(chain, i, link):
                 at_tip = np.hstack([_moved(own["r_T"], np.hstack([here, link["axes"]])), own["E"]])
                 at_nodes[node] = rw.rotated_columns(own["R_T"].T, at_tip), owners + _coordinates(chain, i)
 
 
-def _carrying(chain: Chain, i: int, link: Mapping[str, Array]) -> Iterator[tuple[int, dict[str, Array]]]:
+def carrying(chain: Chain, i: int, link: Mapping[str, Array]) -> Iterator[tuple[int, dict[str, Array]]]:
     """The nodes at which a link carries others, each with what the link stores of it, by the names of the tip's."""
     for where, node in chain.tree.places(i).items():
         if where != "base" and chain.tree.children[node]:
@@ -185,29 +206,34 @@ def _moved(r: Array, accelerations: Array) -> Array:
     return np.vstack([accelerations[:3], accelerations[3:] - lever])
 
 
-def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
-    """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates."""
+def inward(chain: Chain, links: Sequence[Mapping[str, Array]], own_rows, out: tuple[Array, Array], section) -> None:
+    """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates.
+
+    ``own_rows(i)``: the rows (k, 9) of a link on the motion of F_i, and their places in the matrices ``out``, whose
+    columns are coordinates and rates.
+    """
     at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(0, 9), [])] * chain.tree.size
     for i in reversed(range(chain.n)):
         link, (q, eta) = links[i], places(chain, i)
         with section(i):
             rows, owners = mx.zeros(0, 9), []
-            for node, own in _carrying(chain, i, link):
+            for node, own in carrying(chain, i, link):
                 carried, those = at_nodes[node]
                 at_tip, here = rw.to_link(carried, *(own[x] for x in OF_MOTION), link["omega_i"])
-                for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
+                for J, joint, modal in zip(out, ("q", "qdot"), ("eta", "etadot"), strict=True):
                     J[those, q] = mx.multiply(here, link[f"u_{joint}"])
                     J[those, eta] = mx.multiply(at_tip, own[f"tip_{modal}"])
                 rows, owners = np.vstack([rows, here]), [*owners, *those]
             if (parent := chain.tree.parents[i]) != BASE:
-                handed = np.vstack([rows, link["rows_q"], link["rows_eta"]])
+                added, at_rows = own_rows(i)
+                handed = np.vstack([rows, added])
                 joint = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
                 carrier, at, node = links[parent], chain.tree.at(i), chain.tree.base(i)
                 omega_s, R_T = (carrier[edge_name(name, at)] for name in ("omega_s", "R_T"))
                 omega_P = mx.multiply(R_T.T, carrier["omega_i"] + omega_s)
                 handed = rw.to_parent(handed, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
                 others, known = at_nodes[node]
-                at_nodes[node] = np.vstack([others, handed]), [*known, *owners, *_coordinates(chain, i)]
+                at_nodes[node] = np.vstack([others, handed]), [*known, *owners, *at_rows]
 
 
 def linearisation(chain: Chain, constants="constants", own=True) -> Program:

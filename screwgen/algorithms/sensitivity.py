@@ -217,7 +217,7 @@ def joint_answers(s: Scope, carried: Load) -> None:
         s.write("base.Lambda_T", mx.pack(handed))
         passed = to_parent(answer, R, omega, omega_J, omega_P, r_B, r_J, v_J)[:, :3]
         s.write("base.Gamma", shifted(r_J, rotated_columns(R, shifted(-r_B, passed))))
-    for name, value in {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": axes}.items():
+    for name, value in {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": axes, "answer": answer, "w_J": w}.items():
         s.write(f"w.{name}", value)
     for name, value in {"R_rel": R, "omega_J": omega_J, "r_B": r_B, "r_J": r_J, "v_J": v_J}.items():
         s.write(f"w.{name}", value)
@@ -239,6 +239,7 @@ def free_answers(s: Scope, carried: Load) -> None:
         F_q, F_qdot = mx.multiply(rows, u_q), mx.multiply(rows, u_qdot)
     changes = {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": mx.identity(6)}
     changes |= {"F_q": F_q, "F_qdot": F_qdot, "f_q": F_q, "f_qdot": F_qdot, "R_rel": rotation(s)}
+    changes |= {"answer": rows, "w_J": mx.zeros(6)}
     for name, value in (changes | dict.fromkeys(("omega_J", "r_B", "r_J", "v_J"), mx.zeros(3))).items():
         s.write(f"w.{name}", value)
 

@@ -210,6 +210,8 @@ STORE = {
     "u_qdot": Signal((9, "f"), "-", F_I, "derivative of the motion of F_i with the joint rates"),
     "tip_eta": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modes"),
     "tip_etadot": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modal rates"),
+    "answer": Signal((6, 9), "-", F_I, "derivative of the wrench with the motion of F_i"),
+    "w_J": Signal((6,), WRENCH, F_I, "wrench of the joint, at the joint point"),
     "rows_q": Signal(("f", 9), "-", F_I, "derivative of the joint's forces with the motion of F_i"),
     "rows_eta": Signal(("r", 9), "-", F_I, "derivative of the modal forces with the motion of F_i"),
     "F_q": Signal((6, "f"), WRENCH, F_I, "derivative of the wrench with the joint coordinates"),

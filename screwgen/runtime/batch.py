@@ -12,7 +12,8 @@ import numpy as np
 
 from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
-from .compiled import STATUS, LeanProject, known
+from .compiled import LeanProject
+from .differentiated import STATUS, known
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -19,19 +17,17 @@ from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
+from .differentiated import NO_METHOD, STATUS, Differentiated
 from .library import load
-from .memory import Array, Memory, pointer
+from .memory import Array, pointer
 from .pace import slices
 
 __all__ = ["STATUS", "Compiled", "CompiledStepper"]
 
-STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
-SINGULAR = 2
 PRECISIONS = ("double", "single")
 LAYOUTS = ("auto", "fused", "modular")
 BINDINGS = ("runtime", "baked")
 FORMS = ("joint", "dae")
-NO_METHOD = "in the generated C there is no integrator"
 
 
 class Derived(Protocol):
@@ -44,14 +40,6 @@ class Derived(Protocol):
     def version(self) -> str: ...
 
 
-def known(method: str | Method, project: CProject) -> Method:
-    """An integrator of the library of a project; raises UsageError where it is not one of its methods."""
-    wanted = method_of(method, project.methods, NO_METHOD)
-    if wanted not in project.methods.values():
-        raise UsageError(f"{NO_METHOD} '{wanted}' as it is given; compile the model with methods=({wanted},)")
-    return wanted
-
-
 class LeanProject(CProject):
     """The library alone, without the self-check, whose reference values take as long as all the rest."""
 
@@ -62,7 +50,7 @@ class LeanProject(CProject):
         return {file: rendered(template, **self.context) for file, template in used.items()}
 
 
-class Compiled(Memory):
+class Compiled(Differentiated):
     """A robot's C in a shared library.  Arrays are those of the NumPy back end; precision may be single.
 
     Numbers are copied from the caller's arrays into the structs of the C, and from there into ``out`` or new arrays.
@@ -171,52 +159,6 @@ class Compiled(Memory):
             kinetic, potential = self._energy.tolist()
             return kinetic, potential
 
-    def linearise(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
-        """``vdot`` (nv,) and its partial derivatives with q, v (nv, nv) and tau (nv, n_tau).
-
-        Of a floating base those with q are with a change δ (6,) = [turn; shift] of its pose in its own axes,
-        ``pose exp(δ)``.  Needs ``derivatives=True``.  Without joint coordinates the last has no columns.
-        """
-        self._needs_derivatives()
-        nv, m = self.chain.nv, self.chain.n_tau
-        arrays = [np.zeros(shape, self.real) for shape in (nv, (nv, nv), (nv, nv), (nv, m))]
-        with self._lock:
-            self._set(q, v, tau, w_ext)
-            self.check(self.library.shim_linearise(self.memory, self._scratch["linearise"], *map(pointer, arrays)))
-        return tuple(arrays)
-
-    def step_derivatives(
-        self, q, v, tau, w_ext, dt: float, method: str | Method = "modal_midpoint"
-    ) -> tuple[Array, Array, Array, Array]:
-        """The state after one step, and its derivatives: ``q, v, A, B``.
-
-        ``A`` (2 nv, 2 nv) is with respect to [q; v], ``B`` (2 nv, n_tau) with respect to tau; of a floating base the
-        first six rows and columns are changes δ = [turn; shift] of its pose in its own axes, ``pose exp(δ)``, after
-        and before the step.  Needs ``derivatives=True``.
-        """
-        self._needs_derivatives()
-        c, number, dt = self.chain, self.number(method), self._real(seconds(dt, "dt"))
-        arrays = [np.zeros(n, self.real) for n in (c.nq, c.nv, (2 * c.nv, 2 * c.nv), (2 * c.nv, c.n_tau))]
-        with self._lock:
-            self._set(q, v, tau, w_ext)
-            own, call = self._scratch["step_derivatives"], self.library.shim_step_derivatives
-            self.check(call(self.memory, own, number, dt, *map(pointer, arrays)))
-        return tuple(arrays)
-
-    def _needs_derivatives(self) -> None:
-        if not self.project.with_derivatives:
-            raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
-
-    @cached_property
-    def _scratch(self) -> dict:
-        """The memory of the derivatives, by function."""
-        out = {}
-        for name in ("linearise", "step_derivatives"):
-            size = self.library[f"shim_{name}_size"]
-            size.restype = ctypes.c_size_t
-            out[name] = ctypes.create_string_buffer(size())
-        return out
-
     def inverse_dynamics(self, q, v, vdot, w_ext=None) -> tuple[Array, Array]:
         """The generalised forces (nv,) and the joint wrenches (n, 6) of a motion."""
         c = self.chain
@@ -246,10 +188,6 @@ class Compiled(Memory):
         state = ((self.q, slice(None), q), (self.v, slice(None), v))
         q, v = self._steps(self.library.shim_step, method, count, dt, tau, w_ext, state)
         return q, v
-
-    def number(self, method: str | Method) -> int:
-        """The number that an integrator has in the library; raises UsageError where it has none."""
-        return list(self.project.methods.values()).index(known(method, self.project))
 
     def _steps(self, call: Callable[..., int], method, count: int, dt: float, tau, w_ext, state) -> list[Array]:
         """The state after steps, in parts between which others may use the memory.
@@ -300,16 +238,6 @@ class Compiled(Memory):
         columns = np.zeros(unknown_size(self.chain) + 1, np.int32)
         self.library.shim_pattern(pointer(rows), pointer(columns))
         return rows, columns
-
-    def _real(self, value: float):
-        return ctypes.c_float(value) if self.single else ctypes.c_double(value)
-
-    def check(self, status: int) -> None:
-        """Raise the error of a status that is not OK."""
-        if status == SINGULAR:
-            raise self.chain.singular(self.library.shim_fault(self.memory))
-        if status:
-            raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
 
 
 def compile_model(

@@ -12,7 +12,8 @@ import numpy as np
 from ..algorithms.gauges import Gauge, gauges
 from ..arguments import array
 from ..errors import ScrewgenError, SingularError, UsageError
-from .compiled import STATUS, LeanProject
+from .compiled import LeanProject
+from .differentiated import STATUS
 from .library import load
 from .memory import Block, pointer
 

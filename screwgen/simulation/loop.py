@@ -11,7 +11,8 @@ import numpy as np
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import METHODS
-from ..runtime.compiled import SINGULAR, Compiled
+from ..runtime.compiled import Compiled
+from ..runtime.differentiated import SINGULAR
 from ..runtime.library import has_compiler
 from ..runtime.pace import slices
 from .controllers import PD

@@ -14,7 +14,7 @@ from ..errors import UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..runtime.batch import OK, SINGULAR, compiled_batch
-from ..runtime.compiled import NO_METHOD
+from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
 from .loop import added
 from .rollout_validity import watched

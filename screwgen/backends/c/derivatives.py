@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...algorithms.linearise import linearisation
+from ...algorithms.wrench_slopes import wrench_program
 from ...errors import UsageError
 from ...integrators.method import Method
 from ...topology.chain import Chain
@@ -12,7 +13,7 @@ from . import step_derivatives
 from .code import Place, singular
 from .pieces import piece_place, pieces
 
-FILES = ("derivatives.h", "derivatives.c")
+FILES = ("derivatives.h", "derivatives.c", "wrench_derivatives.c")
 """The files that derivatives add, without the robot's name; their templates have the same names."""
 
 LIMIT = 45_000
@@ -50,7 +51,29 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "solve": solve,
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
+        "wrenches": _wrenches(chain, baked, place),
     }
+
+
+def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
+    """The same of the joint wrenches; ``long`` instead of code where that would take too long to compile."""
+    program = wrench_program(chain, "baked" if baked else "constants")
+    nv, count = chain.nv, program.operation_count
+    product = 12 * chain.n * nv * (2 * nv + chain.n_tau)
+    if count > LIMIT:
+        return {"long": count, "operations": count, "product": product}
+    own = {
+        "vdot": lambda k: f"at->vdot[{k}]",
+        "wrench": lambda k: f"out->wrench[{k // 6}][{k % 6}]",
+        "wrench_vdot": lambda k: f"work->by_vdot[{k // nv}][{k % nv}]",
+    }
+    for x in "qv":
+        name = f"wrench_{x}"
+        own[name] = lambda k, name=name: f"out->{name}[{k // (6 * nv)}][{k // nv % 6}][{k % nv}]"
+    placed = piece_place(chain, "work->kept", own, place)
+    made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"))
+    stumpff = bool({"c6", "c7"} & program.operations.keys())
+    return made | {"long": 0, "product": product, "stumpff": stumpff}
 
 
 def check_size(chain: Chain, size: int, most: int, what: str) -> None:

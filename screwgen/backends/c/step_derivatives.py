@@ -73,5 +73,5 @@ def content(chain: Chain, methods: Mapping[str, Method], per_stage: int) -> dict
 
 def _pose() -> list[str]:
     """The body of the function that finds the changes of a pose."""
-    own = lambda name, k: "u[{}]".format(k) if name == "u" else f"{name}[{k // 6}][{k % 6}]"  # noqa: E731
+    own = lambda name, k: f"u[{k}]" if name == "u" else f"{name}[{k // 6}][{k % 6}]"  # noqa: E731
     return trimmed(Writer(pose_slopes(), own, None, {"u", "turned", "carried"}, apart=True).lines())

@@ -1,0 +1,88 @@
+"""Derivatives of the joint wrenches of a motion: with q and v at held vdot, and with vdot.
+
+A wrench changes with the motion of its link, ``answer``: that of the link's own coordinates and of those that carry it,
+as rows handed inward (:func:`.linearise.inward`). What the coordinates of links behind it change in their own wrenches
+is handed on as these are, in columns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
+
+import numpy as np
+
+from ..ir.program import Array, Node, Program, Value
+from ..topology.chain import Chain
+from ..topology.tree import BASE
+from . import matrices as mx
+from . import rows as rw
+from .functions import Functions
+from .fused import fuse
+from .linearise import EXACT, Section, accelerations, arrays, carrying, inward, places
+
+KINDS = "q", "v", "vdot"
+
+
+def wrench_slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext()) -> dict[str, Array]:
+    """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a floating base."""
+    chain = f.chain
+    stores = f.sensitivities(q, v, vdot, w_ext, tau)
+    links = [arrays(chain, i, store, ("answer", "w_J")) for i, store in enumerate(stores)]
+    out = {kind: mx.zeros(6 * chain.n, chain.nv) for kind in KINDS}
+    of = lambda i: slice(6 * i, 6 * i + 6)  # noqa: E731
+    rows = [rw.shifted(-link["r_B"], link["answer"]) for link in links]
+    named = lambda i: section(f"{chain.names[i]}: its wrench")  # noqa: E731
+    for i, owners, here in accelerations(chain, links, named):
+        out["vdot"][of(i), owners] = mx.multiply(rows[i][:, 3:], here)
+    handed = lambda i: (rows[i], range(6 * i, 6 * i + 6))  # noqa: E731
+    inward(chain, links, handed, (out["q"], out["v"]), named)
+    _columns(chain, links, rows, out, named)
+    if chain.floating:
+        for kind in KINDS:
+            out[kind][:6] = 0.0
+    return out | {"wrench": np.concatenate([link["w_J"] for link in links])}
+
+
+def _columns(chain: Chain, links: Sequence[Mapping[str, Array]], rows, out: Mapping[str, Array], section) -> None:
+    """What the coordinates of a link, and of those that it carries, change in its wrench."""
+    none: tuple[Array, list[int]] = (mx.zeros(6, 0), [])
+    at_nodes = [dict.fromkeys(KINDS, none) for _ in range(chain.tree.size)]
+    for i in reversed(range(chain.n)):
+        link, (q, eta) = links[i], places(chain, i)
+        owned = [*range(q.start, q.stop), *range(eta.start, eta.stop)]
+        coupling, spread = link["rows_eta"][:, 3:].T, mx.multiply(link["answer"][:, 3:], link["axes"])
+        turning = {"q": link["F_q"], "v": link["F_qdot"], "vdot": spread}
+        modal = {"q": link["F_eta"], "v": link["F_etadot"], "vdot": coupling}
+        own = {"q": mx.multiply(rows[i], link["u_q"]), "v": mx.multiply(rows[i], link["u_qdot"])}
+        own["vdot"] = rw.shifted(-link["r_B"], spread)
+        with section(i):
+            for kind in KINDS:
+                here, owners = none
+                for node, at in carrying(chain, i, link):
+                    carried, those = at_nodes[node][kind]
+                    here = np.hstack([here, rw.shifted(at["r_T"], rw.rotated_columns(at["R_T"], carried))])
+                    owners = [*owners, *those]
+                at_joint = rw.shifted(-link["r_B"], np.hstack([here, turning[kind], modal[kind]]))
+                J, count = out[kind], len(owners)
+                J[6 * i : 6 * i + 6, owners] = at_joint[:, :count]
+                J[6 * i : 6 * i + 6, q] = own[kind]
+                J[6 * i : 6 * i + 6, eta] = at_joint[:, count + q.stop - q.start :]
+                if chain.tree.parents[i] != BASE:
+                    handed = rw.shifted(link["r_J"], rw.rotated_columns(link["R_rel"], at_joint))
+                    node = at_nodes[chain.tree.base(i)]
+                    others, known = node[kind]
+                    node[kind] = np.hstack([others, handed]), [*known, *owners, *owned]
+
+
+def wrench_program(chain: Chain, constants="constants") -> Program:
+    """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row."""
+    chain.needs_tree(*EXACT)
+    sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
+
+    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
+        tracer = next(y.tracer for values in x.values() for y in values if isinstance(y, Node))
+        found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"], tracer.section)
+        return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS}
+
+    return fuse(chain, "wrench_slopes", sizes, body, constants)

@@ -1,0 +1,116 @@
+"""The derivatives of a compiled model: of the accelerations, of a step, and of the joint wrenches."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import cached_property
+
+import numpy as np
+
+from ..arguments import seconds
+from ..backends.c.project import CProject
+from ..errors import ScrewgenError, UsageError
+from ..integrators.method import Method
+from ..integrators.methods import method_of
+from .memory import Array, Memory, pointer
+
+STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
+SINGULAR = 2
+NO_METHOD = "in the generated C there is no integrator"
+
+
+def known(method: str | Method, project: CProject) -> Method:
+    """An integrator of the library of a project; raises UsageError where it is not one of its methods."""
+    wanted = method_of(method, project.methods, NO_METHOD)
+    if wanted not in project.methods.values():
+        raise UsageError(f"{NO_METHOD} '{wanted}' as it is given; compile the model with methods=({wanted},)")
+    return wanted
+
+
+class Scratch(dict):
+    """Memory for the functions of derivatives, by name, as each is first called."""
+
+    def __init__(self, library: ctypes.CDLL):
+        super().__init__()
+        self.library = library
+
+    def __missing__(self, name: str) -> ctypes.Array:
+        size = self.library[f"shim_{name}_size"]
+        size.restype = ctypes.c_size_t
+        return self.setdefault(name, ctypes.create_string_buffer(size()))
+
+
+class Differentiated(Memory):
+    """The functions that need ``derivatives=True``."""
+
+    project: CProject
+
+    def linearise(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
+        """``vdot`` (nv,) and its partial derivatives with q, v (nv, nv) and tau (nv, n_tau).
+
+        Of a floating base those with q are with a change δ (6,) = [turn; shift] of its pose in its own axes,
+        ``pose exp(δ)``.  Needs ``derivatives=True``.  Without joint coordinates the last has no columns.
+        """
+        self._needs_derivatives()
+        nv, m = self.chain.nv, self.chain.n_tau
+        arrays = [np.zeros(shape, self.real) for shape in (nv, (nv, nv), (nv, nv), (nv, m))]
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            self.check(self.library.shim_linearise(self.memory, self._scratch["linearise"], *map(pointer, arrays)))
+        return tuple(arrays)
+
+    def step_derivatives(
+        self, q, v, tau, w_ext, dt: float, method: str | Method = "modal_midpoint"
+    ) -> tuple[Array, Array, Array, Array]:
+        """The state after one step, and its derivatives: ``q, v, A, B``.
+
+        ``A`` (2 nv, 2 nv) is with respect to [q; v], ``B`` (2 nv, n_tau) with respect to tau; of a floating base the
+        first six rows and columns are changes δ = [turn; shift] of its pose in its own axes, ``pose exp(δ)``, after
+        and before the step.  Needs ``derivatives=True``.
+        """
+        self._needs_derivatives()
+        c, number, dt = self.chain, self.number(method), self._real(seconds(dt, "dt"))
+        arrays = [np.zeros(n, self.real) for n in (c.nq, c.nv, (2 * c.nv, 2 * c.nv), (2 * c.nv, c.n_tau))]
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            own, call = self._scratch["step_derivatives"], self.library.shim_step_derivatives
+            self.check(call(self.memory, own, number, dt, *map(pointer, arrays)))
+        return tuple(arrays)
+
+    def linearise_wrenches(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
+        """The joint wrenches (n, 6) and their derivatives with q, v (n, 6, nv) and tau (n, 6, n_tau), vdot following.
+
+        The columns are those of :meth:`linearise`.  Needs ``derivatives=True``.
+        """
+        self._needs_derivatives()
+        c = self.chain
+        if long := self.project.context["derivatives"]["wrenches"]["long"]:
+            raise UsageError(f"the derivatives of the wrenches, {long} operations, are too long for C; use CasADi's")
+        arrays = [np.zeros((c.n, 6, *k), self.real) for k in ((), (c.nv,), (c.nv,), (c.n_tau,))]
+        with self._lock:
+            self._set(q, v, tau, w_ext)
+            own, call = self._scratch["linearise_wrenches"], self.library.shim_linearise_wrenches
+            self.check(call(self.memory, own, *map(pointer, arrays)))
+        return tuple(arrays)
+
+    def _needs_derivatives(self) -> None:
+        if not self.project.with_derivatives:
+            raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
+
+    @cached_property
+    def _scratch(self) -> Scratch:
+        return Scratch(self.library)
+
+    def number(self, method: str | Method) -> int:
+        """The number that an integrator has in the library; raises UsageError where it has none."""
+        return list(self.project.methods.values()).index(known(method, self.project))
+
+    def _real(self, value: float):
+        return ctypes.c_float(value) if self.single else ctypes.c_double(value)
+
+    def check(self, status: int) -> None:
+        """Raise the error of a status that is not OK."""
+        if status == SINGULAR:
+            raise self.chain.singular(self.library.shim_fault(self.memory))
+        if status:
+            raise ScrewgenError(f"the generated C reports: {STATUS[status]}")

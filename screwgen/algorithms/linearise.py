@@ -22,6 +22,7 @@ from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
 from .fused import fuse
+from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
 from .schedule import COLUMNS
 from .scope import OF_TIP
 from .signals import STORE, at_station, edge_name, plain
@@ -50,19 +51,35 @@ class Slopes:
     f_v: Array
 
 
-EXACT = "code for exact derivatives", "differentiate the CasADi functions"
-
-
 def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext()) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
     Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``.  Only the lower
     triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.
     """
+    return _slopes(f, q, v, vdot, w_ext, tau, section, ())[0]
+
+
+def closed_slopes(f: Functions, q, v, tau, w_ext, section: Section) -> tuple[list, Slopes, RowChange]:
+    """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
+    chain = f.chain
+    shut, forces = f.loop_forces(q, v, tau, w_ext)
+    loads = [a + b for a, b in zip(w_ext, shut.wrenches(forces), strict=True)]
+    links, places = f.forward(q, v, tau, loads)
+    vdot = chain.join(links, "qddot", "etaddot")
+    found, at = _slopes(f, q, v, vdot, loads, tau, section, tips(chain))
+    with section("loops: their rows, and what their wrenches do as the tips move"):
+        rows, bend = loop_changes(chain, shut, shut.accelerations(places), forces, at, f.apply)
+        found.f_q = found.f_q - bend
+    return vdot, found, rows
+
+
+def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence[int]):
+    """The slopes, and how the tips of some links move; their motions stand below the rows of f."""
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [_arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
-    out = Slopes(*(mx.zeros(nv, nv) for _ in range(3)))
+    out = Slopes(mx.zeros(nv, nv), *(mx.zeros(nv + MOTION * len(at), nv) for _ in range(2)))
     name = lambda i: f.chain.names[i]  # noqa: E731
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change, joint stiffness and damping added"):
@@ -70,9 +87,14 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
     if f.chain.n_motors or f.chain.dry or f.chain.stops:
         with section("drives: rotors, gears and dry friction" + "; stops" * bool(f.chain.stops)):
             _drives(f, q, v, out)
-    _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
-    _inward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"))
-    return out
+    J = _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"), at)
+    _inward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"), at)
+    moved = {}
+    for i, first in zip(at, range(nv, len(out.f_q), MOTION), strict=True):
+        columns, owners = J[f.chain.tree.tip(i)]
+        moved[i] = TipChange(mx.zeros(6, nv), *(x[first : first + MOTION] for x in (out.f_q, out.f_v)))
+        moved[i].J[:, owners] = columns
+    return Slopes(out.M, out.f_q[:nv], out.f_v[:nv]), moved
 
 
 def _arrays(chain: Chain, i: int, store: Mapping[str, list]) -> dict[str, Array]:
@@ -147,9 +169,16 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> 
     return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
 
 
-def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
-    """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations."""
-    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(6, 0), [])] * chain.tree.size
+Columns = list[tuple[Array, list[int]]]
+"""At every node: a matrix, and the numbers of the coordinates of its columns or of the rows of ``f`` that its rows are."""
+
+
+def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section, tips: Sequence[int]) -> Columns:
+    """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations.
+
+    Returns these accelerations, of nodes that carry links and of the given tips.
+    """
+    at_nodes: Columns = [(mx.zeros(6, 0), [])] * chain.tree.size
     for i, link in enumerate(links):
         (q, eta), (given, owners) = places(chain, i), at_nodes[chain.tree.base(i)]
         with section(i):
@@ -163,15 +192,21 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
                 for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
                     J[owners, q] = mx.multiply(here.T, link[f"F_{joint}"])
                     J[owners, eta] = mx.multiply(here.T, link[f"F_{modal}"])
-            for node, own in _carrying(chain, i, link):
+            for node, own in _carrying(chain, i, link, tips):
                 at_tip = np.hstack([_moved(own["r_T"], np.hstack([here, link["axes"]])), own["E"]])
                 at_nodes[node] = rw.rotated_columns(own["R_T"].T, at_tip), owners + _coordinates(chain, i)
+    return at_nodes
 
 
-def _carrying(chain: Chain, i: int, link: Mapping[str, Array]) -> Iterator[tuple[int, dict[str, Array]]]:
-    """The nodes at which a link carries others, each with what the link stores of it, by the names of the tip's."""
+def _carrying(
+    chain: Chain, i: int, link: Mapping[str, Array], tips: Sequence[int]
+) -> Iterator[tuple[int, dict[str, Array]]]:
+    """The nodes at which a link carries others, each with what the link stores of it, by the names of the tip's.
+
+    Of the links ``tips`` their tips are among them.
+    """
     for where, node in chain.tree.places(i).items():
-        if where != "base" and chain.tree.children[node]:
+        if where != "base" and (chain.tree.children[node] or (where == "tip" and i in tips)):
             number = TIP if where == "tip" else int(where[2:])
             yield node, {name: link[edge_name(name, number)] for name in PAIRS if name in OF_TIP}
 
@@ -182,14 +217,19 @@ def _moved(r: Array, accelerations: Array) -> Array:
     return np.vstack([accelerations[:3], accelerations[3:] - lever])
 
 
-def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
-    """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates."""
-    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(0, 9), [])] * chain.tree.size
+def _inward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section, tips: Sequence[int]) -> None:
+    """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates.
+
+    The motions of the given tips are further rows, behind those of f.
+    """
+    at_nodes: Columns = [(mx.zeros(0, MOTION), [])] * chain.tree.size
+    for i, first in zip(tips, range(chain.nv, len(out.f_q), MOTION), strict=True):
+        at_nodes[chain.tree.tip(i)] = mx.identity(MOTION), list(range(first, first + MOTION))
     for i in reversed(range(chain.n)):
         link, (q, eta) = links[i], places(chain, i)
         with section(i):
             rows, owners = mx.zeros(0, 9), []
-            for node, own in _carrying(chain, i, link):
+            for node, own in _carrying(chain, i, link, tips):
                 carried, those = at_nodes[node]
                 at_tip, here = rw.to_link(carried, *(own[x] for x in OF_MOTION), link["omega_i"])
                 for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
@@ -211,19 +251,23 @@ def linearisation(chain: Chain, constants="constants") -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program.
 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
-    its guards are included, so common operations are computed once.
+    its guards are included, so common operations are computed once.  Where loops close the tree: also ``J`` and the
+    derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each.
     """
-    chain.needs_tree(*EXACT)
     sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         f.given = (x["m_eta"], x["f_eta"])
-        vdot, _ = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
-        tracer = next((x.tracer for x in vdot if isinstance(x, Node)), None)
-        section = tracer.section if tracer else lambda _: nullcontext()
-        found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], section)
+        given = x["q"], x["v"], x["tau"], x["w_ext"]
+        rows: dict[str, list[Value]] = {}
+        if chain.closures:
+            vdot, found, closing = closed_slopes(f, *given, f.section)
+            rows = {"J": list(closing.J.flat), "J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
+        else:
+            vdot, _ = f.forward_dynamics(*given)
+            found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], f.section)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
-        return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
+        return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
 
     return fuse(chain, "linearisation", sizes, body, constants)

@@ -26,11 +26,10 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
 
     Raises :class:`UsageError` if the code would be too long to compile.
     """
-    chain.needs_tree("C of derivatives, and no estimator", "differentiate the CasADi functions")
     check_size(chain, chain.nv, COORDINATES, "coordinates")
     program = linearisation(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")
-    nv = chain.nv
+    nv, rows = chain.nv, len(chain.closures)
     own = {
         "vdot": lambda k: f"out->vdot[{k}]",
         "m_eta": lambda k: f"work->m_eta[{k}]",
@@ -38,9 +37,14 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         "f_q": lambda k: f"out->vdot_q[{k // nv}][{k % nv}]",
         "f_v": lambda k: f"out->vdot_v[{k // nv}][{k % nv}]",
     }
+    own |= {name: lambda k, name=name: f"work->{name}[{k // nv}][{k % nv}]" for name in ("J", "J_q", "J_v")}
     placed = piece_place(chain, "work->kept", own, place)
     return pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular) | {
-        "solve": nv**3 // 3 + 2 * nv * nv * (2 * nv + chain.n_tau),
+        "solve": nv**3 // 3
+        + 2 * nv * nv * (2 * nv + chain.n_tau + rows)
+        + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau)),
+        "rows": rows,
+        "closing": chain.closures[-1].second if rows else None,
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
     }

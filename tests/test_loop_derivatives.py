@@ -1,6 +1,5 @@
 """Exact derivatives of robots with loops, in NumPy and C: against differences of 40 digits, and CasADi."""
 
-import casadi as ca
 import mpmath
 import numpy as np
 import pytest

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..ir.program import Array, Node, Program, Value
+from ..ir.program import Array, Program, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from ..topology.tree import BASE, TIP
@@ -170,7 +170,7 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]]) -> 
 
 
 Columns = list[tuple[Array, list[int]]]
-"""At every node: a matrix, and the numbers of the coordinates of its columns or of the rows of ``f`` that its rows are."""
+"""At every node: a matrix, and the numbers of its columns among the coordinates or of its rows among those of ``f``."""
 
 
 def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section, tips: Sequence[int]) -> Columns:

@@ -178,25 +178,30 @@ class Functions:
 
     def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
-        links, _ = self._forward(q, v, tau, self.with_loops(q, v, tau, w_ext))
+        links, _ = self.forward(q, v, tau, self.with_loops(q, v, tau, w_ext))
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
 
-    def _forward(self, q, v, tau, w_ext) -> tuple[list, list]:
+    def forward(self, q, v, tau, w_ext) -> tuple[list, list]:
+        """The links and the nodes of the open tree after forward dynamics."""
         return self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
 
     # Loops ------------------------------------------------------------------------------------
 
     def loop_wrenches(self, q, v, tau, w_ext) -> list:
         """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
+        shut, forces = self.loop_forces(q, v, tau, w_ext)
+        with self.section("loops: their wrenches on the tips"):
+            return shut.wrenches(forces)
+
+    def loop_forces(self, q, v, tau, w_ext) -> tuple[loops.Shut, list]:
+        """The loops in a state, and the forces of their rows."""
         shut = self._shut(q, v)
-        free = shut.accelerations(self._forward(q, v, tau, w_ext)[1])
+        free = shut.accelerations(self.forward(q, v, tau, w_ext)[1])
         inertia = self.given[0] if self.given else self._inertia()
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
             wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
-        forces = self._row_forces(q, shut, inertia, wanted)[0][0]
-        with self.section("loops: their wrenches on the tips"):
-            return shut.wrenches(forces)
+        return shut, self._row_forces(q, shut, inertia, wanted)[0][0]
 
     def with_loops(self, q, v, tau, w_ext) -> Sequence:
         """The wrenches on the tips, those of the loops included."""
@@ -237,7 +242,7 @@ class Functions:
         still = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
         still.given = (inertia, [0.0] * self.chain.n_given)
         rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
-        found = [still._forward(q, rest, nothing, unit) for unit in shut.units()]
+        found = [still.forward(q, rest, nothing, unit) for unit in shut.units()]
         answers = [shut.accelerations(places) for _, places in found]
         with self.section("loops: accelerations of the gaps by unit forces of the rows"):
             A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))

@@ -8,13 +8,13 @@ per unit of ``vdot`` (columns), and inward the derivatives with a node's motion 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 
 import numpy as np
 
-from ..ir.program import Array, Node, Program, Value
+from ..ir.program import Array, Program, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from ..topology.tree import BASE, TIP
@@ -22,6 +22,7 @@ from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
 from .fused import fuse
+from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
 from .schedule import COLUMNS
 from .scope import OF_TIP
 from .signals import STORE, at_station, edge_name, plain
@@ -50,9 +51,6 @@ class Slopes:
     f_v: Array
 
 
-EXACT = "code for exact derivatives", "differentiate the CasADi functions"
-
-
 def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext(), own=True) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
@@ -60,10 +58,29 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
     triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.  Without ``own`` the given inertia, the
     springs, dampers, friction and stops of single coordinates are left out: a step takes them elsewhere.
     """
+    return _slopes(f, q, v, vdot, w_ext, tau, section, (), own)[0]
+
+
+def closed_slopes(f: Functions, q, v, tau, w_ext, section: Section, own=True) -> tuple[list, Slopes, RowChange]:
+    """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
+    chain = f.chain
+    shut, forces = f.loop_forces(q, v, tau, w_ext)
+    loads = [a + b for a, b in zip(w_ext, shut.wrenches(forces), strict=True)]
+    links, places = f.forward(q, v, tau, loads)
+    vdot = chain.join(links, "qddot", "etaddot")
+    found, at = _slopes(f, q, v, vdot, loads, tau, section, tips(chain), own)
+    with section("loops: their rows, and what their wrenches do as the tips move"):
+        rows, bend = loop_changes(chain, shut, shut.accelerations(places), forces, at, f.apply)
+        found.f_q = found.f_q - bend
+    return vdot, found, rows
+
+
+def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence[int], own: bool):
+    """The slopes, and how the tips of some links move; their motions stand below the rows of f."""
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
-    out = Slopes(*(mx.zeros(nv, nv) for _ in range(3)))
+    out = Slopes(mx.zeros(nv, nv), *(mx.zeros(nv + MOTION * len(at), nv) for _ in range(2)))
     name = lambda i: f.chain.names[i]  # noqa: E731
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change" + ", joint stiffness and damping added" * own):
@@ -71,15 +88,21 @@ def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nu
     if own and (f.chain.n_motors or f.chain.dry or f.chain.stops):
         with section("drives: rotors, gears and dry friction" + "; stops" * bool(f.chain.stops)):
             _drives(f, q, v, out)
-    _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"))
+    J = _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"), at)
+    moved, places_of = {}, list(zip(at, range(nv, len(out.f_q), MOTION), strict=True))
     inward(
         f.chain,
         links,
         lambda i: (np.vstack([links[i]["rows_q"], links[i]["rows_eta"]]), _coordinates(f.chain, i)),
         (out.f_q, out.f_v),
         lambda i: section(f"{name(i)}, pairs: the rows of the links that it carries"),
+        {i: list(range(first, first + MOTION)) for i, first in places_of},
     )
-    return out
+    for i, first in places_of:
+        columns, owners = J[f.chain.tree.tip(i)]
+        moved[i] = TipChange(mx.zeros(6, nv), *(x[first : first + MOTION] for x in (out.f_q, out.f_v)))
+        moved[i].J[:, owners] = columns
+    return Slopes(out.M, out.f_q[:nv], out.f_v[:nv]), moved
 
 
 def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] = ()) -> dict[str, Array]:
@@ -161,9 +184,17 @@ def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own
     return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
 
 
-def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section) -> None:
-    """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations."""
-    for i, owners, here in accelerations(chain, links, section):
+Columns = list[tuple[Array, list[int]]]
+"""At every node: a matrix, and the numbers of its columns among the coordinates or of its rows among those of ``f``."""
+
+
+def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section, tips: Sequence[int]) -> Columns:
+    """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations.
+
+    Returns these accelerations, of nodes that carry links and of the given tips.
+    """
+    at_nodes: Columns = [(mx.zeros(6, 0), [])] * chain.tree.size
+    for i, owners, here in accelerations(chain, links, section, at_nodes, tips):
         link, (q, eta) = links[i], places(chain, i)
         for s, rows in ((q, "rows_q"), (eta, "rows_eta")):
             out.M[s, owners] = mx.multiply(link[rows][:, 3:], here)
@@ -171,14 +202,17 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
         for J, joint, modal in ((out.f_q, "q", "eta"), (out.f_v, "qdot", "etadot")):
             J[owners, q] = mx.multiply(here.T, link[f"F_{joint}"])
             J[owners, eta] = mx.multiply(here.T, link[f"F_{modal}"])
+    return at_nodes
 
 
-def accelerations(chain: Chain, links: Sequence[Mapping[str, Array]], section) -> Iterator[tuple[int, list, Array]]:
+def accelerations(
+    chain: Chain, links: Sequence[Mapping[str, Array]], section, at_nodes: Columns, tips: Container[int] = ()
+) -> Iterator[tuple[int, list, Array]]:
     """Every link that another carries, the coordinates of those that do, and its acceleration per unit of theirs.
 
     The columns (6, k) are those of F_i at its origin; what is done with them stands in the section of the link.
+    ``at_nodes``, empty columns for every node, receives those of the nodes that carry links and of the given tips.
     """
-    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(6, 0), [])] * chain.tree.size
     for i, link in enumerate(links):
         given, owners = at_nodes[chain.tree.base(i)]
         with section(i):
@@ -187,15 +221,20 @@ def accelerations(chain: Chain, links: Sequence[Mapping[str, Array]], section) -
             here = _moved(-link["r_B"], at_joint)
             if owners:
                 yield i, owners, here
-            for node, own in carrying(chain, i, link):
+            for node, own in carrying(chain, i, link, tips):
                 at_tip = np.hstack([_moved(own["r_T"], np.hstack([here, link["axes"]])), own["E"]])
                 at_nodes[node] = rw.rotated_columns(own["R_T"].T, at_tip), owners + _coordinates(chain, i)
 
 
-def carrying(chain: Chain, i: int, link: Mapping[str, Array]) -> Iterator[tuple[int, dict[str, Array]]]:
-    """The nodes at which a link carries others, each with what the link stores of it, by the names of the tip's."""
+def carrying(
+    chain: Chain, i: int, link: Mapping[str, Array], tips: Container[int] = ()
+) -> Iterator[tuple[int, dict[str, Array]]]:
+    """The nodes at which a link carries others, each with what the link stores of it, by the names of the tip's.
+
+    Of the links ``tips`` their tips are among them.
+    """
     for where, node in chain.tree.places(i).items():
-        if where != "base" and chain.tree.children[node]:
+        if where != "base" and (chain.tree.children[node] or (where == "tip" and i in tips)):
             number = TIP if where == "tip" else int(where[2:])
             yield node, {name: link[edge_name(name, number)] for name in PAIRS if name in OF_TIP}
 
@@ -206,18 +245,28 @@ def _moved(r: Array, accelerations: Array) -> Array:
     return np.vstack([accelerations[:3], accelerations[3:] - lever])
 
 
-def inward(chain: Chain, links: Sequence[Mapping[str, Array]], own_rows, out: tuple[Array, Array], section) -> None:
+def inward(
+    chain: Chain,
+    links: Sequence[Mapping[str, Array]],
+    own_rows,
+    out: tuple[Array, Array],
+    section,
+    tips: Mapping[int, list[int]] | None = None,
+) -> None:
     """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates.
 
     ``own_rows(i)``: the rows (k, 9) of a link on the motion of F_i, and their places in the matrices ``out``, whose
-    columns are coordinates and rates.
+    columns are coordinates and rates.  The motions of the given ``tips`` are further rows, at the places stated.
     """
-    at_nodes: list[tuple[Array, list[int]]] = [(mx.zeros(0, 9), [])] * chain.tree.size
+    at_nodes: Columns = [(mx.zeros(0, MOTION), [])] * chain.tree.size
+    tips = tips or {}
+    for i, those in tips.items():
+        at_nodes[chain.tree.tip(i)] = mx.identity(MOTION), those
     for i in reversed(range(chain.n)):
         link, (q, eta) = links[i], places(chain, i)
         with section(i):
             rows, owners = mx.zeros(0, 9), []
-            for node, own in carrying(chain, i, link):
+            for node, own in carrying(chain, i, link, tips):
                 carried, those = at_nodes[node]
                 at_tip, here = rw.to_link(carried, *(own[x] for x in OF_MOTION), link["omega_i"])
                 for J, joint, modal in zip(out, ("q", "qdot"), ("eta", "etadot"), strict=True):
@@ -240,19 +289,23 @@ def linearisation(chain: Chain, constants="constants", own=True) -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program; ``own``: see :func:`slopes`.
 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
-    its guards are included, so common operations are computed once.
+    its guards are included, so common operations are computed once.  Where loops close the tree: also ``J`` and the
+    derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each.
     """
-    chain.needs_tree(*EXACT)
     sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         f.given = (x["m_eta"], x["f_eta"])
-        vdot, _ = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
-        tracer = next((x.tracer for x in vdot if isinstance(x, Node)), None)
-        section = tracer.section if tracer else lambda _: nullcontext()
-        found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], section, own)
+        given = x["q"], x["v"], x["tau"], x["w_ext"]
+        rows: dict[str, list[Value]] = {}
+        if chain.closures:
+            vdot, found, closing = closed_slopes(f, *given, f.section, own)
+            rows = {"J": list(closing.J.flat), "J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
+        else:
+            vdot, _ = f.forward_dynamics(*given)
+            found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], f.section, own)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
-        return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)}
+        return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
 
     return fuse(chain, "linearisation", sizes, body, constants)

@@ -19,7 +19,7 @@ from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
 from .fused import fuse
-from .linearise import EXACT, Section, accelerations, arrays, carrying, inward, places
+from .linearise import Section, accelerations, arrays, carrying, inward, places
 
 KINDS = "q", "v", "vdot"
 
@@ -33,7 +33,7 @@ def wrench_slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambd
     of = lambda i: slice(6 * i, 6 * i + 6)  # noqa: E731
     rows = [rw.shifted(-link["r_B"], link["answer"]) for link in links]
     named = lambda i: section(f"{chain.names[i]}: its wrench")  # noqa: E731
-    for i, owners, here in accelerations(chain, links, named):
+    for i, owners, here in accelerations(chain, links, named, [(mx.zeros(6, 0), [])] * chain.tree.size):
         out["vdot"][of(i), owners] = mx.multiply(rows[i][:, 3:], here)
     handed = lambda i: (rows[i], range(6 * i, 6 * i + 6))  # noqa: E731
     inward(chain, links, handed, (out["q"], out["v"]), named)
@@ -77,7 +77,7 @@ def _columns(chain: Chain, links: Sequence[Mapping[str, Array]], rows, out: Mapp
 
 def wrench_program(chain: Chain, constants="constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row."""
-    chain.needs_tree(*EXACT)
+    chain.needs_tree("derivatives of joint wrenches", "differentiate the CasADi functions")
     sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:

@@ -84,8 +84,8 @@ class Differentiated(Memory):
         """
         self._needs_derivatives()
         c = self.chain
-        if long := self.project.context["derivatives"]["wrenches"]["long"]:
-            raise UsageError(f"the derivatives of the wrenches, {long} operations, are too long for C; use CasADi's")
+        if why := self.project.context["derivatives"]["wrenches"]["missing"]:
+            raise UsageError(f"there is no C of the derivatives of the wrenches: {why}; use CasADi's")
         arrays = [np.zeros((c.n, 6, *k), self.real) for k in ((), (c.nv,), (c.nv,), (c.n_tau,))]
         with self._lock:
             self._set(q, v, tau, w_ext)

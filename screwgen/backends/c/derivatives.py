@@ -31,11 +31,10 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
 
     Raises :class:`UsageError` if the code would be too long to compile.
     """
-    chain.needs_tree("C of derivatives, and no estimator", "differentiate the CasADi functions")
     check_size(chain, chain.nv, COORDINATES, "coordinates")
     program = linearisation(chain, "baked" if baked else "constants", own=False)
     check_size(chain, program.operation_count, LIMIT, "operations")
-    nv = chain.nv
+    nv, rows = chain.nv, len(chain.closures)
     own = {
         "vdot": lambda k: f"out->vdot[{k}]",
         "m_eta": lambda k: f"work->m_eta[{k}]",
@@ -43,12 +42,20 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "f_q": lambda k: f"out->vdot_q[{k // nv}][{k % nv}]",
         "f_v": lambda k: f"out->vdot_v[{k // nv}][{k % nv}]",
     }
+    of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
+    own |= {name: lambda k, to=to: f"work->{to}[{k // nv}][{k % nv}]" for name, to in of_rows.items()}
     placed = piece_place(chain, "work->kept", own, place)
-    solve = nv**3 // 3 + 2 * nv * nv * (2 * nv + chain.n_tau)
+    solve = (
+        nv**3 // 3
+        + 2 * nv * nv * (2 * nv + chain.n_tau + rows)
+        + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau))
+    )
     of_steps = step_derivatives.content(chain, methods, program.operation_count + solve)
     made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular) | of_steps
     return made | {
         "solve": solve,
+        "rows": rows,
+        "closing": chain.closures[-1].second if rows else None,
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
         "wrenches": _wrenches(chain, baked, place),
@@ -56,12 +63,14 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
 
 
 def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
-    """The same of the joint wrenches; ``long`` instead of code where that would take too long to compile."""
+    """The same of the joint wrenches, or why they are ``missing``."""
+    if chain.closures:
+        return {"missing": "those of robots with loops are not derived"}
     program = wrench_program(chain, "baked" if baked else "constants")
     nv, count = chain.nv, program.operation_count
     product = 12 * chain.n * nv * (2 * nv + chain.n_tau)
     if count > LIMIT:
-        return {"long": count, "operations": count, "product": product}
+        return {"missing": f"with {count} operations they would take too long to compile"}
     own = {
         "vdot": lambda k: f"at->vdot[{k}]",
         "wrench": lambda k: f"out->wrench[{k // 6}][{k % 6}]",
@@ -73,7 +82,7 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"))
     stumpff = bool({"c6", "c7"} & program.operations.keys())
-    return made | {"long": 0, "product": product, "stumpff": stumpff}
+    return made | {"missing": "", "product": product, "stumpff": stumpff}
 
 
 def check_size(chain: Chain, size: int, most: int, what: str) -> None:

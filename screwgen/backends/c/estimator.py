@@ -20,7 +20,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
 
     Raises :class:`UsageError` if the code would be too long to compile.
     """
-    chain.needs_fixed("estimator in C", "fix the base, or filter with the derivatives of its C")
+    chain.needs_fixed_tree("estimator in C", "filter with the derivatives of its C")
     program = tip_acceleration(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")
     own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}

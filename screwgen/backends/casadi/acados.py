@@ -11,11 +11,14 @@ from typing import Any, TypeVar
 
 import casadi as ca
 
+from ...algorithms import fused
 from ...algorithms.dae_functions import dae_names, state_size, unknown_size
+from ...algorithms.functions import Functions
 from ...errors import UsageError
 from ...spec.parameters import WRENCH, coordinate_names, parameters
 from ...topology.chain import Chain
-from .functions import coordinate_rates
+from .functions import coordinate_rates, expressions
+from .linear import along
 
 FORMS = ("joint", "dae")
 BINDINGS = ("runtime", "baked")
@@ -67,7 +70,6 @@ def acados(
     chain: Chain, functions: Mapping[str, Any], form="joint", binding="runtime", w_ext: bool = False
 ) -> AcadosExport:
     """The export of a chain from its CasADi functions; see :meth:`screwgen.Model.acados`."""
-    chain.needs_tree("export to acados", "take casadi()['step'] as discrete dynamics")
     _check("form", form, FORMS)
     _check("binding of the parameters", binding, BINDINGS)
     tau = ca.SX.sym("tau", chain.n_tau)
@@ -103,26 +105,51 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     """x = [q; v].  Implicit: ``qdot - v`` and ``inverse_dynamics - [tau; 0]``, which cost less than ``xdot - f``.
 
     Of a floating base ``qdot`` is that of position and quaternion, whose length nothing corrects: the dynamics do not
-    depend on it.
+    depend on it. Where loops close the tree, z are the forces of their rows, and the rows ``g̈ + 2 c ġ + c² g = 0``
+    stand last: in place of g itself, so that the index is 1.
     """
     nq, nv, names = chain.nq, chain.nv, coordinate_names(chain.robot)
     x, xdot = ca.SX.sym("x", nq + nv), ca.SX.sym("xdot", nq + nv)
     q, v = x[:nq], x[nq:]
     rates = coordinate_rates(chain, q, v, p)
     vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
-    force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext, p)
+    z = ca.SX.sym("force", len(chain.closures))
+    rows, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closures else (ca.SX(0, 1), 0)
+    force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
     driven[chain.driven] = tau * functions["levers"](q, p) if chain.cranked else tau
-    implicit = ca.vertcat(xdot[:nq] - rates, force - driven)
+    implicit = ca.vertcat(xdot[:nq] - rates, force - driven, rows)
     return {
         "x": x,
         "xdot": xdot,
-        "z": ca.SX(0, 1),
+        "z": z,
         "f_expl_expr": ca.densify(ca.vertcat(rates, vdot)),
         "f_impl_expr": ca.densify(implicit),
         "x_labels": (*names.q, *names.v),
-        "z_labels": (),
+        "z_labels": _row_names(chain),
     }
+
+
+def _row_names(chain: Chain) -> tuple[str, ...]:
+    """The forces of the loops' rows, N, of angles N m: ``loop[0].force[0]``, numbered in each loop."""
+    loops = [c.loop for c in chain.closures]
+    return tuple(f"{c.name}.force[{loops[:k].count(c.loop)}]" for k, c in enumerate(chain.closures))
+
+
+def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """The rows of the loops at given accelerations, and the wrenches (6 x n) on the tips of the rows' forces."""
+    given = {"q": q, "v": v, "forces": forces, "p": p}
+
+    def body(f: Functions, x):
+        gap, wrench = f.loops_at(x["q"], x["forces"])
+        return {"gap": gap, "rate": f.gaps(x["q"], x["v"])[1], "wrench": wrench}
+
+    sizes = {"q": chain.nq, "v": chain.nv, "forces": len(chain.closures)}
+    found = expressions(fused.fuse(chain, "closing", sizes, body), given)
+    c, rate = ca.DM([closure.stabilisation for closure in chain.closures]), found["rate"]
+    rates = coordinate_rates(chain, q, v, p)
+    acceleration = along(rate, q, rates) + along(rate, v, vdot)
+    return acceleration + 2 * c * rate + c**2 * found["gap"], ca.reshape(found["wrench"], 6, chain.n)
 
 
 def _dae(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:

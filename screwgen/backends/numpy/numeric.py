@@ -25,7 +25,7 @@ from ...algorithms.functions import (
     SENSITIVITY,
     Functions,
 )
-from ...algorithms.linearise import EXACT, slopes
+from ...algorithms.linearise import closed_slopes, slopes
 from ...algorithms.schedule import Algorithm
 from ...arguments import Numbers, array
 from ...ir.program import Program
@@ -137,11 +137,24 @@ class Numeric:
 
     def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); with the pose by ``pose exp(δ)``."""
-        self.chain.needs_tree(*EXACT)
+        given = np.eye(self.chain.nv)[:, self.chain.driven] * self.levers(q)
+        if self.chain.closures:
+            return self._closed_derivatives(given, *self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)
-        given = np.eye(self.chain.nv)[:, self.chain.driven] * self.levers(q)
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
+
+    def _closed_derivatives(self, given: np.ndarray, *state) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The same where loops close the tree: ``M dvdot - Jᵀ dλ = given dτ - df`` and ``J dvdot = -d(J vdot)``."""
+        functions = self._functions(FORWARD, MOTION, INVERSE, SENSITIVITY)
+        _, f, rows = closed_slopes(functions, *state, functions.section)
+        M, J = np.tril(f.M.astype(float)), rows.J.astype(float)
+        inertia, zero = M + np.tril(M, -1).T, np.zeros((len(J), len(J)))
+        loads = [-np.vstack(x).astype(float) for x in ((f.f_q, rows.by_q), (f.f_v, rows.by_v))]
+        loads.append(np.vstack([given, np.zeros((len(J), given.shape[1]))]))
+        solved = np.linalg.solve(np.block([[inertia, -J.T], [J, zero]]), np.hstack(loads))[: self.chain.nv]
+        by_q, by_v, by_tau = np.split(solved, [self.chain.nv, 2 * self.chain.nv], axis=1)
+        return by_q, by_v, by_tau
 
     def levers(self, q) -> np.ndarray:
         """What the torque of each axis is multiplied by (n_tau,): the travel of its cylinder per rad, m, or 1."""

@@ -1,0 +1,131 @@
+"""First-order changes of closed loops: of the accelerations of their gaps, and of their wrenches on the tips.
+
+A gap's row ``g̈ + 2 c ġ + c² g`` is a function of the relative pose of its two tips, of their twists and of their
+accelerations, all in tip-frame components; so is what given forces of the rows exert on the tips, of the pose alone.
+These functions are differentiated by the tracer, and the chain rule goes through the motions of the tips.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from ..ir.derivative import columns, tangents
+from ..ir.program import Array, Node, Program, Tracer, Value
+from ..topology.chain import Chain
+from ..topology.loops import Closure
+from . import matrices as mx
+from .loops import Shut, Tip, condition
+from .rows import cross_columns
+from .schedule import Apply
+
+MOTION = 9
+"""The entries of a tip's motion ``[omega; omegadot; a]``."""
+
+
+@dataclass
+class TipChange:
+    """The changes of a tip's motion at given ``vdot``, in tip-frame components.
+
+    ``J`` (6, nv): its twist per unit of v; ``by_q``, ``by_v`` (9, nv): the derivatives of its motion.
+    """
+
+    J: Array
+    by_q: Array
+    by_v: Array
+
+    def twist_by_q(self, chain: Chain, v: Array) -> Array:
+        """The derivative (6, nv) of the tip's twist with q, at the velocity ``v`` of its point.
+
+        A column of the Jacobian has the rate ``Jdot = dV/dq - ad_V J``, and ``d(Vdot)/dv = Jdot + dV/dq``, so
+        ``d(vdot + omega x v)/dv = 2 (dv/dq - v x J_omega)``. A floating base moves with its twist held.
+        """
+        moved = 0.5 * self.by_v[6:] + cross_columns(v, self.J[:3])
+        moved[:, : chain.base_v] = 0.0
+        return np.vstack([self.by_q[:3], moved])
+
+
+@dataclass
+class RowChange:
+    """The rows of the loops, ``J vdot + drift = 0``: ``J`` and their derivatives at given vdot, (rows, nv) each."""
+
+    J: Array
+    by_q: Array
+    by_v: Array
+
+
+def tips(chain: Chain) -> list[int]:
+    """The links at whose tips loops act, in the order of the file."""
+    return list(dict.fromkeys(i for c in chain.closures for i in (c.first, c.second)))
+
+
+def loop_changes(
+    chain: Chain, shut: Shut, acc: Sequence[Array], forces: Sequence, at: Mapping[int, TipChange], apply: Apply
+) -> tuple[RowChange, Array]:
+    """The changes of the rows, and the derivative (nv, nv) with q of ``Jᵀ forces`` at held directions ``J``'s tips.
+
+    ``acc``: the accelerations of all tips (6,) in inertial axes, against free fall. The second is what the wrenches'
+    change in tip-frame components adds to the generalised forces.
+    """
+    rows: list[list[Array]] = [[], [], []]
+    bend, nv = mx.zeros(chain.nv, chain.nv), chain.nv
+    for loop in dict.fromkeys(c.loop for c in chain.closures):
+        own = [(k, c) for k, c in enumerate(chain.closures) if c.loop == loop]
+        first, second = own[0][1].first, own[0][1].second
+        a, b = shut.tips[first], shut.tips[second]
+        twists = [mx.rotate_wrench(tip.R.T, tip.twist) for tip in (a, b)]
+        given = {"R": list(mx.multiply(a.R.T, b.R).flat), "d": list(mx.multiply(a.R.T, b.r - a.r))}
+        given |= {"V_A": list(twists[0]), "V_B": list(twists[1]), "forces": [forces[k] for k, _ in own]}
+        given |= {f"acc_{x}": list(mx.rotate_wrench(t.R.T, acc[i])) for x, t, i in (("A", a, first), ("B", b, second))}
+        program = slopes_of_rows(tuple(replace(c, loop=0, first=0, second=1) for _, c in own))
+        found = {k: mx.array(x, (-1, 12)) for k, x in apply(second, 0, program, given).items()}
+        ends = at[first], at[second]
+        J = np.vstack([end.J for end in ends])
+        V_q = np.vstack([end.twist_by_q(chain, V[3:]) for end, V in zip(ends, twists, strict=True)])
+        acc_q, acc_v = (np.vstack([getattr(end, x)[3:] for end in ends]) for x in ("by_q", "by_v"))
+        units, by_pose, by_twist = found["units"], found["by_pose"], found["by_twist"]
+        rows[0].append(mx.multiply(units, J))
+        rows[1].append(mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q) + mx.multiply(units, acc_q))
+        rows[2].append(mx.multiply(by_twist, J) + mx.multiply(units, acc_v))
+        bend = bend + mx.chain(J.T, found["bend"], J)
+    return RowChange(*(np.vstack([mx.zeros(0, nv), *x]) for x in rows)), bend
+
+
+@cache
+def slopes_of_rows(rows: tuple[Closure, ...]) -> Program:
+    """The rows of one loop, differentiated; all in tip-frame components, each end's in its own.
+
+    ``R`` (9) and ``d`` (3): the pose of tip B in A; ``V_A``, ``V_B``, ``acc_A``, ``acc_B`` (6): twists and
+    accelerations; ``forces``: of the rows. Matrices row by row, with 12 columns, the six of A before those of B:
+    ``units``: the rows' unit wrenches, which are their derivatives with the accelerations; ``by_twist``; ``by_pose``:
+    those with [turn; shift] of each tip in its own axes; ``bend`` (12 rows): that of the wrenches of the forces.
+    """
+    tracer = Tracer()
+    R, d = mx.array(tracer.input("R", 9), (3, 3)), mx.array(tracer.input("d", 3))
+    V_A, V_B, acc_A, acc_B = (mx.array(tracer.input(name, 6)) for name in ("V_A", "V_B", "acc_A", "acc_B"))
+    forces = tracer.input("forces", len(rows))
+    a = Tip(mx.identity(3), mx.zeros(3), *np.split(V_A, 2))
+    b = Tip(R, d, *np.split(mx.rotate_wrench(R, V_B), 2))
+    found = [condition(c, [a, b]) for c in rows]
+    values = [c.power([acc_A, mx.rotate_wrench(R, acc_B)]) + c.drift for c in found]
+    units = [np.concatenate([c.wrenches[0], mx.rotate_wrench(R.T, c.wrenches[1])]) for c in found]
+    wrenches = sum((unit * force for unit, force in zip(units, forces, strict=True)), mx.zeros(12))
+    by_pose = mx.array([tangents([*values, *wrenches], seed) for seed in _motions(R, d)]).T
+    by_twist = mx.array(columns(values, [*V_A, *V_B])).T
+    inputs = {"R": 9, "d": 3, "V_A": 6, "V_B": 6, "acc_A": 6, "acc_B": 6, "forces": len(rows)}
+    outputs = {"units": np.array(units), "by_twist": by_twist}
+    outputs |= {"by_pose": by_pose[: len(rows)], "bend": by_pose[len(rows) :]}
+    return tracer.program("loop_slopes", inputs, {name: list(x.flat) for name, x in outputs.items()})
+
+
+def _motions(R: Array, d: Array) -> list[dict[Node, Value]]:
+    """The changes of the pose of B in A with turns and shifts of A, and of B, each in its own axes."""
+    none, unit = mx.zeros(3, 3), mx.identity(3)
+    pairs = [(-mx.multiply(mx.hat(e), R), -mx.cross(e, d)) for e in unit]
+    pairs += [(none, -e) for e in unit]
+    pairs += [(mx.multiply(R, mx.hat(e)), mx.zeros(3)) for e in unit]
+    pairs += [(none, mx.multiply(R, e)) for e in unit]
+    return [dict(zip([*R.flat, *d], [*R_by.flat, *d_by], strict=True)) for R_by, d_by in pairs]

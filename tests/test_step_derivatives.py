@@ -1,0 +1,217 @@
+"""Derivatives of a step and of the joint wrenches in the generated C: see step_judges."""
+
+import ctypes
+
+import casadi as ca
+import drive_robots
+import floating_robots
+import numpy as np
+import pytest
+import stop_robots
+from drive_robots import ELASTIC, RIGID
+from floating_robots import HULL, rod
+from helpers import EPS32, arm, example, link, model_of, quick, relative
+from step_judges import by_casadi, by_differences, point, worst
+
+from screwgen import SingularError, UsageError
+from screwgen.errors import ScrewgenError
+from screwgen.integrators import Method, Move, Stage
+
+SOFT = {"EA": 5e4, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0}
+BENT = {"modes": {"bending_y": 1}, "section": SOFT}
+LOADED = {"bodies": [{"at": "tip", "mass": 1.0, "com": [0.1, 0.0, 0.02], "inertia": [0.01, 0.02, 0.02, 0, 0, 0]}]}
+STOP = {"lower": -0.3, "upper": 0.25, "stiffness": 900.0, "damping": 8.0}
+SMALL = {
+    "gears": arm(
+        link("a", 0.6, "y", joint={"drives": [ELASTIC]}, **BENT), link("b", 0.4, "y", joint={"drives": [RIGID]})
+    ),
+    "slides": arm(link("a", 0.6, [{"slide": "x"}], **LOADED), link("b", 0.5, ["y", {"slide": "x"}], **BENT, **LOADED)),
+    "stops": arm(
+        link("a", 0.6, "zy", joint={"limits": [STOP, STOP]}, **BENT), link("b", 0.4, [{"slide": "x"}], **LOADED)
+    ),
+    "second": arm(link("a", 0.6, "yz", modes={"bending_y": 1, "bending_z": 1}, section=SOFT, **LOADED), order=2),
+    "floating": arm({"name": "hull", "joint": {"axes": []}, "bodies": [HULL]}, rod("fore", ["y"]), base="floating"),
+}
+"""Small robots, since CasADi's jacobian of a step is long."""
+
+KUTTA = Method(
+    "kutta", 3, (Stage(), Stage(["1/2"]), Stage([-1, 2])), Move(["1/6", "2/3", "1/6"]), "Kutta's third order"
+)
+OWN = Method("late", 1, (Stage(implicit=1), Stage([1], "new", implicit=1)), Move(["1/2", "1/2"]), "two implicit stages")
+CASES = [
+    ("gears", "modal_midpoint", 0.01),
+    ("slides", "modal_midpoint", 0.01),
+    ("second", "modal_midpoint", 0.01),
+    ("stops", "modal_midpoint", 0.02),
+    ("stops", "semi_implicit", 0.001),
+    ("floating", "modal_midpoint", 0.02),
+    ("floating", "rk4", 0.02),
+]
+
+
+def found(model, x, h, method, **options):
+    return quick(model, derivatives=True, **options).step_derivatives(*x, h, method)
+
+
+# -------- against CasADi and differences of 50 digits
+
+
+@pytest.mark.parametrize(("robot", "method", "h"), CASES)
+def test_equal_casadi(robot, method, h):
+    model = model_of(SMALL[robot])
+    for seed in (1, 2):
+        x = point(model, seed)
+        _, _, *AB = found(model, x, h, method)
+        assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
+
+
+@pytest.mark.parametrize(("robot", "h"), [("gears", 0.01), ("stops", 0.02), ("floating", 0.02)])
+def test_equal_differences_of_50_digits(robot, h):
+    model = model_of(SMALL[robot])
+    x = point(model, 4)
+    _, _, *AB = found(model, x, h, "modal_midpoint")
+    assert worst(AB, by_differences(model, "modal_midpoint", *x, h), model.chain.nv) < 1e-10
+
+
+def test_ella_equals_differences_of_50_digits():
+    model = example("ella")
+    x = point(model)
+    _, _, *AB = found(model, x, 0.01, "modal_midpoint")
+    assert worst(AB, by_differences(model, "modal_midpoint", *x, 0.01), model.chain.nv) < 1e-10
+
+
+@pytest.mark.parametrize("robot", ["gears", "floating"])
+def test_methods_of_ones_own(robot):
+    """Negative weights, several stages in one, two implicit stages; the C is made of the table."""
+    model, h = model_of(SMALL[robot]), 0.003
+    for method in (KUTTA, OWN):
+        x = point(model, 5)
+        _, _, *AB = found(model, x, h, method, methods=(KUTTA, OWN))
+        assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("robot", ["ella", "crane", "gantry", "space_arm", "drives", "stops", "satellite"])
+def test_large_robots_equal_casadi(robot):
+    own = {"drives": drive_robots.MIXED, "stops": stop_robots.MIXED, "satellite": floating_robots.SATELLITE}
+    model = model_of(own[robot]) if robot in own else example(robot)
+    for method, h in (("modal_implicit", 0.01), ("modal_midpoint", 0.01), ("semi_implicit", 1e-4), ("rk4", 1e-4)):
+        x = point(model)
+        _, _, *AB = found(model, x, h, method)
+        assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
+
+
+def test_stops_over_every_branch():
+    """A way that enters, leaves, crosses and misses the range; the deeper of two rates, and a pull that is no force."""
+    model, h = model_of(SMALL["stops"]), 0.05
+    rng, share = np.random.default_rng(0), 0
+    for _ in range(12):
+        q, v, tau, w_ext = point(model, 6)
+        q[:2], v[:2] = rng.uniform(-0.5, 0.5, 2), rng.uniform(-8, 8, 2)
+        _, _, *AB = found(model, (q, v, tau, w_ext), h, "modal_midpoint")
+        assert worst(AB, by_casadi_once(model, q, v, tau, w_ext, h), model.chain.nv) < 1e-9
+        share += bool((np.abs(q[:2]) < 0.25).any() and (np.abs(q[:2]) > 0.3).any())
+    assert share >= 2
+
+
+_MADE: dict = {}
+
+
+def by_casadi_once(model, q, v, tau, w_ext, h):
+    """The jacobian of one step, made once for many states."""
+    if model not in _MADE:
+        f = model.casadi()["step_modal_midpoint"]
+        given = [ca.SX.sym(n, *f.size_in(n)) for n in f.name_in()]
+        y = ca.vertcat(*f.call(given))
+        _MADE[model] = ca.Function("J", given, [ca.jacobian(y, ca.vertcat(*given[:2])), ca.jacobian(y, given[2])])
+    return [m.full() for m in _MADE[model](q, v, tau, w_ext.T, model.parameter_values, h)]
+
+
+# -------- the step that is differentiated
+
+
+@pytest.mark.parametrize("robot", ["stops", "floating"])
+def test_the_new_state_is_that_of_the_step(robot):
+    model = model_of(SMALL[robot])
+    x = point(model, 2)
+    for method in ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4"):
+        q, v, A, B = found(model, x, 0.002, method)
+        expected = quick(model, derivatives=True).step(*x, 0.002, method)
+        assert relative(q, expected[0]) < 1e-14 and relative(v, expected[1]) < 1e-13
+        assert A.shape == (2 * model.chain.nv,) * 2 and B.shape == (2 * model.chain.nv, model.chain.n_tau)
+
+
+def test_baked_and_float():
+    model = model_of(SMALL["gears"])
+    x = point(model, 3)
+    expected = found(model, x, 0.01, "modal_midpoint")[2:]
+    for options, tolerance in (({"parameters": "baked"}, 1e-12), ({"single": True}, 1e4 * EPS32)):
+        assert worst(found(model, x, 0.01, "modal_midpoint", **options)[2:], expected, model.chain.nv) < tolerance
+
+
+def test_a_pendulum_by_hand():
+    """Semi-implicit: v' = v + h a(q), q' = q + h v'."""
+    model = model_of(arm(link("rod", 2.0, "y", rhoA=0.5)))
+    h, q, inertia = 0.01, 0.3, 0.5 * 2.0**3 / 3
+    slope = -0.5 * 2.0 * 9.81 * np.sin(q) / inertia
+    _, _, A, B = found(model, ([q], [0.7], [0.0], np.zeros((1, 6))), h, "semi_implicit")
+    assert np.allclose(A, [[1 + h * h * slope, h], [h * slope, 1]], rtol=1e-5, atol=1e-12)
+    assert np.allclose(B, [[h * h / inertia], [h / inertia]], rtol=1e-12)
+
+
+def test_statuses():
+    """Unless all is well, the new state keeps its value; null pointers and steps are refused."""
+    spherical = model_of(arm(link("wrist", axes="xzx", **LOADED)))
+    c = quick(spherical, derivatives=True)
+    rest = np.zeros(3), np.zeros(3), np.zeros(3), np.zeros((1, 6))
+    with pytest.raises(SingularError, match="wrist"):
+        c.step_derivatives(*rest, 0.01)
+    good = [np.array([0.1, 0.5, 0.2]), *rest[1:]]
+    for number in range(4):
+        bad = [x.copy() for x in good]
+        bad[number].flat[0] = np.nan
+        with pytest.raises(ScrewgenError, match="non-finite"):
+            c.step_derivatives(*bad, 0.01)
+    with pytest.raises(UsageError, match="dt"):
+        c.step_derivatives(*good, 0.0)
+    with pytest.raises(UsageError, match="derivatives=True"):
+        quick(spherical).step_derivatives(*good, 0.01)
+    call, buffer = c.library[f"{spherical.robot.name}_step_rk4_derivatives"], ctypes.create_string_buffer(100_000)
+    for missing in (0, 1, 2, 4, 5, 6):
+        pointers = [None if k == missing else ctypes.byref(buffer) for k in range(7)]
+        pointers[3] = ctypes.c_double(0.01)
+        assert call(*pointers) == 3
+    for h in (0.0, -1.0, np.nan, np.inf):
+        assert call(*[ctypes.byref(buffer)] * 3, ctypes.c_double(h), *[ctypes.byref(buffer)] * 3) == 3
+
+
+# -------- joint wrenches
+
+
+@pytest.mark.parametrize("robot", ["gears", "slides", "second"])
+def test_wrenches_equal_casadi(robot):
+    model = model_of(SMALL[robot])
+    q, v, tau, w_ext = x = point(model, 7)
+    f = model.casadi()["forward_dynamics"]
+    given = [ca.SX.sym(n, *f.size_in(n)) for n in f.name_in()]
+    y = ca.vec(f.call(given)[1])
+    J = ca.Function("J", given, [y, *(ca.jacobian(y, s) for s in given[:3])])
+    expected = [m.full() for m in J(q, v, tau, w_ext.T, model.parameter_values)]
+    for a, b in zip(quick(model, derivatives=True).linearise_wrenches(*x), expected, strict=True):
+        assert relative(a.reshape(b.shape), b) < 1e-10
+
+
+def test_wrenches_in_a_floating_tree_equal_differences():
+    """Central differences along v; the base's own wrench is zero."""
+    model = model_of(SMALL["floating"])
+    q, v, tau, w_ext = point(model, 8)
+    c, dynamics, nv, e = quick(model, derivatives=True), model.numpy(), model.chain.nv, 1e-5
+    wrench, *slopes = c.linearise_wrenches(q, v, tau, w_ext)
+    assert relative(wrench, dynamics.forward_dynamics(q, v, tau, w_ext)[1]) < 1e-12 and not wrench[0].any()
+    moved = lambda k, d: c.step(q, np.eye(nv)[k] * d, None, None, 1.0, "euler")[0]  # noqa: E731
+    at = lambda *x: dynamics.forward_dynamics(*x, w_ext)[1]  # noqa: E731
+    by_q = [(at(moved(k, e), v, tau) - at(moved(k, -e), v, tau)) / (2 * e) for k in range(nv)]
+    by_v = [(at(q, v + s, tau) - at(q, v - s, tau)) / 2 for s in np.eye(nv)]
+    by_tau = [at(q, v, tau + s) - at(q, v, tau) for s in np.eye(model.chain.n_tau)]
+    for a, b, tolerance in zip(slopes, (by_q, by_v, by_tau), (1e-7, 1e-10, 1e-10), strict=True):
+        assert relative(np.moveaxis(a, 2, 0), b) < tolerance

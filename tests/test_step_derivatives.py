@@ -9,11 +9,15 @@ import numpy as np
 import pytest
 import stop_robots
 from drive_robots import ELASTIC, RIGID
+from dual_arm import dual_arm
+from dual_arm import start as flying
 from floating_robots import HULL, rod
 from helpers import EPS32, arm, example, link, model_of, quick, relative
 from step_judges import by_casadi, by_differences, point, worst
+from test_linear_loops import BALL, linkage
+from test_loop_derivatives import moved
 
-from screwgen import SingularError, UsageError
+from screwgen import SingularError, UsageError, assemble
 from screwgen.errors import ScrewgenError
 from screwgen.integrators import Method, Move, Stage
 
@@ -125,6 +129,26 @@ def by_casadi_once(model, q, v, tau, w_ext, h):
         y = ca.vertcat(*f.call(given))
         _MADE[model] = ca.Function("J", given, [ca.jacobian(y, ca.vertcat(*given[:2])), ca.jacobian(y, given[2])])
     return [m.full() for m in _MADE[model](q, v, tau, w_ext.T, model.parameter_values, h)]
+
+
+def test_a_loop_equals_casadi():
+    """The second stage has the loops' rows with the state before the step, by way of the first."""
+    model = linkage(BALL, {"joint": {"drives": [ELASTIC]}})
+    x = moved(model, model.chain.home)
+    _, _, *AB = found(model, x, 0.01, "modal_midpoint")
+    assert worst(AB, by_casadi(model, "modal_midpoint", *x, 0.01), model.chain.nv) < 1e-10
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("method", ["modal_midpoint", "rk4"])
+@pytest.mark.parametrize("robot", ["parallelogram", "crane_loop", "dual arm"])
+def test_large_loops_equal_casadi(robot, method):
+    """The dual arm floats."""
+    model = model_of(dual_arm()) if robot == "dual arm" else example(robot)
+    start = flying(model)[0] if robot == "dual arm" else assemble(model)
+    x = moved(model, start)
+    _, _, *AB = found(model, x, 0.003, method)
+    assert worst(AB, by_casadi(model, method, *x, 0.003), model.chain.nv) < 1e-10
 
 
 # -------- the step that is differentiated

@@ -24,6 +24,7 @@ HOMES = {
     "spec.load": ("dump", "load"),
     "spec.drive": ("Drive", "Friction"),
     "spec.joint": ("Joint", "Mount"),
+    "spec.four_bar": ("FourBar",),
     "spec.limit": ("Limit",),
     "spec.robot": ("Body", "Damping", "Link", "Modes", "Robot"),
     "spec.screw": ("Screw",),

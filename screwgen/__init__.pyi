@@ -21,6 +21,7 @@ from .simulation.validity import ModelValidityWarning as ModelValidityWarning
 from .simulation.validity import Validity as Validity
 from .spec.drive import Drive as Drive
 from .spec.drive import Friction as Friction
+from .spec.four_bar import FourBar as FourBar
 from .spec.frequencies import Frequencies as Frequencies
 from .spec.joint import Joint as Joint
 from .spec.joint import Mount as Mount

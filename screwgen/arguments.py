@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from .errors import UnknownNameError, UsageError
+from .spec.four_bar import LENGTHS
 from .spec.load import one_line
 from .spec.modes import NEEDS
 from .spec.parameters import Parameter, parameters
@@ -112,11 +113,15 @@ Given = Numbers | Mapping[str, Any] | None
 FREE = (
     *("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia"),
     *("joint.limits.lower", "joint.limits.upper", "joint.drives.transmission.angle"),
+    "joint.drives.transmission.four_bar.angle",
 )
 """Fields whose numbers may have either sign."""
 
 DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity", "transmission.crank", "transmission.base")
-POSITIVE = ("length", "rhoA", "joint.limits.stiffness", *(f"joint.drives.{name}" for name in DRIVES))
+POSITIVE = (
+    *("length", "rhoA", "joint.limits.stiffness", *(f"joint.drives.{name}" for name in DRIVES)),
+    *(f"joint.drives.transmission.four_bar.{name}" for name in LENGTHS),
+)
 
 
 class Parameters:

@@ -1,10 +1,9 @@
 """Random robots with everything at once, held against the oracle: `python tests/mixed_arms.py 0 300`.
 
-Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, rigid and
-elastic drives with friction, modes of both orders, sections that vary, shear, bodies from files, segments, fixed and
-floating bases, up to two loops. What the robot file refuses is
-counted and drawn without. Where loops close the tree, the judge is the oracle's mass matrix and bias with Lagrange
-multipliers.
+Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, four-bar
+linkages, rigid and elastic drives with friction, modes of both orders, sections that vary, shear, bodies from files,
+segments, fixed and floating bases, up to two loops. What the robot file refuses is counted and drawn without. Where
+loops close the tree, the judge is the oracle's mass matrix and bias with Lagrange multipliers.
 """
 
 from __future__ import annotations
@@ -34,6 +33,7 @@ LIMITS = {
     "sliding": 0.25,
     "drives": 0.4,
     "cylinders": 0.15,
+    "linkages": 0.5,
     "stops": 0.25,
     "second_order": 0.25,
     "stations": 0.15,
@@ -244,7 +244,8 @@ def described(case: Mixed) -> str:
         "floating": int(case.floating),
         "tree": int(not chain.tree.is_chain),
         "stops": len(chain.stops),
-        "cylinders": len(chain.cranked),
+        "cylinders": len(chain.pushed),
+        "linkages": len(chain.linked),
         "places": sum(map(len, (k.stations_at for k in keys))),
     }
     return " ".join(f"{k} {n}" for k, n in parts.items() if n)

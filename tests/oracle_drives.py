@@ -38,10 +38,14 @@ class Drives:
             self.driven.append(place)
 
     def lengths(self, q):
-        """The lengths of the cylinders: the distances of two eyes in the plane of the joint."""
+        """The lengths of the cylinders, the distances of two eyes in the plane of the joint, and angles of cranks."""
         out = []
         for axis, drive in self.cylinders:
-            given, angle = drive["transmission"], q[axis] + drive["transmission"]["angle"]
+            given = drive["transmission"]
+            if "four_bar" in given:
+                out.append(crank_angle(given["four_bar"], q[axis], ca))
+                continue
+            angle = q[axis] + given["angle"]
             out.append(
                 ca.norm_2(given["crank"] * ca.vertcat(ca.cos(angle), ca.sin(angle)) - ca.vertcat(given["base"], 0))
             )
@@ -81,3 +85,14 @@ class Drives:
         for place, dry, velocity in self.dry:
             out[place] += dry * v[place] / ca.sqrt(v[place] ** 2 + velocity**2)
         return out
+
+
+def crank_angle(linkage: dict, q, ops):
+    """The crank's angle by the rocker's, from the ground line, by the cosine rule of the triangle of both pins and its
+    pivot; `ops`: the functions, of CasADi or mpmath. In a linkage that is open the crank's pin and the joint are on
+    different sides of the line between pivot and rocker's pin."""
+    g, c, k, r = (linkage[name] for name in ("ground", "crank", "coupler", "rocker"))
+    x, y = r * ops.cos(q + linkage["angle"]) - g, r * ops.sin(q + linkage["angle"])
+    side = 1 if np.sin(float(linkage["angle"])) > 0 else -1
+    inner = ops.acos((c**2 + x**2 + y**2 - k**2) / (2 * c * ops.sqrt(x**2 + y**2)))
+    return ops.atan2(y, x) + (-side if linkage["branch"] == "open" else side) * inner

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 from oracle import Oracle
+from random_linkages import replace_cylinders
 from random_sections import add_shear, chance, log_uniform, random_modes, random_section, soften, varied
 
 LETTERS = ("x", "y", "z")
@@ -28,6 +29,7 @@ LIMITS = {
     "drives": 0.0,  # of a joint: gears with rotors, some of them elastic or with friction
     "stops": 0.0,  # of an axis: limits, most of them with stops
     "cylinders": 0.0,  # of a drive of an axis that turns: a cylinder in place of a gear
+    "linkages": 0.0,  # of a cylinder: a four-bar linkage in its place, drawn from a stream of its own
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
     "no_section_rotation": 0.15,
     "no_gravity": 0.15,
@@ -123,6 +125,8 @@ def random_joint(rng, limits: dict) -> dict:
             joint.pop("armature", None)
     if limits["cylinders"]:
         with_cylinders(rng, joint, limits["cylinders"])
+    if limits["linkages"]:
+        replace_cylinders(joint, limits["linkages"])
     if count and limits["stops"]:
         joint["limits"] = [random_limits(rng) if chance(rng, limits["stops"]) else {} for _ in range(count)]
     return joint

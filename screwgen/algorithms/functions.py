@@ -295,7 +295,7 @@ class Functions:
         return self.loads(q, rest, rest, w_ext)
 
     def levers(self, q) -> list:
-        """What the torque of each axis is multiplied by: the travel of its cylinder per rad, or 1."""
+        """What the torque of each axis is multiplied by: the travel of its transmission per rad, or 1."""
         return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
 
     def sensitivities(self, q, v, vdot, w_ext, tau) -> list[dict[str, list]]:

@@ -4,9 +4,10 @@ A transmission of an axis is a relation from its coordinate q to the travel ``l(
 the axis is the effort ``F`` along that travel, so the axis gets ``l' F``. A rotor of inertia ``J_r`` that turns by
 ``N`` per travel has the energy ``J_r N^2 l'^2 qdot^2 / 2``: the inertia ``J_r N^2 l'^2`` of the axis and the force
 ``J_r N^2 l' l'' qdot^2``. Friction acts at the rate ``l' qdot``, and ``l'`` times it on the axis. All of it depends on
-posture and rates alone and is explicit in every method.
+posture and rates alone and is explicit in every method. The travel of a cylinder is its length, that of a four-bar
+linkage the angle of its crank, whose torque is then the effort.
 
-A further transmission is a function like :func:`cylinder` in ``KINDS``, with its keys in ``spec/transmission.py``.
+A further transmission is a ``Kind`` in ``KINDS``, with its keys in ``spec/transmission.py``.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
@@ -23,21 +24,28 @@ from ..errors import SingularError
 from ..ir.derivative import columns
 from ..ir.program import Array, Program, Tracer, Value
 from ..ir.replay import run
+from ..spec.four_bar import NUMBERS
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
+from . import four_bar
 from . import matrices as mx
 from .scope import Scope
 
 Relation = tuple[Value, Value, Value]
-"""The travel ``l`` of a transmission, and its first and second derivative with the coordinate of the axis."""
+"""The first and second derivative of a travel ``l`` with the coordinate of the axis, and what must be > 0 for them."""
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of transmission: the keys of its parameters, and the relation of coordinate and parameters."""
+    """A kind of transmission: the keys of its parameters, what it is and what drives it, in words, and two functions.
+
+    ``relation`` and the ``travel`` itself are functions of coordinate and parameters, the second of numbers alone.
+    """
 
     keys: tuple[str, ...]
+    words: tuple[str, str]
     relation: Callable[..., Relation]
+    travel: Callable[..., float]
 
 
 def cylinder(t: Tracer, q: Value, crank: Value, base: Value, angle: Value) -> Relation:
@@ -51,17 +59,27 @@ def cylinder(t: Tracer, q: Value, crank: Value, base: Value, angle: Value) -> Re
     square = gap * gap + 4.0 * area * (sine * sine)
     length = t.call("sqrt", square)
     slope = 2.0 * area * (sine * cosine) / length
-    return length, slope, (area * (1.0 - 2.0 * (sine * sine)) - slope * slope) / length
+    return slope, (area * (1.0 - 2.0 * (sine * sine)) - slope * slope) / length, 1.0
 
 
-KINDS = {"cylinder": Kind(("crank", "base", "angle"), cylinder)}
+def _length(q: float, crank: float, base: float, angle: float) -> float:
+    return math.hypot(base - crank * math.cos(q + angle), crank * math.sin(q + angle))
+
+
+FORCE, TORQUE = ("cylinder", "force"), ("four-bar linkage", "torque at the crank")
+KINDS = {
+    "cylinder": Kind(("crank", "base", "angle"), FORCE, cylinder, _length),
+    "four_bar_left": Kind(NUMBERS, TORQUE, partial(four_bar.slopes, 1), partial(four_bar.turn, 1)),
+    "four_bar_right": Kind(NUMBERS, TORQUE, partial(four_bar.slopes, -1), partial(four_bar.turn, -1)),
+}
 
 
 @cache
 def relation(kind: str) -> Program:
-    """``(q, given) -> (relation)`` of a kind, with the values of its keys as ``given``: l, l' and l''."""
+    """``(q, given) -> (relation)`` of a kind, with the values of its keys as ``given``: l' and l''."""
     tracer, keys = Tracer(), KINDS[kind].keys
-    found = KINDS[kind].relation(tracer, tracer.input("q", 1)[0], *tracer.input("given", len(keys)))
+    *found, room = KINDS[kind].relation(tracer, tracer.input("q", 1)[0], *tracer.input("given", len(keys)))
+    tracer.guard(room)
     return tracer.program("relation", {"q": 1, "given": len(keys)}, {"relation": list(found)})
 
 
@@ -84,15 +102,20 @@ def kept(s: Scope) -> Cranks:
     return Cranks(*(s.kept(f"crank_{name}") for name in ("slope", "inertia", "force")))
 
 
-def of_axis(s: Scope, axis: int, q: Array) -> Relation:
-    """The relation of an axis with a transmission."""
+def of_axis(s: Scope, axis: int, q: Array, guarded: bool = True) -> tuple[Value, Value]:
+    """``l'`` and ``l''`` of an axis with a transmission; ``guarded``: the program has no result out of its reach."""
     kind = KINDS[s.key.drives[axis].transmission]
-    return kind.relation(s.tracer, q[axis], *(s.constant(f"drive_{name}_{axis + 1}") for name in kind.keys))
+    slope, curve, room = kind.relation(
+        s.tracer, q[axis], *(s.constant(f"drive_{name}_{axis + 1}") for name in kind.keys)
+    )
+    if guarded:
+        s.tracer.guard(room)
+    return slope, curve
 
 
 def slopes(s: Scope, q: Array) -> Array:
     """``l'`` of every axis (m,), 1 without a transmission."""
-    return mx.array([of_axis(s, k, q)[1] if k in s.key.cranked else 1.0 for k in range(s.key.joints)])
+    return mx.array([of_axis(s, k, q)[0] if k in s.key.cranked else 1.0 for k in range(s.key.joints)])
 
 
 def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
@@ -100,7 +123,7 @@ def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
     m = s.key.joints
     out = Cranks(mx.array([1.0] * m), mx.zeros(m), mx.zeros(m))
     for axis in s.key.cranked:
-        _, slope, curve = of_axis(s, axis, q)
+        slope, curve = of_axis(s, axis, q)
         rate = slope * qdot[axis]
         force = _friction(s, axis, rate)
         if s.key.drives[axis].rotor_inertia:
@@ -124,11 +147,11 @@ def _friction(s: Scope, axis: int, rate: Value) -> Value:
 
 
 def kinetic(s: Scope, q: Array, qdot: Array) -> Value:
-    """Twice the kinetic energy of the rotors."""
+    """Twice the kinetic energy of the rotors, not a number out of the reach of their linkages."""
     total: Value = 0.0
     for axis in s.key.cranked if s.key.swung else ():
         if s.key.drives[axis].rotor_inertia:
-            rate = of_axis(s, axis, q)[1] * qdot[axis]
+            rate = of_axis(s, axis, q, guarded=False)[0] * qdot[axis]
             total = total + s.constant(f"crank_inertia_{axis + 1}") * rate * rate
     return total
 
@@ -163,18 +186,23 @@ def answers(s: Scope) -> tuple[Array, Array]:
 def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     """(3, n_joints): ``l``, ``l'`` and ``l''`` of every axis at the joint coordinates ``q``; q, 1 and 0 without one.
 
-    Raises SingularError where the length of a cylinder is zero, as parameters may make it.
+    Raises SingularError where the length of a cylinder is zero, as parameters may make it, and where a linkage does not
+    reach the link.
     """
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
     for i, key in enumerate(chain.keys):
         for axis in key.cranked:
-            kind, place = key.drives[axis].transmission, chain.q_offset[i] + axis
-            given = [float(p[chain.parameter_labels[i][f"drive_{name}_{axis + 1}"]]) for name in KINDS[kind].keys]
+            name, place = key.drives[axis].transmission, chain.q_offset[i] + axis
+            given = [float(p[chain.parameter_labels[i][f"drive_{x}_{axis + 1}"]]) for x in KINDS[name].keys]
+            at = float(q[place])
             try:
-                found, _ = run(relation(kind), {"q": [float(q[place])], "given": given}, _unary)
-            except ZeroDivisionError:
-                raise chain.singular(i) from None
-            out[:, place] = found["relation"]
+                found, guards = run(relation(name), {"q": [at], "given": given}, _unary, 2.0**-52)
+                travel = KINDS[name].travel(at, *given)
+            except (ZeroDivisionError, ValueError):
+                guards = [0.0]
+            if not all(x > 0 for x in guards):
+                raise chain.singular(i)
+            out[:, place] = travel, *found["relation"]
     return out
 
 
@@ -183,9 +211,9 @@ def _unary(op: str, x: float) -> float:
 
 
 def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers) -> np.ndarray:
-    """Torques of the joints (n_tau,) at ``q`` as the efforts that cause them: forces where cylinders drive joints.
+    """Torques of the joints (n_tau,) at ``q`` as the efforts that cause them: forces of cylinders, torques of cranks.
 
-    Raises SingularError where a cylinder stands in a dead centre and would need an infinite force.
+    Raises SingularError where a transmission stands in a dead centre and would need an infinite effort.
     """
     if not chain.cranked:
         return torques
@@ -193,9 +221,10 @@ def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers) -> np.nda
     for joint in chain.cranked:
         if abs(slope[joint]) < DEAD and torques[joint]:
             name = coordinate_names(chain.robot).q[chain.base_q + joint]
-            raise SingularError(f"{name}: its cylinder is in a dead centre, where no force turns the joint; leave it")
+            part, effort = KINDS[chain.cranked[joint]].words
+            raise SingularError(f"{name}: its {part} is in a dead centre, where no {effort} turns the joint; leave it")
     return torques / np.where(slope == 0, 1.0, slope)
 
 
 DEAD = 1e-9
-"""m/rad: a lever that counts as none."""
+"""m/rad, of a linkage 1: a lever that counts as none."""

@@ -183,7 +183,7 @@ def text(model: Model, e: Equilibrium) -> str:
     """The report."""
     m = model.n_joints
     coordinates, torques = ("joint coordinates", FORCES) if model.chain.sliding else WORDS
-    torques = FORCES if model.chain.cranked else torques
+    torques = FORCES if model.chain.pushed else torques
     angles = coordinates + ", held" * e.held
     torques += " that hold them" if e.held else " given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]

@@ -101,7 +101,7 @@ class PD:
     Gains, limits and angles are those of the joints. Where these stand in the `q` and `v` of a robot a run says by
     `through`: behind a floating base; of an elastic drive the law measures the rotor's angle over the ratio in place of
     the joint's, and its torque acts on the rotor, less by the ratio. A cylinder is given the force that exerts the
-    torque; its limit in `tau_max` is that of the force, N.
+    torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -147,9 +147,9 @@ class PD:
         if len(self.q_des) != chain.n_tau:
             raise UsageError(f"PD: q_des has length {len(self.q_des)}; the robot has {chain.n_tau} joint coordinates")
         ratios, ahead = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
-        cylinders = partial(_efforts, chain, p) if chain.cranked else None
+        through = partial(_efforts, chain, p) if chain.cranked else None
         driven = tuple(chain.driven)
-        return replace(self, driven=driven, ahead=ahead, ratios=tuple(ratios.tolist()), efforts=cylinders)
+        return replace(self, driven=driven, ahead=ahead, ratios=tuple(ratios.tolist()), efforts=through)
 
     @property
     def _ratios(self) -> np.ndarray:
@@ -171,7 +171,7 @@ class PD:
 
     @property
     def plain(self) -> bool:
-        """Whether the law has gains, one goal and limits only, and drives no cylinder."""
+        """Whether the law has gains, one goal and limits only, and no drive has a transmission."""
         return not self.waypoints and self.gravity is None and self.efforts is None
 
     @property

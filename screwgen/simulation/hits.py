@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..arguments import Numbers
+from ..spec.four_bar import NUMBERS, reach
 from ..spec.limit import Limit
 from ..spec.link_class import SIDES
 
@@ -87,13 +88,20 @@ class Bound(NamedTuple):
 
 
 def bounds(model: Model, p: Numbers) -> list[Bound]:
-    """The limits of all axes, at the parameters `p`."""
+    """The limits of all axes, at the parameters `p`, and the ends of the reach of linkages where none are stated."""
     values, out, first = dict(zip(model.parameter_names, map(float, p), strict=True)), list[Bound](), 0
     for link in model.robot.links:
         for axis in range(len(link.joint.limits or ())):
             own = {name: values.get(f"{link.name}.joint.limits[{axis}].{name}") for name in Limit.model_fields}
             push = own["stiffness"] or 0.0, own["damping"] or 0.0
             out += [Bound(first + axis, side, at, *push) for side in SIDES if (at := own[side]) is not None]
+        for axis, drive in enumerate(link.joint.drives or ()):
+            if drive.transmission and drive.transmission.four_bar:
+                linkage = f"{link.name}.joint.drives[{axis}].transmission.four_bar"
+                ends = zip(SIDES, reach(*(values[f"{linkage}.{name}"] for name in NUMBERS)), strict=True)
+                stated = {(bound.axis, bound.side) for bound in out}
+                loose = [(side, end) for side, end in ends if math.isfinite(end) and (first + axis, side) not in stated]
+                out += [Bound(first + axis, side, end, 0.0, 0.0) for side, end in loose]
         first += len(link.joint.axes)
     return out
 

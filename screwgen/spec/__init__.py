@@ -2,6 +2,7 @@
 
 from .drive import Drive, Friction
 from .equivalent import equivalent_stiffness
+from .four_bar import FourBar
 from .frequencies import Frequencies
 from .joint import Joint, Mount
 from .limit import Limit
@@ -18,6 +19,7 @@ __all__ = [
     "Body",
     "Damping",
     "Drive",
+    "FourBar",
     "Frequencies",
     "Friction",
     "Joint",

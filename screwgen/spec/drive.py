@@ -1,10 +1,12 @@
 """The drive of a joint axis: gear, rotor, elasticity and friction."""
 
 from collections.abc import Sequence
+from math import inf
 from typing import Annotated, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
+from .limit import Limit
 from .part import Part
 from .ranges import within
 from .screw import Screw
@@ -16,7 +18,7 @@ class Friction(Part):
     """Dry and viscous friction, `(viscous + coulomb / sqrt(w² + velocity²)) w` at the rate w.
 
     It acts on what the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, on the cylinder of a
-    transmission (N, N·s/m, m/s), else on the joint (of a slide N, N·s/m, m/s).
+    transmission (N, N·s/m, m/s) or the crank of a linkage, else on the joint (of a slide N, N·s/m, m/s).
     """
 
     coulomb: Annotated[float, PlainValidator(within("coulomb"))] | None = Field(
@@ -49,7 +51,7 @@ class Drive(Part):
     With `stiffness` the rotor's angle is a coordinate of its own and the torque acts on the rotor; `stiffness` and
     `damping` are those of the gear as seen at the joint. An empty table is no drive. With `transmission` a cylinder
     drives the axis, and the rotor turns by `ratio` (rad/m) per travel of it; with a ratio of 1 `rotor_inertia` is a
-    mass that moves with the rod, kg.
+    mass that moves with the rod, kg. Of a four-bar linkage `ratio` is turns of the rotor per turn of the crank.
     """
 
     ratio: Annotated[float, PlainValidator(within("ratio"))] | None = Field(
@@ -67,13 +69,19 @@ class Drive(Part):
     )
     friction: Friction | None = Field(None, description="as { coulomb = …, viscous = …, velocity = … }")
     transmission: Transmission | None = Field(
-        None, description="of an axis that a cylinder drives, as { crank = …, base = …, angle = … }"
+        None, description="of an axis that a cylinder or a linkage drives, as { crank = …, base = …, angle = … }"
     )
 
     @property
     def elastic(self) -> bool:
         """Whether the rotor has a coordinate of its own."""
         return self.stiffness is not None
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """The coordinates of the axis between which its linkage reaches, rad; infinite without a linkage."""
+        four_bar = self.transmission.four_bar if self.transmission else None
+        return four_bar.reach if four_bar else (-inf, inf)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -86,18 +94,20 @@ class Drive(Part):
             raise refuse(f"{what}; use the joint's damping, or friction = {{ viscous = … }}", at=("damping",))
         if self.transmission is not None and self.elastic:
             what = "is stated beside transmission, whose gear is rigid"
-            raise refuse(f"{what}; leave it out, or model the cylinder by links and a loop", at=("stiffness",))
+            part = "linkage" if self.transmission.four_bar else "cylinder"
+            raise refuse(f"{what}; leave it out, or model the {part} by links and a loop", at=("stiffness",))
         return self
 
 
 def check(drives: Sequence[Drive], screws: Sequence[Screw], armature: Sequence[float] | None) -> None:
-    """Refuse another number of drives than of axes, cylinders of axes that slide, and inertia that is stated twice."""
+    """Refuse another number of drives than of axes, transmissions of axes that slide, and inertia stated twice."""
     if len(drives) != len(screws):
         what = f"has length {len(drives)}; it must hold one table per axis, {len(screws)}; an empty one is no drive"
         raise refuse(what, at=("drives",))
     for k, (drive, screw) in enumerate(zip(drives, screws, strict=True)):
         if drive.transmission is not None and screw.slides:
-            what = "is stated of an axis along which the link slides, and a cylinder turns a link"
+            part = "linkage" if drive.transmission.four_bar else "cylinder"
+            what = f"is stated of an axis along which the link slides, and a {part} turns a link"
             raise refuse(
                 f"{what}; leave it out, for the force of a slide acts along it", at=("drives", k, "transmission")
             )
@@ -105,3 +115,14 @@ def check(drives: Sequence[Drive], screws: Sequence[Screw], armature: Sequence[f
         if drive.rotor_inertia is not None and not drive.elastic and drive.transmission is None and inertia:
             what = f"is stated beside armature[{k}] = {shown(inertia)}, which means the same"
             raise refuse(f"{what}; leave one of them out", at=("drives", k, "rotor_inertia"))
+
+
+def check_reach(drives: Sequence[Drive], limits: Sequence[Limit]) -> None:
+    """Refuse limits of an axis that its four-bar linkage does not reach."""
+    for k, (drive, limit) in enumerate(zip(drives, limits, strict=True)):
+        least, most = drive.reach
+        for name in ("lower", "upper"):
+            end = getattr(limit, name)
+            if end is not None and not least < end < most:
+                what = f"is {shown(end)}, which the linkage of drives[{k}] does not reach"
+                raise refuse(f"{what}; it must be between {least:.6g} and {most:.6g} rad", at=("limits", k, name))

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from .axes import axes, screw_of, written
-from .drive import Drive, check
+from .drive import Drive, check, check_reach
 from .limit import Limit
 from .limit import check as check_limits
 from .part import Part
@@ -88,4 +88,6 @@ class Joint(Part):
             check(self.drives, self.screws, self.armature)
         if self.limits is not None:
             check_limits(self.limits, len(self.axes))
+        if self.drives is not None and self.limits is not None:
+            check_reach(self.drives, self.limits)
         return self

@@ -14,7 +14,6 @@ from .robot import Body, Link, Robot
 from .section import Section
 from .segments import segments
 from .stations import Stations
-from .transmission import Transmission
 
 Index = tuple[int, ...]
 Value = float | tuple[float, ...] | None
@@ -97,6 +96,18 @@ FIELDS = {
     "joint.drives.transmission.angle": Field(
         "joint.drives[{}].transmission.angle", "rad", "angle between the eyes of the cylinder at q = 0"
     ),
+    **{
+        f"joint.drives.transmission.four_bar.{name}": Field(
+            f"joint.drives[{{}}].transmission.four_bar.{name}", unit, description
+        )
+        for name, unit, description in (
+            ("ground", "m", "distance of the crank's pivot from the joint axis"),
+            ("crank", "m", "length of the crank"),
+            ("coupler", "m", "length of the rod between crank and link"),
+            ("rocker", "m", "distance of the coupler's pin on the link from the joint axis"),
+            ("angle", "rad", "angle from the ground line to the rocker at q = 0"),
+        )
+    },
     "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
     "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
     "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
@@ -132,6 +143,9 @@ CRANKED = {
 }
 """The same of an axis that a cylinder drives."""
 
+LINKED = {"joint.drives.ratio": ("1", "turns of the rotor per turn of the crank")}
+"""The same of an axis that a four-bar linkage drives."""
+
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 
 
@@ -161,7 +175,9 @@ def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
     if parameter.field not in SLIDING:
         return parameter
     drive = joint.drives[parameter.index[0]] if joint.drives else None
-    units = CRANKED if drive and drive.transmission else {} if joint.screws[parameter.index[0]].turn else SLIDING
+    units = {} if joint.screws[parameter.index[0]].turn else SLIDING
+    if drive and drive.transmission:
+        units = LINKED if drive.transmission.four_bar else CRANKED
     if parameter.field not in units or (".friction." in parameter.field and drive and drive.elastic):
         return parameter
     unit, description = units[parameter.field]
@@ -174,8 +190,8 @@ def driven(drive: Drive) -> Iterator[tuple[str, Value]]:
         yield f"joint.drives.{name}", getattr(drive, name)
     for name in ("coulomb", "viscous", "velocity"):
         yield f"joint.drives.friction.{name}", getattr(drive.friction or NO_FRICTION, name)
-    for name in Transmission.model_fields if drive.transmission else ():
-        yield f"joint.drives.transmission.{name}", getattr(drive.transmission, name)
+    for name, value in drive.transmission.numbers if drive.transmission else ():
+        yield f"joint.drives.transmission.{name}", value
 
 
 def limited(limit: Limit) -> Iterator[tuple[str, Value]]:
@@ -254,7 +270,8 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     the axis, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
     v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m). Of an axis that
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
-    drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N).
+    drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N); of one
+    that a four-bar linkage drives `boom.torque[0]` (N·m), at the crank.
     wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
     Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
@@ -295,11 +312,12 @@ def force_units(robot: Robot) -> list[str]:
 
 
 def _driven(robot: Robot) -> Iterator[tuple[Link, int, bool]]:
-    """Link and number of every axis, and whether what its torque acts on turns: the axis, or its rotor."""
+    """Link and number of every axis, and whether what its torque acts on turns: the axis, its rotor, or a crank."""
     for link in robot.links:
         drives = link.joint.drives or [Drive()] * len(link.joint.axes)
         for j, (screw, drive) in enumerate(zip(link.joint.screws, drives, strict=True)):
-            yield link, j, drive.elastic or (screw.turn and drive.transmission is None)
+            pushed = drive.transmission is not None and drive.transmission.four_bar is None
+            yield link, j, drive.elastic or (screw.turn and not pushed)
 
 
 def per_rotor(robot: Robot, quantity: str) -> tuple[str, ...]:

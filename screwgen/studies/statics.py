@@ -88,7 +88,7 @@ class Statics:
     def driven(self, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray | float]:
         """The work of the torques up to `q`, their generalised forces (nq,), and the derivative of these with q.
 
-        A cylinder's force does work along its travel, and what it exerts on its joint depends on the posture.
+        The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
         """
         chain, m = self.model.chain, self.model.n_joints
         if not chain.cranked:
@@ -290,7 +290,7 @@ def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibrium
     away = statics.wandered(b.q - start)
     k = int(away[0]) if away.size else int(np.argmax(b.shares))
     joint = k < statics.model.chain.eta_q
-    pushed = k < statics.model.n_joints and k in statics.model.chain.cranked
+    pushed = k < statics.model.n_joints and k in statics.model.chain.pushed
     kind, unit = ("torque", "N·m") if statics.turning[k] and not pushed else ("force", "N")
     what = f"its {kind} of {statics.load[k]:.6g} {unit}" if joint and statics.load[k] else "its load"
     what += ", with the wrenches on the tips" if statics.w_ext.any() else ""

@@ -10,8 +10,9 @@ from functools import cached_property
 
 import numpy as np
 
-from ..arguments import Parameters, array
+from ..arguments import Numbers, Parameters, array
 from ..errors import SingularError, UsageError
+from ..spec.drive import Drive
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
 from ..spec.parameters import turning
@@ -72,7 +73,10 @@ class Chain(Coordinates):
         if self.keys[link].free:
             said = f"the floating base has no inertia about some axis in this posture{self.caution}"
             return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
-        return SingularError(f"the joint of link '{self.names[link]}' is singular in this posture{self.caution}")
+        said = f"the joint of link '{self.names[link]}' is singular in this posture"
+        if any(self.q_offset[link] + axis in self.linked for axis in self.keys[link].cranked):
+            said += ", or out of the reach of its four-bar linkage, which ends where crank and coupler are in line"
+        return SingularError(said + self.caution)
 
     def singular_loops(self) -> SingularError:
         """The error of loops whose rows depend on each other in a posture."""
@@ -98,6 +102,18 @@ class Chain(Coordinates):
         joints = (link.joint for link in self.robot.links)
         own = [limit.bounds for joint in joints for limit in joint.limits or (Limit(),) * len(joint.axes)]
         return np.array(own, float).reshape(-1, 2)
+
+    @cached_property
+    def reach(self) -> np.ndarray:
+        """(n_joints, 2): the coordinates between which four-bar linkages of the file reach, infinite without one."""
+        joints = (link.joint for link in self.robot.links)
+        drives = [drive for joint in joints for drive in joint.drives or (Drive(),) * len(joint.axes)]
+        return np.array([drive.reach for drive in drives], float).reshape(-1, 2)
+
+    def reached(self, q: Numbers, most: float) -> list[float]:
+        """Joint coordinates between -most and most, those of linkages brought into four fifths of their reach."""
+        ends = np.minimum(0.8 * np.abs(self.reach), most) / most
+        return [float(x * (upper if x > 0 else lower)) for x, (lower, upper) in zip(q, ends, strict=True)]
 
     @property
     def names(self) -> list[str]:

@@ -183,9 +183,20 @@ class Coordinates:
         return [(self.q_offset[i] + axis, SIDES[side]) for i, key in enumerate(self.keys) for axis, side in key.stops]
 
     @cached_property
-    def cranked(self) -> list[int]:
-        """The joint coordinates, as their numbers, whose drives have a transmission."""
-        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.cranked]
+    def cranked(self) -> dict[int, str]:
+        """The joint coordinates, as their numbers, whose drives have a transmission, and of which kind it is."""
+        own = ((self.q_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.cranked)
+        return {place: drive.transmission for place, drive in own}
+
+    @property
+    def pushed(self) -> list[int]:
+        """Those that cylinders drive."""
+        return [place for place, kind in self.cranked.items() if kind == "cylinder"]
+
+    @property
+    def linked(self) -> list[int]:
+        """Those that cranks drive through four-bar linkages."""
+        return [place for place, kind in self.cranked.items() if kind != "cylinder"]
 
     @property
     def slides(self) -> bool:

@@ -55,7 +55,7 @@ def structs(chain: Chain) -> dict[str, list[Field]]:
 
     def field(struct: str, name: str, s: Signal) -> Field:
         sizes = {"NINERTIA": inertia} | ({"NMODES": inner} if struct.startswith("dae") else {})
-        comment = joint_comment(s, chain.sliding) + CYLINDERS * (name == "tau" and bool(chain.cranked))
+        comment = joint_comment(s, chain.sliding) + effort(chain) * (name == "tau")
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return Field(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
@@ -69,7 +69,6 @@ def drives(chain: Chain) -> bool:
 
 
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
-CYLINDERS = "; N where a cylinder drives it"
 ROTORS = {
     "eta": "rad, m: angles of the rotors, then modal coordinates",
     "etadot": "rad/s, m/s: their rates",
@@ -85,6 +84,12 @@ def joint_comment(signal: Signal, sliding: bool) -> str:
         return signal.comment
     slides = signal._replace(unit=f"{signal.unit}, of slides {unit}").comment
     return slides.replace("torque about each joint axis", "torque about, or force along, each joint axis")
+
+
+def effort(chain: Chain) -> str:
+    """What is added to the comment of torques where drives have transmissions."""
+    force = "; N where a cylinder drives it" if chain.pushed else ""
+    return force + ("; at the crank where a linkage drives it" if chain.linked else "")
 
 
 def fused_place(name: str, k: int) -> str:
@@ -218,10 +223,19 @@ def node_fields(programs: Iterable[Program]) -> list[Field]:
     return [Field(n, (s,), NODE[n].comment) for n, s in _signals(programs, is_node).items()]
 
 
-def store_fields(programs: Iterable[Program], sliding: bool) -> list[Field]:
+def store_fields(programs: Iterable[Program], chain: Chain) -> list[Field]:
     """The members of a link's store."""
     found = _signals(programs, lambda where: where == "w")
-    return [Field(n, (s,), joint_comment(STORE[plain(n)], sliding) + _where(n)) for n, s in found.items()]
+    return [Field(n, (s,), _travelling(chain, n, STORE[plain(n)]) + _where(n)) for n, s in found.items()]
+
+
+def _travelling(chain: Chain, name: str, signal: Signal) -> str:
+    """The comment of a member, which names the cranks of linkages if the robot has any."""
+    comment = joint_comment(signal, chain.sliding)
+    if not (chain.linked and name.startswith("crank_")):
+        return comment
+    unit, part = ("m, of linkages 1", "cylinder or crank") if chain.pushed else ("1", "crank")
+    return comment.replace("m:", f"{unit}:", name == "crank_slope").replace("cylinder", part)
 
 
 def _where(name: str) -> str:

@@ -1,4 +1,4 @@
-"""The levers of the C back end: what the torque of each axis is multiplied by where cylinders drive joints."""
+"""The levers of the C back end: what the torque of each axis is multiplied by where drives have transmissions."""
 
 from __future__ import annotations
 
@@ -13,4 +13,10 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
     if not chain.cranked:
         return None
     program = fused.levers(chain, "baked" if baked else "constants")
-    return pieces(program, piece_place(chain, "kept", {}, place), ("c", "state", "levers"))
+    made = pieces(program, piece_place(chain, "kept", {}, place), ("c", "state", "levers"), fail=_beyond)
+    return made | {"cylinders": bool(chain.pushed), "linkages": bool(chain.linked)}
+
+
+def _beyond(test: str, _: int) -> str:
+    """The statement of a guard: a linkage does not reach its link."""
+    return f"if ({test}) {{ return $$_SINGULAR; }}"

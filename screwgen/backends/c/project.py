@@ -142,7 +142,7 @@ class CProject:
             "n_bodies": body_count(robot),
             "constants": self.constants,
             "node": node_fields(self._programs),
-            "store": store_fields(self._programs, self.chain.sliding),
+            "store": store_fields(self._programs, self.chain),
             "operations": self.operations,
             "bytes": self.bytes,
             "lines": self.fused_lines,
@@ -326,7 +326,7 @@ class CProject:
     @property
     def bytes(self) -> dict[str, int]:
         """The scratch in double precision."""
-        parts = node_fields(self._programs), store_fields(self._programs, self.chain.sliding)
+        parts = node_fields(self._programs), store_fields(self._programs, self.chain)
         kept = self._loops["kept"] if self._loops else None
         return scratch(self.chain, *parts, 1 + len(steps.registers(self.methods)), self.layout == "modular", kept)
 

@@ -26,7 +26,7 @@ from .content import CITATION, Document, Item, Paragraph, Section, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
-from .symbols import CRANKED, DRIVEN, SLIDING, STOPPED, entries
+from .symbols import CRANKED, DRIVEN, LINKED, SLIDING, STOPPED, entries
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """What a notebook shows of a link: the blocks by which the paper calls them."""
@@ -107,8 +107,8 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
         sections.append(class_section(number, key, members, views[key], printed))
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
-    driven = [*(DRIVEN if any(key.drives for key in chain.keys) else ()), *(CRANKED if chain.cranked else ())]
-    driven += STOPPED if chain.stops else ()
+    driven = [*(DRIVEN if any(key.drives for key in chain.keys) else ()), *(CRANKED if chain.pushed else ())]
+    driven += [*(LINKED if chain.linked else ()), *(STOPPED if chain.stops else ())]
     named = [
         *(SLIDING if chain.slides else ()),
         *driven,
@@ -174,7 +174,8 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         markers=any(segment.marker is not None for segment in chain.segments),
         floating=chain.floating,
         drives=any(key.drives for key in chain.keys),
-        cranked=bool(chain.cranked),
+        cranked=bool(chain.pushed),
+        linked=bool(chain.linked),
         stops=bool(chain.stops),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",

@@ -78,6 +78,14 @@ CRANKED: tuple[Named, ...] = (
 )
 """Symbols of robots with cylinders that drive joints."""
 
+LINKED: tuple[Named, ...] = (
+    (r"\psi", "angle of the crank that drives an axis; primes are derivatives with q", "rad", "1", "-", STATE),
+    (r"\tau_c", "torque at the crank", "N*m", "1", "-", STATE),
+    (r"g_0, a_0, k_0, r_0", "lengths of ground, crank, coupler, rocker of its linkage", "m", "1", "-", PARAMETER),
+    (r"\beta_0", "angle from the ground line to the rocker at q = 0", "rad", "1", "-", PARAMETER),
+)
+"""Symbols of robots with four-bar linkages that drive joints."""
+
 STOPPED: tuple[Named, ...] = (
     (r"q_s", "limit of a joint axis, of slides in m", "rad", "1", "-", PARAMETER),
     (r"k_s, d_s", "stiffness and damping of its stop", "N*m/rad, N*m*s/rad", "1", "-", PARAMETER),

@@ -77,7 +77,7 @@ class Numeric:
     def _apply(self, link: int, _: int, program: Program, inputs) -> dict[str, list[float]]:
         try:
             outputs, guards = function_of(program)(inputs, EPSILON)
-        except ZeroDivisionError:
+        except (ZeroDivisionError, ValueError):  # a quotient, a root
             guards = [0.0]
         if not all(g > 0 for g in guards):
             raise self.chain.singular(link)
@@ -157,13 +157,14 @@ class Numeric:
         return by_q, by_v, by_tau
 
     def levers(self, q) -> np.ndarray:
-        """What the torque of each axis is multiplied by (n_tau,): the travel of its cylinder per rad, m, or 1."""
+        """What the torque of each axis is multiplied by (n_tau,): of a cylinder its travel per rad, m, of a linkage the
+        turn of the crank per turn of the joint, or 1. Raises SingularError where a linkage does not reach."""
         return np.array(self._functions(LEVERS).levers(*self._rows(q=q)))
 
     def slopes(self, q, v, vdot, w_ext, tau=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nv, nv) each.
 
-        ``tau`` counts where cylinders drive joints: what their forces do changes with the posture.
+        ``tau`` counts where drives have transmissions: what their efforts do changes with the posture.
         """
         given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
         found = slopes(self._functions(INVERSE, SENSITIVITY), *given)

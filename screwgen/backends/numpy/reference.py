@@ -113,12 +113,14 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     K = [float(k) for c in functions.constants for k in c["K"]]
     eta = [float(f"{20.0 * _fraction(number, 2, j) / max(k, 400.0):.6e}") for j, k in enumerate(K)]
     pose = _unit(draw(chain.base_q, 7, 0.9))
-    q, v, tau, p = draw(m, 1, 1.2), draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
+    q = [round(x, 6) for x in chain.reached(draw(m, 1, 1.2), 1.2)]
+    v, tau, p = draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
     wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
     turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
     stops = zip(chain.stops, *([x for c in functions.constants for x in c.get(name, ())] for name in STOP), strict=True)
     for (joint, side), at, k, _ in list(stops)[number % 2 :: 2]:
-        q[joint] = float(at + side * 20 / k)
+        pressed = float(at + side * 20 / k)
+        q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
         tau[joint] = float(f"{tau[joint] / ratio:.6e}")
     if chain.closures:

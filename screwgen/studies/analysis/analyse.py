@@ -141,7 +141,8 @@ def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) ->
     out = {}
     for k in range(count):
         whole = lambda x: model.chain.relaxed(x, model.parameter_values)  # noqa: E731
-        q = np.append(whole(most * rng.uniform(-np.pi, np.pi, m)), deflection * rng.uniform(-1, 1, len(deflection)))
+        drawn = model.chain.reached(most * rng.uniform(-np.pi, np.pi, m), np.pi)
+        q = np.append(whole(drawn), deflection * rng.uniform(-1, 1, len(deflection)))
         v = np.append(whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate)))
         out[f"sample {k + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
     return out

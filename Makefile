@@ -13,6 +13,8 @@ QUIET = -q -p no:cacheprovider
 # Compiled Python is kept, but not beside its sources. Without it each process compiles sympy again, for seconds.
 unexport PYTHONDONTWRITEBYTECODE
 export PYTHONPYCACHEPREFIX = $(CURDIR)/$(VENV)/pycache
+# Programs that tests start call make themselves: flags such as --jobs are not theirs.
+unexport MAKEFLAGS
 # Two workers share the cores: threads of the linear algebra would only get into each other's way.
 export OMP_NUM_THREADS = 1
 export OPENBLAS_NUM_THREADS = 1
@@ -33,6 +35,10 @@ test: $(READY)
 # The examples in their short forms with their assertions, and every block of the guides, as users run them.
 examples: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'examples and not long' $(ARGS)
+
+# Both, and the analysers of `make lint`, in one run: no core waits for the other between them.
+test-all: $(READY)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'not long' $(ARGS)
 
 # What both leave out: the rest of the sweeps over random robots, layouts, bindings, compilers, bases and numbers of
 # modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
@@ -66,10 +72,13 @@ build/ella_paper/report.html: examples/ella_paper.py $(wildcard examples/ella/*.
 minima: $(MINIMA)/.ready
 	$(MINIMA)/bin/python tests/minima.py
 
-# Style and types of the Python; analysers, sanitizers and valgrind over the C of a small robot.
-lint: $(READY)
+# Style and types of the Python.
+style: $(READY)
 	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware docs
 	$(BIN)/mypy
+
+# Style, types, and analysers, sanitizers and valgrind over the C of a small robot.
+lint: style
 	$(BIN)/python -m pytest -n $(WORKERS) $(QUIET) -m 'analysis and not long'
 
 # The generated C against what else computes the same; the other tools live in an environment of their own.
@@ -135,4 +144,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test examples test-long lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc docs test examples test-all test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

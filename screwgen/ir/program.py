@@ -19,7 +19,6 @@ import numpy as np
 
 Array = np.ndarray
 
-COMMUTATIVE = frozenset({"add", "mul"})
 FUNCTIONS = frozenset({"sqrt", "sin", "cos", "on", "c4", "c5", "c6", "c7"})
 """Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6, c7: slopes).
 
@@ -118,12 +117,19 @@ class Tracer:
 
     def _node(self, op: str, *args) -> Node:
         key = (op, *args)
-        if op in COMMUTATIVE and _later(*args):
-            key = (op, *args[::-1])
         node = self._table.get(key)
-        if node is None:
-            node = self._table[key] = Node(self, op, args, self._count, self._section)
-            self._count += 1
+        return self._recorded(key, op, args) if node is None else node
+
+    def _sum_or_product(self, op: str, a: Value, b: Value) -> Node:
+        """The node of an operation whose operands commute: numbers of nodes rise in its key, floats come last."""
+        later = type(a) is not Node or (type(b) is Node and b.id < a.id)
+        key = (op, b, a) if later else (op, a, b)
+        node = self._table.get(key)
+        return self._recorded(key, op, (a, b)) if node is None else node
+
+    def _recorded(self, key: tuple, op: str, args: tuple) -> Node:
+        node = self._table[key] = Node(self, op, args, self._count, self._section)
+        self._count += 1
         return node
 
     def input(self, name: str, size: int) -> list[Node]:
@@ -146,63 +152,61 @@ class Tracer:
             self.origins.append(origin)
 
     def add(self, a: Value, b: Value) -> Value:
-        if not (isinstance(a, Node) and isinstance(b, Node)):
-            if _both_numbers(a, b):
+        first, second = type(a) is Node, type(b) is Node
+        if not (first and second):
+            if not (first or second):
                 return a + b
-            if _is(a, 0.0) or _is(b, 0.0):
-                return b if _is(a, 0.0) else a
-        if _negated(b):
+            if (b if first else a) == 0.0:
+                return a if first else b
+        if second and b.op == "neg":
             return self.sub(a, b.args[0])
-        if _negated(a):
+        if first and a.op == "neg":
             return self.sub(b, a.args[0])
-        for x, y in ((a, b), (b, a)):
-            if _op(y, "sub") and y.args[1] is x:
-                return y.args[0]  # b + (a - b)
-        return self._node("add", a, b)
+        if second and b.op == "sub" and b.args[1] is a:
+            return b.args[0]  # a + (b - a)
+        if first and a.op == "sub" and a.args[1] is b:
+            return a.args[0]
+        return self._sum_or_product("add", a, b)
 
     def sub(self, a: Value, b: Value) -> Value:
-        if not (isinstance(a, Node) and isinstance(b, Node)):
-            if _both_numbers(a, b):
+        first, second = type(a) is Node, type(b) is Node
+        if not (first and second):
+            if not (first or second):
                 return a - b
-            if _is(b, 0.0):
-                return a
-            if _is(a, 0.0):
-                return self.neg(b)
+            if (b if first else a) == 0.0:
+                return a if first else self.neg(b)
         if a is b:
             return 0.0
-        if _negated(b):
+        if second and b.op == "neg":
             return self.add(a, b.args[0])
-        if _negated(a):
+        if first and a.op == "neg":
             return self.neg(self.add(a.args[0], b))
-        if _op(b, "sub") and b.args[0] is a:
+        if second and b.op == "sub" and b.args[0] is a:
             return b.args[1]  # a - (a - b)
-        if _op(a, "add") and isinstance(b, Node) and any(x is b for x in a.args):
+        if second and first and a.op == "add" and any(x is b for x in a.args):
             return a.args[1] if a.args[0] is b else a.args[0]  # (a + b) - b
         return self._node("sub", a, b)
 
     def mul(self, a: Value, b: Value) -> Value:
-        if not (isinstance(a, Node) and isinstance(b, Node)):
-            if _both_numbers(a, b):
+        if type(a) is not Node:
+            if type(b) is not Node:
                 return a * b
-            if not isinstance(a, Node):
-                a, b = b, a
+            a, b = b, a
+        if type(b) is not Node:
             if b == 0.0:
                 return 0.0
             if abs(b) == 1.0:
                 return a if b > 0 else self.neg(a)
-        if _negated(a) or _negated(b):
-            return (
-                self.neg(self.mul(_positive(a), _positive(b)))
-                if _negated(a) != _negated(b)
-                else self.mul(_positive(a), _positive(b))
-            )
-        if not isinstance(b, Node):
-            return self._scaled(a, b)
+            return self.neg(self.mul(a.args[0], b)) if a.op == "neg" else self._scaled(a, b)
+        minus, other = a.op == "neg", b.op == "neg"
+        if minus or other:
+            product = self.mul(a.args[0] if minus else a, b.args[0] if other else b)
+            return product if minus and other else self.neg(product)
         for x, y in ((a, b), (b, a)):
             rest = _without_inverse(x, y) if x.op in ("mul", "div") else None
             if rest is not None:
                 return rest  # (x * (1 / d)) * d
-        return self._node("mul", a, b)
+        return self._sum_or_product("mul", a, b)
 
     def _scaled(self, a: Node, number: float) -> Value:
         """A node times a number, its sign outside and numbers taken together."""
@@ -210,7 +214,7 @@ class Tracer:
             return self.neg(self._scaled(a, -number))
         if a.op == "mul" and not isinstance(a.args[1], Node):
             return self.mul(a.args[0], a.args[1] * number)
-        return self._node("mul", a, number)
+        return self._sum_or_product("mul", a, number)
 
     def div(self, a: Value, b: Value) -> Value:
         if _both_numbers(a, b):
@@ -239,15 +243,6 @@ class Tracer:
             inner = self.call(function, a.args[0])
             return inner if function == "cos" else self.neg(inner)
         return self._node(function, a)
-
-
-def _later(a: Value, b: Value) -> bool:
-    """Whether the key of a sum or product has the operands in the other order: numbers of nodes rise, floats last."""
-    return not isinstance(a, Node) or (isinstance(b, Node) and b.id < a.id)
-
-
-def _op(a, op: str) -> bool:
-    return isinstance(a, Node) and a.op == op
 
 
 def _without_inverse(product: Node, d: Value) -> Value | None:
@@ -328,11 +323,11 @@ def give_label(value: Value, label: Label) -> None:
 
 def live(values: Iterable[Value]) -> list[Node]:
     """The nodes that ``values`` depend on, in the order in which they were recorded."""
-    found = {v.id: v for v in values if isinstance(v, Node)}
+    found = {v.id: v for v in values if type(v) is Node}
     stack = [*found.values()]
     while stack:
         for a in stack.pop().args:
-            if isinstance(a, Node) and a.id not in found:
+            if type(a) is Node and a.id not in found:
                 found[a.id] = a
                 stack.append(a)
     return [found[number] for number in sorted(found)]

@@ -6,7 +6,7 @@ import operator
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from .program import Node, Program, Tracer, Value, give_label
+from .program import Label, Node, Program, Tracer, Value, give_label
 
 BINARY: dict[str, Callable] = {"add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv}
 
@@ -17,20 +17,21 @@ def run(
     unary: Callable[[str, Any], Any],
     epsilon=0.0,
     literal: Callable[[float], Any] = lambda x: x,
+    binary: Mapping[str, Callable] = BINARY,
 ):
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 
-    ``unary(op, value)`` evaluates ``neg`` and the ``FUNCTIONS``; ``literal`` makes a value of a number that stands in
-    the program.  Returns the outputs and the values of the guards.
+    ``unary(op, value)`` evaluates ``neg`` and the ``FUNCTIONS``, ``binary`` has the other operations by name;
+    ``literal`` makes a value of a number that stands in the program.  Returns the outputs and the values of the guards.
     """
     values: dict[int, object] = {}
     pick = lambda v: values[v.id] if isinstance(v, Node) else literal(v)  # noqa: E731
     for node in program.nodes:
         op, args = node.op, node.args
-        if op in BINARY:
+        if op in binary:
             a, b = args
-            first = values[a.id] if isinstance(a, Node) else literal(a)
-            values[node.id] = BINARY[op](first, values[b.id] if isinstance(b, Node) else literal(b))
+            first = values[a.id] if type(a) is Node else literal(a)
+            values[node.id] = binary[op](first, values[b.id] if type(b) is Node else literal(b))
         elif op == "input":
             values[node.id] = inputs[args[0]][args[1]]
         else:
@@ -45,29 +46,32 @@ def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, 
     """
     section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
     tracer.sections.extend(f"{link}, {title}" if link and title else title for title in program.sections)
+    binary = {op: getattr(tracer, op) for op in BINARY}
     values: dict[int, Value] = {}
+    pick = lambda v: values[v.id] if type(v) is Node else v  # noqa: E731
     before = tracer._section
     for node in program.nodes:
-        tracer._section = section[node.section]
-        values[node.id] = value = _replay(node, values, inputs, tracer)
-        if node.label:
-            give_label(value, node.label._replace(link=link or node.label.link))
+        tracer._section, op, args = section[node.section], node.op, node.args
+        if op in binary:
+            a, b = args
+            first = values[a.id] if type(a) is Node else a
+            value = binary[op](first, values[b.id] if type(b) is Node else b)
+        elif op == "input":
+            value = inputs[args[0]][args[1]]
+        else:
+            value = tracer.epsilon() if op == "epsilon" else _unary(op, pick(args[0]), tracer)
+        values[node.id] = value
+        if (label := node.label) is not None and type(value) is Node:
+            given = Label(label.quantity, label.place, link, label.negative) if link and link != label.link else label
+            give_label(value, given)
     tracer._section = before
-    pick = lambda v: values[v.id] if isinstance(v, Node) else v  # noqa: E731
     for g in program.guards:
         tracer.guard(pick(g), origin)
     return {name: [pick(v) for v in entries] for name, entries in program.outputs.items()}
 
 
-def _replay(node: Node, values: dict, inputs: Mapping, tracer: Tracer) -> Value:
-    if node.op == "input":
-        return inputs[node.args[0]][node.args[1]]
-    if node.op == "epsilon":
-        return tracer.epsilon()
-    args = [values[a.id] if isinstance(a, Node) else a for a in node.args]
-    if len(args) == 1:
-        return tracer.neg(args[0]) if node.op == "neg" else tracer.call(node.op, args[0])
-    return getattr(tracer, node.op)(*args)
+def _unary(op: str, value: Value, tracer: Tracer) -> Value:
+    return tracer.neg(value) if op == "neg" else tracer.call(op, value)
 
 
 def specialise(program: Program, known: Mapping[str, list[float]]) -> Program:

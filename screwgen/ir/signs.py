@@ -98,16 +98,18 @@ def _rebuilt(program: Program, signs: _Signs) -> Program:
         return Node(of.tracer, op, args, next(numbers), of.section)
 
     def pick(value: Value) -> Value:
-        return made[value.id] if isinstance(value, Node) else value
+        return made[value.id] if type(value) is Node else value
 
     def result(value: Value) -> Value:
         if isinstance(value, Node) and value.id in signs.flipped:
             return node(value, "neg", made[value.id])
         return pick(value)
 
+    flipped = signs.flipped
     for old in program.nodes:
-        if old.op in ("input", "epsilon"):
-            made[old.id] = node(old, old.op, *old.args)
+        if old.id not in flipped and not any(type(a) is Node and a.id in flipped for a in old.args):
+            made[old.id] = node(old, old.op, *map(pick, old.args))
+            made[old.id].label = old.label
             continue
         op, args, negated = _operation(old, signs)
         if op == "same":

@@ -11,7 +11,8 @@ from functools import cache
 import casadi as ca
 
 from ..algorithms.dae_functions import unknown_size
-from ..backends.casadi.functions import expressions, function
+from ..backends.casadi.expressions import expressions
+from ..backends.casadi.functions import function
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from . import z_functions as z

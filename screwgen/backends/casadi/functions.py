@@ -21,15 +21,12 @@ from ...algorithms.linearise import slopes
 from ...arguments import choice
 from ...bodies.validity import MEASURES
 from ...ir.program import Program
-from ...ir.replay import run
 from ...spec.parameters import turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ..templates import render
+from .expressions import expressions
 from .patterns import jacobians, structures
-
-LIMIT = 4.0
-TERMS = 14
 
 
 class Made(Mapping):
@@ -232,37 +229,6 @@ def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
 def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
     """``dq/dt``, which is v but for the pose of a floating base."""
     return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.floating else v
-
-
-def expressions(program: Program, given: Mapping[str, ca.SX]) -> dict[str, ca.SX]:
-    """The outputs of a program as columns of SX."""
-    inputs = {name: ca.vertsplit(ca.vec(given[name])) if size else [] for name, size in program.inputs.items()}
-    outputs, _ = run(program, inputs, unary)
-    return {name: ca.vertcat(ca.SX(0, 1), *values) for name, values in outputs.items()}
-
-
-def unary(op: str, x: ca.SX) -> ca.SX:
-    """The unary primitives in SX."""
-    if op == "neg":
-        return -x
-    if op == "on":
-        return x > 0
-    if op in ("c4", "c5"):
-        return _stumpff(int(op[1]), x)
-    return getattr(ca, op)(x)
-
-
-def _stumpff(order: int, x: ca.SX) -> ca.SX:
-    """The series below the limit, sine and cosine above; each branch is regular in the range of the other."""
-    large = x >= LIMIT
-    far = ca.if_else(large, x, LIMIT)
-    s = ca.sqrt(far)
-    closed = (ca.cos(s) - 1 + far / 2) / far**2 if order == 4 else (ca.sin(s) - s + s * far / 6) / (far**2 * s)
-    near = ca.if_else(large, 0, x)
-    series = ca.SX(1)
-    for j in reversed(range(1, TERMS)):
-        series = 1 - near / ((order + 2 * j - 1) * (order + 2 * j)) * series
-    return ca.if_else(large, closed, series / (24 if order == 4 else 120))
 
 
 def rotations(rows: ca.SX, n: int) -> ca.SX:

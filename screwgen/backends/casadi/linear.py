@@ -9,7 +9,8 @@ from ...algorithms.functions import Functions
 from ...bodies.markers import strains
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from .functions import coordinate_rates, expressions, function
+from .expressions import expressions
+from .functions import coordinate_rates, function
 
 
 def linearisation(chain: Chain) -> ca.Function:

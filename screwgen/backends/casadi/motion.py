@@ -14,7 +14,8 @@ from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
 from ...integrators.se3 import FLAT, programs
 from ...topology.chain import Chain
-from .functions import coordinate_rates, expressions, function, rotations
+from .expressions import expressions
+from .functions import coordinate_rates, function, rotations
 
 STEP = "modal_midpoint"
 """The method of the function `step`, which is that of a simulation."""

@@ -225,6 +225,8 @@ class Tree:
         return float(s)
 
     def _say(self) -> None:
+        if self.options.tip is not None and (not self.nodes or self.nodes[-1].urdf != self.options.tip):
+            raise UsageError(f"tip: link {quoted(self.options.tip)} carries links that move; name one at an end")
         if self.dropped:
             self.notes.append(f"on the fixed base, left out: the inertia of {', '.join(self.dropped)}")
         if not self.nodes or not (self.floating or any(node.axes for node in self.nodes)):

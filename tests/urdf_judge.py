@@ -45,10 +45,10 @@ class Pair:
         return ours, theirs
 
     def state(self, rng) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """q, v and their rates of both."""
-        nq, nv = self.model.nq, self.model.nv
-        q, theirs = np.zeros(nq), pin.neutral(self.pin)
-        v, a = rng.normal(size=nv), rng.normal(size=nv)
+        """q, v and vdot of both; modes are at rest."""
+        q, theirs = np.zeros(self.model.nq), pin.neutral(self.pin)
+        v, a = np.zeros((2, self.model.nv))
+        v[self.rows], a[self.rows] = rng.normal(size=(2, len(self.rows)))
         if self.floating:
             turn = rng.normal(size=4)
             q[:3], q[3:7] = rng.normal(size=3), turn / np.linalg.norm(turn)
@@ -74,19 +74,14 @@ class Pair:
             q, v, a, their_q, their_v, their_a = self.state(rng)
             upper = np.triu(pin.crba(self.pin, self.data, their_q))
             M = (upper + np.triu(upper, 1).T)[np.ix_(self.columns, self.columns)]
-            M += np.diag(self.armature())
             tau = pin.rnea(self.pin, self.data, their_q, their_v, their_a)[self.columns]
-            tau += self.armature() * a[self.rows] + self.resistance(v[self.rows])
+            tau += self.resistance(v[self.rows])
             size = np.sqrt(np.diag(M))
             ours = numpy.mass_matrix(q)[np.ix_(self.rows, self.rows)]
-            worst = max(worst, np.max(np.abs(ours - M) / np.outer(size, size)))
+            worst = np.maximum(worst, np.max(np.abs(ours - M) / np.outer(size, size)))
             ours = numpy.inverse_dynamics(q, v, a, no_force)[self.rows]
-            worst = max(worst, np.max(np.abs(ours - tau) / size) / np.max(np.abs(tau) / size))
+            worst = np.maximum(worst, np.max(np.abs(ours - tau) / size) / np.max(np.abs(tau) / size))
         return worst
-
-    def armature(self) -> np.ndarray:
-        """Rotor inertia at the joints; Pinocchio reads none from a URDF."""
-        return np.zeros(len(self.rows))
 
     def resistance(self, v: np.ndarray) -> np.ndarray:
         """Damping and dry friction, by the numbers that Pinocchio has read."""

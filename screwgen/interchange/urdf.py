@@ -116,8 +116,7 @@ def _link(element: Element) -> UrdfLink:
 def _inertial(element: Element) -> Inertial:
     mass = element.needed("mass", "state <mass value=\"…\"/>, kg").number("value", "mass")
     tensor = element.needed("inertia", 'state <inertia ixx="…" ixy="…" … izz="…"/>, kg·m²')
-    xx, yy, zz = (tensor.number(key, "inertia") for key in ("ixx", "iyy", "izz"))
-    xy, xz, yz = (tensor.number(key, "inertia", "0") for key in ("ixy", "ixz", "iyz"))
+    xx, yy, zz, xy, xz, yz = (tensor.number(key, "inertia") for key in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
     xyz, rpy = _origin(element)
     J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     return Inertial(mass, np.zeros(3), J).seen(pose(xyz, rpy) if any(rpy) else Pose(HERE.R, np.array(xyz)))

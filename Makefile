@@ -8,6 +8,7 @@ BIN = $(VENV)/bin
 READY = $(VENV)/.ready
 BENCH = .venv-bench
 MINIMA = .venv-minima
+ROBOTS = $(VENV)/.robots
 WORKERS ?= 2
 QUIET = -q -p no:cacheprovider
 # Compiled Python is kept, but not beside its sources. Without it each process compiles sympy again, for seconds.
@@ -33,6 +34,10 @@ test: $(READY)
 # The examples in their short forms with their assertions, and every block of the guides, as users run them.
 examples: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'examples and not long' $(ARGS)
+
+# Every URDF of example-robot-data against Pinocchio. The package, 130 MB to load, is an extra of its own.
+robots: $(ROBOTS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m examples tests/test_urdf_robots.py $(ARGS)
 
 # What both leave out: the rest of the sweeps over random robots, layouts, bindings, compilers, bases and numbers of
 # modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
@@ -115,6 +120,10 @@ $(READY): pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
 	touch $@
 
+$(ROBOTS): $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[robots]'
+	touch $@
+
 $(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
 	@echo "making $(BENCH), once: about a minute"
 	$(PYTHON) -m venv $(BENCH)
@@ -135,4 +144,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test examples test-long lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc docs test examples robots test-long lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

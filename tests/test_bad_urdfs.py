@@ -52,45 +52,85 @@ WRONG = [
     ("<robot", "<!DOCTYPE robot><robot", "line 2: <!DOCTYPE> is not read; leave it out"),
     (GOOD[22:], GOOD[22:].replace("robot", "model"), "line 2: <model>: is the root of the file; a URDF has <robot"),
     (' name="bot"', "", "line 2: <robot>: name: is missing or empty; state name="),
-    ("<link name=", '<xacro:arm/><link name=', "line 3: <xacro:arm>: is to be expanded by xacro; run `xacro "),
+    ("<link name=", "<xacro:arm/><link name=", "line 3: <xacro:arm>: is to be expanded by xacro; run `xacro "),
     ('xyz="0.5 0 0"', 'xyz="${l} 0 0"', "line 27: joint 'elbow': origin: is to be expanded by xacro; run `xacro "),
     ('<link name="base"/>', "<link/>", "line 3: link '': name: is missing or empty; state name="),
     ('name="fore"', 'name="upper"', "line 11: link 'upper': name: has the name of an earlier one; give each its own"),
     ('joint name="elbow"', 'joint name="shoulder"', "line 24: joint 'shoulder': name: has the name of an earlier one"),
-    ('type="continuous"', 'type="hinge"', "line 24: joint 'elbow': type: is \"hinge\"; it must be revolute, continuous"),
+    (
+        'type="continuous"',
+        'type="hinge"',
+        "line 24: joint 'elbow': type: is \"hinge\"; it must be revolute, continuous",
+    ),
     ('type="continuous"', "", "line 24: joint 'elbow': type: is missing or empty; state type="),
     ('<parent link="upper"/>', "", "line 24: joint 'elbow': has no <parent>; state <parent link="),
     ('<parent link="upper"/>', "<parent/>", "line 25: joint 'elbow': parent link: is missing or empty; state link="),
     ('<child link="fore"/>', '<child link="for"/>', "line 26: joint 'elbow': child link: is \"for\", which is no link"),
-    ('<child link="fore"/>', '<child link="upper"/>', "line 24: joint 'elbow': carries link 'upper', as joint 'shoulder'"),
-    (LAST, f"{MORE}{LAST}", "line 33: link 'hand': has no joint that carries it, as link 'base', the root; join the two"),
+    (
+        '<child link="fore"/>',
+        '<child link="upper"/>',
+        "line 24: joint 'elbow': carries link 'upper', as joint 'shoulder'",
+    ),
+    (
+        LAST,
+        f"{MORE}{LAST}",
+        "line 33: link 'hand': has no joint that carries it, as link 'base', the root; join the two",
+    ),
     ('<parent link="base"/>', '<parent link="fore"/>', "line 4: link 'upper': hangs on itself: its joints go round"),
     (MASS, "", "line 5: link 'upper': inertial: has no <mass>; state <mass value="),
     (MASS, "<mass/>", "line 7: link 'upper': mass value: is missing; state value="),
     (MASS, '<mass value="-2"/>', "line 7: link 'upper': mass value: is -2.0; it must be >= 0"),
-    (MASS, '<mass value="2 kg"/>', "line 7: link 'upper': mass value: is \"2 kg\"; it must be a number, 0, or from 1e-12"),
+    (
+        MASS,
+        '<mass value="2 kg"/>',
+        "line 7: link 'upper': mass value: is \"2 kg\"; it must be a number, 0, or from 1e-12",
+    ),
     (MASS, '<mass value="two"/>', "line 7: link 'upper': mass value: is \"two\"; it must be a number"),
     (MASS, f"{MASS}{MASS}", "line 7: link 'upper': mass: is stated twice; leave one of them out"),
     (TENSOR, "", "line 5: link 'upper': inertial: has no <inertia>; state <inertia ixx="),
     (TENSOR, TENSOR.replace(' izz="0.1"', ""), "line 8: link 'upper': inertia izz: is missing; state izz="),
-    (TENSOR, TENSOR.replace('izz="0.1"', 'izz="nan"'), "line 8: link 'upper': inertia izz: is nan; it must be a finite"),
-    (TENSOR, TENSOR.replace('izz="0.1"', 'izz="0.3"'), "line 4: link 'upper': has an inertia that no body has, principal"),
+    (
+        TENSOR,
+        TENSOR.replace('izz="0.1"', 'izz="nan"'),
+        "line 8: link 'upper': inertia izz: is nan; it must be a finite",
+    ),
+    (
+        TENSOR,
+        TENSOR.replace('izz="0.1"', 'izz="0.3"'),
+        "line 4: link 'upper': has an inertia that no body has, principal",
+    ),
     ('rpy="0 0 0"', 'rpy="0 0"', "line 6: link 'upper': origin rpy: is \"0 0\"; it must be 3 numbers"),
     ('xyz="0.5 0 0"', 'xyz="0,5 0 0"', "line 27: joint 'elbow': origin xyz: is \"0,5\"; it must be a number"),
     ('<axis xyz="0 1 0"/>', '<axis xyz="0 0 0"/>', "line 20: joint 'shoulder': axis xyz: is the zero vector; an axis"),
     ('<axis xyz="0 1 0"/>', "<axis/>", "line 20: joint 'shoulder': axis xyz: is missing; state xyz="),
     (LIMIT, LIMIT.replace('"-1"', '"2"'), "line 21: joint 'shoulder': limit lower: is 2.0; it must be less than upper"),
     (LIMIT, LIMIT.replace('"-1"', '"pi"'), "line 21: joint 'shoulder': limit lower: is \"pi\"; it must be a number"),
-    (DYNAMICS, DYNAMICS.replace('"0.1"', '"-0.1"'), "line 22: joint 'shoulder': dynamics damping: is -0.1; it must be >= 0"),
-    (DYNAMICS, DYNAMICS.replace('"0.2"', '"1e20"'), "line 22: joint 'shoulder': dynamics friction: is 1e+20; it must be 0"),
+    (
+        DYNAMICS,
+        DYNAMICS.replace('"0.1"', '"-0.1"'),
+        "line 22: joint 'shoulder': dynamics damping: is -0.1; it must be >= 0",
+    ),
+    (
+        DYNAMICS,
+        DYNAMICS.replace('"0.2"', '"1e20"'),
+        "line 22: joint 'shoulder': dynamics friction: is 1e+20; it must be 0",
+    ),
     (DYNAMICS, '<mimic joint="elbow"/>', "line 22: joint 'shoulder': mimic: couples two joints, and a robot file has"),
     ('type="continuous"', 'type="floating"', "line 24: joint 'elbow': type: is floating, which only the joint of the"),
     ('<joint name="elbow"/>', "", "line 29: transmission 'gear': has no <joint>; state <joint name="),
-    ('<joint name="elbow"/>', '<joint name="el"/>', "line 29: transmission 'gear': names the joint \"el\", which is not"),
+    (
+        '<joint name="elbow"/>',
+        '<joint name="el"/>',
+        "line 29: transmission 'gear': names the joint \"el\", which is not",
+    ),
     (">1e-4<", "><", "line 31: transmission 'gear': rotorInertia: is \"\"; it must be a number, from 1e-12"),
     (">100<", ">0<", "line 31: transmission 'gear': mechanicalReduction: is 0.0; it must be > 0"),
 ]
-SINGULAR = GOOD.replace("<rotorInertia>1e-4</rotorInertia>", "").replace('ixx="0.2"', 'ixx="0"').replace('iyy="0.2"', 'iyy="0"')
+SINGULAR = (
+    GOOD.replace("<rotorInertia>1e-4</rotorInertia>", "")
+    .replace('ixx="0.2"', 'ixx="0"')
+    .replace('iyy="0.2"', 'iyy="0"')
+)
 SINGULAR = SINGULAR.replace('izz="0.2"', 'izz="0"')
 FIXED = GOOD.replace('type="revolute"', 'type="fixed"').replace('type="continuous"', 'type="fixed"')
 CIRCLE = GOOD.replace('<link name="base"/>', "").replace('<parent link="base"/>', '<parent link="fore"/>')
@@ -111,18 +151,39 @@ SIDES = [
     ("[[links]]\n", "links[0].name: is a Python NoneType, no link of"),
     ('[[links]]\nname = "arm"', 'links[0].name: is "arm", no link of'),
     ('[[links]]\nname = "fore"\n' * 2, 'links[1].name: is "fore" again; state all of a link in one table'),
-    ('[[links]]\nname = "fore"\nparent = "base"', "links[0].parent (link fore): is what the URDF states; change it there"),
+    (
+        '[[links]]\nname = "fore"\nparent = "base"',
+        "links[0].parent (link fore): is what the URDF states; change it there",
+    ),
     ('[[links]]\nname = "fore"\njoint.axes = ["z"]', "links[0].joint.axes (link fore): is what the URDF states"),
-    ('[[links]]\nname = "fore"\nsection = { rhoA = 1 }', "links[0].tip (link fore): is missing, and the link carries 0"),
-    ('[[links]]\nname = "upper"\ntip = "wrist"', 'links[0].tip (link upper): is "wrist", no joint that the link carries'),
+    (
+        '[[links]]\nname = "fore"\nsection = { rhoA = 1 }',
+        "links[0].tip (link fore): is missing, and the link carries 0",
+    ),
+    (
+        '[[links]]\nname = "upper"\ntip = "wrist"',
+        'links[0].tip (link upper): is "wrist", no joint that the link carries',
+    ),
     ('[[links]]\nname = "upper"\ntip = [0, 0]', "links[0].tip (link upper): has length 2; it must be an array of 3"),
-    ('[[links]]\nname = "upper"\ntip = [0, 0, 0]', "links[0].tip (link upper): is the origin of the link; state another"),
+    (
+        '[[links]]\nname = "upper"\ntip = [0, 0, 0]',
+        "links[0].tip (link upper): is the origin of the link; state another",
+    ),
     ('[[links]]\nname = "upper"\ny = [1, 0, 0]', "links[0].y (link upper): is along the centreline; state a direction"),
     ('[[links]]\nname = "upper"\nrpy = [1, 0, 0]', "links[0].rpy (link upper): is stated without body, whose axes"),
     ('[[links]]\nname = "upper"\nlenght = 2', "links[0].lenght (link upper): is an unknown key; did you mean length?"),
-    ('[[links]]\nname = "upper"\nmodes = { bending_y = 2 }\ntip = "elbow"', "links[0].section (link upper): is missing"),
-    ('[[links]]\nname = "upper"\nbody = { sid = "none.sid" }', "links[0].body.sid (link upper): none.sid: there is no such"),
-    ('[[links]]\nname = "fore"\njoint.armature = [-1]', "links[0].joint.armature[0] (link fore): is -1; it must be >= 0"),
+    (
+        '[[links]]\nname = "upper"\nmodes = { bending_y = 2 }\ntip = "elbow"',
+        "links[0].section (link upper): is missing",
+    ),
+    (
+        '[[links]]\nname = "upper"\nbody = { sid = "none.sid" }',
+        "links[0].body.sid (link upper): none.sid: there is no such",
+    ),
+    (
+        '[[links]]\nname = "fore"\njoint.armature = [-1]',
+        "links[0].joint.armature[0] (link fore): is -1; it must be >= 0",
+    ),
     ("gravity = 9.81", "gravity: is 9.81; it must be an array of 3 numbers"),
     ("order = 7", "order: is 7; it must be 1 or 2"),
     ("[[links", "line 1: is not valid TOML"),
@@ -168,7 +229,7 @@ def test_a_wrong_side_file_is_refused_in_one_line(tmp_path, monkeypatch, content
     ("options", "said"),
     [
         ("--mimic hold", "mimic: there is no 'hold'; choose refuse, free or weld"),
-        ("--tip wrist", "tip: bot.urdf has no link \"wrist\"; name one"),
+        ("--tip wrist", 'tip: bot.urdf has no link "wrist"; name one'),
         ("--flexible none.toml", "none.toml: there is no such file"),
         ("--flexible bad.toml", "bad.toml: links[0].section (link upper): is missing"),
     ],

@@ -67,7 +67,7 @@ class Pair:
         return q, v, a, theirs, *rates
 
     def misfit(self, seed: int = 0, states: int = 2) -> float:
-        """The largest error of mass matrix and generalised forces, in units in which each coordinate has the inertia 1."""
+        """The largest error of mass matrix and forces, in units in which each coordinate has the inertia 1."""
         rng, worst, numpy = np.random.default_rng(seed), 0.0, self.model.numpy()
         no_force = np.zeros((self.model.n_links, 6))
         for _ in range(states):

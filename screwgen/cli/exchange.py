@@ -22,12 +22,16 @@ def import_(
     ],
     flexible: Annotated[
         str | None,
-        typer.Option(metavar="FILE", help="Which links are flexible: TOML with keys of a robot file.", show_default=False),
+        typer.Option(
+            metavar="FILE", help="Which links are flexible: TOML with keys of a robot file.", show_default=False
+        ),
     ] = None,
     keep_fixed: Annotated[
         bool, typer.Option("--keep-fixed", help="Keep fixed joints as welded links, instead of merging them.")
     ] = False,
-    floating: Annotated[bool, typer.Option("--floating", help="The root link floats, instead of being the world.")] = False,
+    floating: Annotated[
+        bool, typer.Option("--floating", help="The root link floats, instead of being the world.")
+    ] = False,
     mimic: Annotated[
         str, typer.Option(metavar="HOW", help="Joints that mimic others: refuse, free (move on their own) or weld.")
     ] = "refuse",

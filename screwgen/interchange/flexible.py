@@ -2,8 +2,8 @@
 
 It is a part of a robot file. Its `[[links]]` name links of the URDF and add keys of a robot file to them; keys beside
 `[[links]]`, such as `gravity`, are those of the robot. Three keys are its own: `tip`, where the centreline of a link
-ends, `y`, the direction of the section's y axis, and `rpy`, how the axes of a body from finite elements stand, all in the
-frame of the URDF's link.
+ends, `y`, the direction of the section's y axis, and `rpy`, how the axes of a body from finite elements stand, all
+in the frame of the URDF's link.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from .urdf import FIXED, Urdf
 OWN = ("tip", "y", "rpy")
 ROD = ("length", "section", "profile", "tip", "y")
 UPRIGHT = 0.9
-"""Cosine of the angle to the centreline beyond which the y axis of the link is no direction for the section's y axis."""
+"""Cosine of the angle to the centreline from which on the link's y axis is no direction for that of the section."""
 
 
 @dataclass
@@ -58,7 +58,8 @@ def read_side_file(path: str | os.PathLike[str] | None, urdf: Urdf) -> SideFile:
         name = table.get("name")
         if not isinstance(name, str) or name not in urdf.links:
             known = ", ".join(map(quoted, list(urdf.links)[:12])) + (", …" if len(urdf.links) > 12 else "")
-            raise RobotFileError(f"{file}: links[{i}].name: is {shown(name)}, no link of {urdf.element.file}; it has {known}")
+            what = f"is {shown(name)}, no link of {urdf.element.file}; it has {known}"
+            raise RobotFileError(f"{file}: links[{i}].name: {what}")
         if name in found.links:
             raise RobotFileError(f"{file}: links[{i}].name: is {quoted(name)} again; state all of a link in one table")
         found.links[name], found.places[name] = table, i
@@ -70,7 +71,7 @@ def _refuse_the_urdfs(side: SideFile, name: str, table: dict[str, Any]) -> None:
     joint = table.get("joint", {})
     if not isinstance(joint, dict):
         raise side.fault(name, "joint", f"is {shown(joint)}; it must be a table")
-    stated = [key for key in ("parent",) if key in table] + [f"joint.{key}" for key in ("axes", "mount") if key in joint]
+    stated = ["parent"] if "parent" in table else [f"joint.{key}" for key in ("axes", "mount") if key in joint]
     if stated:
         raise side.fault(name, stated[0], "is what the URDF states; change it there")
 
@@ -80,7 +81,8 @@ class Shape:
     """How a link that the side file gives a shape sits in the frame of the URDF's link.
 
     `frame`: the link frame F_i there, with the same origin; `tip`: the undeformed tip frame in F_i; `keys`: what the
-    file states of the link, as a robot file has it; `bends`: whether it has modes; `ends`: whether only its tip can carry others.
+    file states of the link, as a robot file has it; `bends`: whether it has modes; `ends`: whether its tip alone can
+    carry others.
     """
 
     frame: Pose
@@ -139,7 +141,13 @@ def _rod(side: SideFile, urdf: Urdf, name: str, table: dict, keys: dict, body: I
     if not isinstance(length, int | float) or isinstance(length, bool):
         raise side.fault(name, "length", f"is {shown(length)}; it must be a number")
     section = keys.get("section")
-    if isinstance(section, dict) and not {"rhoA", "density", "stations"} & set(section) and body and body.mass and length:
+    if (
+        isinstance(section, dict)
+        and not {"rhoA", "density", "stations"} & set(section)
+        and body
+        and body.mass
+        and length
+    ):
         keys = keys | {"section": {"rhoA": body.mass / length} | section}
     keys = {"length": float(length)} | keys
     return Shape(Pose(R, np.zeros(3)), Pose(HERE.R, np.array([length, 0.0, 0.0])), keys, "modes" in keys, False)
@@ -168,8 +176,8 @@ def _across(side: SideFile, name: str, stated: Any, x: np.ndarray) -> np.ndarray
         y = np.eye(3)[1 if abs(x[1]) < UPRIGHT else 2]
     else:
         y = np.array(_numbers(side, name, "y", stated, "position"))
-    across = y - (y @ x) * x
-    if np.linalg.norm(across) < 1e-6 * max(np.linalg.norm(y), 1e-300):
+    across: np.ndarray = y - float(y @ x) * x
+    if np.linalg.norm(across) <= 1e-6 * float(np.linalg.norm(y)):
         raise side.fault(name, "y", "is along the centreline; state a direction across it, in the link's frame")
     return across / np.linalg.norm(across)
 

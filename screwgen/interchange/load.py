@@ -73,14 +73,16 @@ def load(
 ) -> Robot:
     """The robot that the file at `path` describes: a robot file (TOML), or a URDF.
 
-    What else is given is for a URDF alone.  ``flexible``: a side file that says which links are flexible; the others as
-    :class:`.Options` has them.  Each thing of a URDF that is left out is an :class:`ImportNote`.  Raises RobotFileError,
-    one line that names the file, the place in it, the fault and the remedy.
+    What else is given is for a URDF alone.  ``flexible``: a side file that says which links are flexible; the others
+    as :class:`.Options` has them.  Each thing of a URDF that is left out is an :class:`ImportNote`.  Raises
+    RobotFileError, one line that names the file, the place in it, the fault and the remedy.
     """
     options = Options(keep_fixed, floating, mimic, tip, nearest_inertia)
     if not is_urdf(path):
         if flexible is not None or options != Options():
-            raise UsageError(f"{one_line(os.fsdecode(path))}: is no .urdf; flexible and the options are those of a URDF")
+            raise UsageError(
+                f"{one_line(os.fsdecode(path))}: is no .urdf; flexible and the options are those of a URDF"
+            )
         return load_robot_file(path)
     found = import_urdf(path, flexible, options)
     for note in found.notes:
@@ -128,8 +130,8 @@ def _refuse_without_inertia(tree: Tree) -> None:
     armature = [_armature(x, tree.side) for x in nodes]
     carriers = [node.carrier for node in nodes]
     found = first_without_inertia(carriers, mounts, [node.axes for node in nodes], inertias, armature)
-    if found is not None and nodes[found].joint is not None:
-        joint = nodes[found].joint
+    joint = nodes[found].joint if found is not None else None
+    if joint is not None:
         what = f"moves nothing that resists it: link '{joint.child}' and what it carries have no inertia about its axis"
         raise joint.element.fault(f"{what}; give the link an <inertial>, or make the joint fixed")
     if tree.floating and np.linalg.matrix_rank(inertias[0]) < 6 and len(nodes) == 1:

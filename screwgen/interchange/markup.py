@@ -12,12 +12,14 @@ from xml.parsers import expat
 
 from ..errors import RobotFileError
 from ..spec.load import one_line
-from ..spec.ranges import RANGES, within
-from ..spec.values import quoted
+from ..spec.ranges import RANGES, Range
+from ..spec.values import number, quoted
 
 MAX_DEPTH = 64
 TO_EXPAND = ("${", "$(")
 """What only xacro understands in attributes."""
+ALLOWED = RANGES | {"any limit": Range(number, 0.0, 1e300, "in SI units")}
+"""The ranges of a robot file; limits of a URDF may be so far that they mean none."""
 
 
 @dataclass
@@ -72,14 +74,14 @@ class Element:
         """An attribute that must be there and hold something."""
         value = self.attributes.get(attribute, "").strip()
         if not value:
-            raise self.fault(f"is missing or empty; state {attribute}=\"…\"", attribute)
+            raise self.fault(f'is missing or empty; state {attribute}="…"', attribute)
         return value
 
     def numbers(self, attribute: str, size: int, quantity: str, default: str | None = None) -> list[float]:
         """Numbers of an attribute, each in the range of `quantity` of a robot file."""
         text = self.attributes.get(attribute, default)
         if text is None:
-            raise self.fault(f"is missing; state {attribute}=\"…\"", attribute)
+            raise self.fault(f'is missing; state {attribute}="…"', attribute)
         return self._read(text, attribute, size, quantity)
 
     def number(self, attribute: str, quantity: str, default: str | None = None) -> float:
@@ -95,7 +97,7 @@ class Element:
         words = text.split()
         if len(words) != size:
             what = "a number" if size == 1 else f"{size} numbers"
-            raise self.fault(f"is {quoted(text)}; it must be {what}, {RANGES[quantity].text}", attribute)
+            raise self.fault(f"is {quoted(text)}; it must be {what}, {ALLOWED[quantity].text}", attribute)
         return [self._one(word, attribute, quantity) for word in words]
 
     def _one(self, word: str, attribute: str, quantity: str) -> float:
@@ -104,9 +106,9 @@ class Element:
         except ValueError:
             value = None
         if value is None:
-            raise self.fault(f"is {quoted(word)}; it must be a number, {RANGES[quantity].text}", attribute)
+            raise self.fault(f"is {quoted(word)}; it must be a number, {ALLOWED[quantity].text}", attribute)
         try:
-            return within(quantity)(value) + 0.0
+            return ALLOWED[quantity].check(value) + 0.0
         except ValueError as error:
             raise self.fault(str(error), attribute) from None
 

@@ -34,7 +34,11 @@ def adjoint(T: Pose) -> np.ndarray:
 
 
 def first_without_inertia(
-    carriers: Sequence[int], mounts: Sequence[Pose], axes: Sequence[list], inertias: Sequence[np.ndarray], armature: Sequence[float]
+    carriers: Sequence[int],
+    mounts: Sequence[Pose],
+    axes: Sequence[list],
+    inertias: Sequence[np.ndarray],
+    armature: Sequence[float],
 ) -> int | None:
     """The number of a link whose joint moves nothing in a posture that is not special; None where all move something.
 

@@ -22,7 +22,9 @@ def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, 
     if tree.floating:
         robot["base"] = FLOATING
     robot["links"] = [_link(tree, i, node) for i, node in enumerate(tree.nodes)]
-    tree.notes += _limits_note(tree, "effort", "as tau_max of a controller") + _limits_note(tree, "velocity", "rad/s, m/s")
+    tree.notes += _limits_note(tree, "effort", "as tau_max of a controller") + _limits_note(
+        tree, "velocity", "rad/s, m/s"
+    )
     comments, joints = {}, {}
     for node in tree.nodes:
         if node.joint is not None:
@@ -54,11 +56,14 @@ def _link(tree: Tree, i: int, node: Node) -> dict[str, Any]:
         bodies = [{"at": "base", "mass": 0.0}]
     if bodies:
         table["bodies"] = bodies
-    return table | {key: value for key, value in keys.items() if key not in table and key not in ("joint", "bodies", "at")}
+    return table | {
+        key: value for key, value in keys.items() if key not in table and key not in ("joint", "bodies", "at")
+    }
 
 
 def _joint(tree: Tree, node: Node) -> dict[str, Any]:
-    joint, table = node.joint, {"axes": node.axes}
+    joint = node.joint
+    table: dict[str, Any] = {"axes": node.axes}
     floats = node.joint is None and tree.floating
     xyz, rpy = (joint.xyz, joint.rpy) if joint is not None and node.literal else (node.mount.xyz, node.mount.rpy)
     mount = {key: tuple(value) for key, value in (("xyz", xyz), ("rpy", rpy)) if any(value)}
@@ -68,7 +73,9 @@ def _joint(tree: Tree, node: Node) -> dict[str, Any]:
         return table
     if len(node.axes) > 1:
         if joint.damping or joint.friction:
-            tree.notes.append(f"joint '{joint.name}': its <dynamics> are left out, a planar joint has several coordinates")
+            tree.notes.append(
+                f"joint '{joint.name}': its <dynamics> are left out, a planar joint has several coordinates"
+            )
         return table
     if joint.damping:
         table["damping"] = joint.damping

@@ -13,7 +13,11 @@ WIDTH = 120
 
 
 def document(
-    tables: dict[str, Any], head: Sequence[str], comments: dict[str, str], from_folder: str, to_folder: str | os.PathLike
+    tables: dict[str, Any],
+    head: Sequence[str],
+    comments: dict[str, str],
+    from_folder: str,
+    to_folder: str | os.PathLike,
 ) -> str:
     """TOML text of a robot's tables.
 

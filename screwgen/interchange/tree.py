@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import RobotFileError, UsageError
+from ..errors import UsageError
 from ..spec.names import FILE_NAMES, KEYWORDS, MAX_LENGTH
 from ..spec.parents import WORLD
 from ..spec.values import quoted
@@ -29,9 +29,9 @@ class Options:
     """How a URDF is read.
 
     ``keep_fixed``: fixed joints stay welded links instead of being merged; ``floating``: the root link is the floating
-    base; ``mimic``: joints that mimic others are refused, left to move on their own (``"free"``) or welded (``"weld"``);
-    ``tip``: the link that comes last, even where it is fixed, so that it is *the tip*; ``nearest_inertia``: replaces
-    inertias that no body has by the nearest that one has.
+    base; ``mimic``: joints that mimic others are refused, left to move on their own (``"free"``) or welded
+    (``"weld"``); ``tip``: the link that comes last, even where it is fixed, so that it is *the tip*;
+    ``nearest_inertia``: replaces inertias that no body has by the nearest that one has.
     """
 
     keep_fixed: bool = False
@@ -93,7 +93,9 @@ class Tree:
             self.floating = True
             self._drop(root)
             if any(below[0].xyz + below[0].rpy):
-                self.notes.append(f"joint '{below[0].name}': the pose of a floating base is state; its origin is left out")
+                self.notes.append(
+                    f"joint '{below[0].name}': the pose of a floating base is state; its origin is left out"
+                )
             root = below[0].child
         for joint in self.urdf.joints.values():
             if joint.kind == FREE and joint.child != root:
@@ -189,7 +191,9 @@ class Tree:
         """A node for a link whose joint frame sits in the frame of its carrier's URDF link at `placed`."""
         body, table = self._body(link), self.side.links.get(link, {})
         shape = shape_of(self.side, self.urdf, link, body)
-        node = Node(self.names[link], link, carrier, joint, [] if welded or joint is None else _axes(joint, shape), shape)
+        node = Node(
+            self.names[link], link, carrier, joint, [] if welded or joint is None else _axes(joint, shape), shape
+        )
         above = self.nodes[carrier].shape if carrier >= 0 else None
         if above is not None:
             placed = above.frame.inverse @ placed
@@ -217,11 +221,12 @@ class Tree:
     def _place(self, carrier: int, link: str, at: Any) -> float:
         """The place s that `at` of the side file names on its carrier."""
         shape = self.nodes[carrier].shape
-        markers = {x.get("name"): x.get("at") for x in shape.keys.get("markers", ()) if isinstance(x, dict)}
-        known = {"base": 0.0, "tip": 1.0} | markers
+        markers = shape.keys.get("markers", ()) if shape else ()
+        known = {"base": 0.0, "tip": 1.0} | {str(x.get("name")): x.get("at") for x in markers if isinstance(x, dict)}
         s = at.get("s") if isinstance(at, dict) else known.get(at) if isinstance(at, str) else None
         if not isinstance(s, int | float) or not 0 <= s <= 1:
-            raise self.side.fault(link, "at", f'is no place of its carrier; choose {", ".join(map(quoted, known))} or {{ s = … }}')
+            places = ", ".join(map(quoted, known))
+            raise self.side.fault(link, "at", f"is no place of its carrier; choose {places} or {{ s = … }}")
         return float(s)
 
     def _say(self) -> None:

@@ -88,7 +88,7 @@ def read_urdf(content: bytes, file: str) -> Urdf:
     """The robot of a URDF.  Raises RobotFileError, one line with file, line, element, fault and remedy."""
     root = read_xml(content, file)
     if root.tag != "robot":
-        raise root.fault("is the root of the file; a URDF has <robot name=\"…\">")
+        raise root.fault('is the root of the file; a URDF has <robot name="…">')
     name = root.string("name")
     links = {x.name: x for x in map(_link, _distinct(root.all("link")))}
     if not links:
@@ -114,7 +114,7 @@ def _link(element: Element) -> UrdfLink:
 
 
 def _inertial(element: Element) -> Inertial:
-    mass = element.needed("mass", "state <mass value=\"…\"/>, kg").number("value", "mass")
+    mass = element.needed("mass", 'state <mass value="…"/>, kg').number("value", "mass")
     tensor = element.needed("inertia", 'state <inertia ixx="…" ixy="…" … izz="…"/>, kg·m²')
     xx, yy, zz, xy, xz, yz = (tensor.number(key, "inertia") for key in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
     xyz, rpy = _origin(element)
@@ -133,8 +133,9 @@ def _joint(element: Element) -> UrdfJoint:
     kind = element.string("type")
     if kind not in TYPES:
         raise element.fault(f"is {quoted(kind)}; it must be {', '.join(TYPES[:-1])} or {TYPES[-1]}", "type")
-    ends = [element.needed(tag, f"state <{tag} link=\"…\"/>").string("link") for tag in ("parent", "child")]
-    found = UrdfJoint(element, element.string("name"), kind, *ends, *_origin(element), _axis(element, kind))
+    ends = [element.needed(tag, f'state <{tag} link="…"/>').string("link") for tag in ("parent", "child")]
+    (parent, child), (xyz, rpy) = ends, _origin(element)
+    found = UrdfJoint(element, element.string("name"), kind, parent, child, xyz, rpy, _axis(element, kind))
     found.mimic = element.only("mimic")
     if (limit := element.only("limit")) is not None:
         _limits(found, limit)
@@ -199,7 +200,7 @@ def _transmissions(root: Element, joints: dict[str, UrdfJoint]) -> list[str]:
             continue
         name = element.needed("joint", 'state <joint name="…"/>').string("name")
         if name not in joints:
-            raise element.fault(f"names the joint {quoted(name)}, which is not there; state <joint name=\"…\"/>")
+            raise element.fault(f'names the joint {quoted(name)}, which is not there; state <joint name="…"/>')
         if len(rotors) > 1 or len(ratios) > 1 or joints[name].rotor_inertia is not None:
             raise element.fault(f"states a second rotor for joint '{name}'; leave one of them out")
         joints[name].rotor_inertia = rotors[0].content("rotor inertia")

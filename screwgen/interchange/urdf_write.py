@@ -75,7 +75,9 @@ class _Writer:
     def _robot_notes(self) -> None:
         robot = self.robot
         if tuple(robot.gravity) != GRAVITY:
-            self.notes.append(f"gravity = {list(robot.gravity)} is left out; where it is read again, state it in a side file")
+            self.notes.append(
+                f"gravity = {list(robot.gravity)} is left out; where it is read again, state it in a side file"
+            )
         if robot.loops:
             self.notes.append(f"{len(robot.loops)} loops are left out; a URDF is a tree")
         if robot.base == FLOATING:
@@ -131,7 +133,12 @@ class _Writer:
         """(6, 6): the inertia of the undeformed link about its joint point, for twists [ω; v] in link axes."""
         update = {"joint": Joint(axes=()), "parent": None, "at": "tip", "frame_at": None}
         alone = self.robot.model_copy(
-            update={"links": (link.model_copy(update=update),), "loops": (), "base": FLOATING, "gravity": (0.0, 0.0, 0.0)}
+            update={
+                "links": (link.model_copy(update=update),),
+                "loops": (),
+                "base": FLOATING,
+                "gravity": (0.0, 0.0, 0.0),
+            }
         )
         chain = Chain(alone)
         q = np.zeros(chain.nq)
@@ -152,7 +159,9 @@ class _Writer:
         for body in link.bodies:
             if body.mass and body.com and any(body.com):
                 start = self._end(link) if body.at == "tip" else HERE
-                yield _visual(start @ Pose(HERE.R, np.array(body.com)), f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY)
+                yield _visual(
+                    start @ Pose(HERE.R, np.array(body.com)), f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY
+                )
 
     # joints
 
@@ -204,13 +213,17 @@ class _Writer:
             free = OPEN_RANGE if screw.slides else 2 * np.pi
             for side, value in (("lower", lower), ("upper", upper)):
                 if value is None:
-                    self.notes.append(f"{below}: its joint has no {side} limit, which URDF needs; {free:g} stands there")
+                    self.notes.append(
+                        f"{below}: its joint has no {side} limit, which URDF needs; {free:g} stands there"
+                    )
             lower = -max(free, 2 * abs(upper or 0)) if lower is None else lower
             upper = max(free, 2 * abs(lower)) if upper is None else upper
             parts.append(f'<limit lower={_row([lower])} upper={_row([upper])} effort="1e6" velocity="1e3"/>')
         friction = joint.drives[k].friction if joint.drives else None
         elastic = bool(joint.drives and (joint.drives[k].elastic or joint.drives[k].transmission))
-        damping = (joint.damping[k] if joint.damping else 0.0) + ((friction and friction.viscous and not elastic and friction.viscous) or 0.0)
+        damping = (joint.damping[k] if joint.damping else 0.0) + (
+            (friction and friction.viscous and not elastic and friction.viscous) or 0.0
+        )
         dry = (friction and not elastic and friction.coulomb) or 0.0
         if damping or dry:
             parts.append(f"<dynamics damping={_row([damping])} friction={_row([dry])}/>")
@@ -231,11 +244,10 @@ class _Writer:
             several = len(link.joint.screws) > 1
             for k in range(len(link.joint.screws)):
                 drive = link.joint.drives[k] if link.joint.drives else None
-                stated = drive and drive.rotor_inertia is not None and drive.transmission is None
                 armature = link.joint.armature[k] if link.joint.armature else 0.0
-                rotor, ratio = (drive.rotor_inertia, drive.ratio or 1.0) if drive and stated else (armature, 1.0)
-                if stated and armature:
-                    rotor, ratio = rotor * ratio**2 + armature, 1.0
+                rotor, ratio = armature, 1.0
+                if drive and drive.rotor_inertia is not None and drive.transmission is None:
+                    rotor, ratio = drive.rotor_inertia + armature / (drive.ratio or 1.0) ** 2, drive.ratio or 1.0
                 if rotor:
                     name = f"{link.name}_joint" + (f"_{k}" if several else "")
                     self.lines += [
@@ -257,7 +269,11 @@ def _row(values) -> str:
 
 def _visual(placed: Pose, shape: str, colour: str) -> list[str]:
     at = f"<origin xyz={_row(placed.xyz)} rpy={_row(placed.rpy)}/>"
-    return [at, f"<geometry>{shape}</geometry>", f'<material name="{colour}"><color rgba="{COLOURS[colour]}"/></material>']
+    return [
+        at,
+        f"<geometry>{shape}</geometry>",
+        f'<material name="{colour}"><color rgba="{COLOURS[colour]}"/></material>',
+    ]
 
 
 def _towards(axis: np.ndarray) -> np.ndarray:

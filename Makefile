@@ -8,6 +8,7 @@ BIN = $(VENV)/bin
 READY = $(VENV)/.ready
 BENCH = .venv-bench
 MINIMA = .venv-minima
+ROBOTS = $(VENV)/.robots
 WORKERS ?= 2
 QUIET = -q -p no:cacheprovider
 # Compiled Python is kept, but not beside its sources. Without it each process compiles sympy again, for seconds.
@@ -36,9 +37,9 @@ test: $(READY)
 examples: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'examples and not long' $(ARGS)
 
-# Both, and the analysers of `make lint`, in one run: no core waits for the other between them.
-test-all: $(READY)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'not long' $(ARGS)
+# Every URDF of example-robot-data against Pinocchio. The package, 130 MB to load, is an extra of its own.
+robots: $(ROBOTS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m examples tests/test_urdf_robots.py $(ARGS)
 
 # What both leave out: the rest of the sweeps over random robots, layouts, bindings, compilers, bases and numbers of
 # modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
@@ -124,6 +125,10 @@ $(READY): pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
 	touch $@
 
+$(ROBOTS): $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[robots]'
+	touch $@
+
 $(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
 	@echo "making $(BENCH), once: about a minute"
 	$(PYTHON) -m venv $(BENCH)
@@ -144,4 +149,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test examples test-all test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc docs test examples robots test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

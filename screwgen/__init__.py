@@ -12,6 +12,7 @@ from .version import __version__
 HOMES = {
     "backends.numpy.closing": ("OpenLoopError",),
     "errors": ("RobotFileError", "ScrewgenError", "SingularError", "UsageError"),
+    "interchange.load": ("ImportNote", "load"),
     "model": ("Model", "derive"),
     "simulation.controllers": ("PD", "Holding"),
     "simulation.hits": ("Hit", "LimitWarning"),
@@ -21,7 +22,7 @@ HOMES = {
     "simulation.simulate": ("simulate",),
     "simulation.validity": ("ModelLeftError", "ModelValidityWarning", "Validity"),
     "spec.frequencies": ("Frequencies",),
-    "spec.load": ("dump", "load"),
+    "spec.load": ("dump",),
     "spec.drive": ("Drive", "Friction"),
     "spec.joint": ("Joint", "Mount"),
     "spec.four_bar": ("FourBar",),

@@ -5,6 +5,8 @@ from .errors import RobotFileError as RobotFileError
 from .errors import ScrewgenError as ScrewgenError
 from .errors import SingularError as SingularError
 from .errors import UsageError as UsageError
+from .interchange.load import ImportNote as ImportNote
+from .interchange.load import load as load
 from .model import Model as Model
 from .model import derive as derive
 from .simulation.controllers import PD as PD
@@ -27,7 +29,6 @@ from .spec.joint import Joint as Joint
 from .spec.joint import Mount as Mount
 from .spec.limit import Limit as Limit
 from .spec.load import dump as dump
-from .spec.load import load as load
 from .spec.robot import Body as Body
 from .spec.robot import Damping as Damping
 from .spec.robot import Link as Link

@@ -16,6 +16,7 @@ import typer
 
 from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
+from . import exchange
 from .process import guarded, prepare
 
 EPILOG = (
@@ -296,6 +297,8 @@ def latex(
 
     run_latex(robot, output, quiet or context.obj)
 
+
+exchange.register(app, EPILOG)
 
 # ------------------------------------------------------------------------------ the process
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
+from ..interchange.load import import_urdf, is_urdf
 from ..spec.advice import advice
 from ..spec.load import load, one_line
 from ..spec.robot import Robot
@@ -18,11 +19,17 @@ def say(text: str, quiet: bool) -> None:
 
 
 def load_robot(path: str, quiet: bool = False) -> Robot:
-    """The robot in a file, with a note on stderr on probable mistakes in it."""
-    robot = load(path)
-    for line in () if quiet else advice(robot):
-        print(f"screwgen: note: {one_line(path)}: {line}", file=sys.stderr)
+    """The robot in a file, with notes on stderr: what of a URDF is left out, and probable mistakes."""
+    found = import_urdf(path) if is_urdf(path) else None
+    robot = found.robot if found else load(path)
+    notes(path, (*(found.notes if found else ()), *advice(robot)), quiet)
     return robot
+
+
+def notes(path: str, lines: Iterable[str], quiet: bool) -> None:
+    """Notes on a file, on stderr."""
+    for line in () if quiet else lines:
+        print(f"screwgen: note: {one_line(path)}: {line}", file=sys.stderr)
 
 
 def shows_progress(quiet: bool) -> bool:

@@ -4,6 +4,7 @@ import json
 import os
 import re
 import tomllib
+from collections.abc import Callable
 from typing import Any
 
 from pydantic import ValidationError
@@ -11,9 +12,10 @@ from pydantic import ValidationError
 from ..errors import RobotFileError, UsageError
 from ..files import NotRegularError, open_regular
 from .axes import LETTERS
-from .messages import explain
+from .messages import explain, first_error, key_path, link_label, reason
 from .reduced import FOLDER, Reduced
 from .robot import Robot
+from .values import Path
 
 SCREWS = ("slide", "screw")
 """Keys whose value is an axis."""
@@ -32,6 +34,20 @@ def load(path: str | os.PathLike[str]) -> Robot:
         return Robot.model_validate(data, context={FOLDER: os.path.dirname(os.fspath(path))})
     except ValidationError as error:
         raise RobotFileError(f"{file}: {explain(error, Robot, data)}") from None
+
+
+def validated(data: dict[str, Any], folder: str, place: Callable[[Path], tuple[str, Path]]) -> Robot:
+    """The robot of tables that come from other files; `place`: the file and the path there of a path in `data`.
+
+    Raises RobotFileError as :func:`load`.
+    """
+    try:
+        return Robot.model_validate(data, context={FOLDER: folder})
+    except ValidationError as error:
+        record = first_error(error)
+        at = (*record["loc"], *record.get("ctx", {}).get("at", ()))
+        file, there = place(at)
+        raise RobotFileError(f"{file}: {key_path(there)}{link_label(at, data)}: {reason(record, Robot)}") from None
 
 
 def read(path: str | os.PathLike[str], file: str) -> bytes:

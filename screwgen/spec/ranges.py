@@ -28,6 +28,13 @@ class Range(NamedTuple):
         zero = "" if self.sign is positive else "0, or "
         return f"{zero}from {self.low:g} to {self.high:g}{unit}"
 
+    def check(self, value: Any, *, at: Path = ()) -> float:
+        """`value`, a number in the range."""
+        result = self.sign(value, at=at)
+        if abs(result) > self.high or 0.0 < abs(result) < self.low:
+            raise refuse(f"is {shown(value)}; it must be {self.text}", at)
+        return result
+
 
 RANGES = {
     "length": Range(positive, 1e-6, 1e6, "m"),
@@ -85,15 +92,7 @@ RANGES = {
 
 def within(quantity: str) -> Callable[..., float]:
     """The check that a value is a number in the range of `quantity`."""
-    allowed = RANGES[quantity]
-
-    def check(value: Any, *, at: Path = ()) -> float:
-        result = allowed.sign(value, at=at)
-        if abs(result) > allowed.high or 0.0 < abs(result) < allowed.low:
-            raise refuse(f"is {shown(value)}; it must be {allowed.text}", at)
-        return result
-
-    return check
+    return RANGES[quantity].check
 
 
 def several(quantity: str, size: int | None = None) -> Callable[[Any], tuple[float, ...]]:

@@ -1,0 +1,107 @@
+"""The tables of a robot file from the links of a URDF's tree."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..spec.base import FLOATING
+from ..spec.parents import WORLD
+from .tree import Node, Tree
+from .urdf import SLIDING, UrdfJoint
+
+GRAVITY = (0.0, 0.0, -9.81)
+STICKING = {False: 0.01, True: 0.001}
+"""The rate over which dry friction changes its sign, rad/s, and m/s of slides: a URDF states none."""
+ORDER = ("length", "frame_at", "order", "section", "profile", "body", "modes", "damping", "segments", "markers")
+
+
+def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, tuple[str, ...]]]:
+    """The robot's keys; a comment for each link by its name; the coordinates' names of each moving joint."""
+    stated = {key: value for key, value in tree.side.robot.items() if key != "base"}
+    robot: dict[str, Any] = {"name": tree.name, "gravity": GRAVITY} | stated
+    if tree.floating:
+        robot["base"] = FLOATING
+    robot["links"] = [_link(tree, i, node) for i, node in enumerate(tree.nodes)]
+    tree.notes += _limits_note(tree, "effort", "as tau_max of a controller") + _limits_note(
+        tree, "velocity", "rad/s, m/s"
+    )
+    comments, joints = {}, {}
+    for node in tree.nodes:
+        if node.joint is not None:
+            comments[node.name] = f"{node.joint.name}: {node.joint.kind}, {node.joint.parent} -> {node.joint.child}"
+        if node.joint is not None and node.axes:
+            joints[node.joint.name] = coordinates(node)
+    return robot, comments, joints
+
+
+def coordinates(node: Node) -> tuple[str, ...]:
+    """The names of a node's joint coordinates."""
+    kinds = ("slide" if isinstance(axis, dict) else "joint" for axis in node.axes)
+    return tuple(f"{node.name}.{kind}[{k}]" for k, kind in enumerate(kinds))
+
+
+def _link(tree: Tree, i: int, node: Node) -> dict[str, Any]:
+    side = tree.side.links.get(node.urdf, {})
+    table: dict[str, Any] = {"name": node.name}
+    if node.carrier != i - 1:
+        table["parent"] = WORLD if node.carrier < 0 else tree.nodes[node.carrier].name
+    if node.at != "tip":
+        table["at"] = node.at
+    keys = node.shape.keys if node.shape else {key: value for key, value in side.items() if key != "name"}
+    table |= {key: keys[key] for key in ORDER if key in keys}
+    table["joint"] = _joint(tree, node) | side.get("joint", {})
+    bodies = [tree.inertia(node, parts).table(at) for at, parts in (("base", node.base), ("tip", node.tip)) if parts]
+    bodies += list(keys.get("bodies", ()))
+    if not bodies and "section" not in keys and "profile" not in keys and "body" not in keys:
+        bodies = [{"at": "base", "mass": 0.0}]
+    if bodies:
+        table["bodies"] = bodies
+    return table | {
+        key: value for key, value in keys.items() if key not in table and key not in ("joint", "bodies", "at")
+    }
+
+
+def _joint(tree: Tree, node: Node) -> dict[str, Any]:
+    joint = node.joint
+    table: dict[str, Any] = {"axes": node.axes}
+    floats = node.joint is None and tree.floating
+    xyz, rpy = (joint.xyz, joint.rpy) if joint is not None and node.literal else (node.mount.xyz, node.mount.rpy)
+    mount = {key: tuple(value) for key, value in (("xyz", xyz), ("rpy", rpy)) if any(value)}
+    if mount and not floats:
+        table["mount"] = mount
+    if joint is None or not node.axes:
+        return table
+    if len(node.axes) > 1:
+        if joint.damping or joint.friction:
+            tree.notes.append(
+                f"joint '{joint.name}': its <dynamics> are left out, a planar joint has several coordinates"
+            )
+        return table
+    if joint.damping:
+        table["damping"] = joint.damping
+    if drive := _drive(joint):
+        table["drives"] = drive
+    if joint.friction:
+        rate = drive["friction"]["velocity"]
+        tree.notes.append(f"joint '{joint.name}': friction changes its sign over {rate:g}, which a URDF does not state")
+    if joint.limited:
+        table["limits"] = {key: x for key in ("lower", "upper") if (x := getattr(joint, key)) is not None}
+    return table
+
+
+def _drive(joint: UrdfJoint) -> dict[str, Any]:
+    drive: dict[str, Any] = {}
+    if joint.rotor_inertia is not None:
+        drive |= ({"ratio": joint.ratio} if joint.ratio is not None else {}) | {"rotor_inertia": joint.rotor_inertia}
+    if joint.friction:
+        drive["friction"] = {"coulomb": joint.friction, "velocity": STICKING[joint.kind in SLIDING]}
+    return drive
+
+
+def _limits_note(tree: Tree, key: str, what: str) -> list[str]:
+    """Limits that a robot file has no place for, in the order of the torques."""
+    values = [getattr(node.joint, key) for node in tree.nodes if node.joint is not None for _ in node.axes]
+    if not any(values):
+        return []
+    shown = ", ".join("none" if value is None else f"{value:g}" for value in values)
+    return [f"limits of {key}, which a robot file does not have ({what}): [{shown}]"]

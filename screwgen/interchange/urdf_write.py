@@ -1,0 +1,284 @@
+"""A robot as a URDF of rigid links: the undeformed robot, for viewers and for tools that read nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from ..backends.numpy.numeric import Numeric
+from ..errors import UsageError
+from ..spec.base import FLOATING
+from ..spec.joint import Joint
+from ..spec.markers import carried_at
+from ..spec.parents import WORLD, parents
+from ..spec.reduced import elastic, of_link
+from ..spec.robot import Link, Robot
+from ..spec.screw import Screw
+from ..topology.chain import Chain
+from .rigid import HERE, Pose, pose
+from .tables import GRAVITY, STICKING
+
+OPEN_RANGE = 10.0
+"""m: the range of a slide without limits, for the sliders of viewers."""
+MASSLESS = 1e-15
+GREY, BLUE = "rigid", "flexible"
+COLOURS = {GREY: "0.55 0.57 0.6 1", BLUE: "0.25 0.45 0.7 1"}
+
+
+@dataclass(frozen=True)
+class Exported:
+    """The text of a URDF, and a line for each thing that it leaves out."""
+
+    text: str
+    notes: tuple[str, ...]
+
+
+def export_urdf(robot: Robot) -> Exported:
+    """The robot as a URDF.  Raises UsageError for joints that URDF has none for."""
+    return _Writer(robot).exported()
+
+
+@dataclass
+class _Writer:
+    robot: Robot
+    notes: list[str] = field(default_factory=list)
+    lines: list[str] = field(default_factory=list)
+
+    def exported(self) -> Exported:
+        robot = self.robot
+        for i, link in enumerate(robot.links):
+            for k, screw in enumerate(link.joint.screws):
+                if screw.turn and screw.travel:
+                    where = f"links[{i}].joint.axes[{k}] (link {link.name})"
+                    what = "is a screw, and URDF has no joint that turns and travels at once"
+                    raise UsageError(f"{where}: {what}; write a slide or a turning axis in its place")
+        self._robot_notes()
+        self.names = [link.name for link in robot.links]
+        self.root = next(name for name in (WORLD, "base", "ground", "origin_frame") if name not in self.names)
+        self.size = 0.02 * max(0.2, max(float(np.linalg.norm(self._end(link).p)) for link in robot.links))
+        self.carriers, self.places = parents(robot.links), carried_at(robot.links)
+        if not robot.floating:
+            self.lines.append(f'  <link name="{self.root}"/>')
+        for i, link in enumerate(robot.links):
+            self._link_notes(link)
+            self._joints(i, link)
+            self._link(i, link)
+        self._transmissions()
+        head = f'<?xml version="1.0"?>\n<robot name="{robot.name}">\n'
+        return Exported(head + "\n".join(self.lines) + "\n</robot>\n", tuple(self.notes))
+
+    # what is left out
+
+    def _robot_notes(self) -> None:
+        robot = self.robot
+        if tuple(robot.gravity) != GRAVITY:
+            self.notes.append(
+                f"gravity = {list(robot.gravity)} is left out; where it is read again, state it in a side file"
+            )
+        if robot.loops:
+            self.notes.append(f"{len(robot.loops)} loops are left out; a URDF is a tree")
+        if robot.base == FLOATING:
+            self.notes.append("the base floats, which a URDF does not say; where it is read again, use --floating")
+
+    def _link_notes(self, link: Link) -> None:
+        joint = link.joint
+        if of_link(link):
+            self.notes.append(f"{link.name}: is flexible; it is written as the rigid body of its undeformed shape")
+        if joint.stiffness and any(joint.stiffness):
+            self.notes.append(f"{link.name}.joint.stiffness: is left out; URDF has no springs")
+        drives = joint.drives or ()
+        if any(drive.elastic or drive.transmission for drive in drives):
+            self.notes.append(f"{link.name}.joint.drives: gears are written as rigid, cylinders are left out")
+        if any(limit.stiffness is not None for limit in joint.limits or ()):
+            self.notes.append(f"{link.name}.joint.limits: are written without the stiffness of their stops")
+        for k, drive in enumerate(drives):
+            known = (None, STICKING[joint.screws[k].slides])
+            if drive.friction and drive.friction.velocity not in known:
+                self.notes.append(f"{link.name}.joint.drives[{k}].friction.velocity: is left out")
+
+    # links
+
+    def _end(self, link: Link) -> Pose:
+        """The undeformed tip frame in axes of the link frame, from the joint point."""
+        if body := elastic(link):
+            return Pose(np.array(body.tip.axes), np.array(body.tip.origin))
+        return Pose(HERE.R, np.array([link.length or 0.0, 0.0, 0.0]))
+
+    def _link(self, i: int, link: Link) -> None:
+        self.lines.append(f'  <link name="{link.name}">')
+        M = self._inertia(link)
+        mass = float(np.trace(M[3:, 3:]) / 3)
+        com = np.array([M[2, 4], M[0, 5], M[1, 3]]) / mass if mass else np.zeros(3)
+        c = np.cross(np.eye(3), com).T
+        J = M[:3, :3] + mass * c @ c
+        J = np.where(np.abs(J) > MASSLESS * np.abs(M[:3, :3]).max(initial=0.0), J, 0.0)
+        if mass or J.any():
+            com = np.where(np.abs(com) > MASSLESS, com, 0.0)
+            entries = {"ixx": J[0, 0], "ixy": J[0, 1], "ixz": J[0, 2], "iyy": J[1, 1], "iyz": J[1, 2], "izz": J[2, 2]}
+            self.lines += [
+                "    <inertial>",
+                f"      <origin xyz={_row(com)}/>",
+                f"      <mass value={_row([mass])}/>",
+                f"      <inertia {' '.join(f'{key}={_row([x])}' for key, x in entries.items())}/>",
+                "    </inertial>",
+            ]
+        for shape in self._shapes(i, link):
+            self.lines += ["    <visual>", *(f"      {line}" for line in shape), "    </visual>"]
+        self.lines.append("  </link>")
+
+    def _inertia(self, link: Link) -> np.ndarray:
+        """(6, 6): the inertia of the undeformed link about its joint point, for twists [ω; v] in link axes."""
+        update = {"joint": Joint(axes=()), "parent": None, "at": "tip", "frame_at": None}
+        alone = self.robot.model_copy(
+            update={
+                "links": (link.model_copy(update=update),),
+                "loops": (),
+                "base": FLOATING,
+                "gravity": (0.0, 0.0, 0.0),
+            }
+        )
+        chain = Chain(alone)
+        q = np.zeros(chain.nq)
+        q[3] = 1.0
+        return Numeric(chain).mass_matrix(q)[:6, :6]
+
+    def _shapes(self, i: int, link: Link) -> Iterator[list[str]]:
+        """A ball at the joint, and a cylinder along the link, or to each joint that it carries."""
+        colour = BLUE if of_link(link) else GREY
+        yield _visual(HERE, f'<sphere radius="{self.size:g}"/>', GREY)
+        ends = [self._end(link).p]
+        if not ends[0].any():
+            ends = [self._mount(j).p for j, carrier in enumerate(self.carriers) if carrier == i]
+        for end in ends:
+            if (size := float(np.linalg.norm(end))) > 1e-9:
+                turn = _towards(end / size)
+                yield _visual(Pose(turn, end / 2), f'<cylinder radius="{self.size / 2:g}" length="{size:g}"/>', colour)
+        for body in link.bodies:
+            if body.mass and body.com and any(body.com):
+                start = self._end(link) if body.at == "tip" else HERE
+                yield _visual(
+                    start @ Pose(HERE.R, np.array(body.com)), f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY
+                )
+
+    # joints
+
+    def _mount(self, i: int) -> Pose:
+        """The joint frame of a link in the URDF's frame of its carrier."""
+        mount = self.robot.links[i].joint.mount
+        placed = pose((mount and mount.xyz) or (0, 0, 0), (mount and mount.rpy) or (0, 0, 0))
+        if self.carriers[i] < 0:
+            return placed
+        end, s = self._end(self.robot.links[self.carriers[i]]), self.places[i]
+        turned = end.R if s == 1 and self.robot.section_rotation else HERE.R
+        return Pose(turned, s * end.p) @ placed
+
+    def _joints(self, i: int, link: Link) -> None:
+        """The joint of a link; several axes by links without mass between them."""
+        if self.robot.floating and i == 0:
+            return
+        mount, joint, above = self.robot.links[i].joint.mount, link.joint, self._above(i)
+        placed = self._mount(i)
+        literal = self.carriers[i] < 0 or not self._end(self.robot.links[self.carriers[i]]).p.any()
+        rpy = (mount.rpy if mount and mount.rpy else (0.0, 0.0, 0.0)) if literal else placed.rpy
+        origin = f"<origin xyz={_row(placed.p)} rpy={_row(rpy)}/>"
+        if not joint.screws:
+            self._joint(f"{link.name}_joint", "fixed", above, link.name, [origin])
+            return
+        for k, screw in enumerate(joint.screws):
+            last = k == len(joint.screws) - 1
+            below = link.name if last else self._between(link, k)
+            name = f"{link.name}_joint" + ("" if len(joint.screws) == 1 else f"_{k}")
+            self._joint(name, *self._motion(joint, k, screw, above, below, origin))
+            if not last:
+                self.lines.append(f'  <link name="{below}"/>')
+            above, origin = below, ""
+
+    def _above(self, i: int) -> str:
+        return self.root if self.carriers[i] < 0 else self.names[self.carriers[i]]
+
+    def _between(self, link: Link, k: int) -> str:
+        name = f"{link.name}_axis_{k}"
+        return name if name not in self.names else f"{name}_without_mass"
+
+    def _motion(self, joint: Joint, k: int, screw: Screw, above: str, below: str, origin: str):
+        limit = joint.limits[k] if joint.limits else None
+        lower, upper = (limit.lower, limit.upper) if limit else (None, None)
+        kind = "prismatic" if screw.slides else "continuous" if lower is None and upper is None else "revolute"
+        parts = [origin] if origin else []
+        parts.append(f"<axis xyz={_row(screw.axis)}/>")
+        if kind != "continuous":
+            free = OPEN_RANGE if screw.slides else 2 * np.pi
+            for side, value in (("lower", lower), ("upper", upper)):
+                if value is None:
+                    self.notes.append(
+                        f"{below}: its joint has no {side} limit, which URDF needs; {free:g} stands there"
+                    )
+            lower = -max(free, 2 * abs(upper or 0)) if lower is None else lower
+            upper = max(free, 2 * abs(lower)) if upper is None else upper
+            parts.append(f'<limit lower={_row([lower])} upper={_row([upper])} effort="1e6" velocity="1e3"/>')
+        friction = joint.drives[k].friction if joint.drives else None
+        elastic = bool(joint.drives and (joint.drives[k].elastic or joint.drives[k].transmission))
+        damping = (joint.damping[k] if joint.damping else 0.0) + (
+            (friction and friction.viscous and not elastic and friction.viscous) or 0.0
+        )
+        dry = (friction and not elastic and friction.coulomb) or 0.0
+        if damping or dry:
+            parts.append(f"<dynamics damping={_row([damping])} friction={_row([dry])}/>")
+        return kind, above, below, parts
+
+    def _joint(self, name: str, kind: str, above: str, below: str, parts: Sequence[str]) -> None:
+        self.lines += [
+            f'  <joint name="{name}" type="{kind}">',
+            f'    <parent link="{above}"/>',
+            f'    <child link="{below}"/>',
+            *(f"    {part}" for part in parts),
+            "  </joint>",
+        ]
+
+    def _transmissions(self) -> None:
+        """Rotors, with the reduction of their gears; the tag rotorInertia is one that only some tools read."""
+        for link in self.robot.links:
+            several = len(link.joint.screws) > 1
+            for k in range(len(link.joint.screws)):
+                drive = link.joint.drives[k] if link.joint.drives else None
+                armature = link.joint.armature[k] if link.joint.armature else 0.0
+                rotor, ratio = armature, 1.0
+                if drive and drive.rotor_inertia is not None and drive.transmission is None:
+                    rotor, ratio = drive.rotor_inertia + armature / (drive.ratio or 1.0) ** 2, drive.ratio or 1.0
+                if rotor:
+                    name = f"{link.name}_joint" + (f"_{k}" if several else "")
+                    self.lines += [
+                        f'  <transmission name="{name}_drive">',
+                        "    <type>transmission_interface/SimpleTransmission</type>",
+                        f'    <joint name="{name}"/>',
+                        f'    <actuator name="{name}_motor">',
+                        f"      <mechanicalReduction>{ratio!r}</mechanicalReduction>",
+                        f"      <rotorInertia>{rotor!r}</rotorInertia>",
+                        "    </actuator>",
+                        "  </transmission>",
+                    ]
+
+
+def _row(values) -> str:
+    """Numbers as an attribute, to the last digit."""
+    return quoteattr(" ".join(repr(float(x) + 0.0) for x in values))
+
+
+def _visual(placed: Pose, shape: str, colour: str) -> list[str]:
+    at = f"<origin xyz={_row(placed.xyz)} rpy={_row(placed.rpy)}/>"
+    return [
+        at,
+        f"<geometry>{shape}</geometry>",
+        f'<material name="{colour}"><color rgba="{COLOURS[colour]}"/></material>',
+    ]
+
+
+def _towards(axis: np.ndarray) -> np.ndarray:
+    """A rotation whose z axis is `axis`: that of a URDF's cylinder."""
+    x = np.eye(3)[int(np.argmin(np.abs(axis)))]
+    x = x - (x @ axis) * axis
+    x /= np.linalg.norm(x)
+    return np.column_stack([x, np.cross(axis, x), axis])

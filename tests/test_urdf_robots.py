@@ -1,0 +1,115 @@
+"""Every URDF of the package example-robot-data against Pinocchio, and a Panda with a flexible link.
+
+The package is an extra of its own, `robots`, since it has 400 MB of meshes: `make robots` installs it and runs this.
+"""
+
+import os
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import MISSING
+from urdf_judge import Pair
+
+import screwgen
+from screwgen.cli.main import main
+from screwgen.errors import RobotFileError
+from screwgen.interchange.load import import_urdf
+
+pytestmark = pytest.mark.examples
+
+PACKAGE = "example-robot-data"
+SHARE = "cmeel.prefix/share/example-robot-data/robots"
+NOT_BY_ITSELF = {
+    "hector_description/robots/quadrotor_base",
+    "iris_description/robots/iris",
+    "iris_description/robots/iris_simple",
+}
+"""Robots that fly: on a fixed base nothing of them moves, or their rotors alone."""
+NO_ROBOT = "ur_description/urdf/ur3"
+"""A URDF without a name and without links."""
+OF_NO_BODY = {f"romeo_description/urdf/romeo_{kind}" for kind in ("small", "laas_small")}
+"""Robots of which some link has an inertia that no body has."""
+FLOATING = NOT_BY_ITSELF | {
+    "a1_description/urdf/a1",
+    "bolt_description/robots/bolt",
+    "g1_description/urdf/g1_29dof_rev_1_0",
+    "hyq_description/robots/hyq_no_sensors",
+    "icub_description/robots/icub",
+    "simple_humanoid_description/urdf/simple_humanoid",
+    "solo_description/robots/solo12",
+    "talos_data/robots/talos_reduced",
+}
+SLOW = ("tiago_dual", "_box", "_corrected", "icub_reduced", "laas", "with_hand", "classical", "joint_limited", "hands")
+"""Variants of others, and the largest: `make test-long` has them."""
+
+
+def folder() -> Path | None:
+    try:
+        return Path(str(distribution(PACKAGE).locate_file(SHARE)))
+    except PackageNotFoundError:
+        return None
+
+
+def robots() -> list:
+    """The robots, or the name of the package where it is missing."""
+    found = (
+        sorted(str(path.relative_to(root).with_suffix("")) for path in root.rglob("*.urdf"))
+        if (root := folder())
+        else []
+    )
+    marks = {name: (pytest.mark.long,) if any(part in name for part in SLOW) else () for name in found}
+    return [pytest.param(name, marks=marks[name]) for name in found] or [PACKAGE]
+
+
+def path_of(name: str) -> Path:
+    """The URDF of a robot. Where the package is missing the test is skipped, or fails if REQUIRE_TOOLS=1."""
+    root = folder()
+    if root is None:
+        (pytest.fail if os.environ.get("REQUIRE_TOOLS") == "1" else pytest.skip)(MISSING + PACKAGE)
+    return root / f"{name}.urdf"
+
+
+@pytest.mark.parametrize("name", robots())
+def test_every_robot_equals_pinocchios(name):
+    path = path_of(name)
+    if name == NO_ROBOT:
+        with pytest.raises(RobotFileError, match=r"<robot>: name: is missing"):
+            import_urdf(path)
+        return
+    if name in OF_NO_BODY:
+        with pytest.raises(RobotFileError, match="that no body has"):
+            Pair(path, mimic="free", floating=name in NOT_BY_ITSELF)
+    pair = Pair(path, mimic="free", nearest_inertia=name in OF_NO_BODY, floating=name in NOT_BY_ITSELF)
+    assert pair.misfit() < 1e-12
+
+
+@pytest.mark.parametrize("name", sorted(FLOATING - NOT_BY_ITSELF))
+def test_robots_with_a_floating_root_equal_pinocchios(name):
+    assert Pair(path_of(name), floating=True).misfit() < 1e-12
+
+
+SIDE = """\
+[[links]]
+name = "panda_link2"
+profile = { tube = { outer = 0.09, wall = 0.004 }, E = 7e10, density = 2700.0, nu = 0.33 }
+modes = { bending_y = 2, bending_z = 2, torsion = 1 }
+damping = { ratio = 0.01 }
+"""
+
+
+def test_a_panda_with_a_flexible_link_vibrates_and_moves(tmp_path, monkeypatch, capsys):
+    urdf = path_of("panda_description/urdf/panda")
+    monkeypatch.chdir(tmp_path)
+    Path("links.toml").write_text(SIDE)
+    assert main(["import", str(urdf), "-o", "panda.toml", "--flexible", "links.toml", "--mimic", "weld"]) == 0
+    assert "8 joint coordinates, flexible: panda_link2" in capsys.readouterr().out
+    assert main(["modes", "panda.toml"]) == 0
+    Path("start.json").write_text('{"q": [0.0, 1.2, 0.0, -1.5, 0.0, 1.6, 0.0, 0.02]}')
+    run = "simulate panda.toml --duration 0.05 --step 1e-3 --state start.json -o run.npz --quiet"
+    assert main(run.split()) == 0
+    flexible = screwgen.derive(screwgen.load("panda.toml"))
+    assert 40.0 < screwgen.natural_frequencies(flexible, np.zeros(flexible.nq))[0] < 80.0
+    with np.load("run.npz") as run:
+        assert np.isfinite(run["q"]).all() and np.abs(run["q"][-1, 8:]).max() > 1e-6

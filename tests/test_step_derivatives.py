@@ -42,19 +42,25 @@ KUTTA = Method(
     "kutta", 3, (Stage(), Stage(["1/2"]), Stage([-1, 2])), Move(["1/6", "2/3", "1/6"]), "Kutta's third order"
 )
 OWN = Method("late", 1, (Stage(implicit=1), Stage([1], "new", implicit=1)), Move(["1/2", "1/2"]), "two implicit stages")
+LONG = pytest.mark.long
 CASES = [
     ("gears", "modal_midpoint", 0.01),
-    ("slides", "modal_midpoint", 0.01),
-    ("second", "modal_midpoint", 0.01),
-    ("stops", "modal_midpoint", 0.02),
-    ("stops", "semi_implicit", 0.001),
     ("floating", "modal_midpoint", 0.02),
-    ("floating", "rk4", 0.02),
+    pytest.param("slides", "modal_midpoint", 0.01, marks=LONG),
+    pytest.param("second", "modal_midpoint", 0.01, marks=LONG),
+    pytest.param("stops", "modal_midpoint", 0.02, marks=LONG),
+    pytest.param("stops", "semi_implicit", 0.001, marks=LONG),
+    pytest.param("floating", "rk4", 0.02, marks=LONG),
 ]
 
 
+def compiled(model, **options):
+    """One library per robot, with the methods of one's own."""
+    return quick(model, derivatives=True, methods=(KUTTA, OWN), **options)
+
+
 def found(model, x, h, method, **options):
-    return quick(model, derivatives=True, **options).step_derivatives(*x, h, method)
+    return compiled(model, **options).step_derivatives(*x, h, method)
 
 
 # -------- against CasADi and differences of 50 digits
@@ -69,7 +75,10 @@ def test_equal_casadi(robot, method, h):
         assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
 
 
-@pytest.mark.parametrize(("robot", "h"), [("gears", 0.01), ("stops", 0.02), ("floating", 0.02)])
+@pytest.mark.parametrize(
+    ("robot", "h"),
+    [pytest.param("gears", 0.01, marks=LONG), pytest.param("stops", 0.02, marks=LONG), ("floating", 0.02)],
+)
 def test_equal_differences_of_50_digits(robot, h):
     model = model_of(SMALL[robot])
     x = point(model, 4)
@@ -80,21 +89,21 @@ def test_equal_differences_of_50_digits(robot, h):
 def test_ella_equals_differences_of_50_digits():
     model = example("ella")
     x = point(model)
-    _, _, *AB = found(model, x, 0.01, "modal_midpoint")
+    _, _, *AB = quick(model, derivatives=True).step_derivatives(*x, 0.01)
     assert worst(AB, by_differences(model, "modal_midpoint", *x, 0.01), model.chain.nv) < 1e-10
 
 
-@pytest.mark.parametrize("robot", ["gears", "floating"])
+@pytest.mark.parametrize("robot", ["gears", pytest.param("floating", marks=LONG)])
 def test_methods_of_ones_own(robot):
     """Negative weights, several stages in one, two implicit stages; the C is made of the table."""
     model, h = model_of(SMALL[robot]), 0.003
     for method in (KUTTA, OWN):
         x = point(model, 5)
-        _, _, *AB = found(model, x, h, method, methods=(KUTTA, OWN))
+        _, _, *AB = found(model, x, h, method)
         assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
 
 
-@pytest.mark.long
+@LONG
 @pytest.mark.parametrize("robot", ["ella", "crane", "gantry", "space_arm", "drives", "stops", "satellite"])
 def test_large_robots_equal_casadi(robot):
     own = {"drives": drive_robots.MIXED, "stops": stop_robots.MIXED, "satellite": floating_robots.SATELLITE}
@@ -160,11 +169,12 @@ def test_the_new_state_is_that_of_the_step(robot):
     x = point(model, 2)
     for method in ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4"):
         q, v, A, B = found(model, x, 0.002, method)
-        expected = quick(model, derivatives=True).step(*x, 0.002, method)
+        expected = compiled(model).step(*x, 0.002, method)
         assert relative(q, expected[0]) < 1e-14 and relative(v, expected[1]) < 1e-13
         assert A.shape == (2 * model.chain.nv,) * 2 and B.shape == (2 * model.chain.nv, model.chain.n_tau)
 
 
+@LONG
 def test_baked_and_float():
     model = model_of(SMALL["gears"])
     x = point(model, 3)
@@ -212,7 +222,7 @@ def test_statuses():
 # -------- joint wrenches
 
 
-@pytest.mark.parametrize("robot", ["gears", "slides", "second"])
+@pytest.mark.parametrize("robot", ["gears", pytest.param("slides", marks=LONG), pytest.param("second", marks=LONG)])
 def test_wrenches_equal_casadi(robot):
     model = model_of(SMALL[robot])
     q, v, tau, w_ext = x = point(model, 7)
@@ -221,7 +231,7 @@ def test_wrenches_equal_casadi(robot):
     y = ca.vec(f.call(given)[1])
     J = ca.Function("J", given, [y, *(ca.jacobian(y, s) for s in given[:3])])
     expected = [m.full() for m in J(q, v, tau, w_ext.T, model.parameter_values)]
-    for a, b in zip(quick(model, derivatives=True).linearise_wrenches(*x), expected, strict=True):
+    for a, b in zip(compiled(model).linearise_wrenches(*x), expected, strict=True):
         assert relative(a.reshape(b.shape), b) < 1e-10
 
 
@@ -229,7 +239,7 @@ def test_wrenches_in_a_floating_tree_equal_differences():
     """Central differences along v; the base's own wrench is zero."""
     model = model_of(SMALL["floating"])
     q, v, tau, w_ext = point(model, 8)
-    c, dynamics, nv, e = quick(model, derivatives=True), model.numpy(), model.chain.nv, 1e-5
+    c, dynamics, nv, e = compiled(model), model.numpy(), model.chain.nv, 1e-5
     wrench, *slopes = c.linearise_wrenches(q, v, tau, w_ext)
     assert relative(wrench, dynamics.forward_dynamics(q, v, tau, w_ext)[1]) < 1e-12 and not wrench[0].any()
     moved = lambda k, d: c.step(q, np.eye(nv)[k] * d, None, None, 1.0, "euler")[0]  # noqa: E731

@@ -80,7 +80,7 @@ def generate(
         bool, typer.Option("--batch", help="Also C that steps many scenarios at once, for hosts with vector registers.")
     ] = False,
     derivatives: Annotated[
-        bool, typer.Option("--derivatives", help="Also C of the accelerations' derivatives with q, v and tau.")
+        bool, typer.Option("--derivatives", help="Also C of derivatives: of accelerations, steps and joint wrenches.")
     ] = False,
     estimator: Annotated[
         bool,

@@ -79,6 +79,8 @@ def test_a_loop_on_a_floating_base():
     q, v = flying(model)
     given = (q + 0.01 * np.cos(np.arange(model.nq)) * (np.arange(model.nq) >= 7), v, *moved(model, q)[2:])
     assert error(model, given, model.numpy().derivatives(*given)) < 1e-10
+    columns = [model.numpy().gaps(given[0], unit)[1] for unit in np.eye(model.nv)]
+    assert np.array_equal(model.numpy().gap_slopes(given[0]), np.array(columns).T)  # with gears and dry friction
 
 
 @pytest.mark.parametrize("seed", swept(range(len(JOINTS))))

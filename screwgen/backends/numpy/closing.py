@@ -16,6 +16,9 @@ from ...topology.loops import Closure
 from .numeric import Numeric
 
 TOLERANCES = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-15)
+COARSE = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-7)
+FAR = 1e-3
+"""Gap at which a search is given up that has come to a stand by coarse tolerances."""
 CLOSED = 1e-12
 """Gap, in m or as a cosine, below which a loop counts as closed."""
 APART = 1e-9
@@ -38,15 +41,16 @@ class OpenLoopError(ScrewgenError):
 
 def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
     """(rows, nv): the rates of the gaps by the rates of the coordinates; a floating base opens none."""
-    units, base = np.eye(numeric.chain.nv), numeric.chain.base_v
-    slopes = [*np.zeros((base, len(numeric.chain.closures))), *(numeric.gaps(q, unit)[1] for unit in units[base:])]
-    return np.array(slopes).T
+    out = numeric.gap_slopes(q)
+    out[:, : numeric.chain.base_v] = 0.0
+    return out
 
 
-def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None) -> np.ndarray:
+def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None, hasty=False) -> np.ndarray:
     """The posture near `q` (nq,) in which the loops are closed; `held` coordinates stay, and so does a floating base.
 
     Raises OpenLoopError. Where the search ends with open loops, as in a singular posture, it begins again near `q`.
+    `hasty`: where loops stay open it is not said exactly by how much.
     """
     q, chain = np.array(q, float), numeric.chain
     if not chain.closures:
@@ -56,7 +60,7 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
     rng, ends = np.random.default_rng(0), []
     for attempt in range(ATTEMPTS):
         start = q + free * (np.arange(len(q)) < chain.eta_q) * rng.normal(scale=0.1 * attempt, size=len(q))
-        found, gap = _nearest(numeric, start, free)
+        found, gap = _nearest(numeric, start, free, hasty)
         if np.max(np.abs(gap), initial=0.0) < CLOSED:
             return found
         ends.append((float(np.max(np.abs(gap))), found, gap))
@@ -68,8 +72,11 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
     raise OpenLoopError(f"{closure.name} stays open by {size:.3g} {unit}; {remedy}", found)
 
 
-def _nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where least squares end, and the gaps there; coordinates that are not free stay."""
+def _nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray, hasty: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Where least squares end, and the gaps there; coordinates that are not free stay.
+
+    A search that is `hasty` ends where it comes to a stand far from closed.
+    """
     from scipy.optimize import least_squares
 
     def at(x: np.ndarray) -> np.ndarray:
@@ -82,7 +89,12 @@ def _nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray) -> tuple[np.ndar
         return q, gap(q[free])
     first, own = numeric.chain.base_v, free[numeric.chain.base_q :]
     slopes = lambda x: jacobian(numeric, at(x))[:, first:][:, own]  # noqa: E731
-    found = least_squares(gap, q[free], slopes, **TOLERANCES).x
+    found = q[free]
+    if hasty:
+        found = least_squares(gap, found, slopes, **COARSE).x
+        if np.max(np.abs(gap(found))) > FAR:
+            return at(found), gap(found)
+    found = least_squares(gap, found, slopes, **TOLERANCES).x
     return at(found), gap(found)
 
 
@@ -116,14 +128,17 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
     starts, joints = np.tile(np.array(chain.home), (SEEDS, 1)), slice(chain.base_q, chain.eta_q)
     starts[1:, joints] = SPREAD * rng.standard_normal((SEEDS, joints.stop - joints.start))[1:]
     chosen: list[list[int]] = []
+    anywhere = [_independent(jacobian(numeric, start)) for start in starts]
+    most = max(map(len, anywhere))
     for held in (_modes(chain), None):
         for start in starts:
-            with suppress(OpenLoopError):
-                chosen.append(_independent(jacobian(numeric, closed(numeric, start, held))))
+            if not chosen or len(chosen[-1]) < most:  # closed loops have no more independent rows than open ones
+                with suppress(OpenLoopError):
+                    chosen.append(_independent(jacobian(numeric, closed(numeric, start, held, hasty=True))))
         if chosen:
             break
     met = bool(chosen)
-    chosen = chosen or [_independent(jacobian(numeric, start)) for start in starts]
+    chosen = chosen or anywhere
     rows = tuple(chain.closures[k] for k in max(chosen, key=len))
     if not met:
         _refuse_apart(numeric, rows, starts)
@@ -136,7 +151,7 @@ def _refuse_apart(numeric: Numeric, rows: tuple[Closure, ...], starts: np.ndarra
     part.closures = rows
     for start in starts:
         with suppress(OpenLoopError):
-            gap = np.abs(numeric.gaps(closed(Numeric(part), start, _modes(part)), None)[0])
+            gap = np.abs(numeric.gaps(closed(Numeric(part), start, _modes(part), hasty=True), None)[0])
             worst = int(np.argmax(gap))
             if gap[worst] > APART:
                 row, name = numeric.chain.closures[worst], numeric.chain.robot.name

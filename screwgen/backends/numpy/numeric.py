@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from functools import cached_property
 
 import numpy as np
@@ -32,6 +33,7 @@ from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .python import compiled
+from .rates import Rates
 
 EPSILON = float(np.finfo(float).eps)
 SPRINGS = ("K", "K_q", "K_below", "K_theta", "K_gear", "stop_K")
@@ -103,6 +105,15 @@ class Numeric:
         """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""
         gap, rate = self._functions(MOTION).gaps(*self._rows(q=q, v=v))
         return np.array(gap, float), np.array(rate, float)
+
+    def gap_slopes(self, q) -> np.ndarray:
+        """(rows, nv): the rates of the gaps per unit of each entry of v, by one pass with all of them."""
+        (values,) = self._rows(q=q)
+        units = [Rates(unit) for unit in np.eye(self.chain.nv)]
+        functions = copy(self._functions(MOTION))
+        functions.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given  # forces are not linear in v
+        rates = functions.gaps(values, units)[1]
+        return np.array([x.entries if isinstance(x, Rates) else [0.0] * len(units) for x in rates])
 
     def validity(self, q, v, tau, w_ext) -> np.ndarray:
         """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""

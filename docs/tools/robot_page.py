@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from screwgen.spec import drive, joint, limit, loops, markers, modes, profile, reduced, section, stations  # noqa: E402
+from screwgen.spec import drive, four_bar, joint, limit, loops, markers, modes, profile, reduced, section, stations  # noqa: E402
 from screwgen.spec import robot as spec  # noqa: E402
 from screwgen.spec.part import Part  # noqa: E402
 
@@ -39,7 +39,8 @@ PARTS = (
         profile.Box,
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
-    *(drive.Friction, drive.Transmission, limit.Limit, spec.Body, reduced.Reduced, loops.Loop, markers.Marker),
+    *(drive.Friction, drive.Transmission, four_bar.FourBar, limit.Limit, spec.Body, reduced.Reduced),
+    *(loops.Loop, markers.Marker),
 )
 
 

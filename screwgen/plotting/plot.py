@@ -135,7 +135,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
     ends = None if model is None else model.chain.limits
     turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
-    rotors = any(".theta[" in name for name in run.q_names)
+    rotors = any(".theta[" in name for name in run.q_names) or (model is not None and bool(model.chain.linked))
     pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
     forces = "Forces of drives" if pushed else "Forces on slides"
     place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]

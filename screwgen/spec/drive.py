@@ -78,6 +78,11 @@ class Drive(Part):
         return self.stiffness is not None
 
     @property
+    def linked(self) -> bool:
+        """Whether a four-bar linkage drives the axis."""
+        return self.transmission is not None and self.transmission.four_bar is not None
+
+    @property
     def reach(self) -> tuple[float, float]:
         """The coordinates of the axis between which its linkage reaches, rad; infinite without a linkage."""
         four_bar = self.transmission.four_bar if self.transmission else None

@@ -61,11 +61,8 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     """
     own = [(p.link, p) for p in parameters(robot) if p.link is not None]
     live = {member(p)[:2] for link, p in own if label(p) in read[link]}
-    cylinders = any(
-        drive.transmission and not drive.transmission.four_bar
-        for link in robot.links
-        for drive in link.joint.drives or ()
-    )
+    drives = [drive for link in robot.links for drive in link.joint.drives or ()]
+    cylinders = any(drive.transmission and not drive.linked for drive in drives)
     travels = "slides and cylinders" if cylinders else "slides"
     structs: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
     meanings: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)

@@ -280,6 +280,7 @@ def casadi_files(
         others=[name for name in functions if name not in saved],
         parameters=parameter_names,
         sliding=not all(turning(robot)),
+        linked=any(drive.linked for link in robot.links for drive in link.joint.drives or ()),
         floating=robot.floating,
         split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],

@@ -15,10 +15,9 @@ import casadi as ca
 from screwgen import Model
 from screwgen.algorithms import fused
 from screwgen.backends.c.project import CProject
-from screwgen.backends.casadi import functions as backend
+from screwgen.backends.casadi.expressions import expressions
 from screwgen.errors import UsageError
 from screwgen.ir.program import Program
-from screwgen.ir.replay import run
 
 STATES = 8
 """As in contract.h."""
@@ -132,9 +131,7 @@ def casadi_function(program: Program, name: str, cse: bool) -> ca.Function:
     """The program as a casadi.Function with what follows ``w_ext`` as one vector."""
     order = list(program.inputs)
     symbols = {key: ca.SX.sym(f"x{i}", size) for i, (key, size) in enumerate(program.inputs.items())}
-    values = {key: ca.vertsplit(s) if s.numel() else [] for key, s in symbols.items()}
-    outputs, _ = run(program, values, backend.unary)
-    columns = [ca.vertcat(*values) for values in outputs.values()]
+    columns = list(expressions(program, symbols).values())
     columns = ca.cse(columns) if cse else columns
     extra = [ca.vertcat(*(symbols[key] for key in order[4:]))] if order[4:] else []
     return ca.Function(name, [symbols[key] for key in order[:4]] + extra, columns)

@@ -120,7 +120,7 @@ def host_program(sources: Sources, folder: Path) -> Path:
     """The measuring program in double on this machine; its simulation is the reference."""
     folder.mkdir(parents=True, exist_ok=True)
     out = folder / "measure"
-    run("cc", *COMMON, "-O2", "-w", *sources.defines, PROGRAMS / "measure.c", *sources.parts, "-lm", "-o", out)
+    run("cc", *COMMON, "-O0", "-w", *sources.defines, PROGRAMS / "measure.c", *sources.parts, "-lm", "-o", out)
     return out
 
 

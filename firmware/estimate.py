@@ -66,7 +66,7 @@ def generate(model: screwgen.Model) -> Sources:
 def on_host(sources: Sources, define: str) -> Findings:
     """The same program in double on this machine."""
     program = WORK / "estimate"
-    run("cc", *COMMON, "-O2", "-w", *sources.defines, define, PROGRAM, *sources.parts, "-lm", "-o", program)
+    run("cc", *COMMON, "-O0", "-w", *sources.defines, define, PROGRAM, *sources.parts, "-lm", "-o", program)
     return read_findings(run(program))
 
 

@@ -45,6 +45,19 @@ def _frozen():
     gc.freeze()
 
 
+@pytest.fixture(autouse=True)
+def _quick_models(request, monkeypatch):
+    """What tests and the commands that they call compile is not optimised, unless they give flags or run examples.
+
+    Optimising takes ten times as long as compiling. Programs that tests start have the product's flags.
+    """
+    from screwgen import Model
+
+    if "examples" not in request.keywords:
+        flags = tuple(("-O0",) if given == ("-O2",) else given for given in Model.compile.__defaults__)
+        monkeypatch.setattr(Model.compile, "__defaults__", flags)
+
+
 def swept(cases, *kept) -> list:
     """The cases of a sweep: `make test` takes those to be kept, `make test-long` the others."""
     return [case if case in kept else pytest.param(case, marks=pytest.mark.long) for case in cases]

@@ -1,6 +1,6 @@
 """The derivatives of a step: the generated C beside the C that CasADi generates from the jacobian of its step function.
 
-Both have the same compiler and flags and take turns; a time is the best of all rounds, pinned to one processor. CasADi's
+Both have the same compiler and flags and take turns; a time is the best of all rounds, on one processor. CasADi's
 function is `step_<method>` with the parameters as numbers, differentiated by `jacobian` of its expressions, with common
 operations merged (cse), and by `Function.jacobian` (factory). Instructions are counted by valgrind where it is there.
 

@@ -1,8 +1,8 @@
 """The derivatives of a step: the generated C beside the C that CasADi generates from the jacobian of its step function.
 
-Both have the same compiler and flags and take turns; a time is the best of all rounds, pinned to one processor. CasADi's
-function is `step_<method>` with the parameters as numbers, differentiated by `jacobian` of its expressions, with common
-operations merged (cse), and by `Function.jacobian` (factory). Instructions are counted by valgrind where it is there.
+Both have the same compiler and flags and take turns; a time is the best of all rounds, on one processor. CasADi's
+function is `step_<method>` with the parameters as numbers, differentiated by `jacobian`. Instructions are counted by
+valgrind where it is there. Compilers take minutes for CasADi's function at -O2: `-O1` is the default.
 
 python bench/step_derivatives.py [ROBOT [METHOD [FLAGS ...]]]
 """
@@ -72,10 +72,10 @@ static double seconds(void)
 }}
 void own_prepare(const double *); void own_call(void); void own_step(void);
 const double *own_A(void); const double *own_B(void);
-{declarations}
+int casadi(const double **, double **, long long *, double *, int);
 static const double X[] = {{ {x} }};
-{callers}
-static void (*const CALLS[])(void) = {{ own_call, own_step, {names} }};
+{caller}
+static void (*const CALLS[])(void) = {{ own_call, own_step, call_casadi }};
 enum {{ COUNT = sizeof CALLS / sizeof *CALLS }};
 static double check(const double *own, const double *other, int rows, int columns)
 {{
@@ -123,35 +123,28 @@ int main(int argc, char **argv)
 """
 
 CALLER = """
-static double {name}_w[{w} + 1];
-static long long {name}_iw[{iw} + 1];
-static double A_{name}[{a}], B_{name}[{b}], {name}_next[{nx}];
-static void call_{name}(void)
+static double casadi_w[{w} + 1];
+static long long casadi_iw[{iw} + 1];
+static double A_casadi[{a}], B_casadi[{b}], casadi_next[{nx}];
+static void call_casadi(void)
 {{
     static const double *arg[{n_arg}];
     static double *res[{n_res}];
     arg[0] = X, arg[1] = X + {nq}, arg[2] = X + {nq} + {nv};
-    res[0] = {name}_next, res[1] = {name}_next + {nq}, res[2] = A_{name}, res[3] = B_{name};
-    {name}(arg, res, {name}_iw, {name}_w, 0);
+    res[0] = casadi_next, res[1] = casadi_next + {nq}, res[2] = A_casadi, res[3] = B_casadi;
+    casadi(arg, res, casadi_iw, casadi_w, 0);
 }}
 """
 
 
-def functions(model, method: str) -> dict[str, ca.Function]:
-    """CasADi's steps with dense derivatives, by name."""
+def by_casadi(model, method: str) -> ca.Function:
+    """CasADi's step with dense derivatives; `Function.jacobian` and `cse` take as many operations, within 1 %."""
     f, c = model.casadi()[f"step_{method}"], model.chain
     q, v, tau = (ca.SX.sym(n, k) for n, k in (("q", c.nq), ("v", c.nv), ("tau", c.n_tau)))
-    at = lambda: (q, v, tau, np.zeros((6, c.n)), model.parameter_values, STEP)  # noqa: E731
-    y = ca.vertcat(*f(*at()))
-    x = ca.vertcat(q, v)
-    split = (y[: c.nq], y[c.nq :])
-    dense = lambda name, A, B: ca.Function(name, [q, v, tau], [*split, ca.densify(A), ca.densify(B)])  # noqa: E731
-    plain = dense("casadi", ca.jacobian(y, x), ca.jacobian(y, tau))
-    own = ca.Function("own", [x, tau], [y])
-    A, B = own.jacobian()(x, tau, y)
-    options = {"cse": True}
-    common = ca.Function("casadi_cse", [q, v, tau], plain(q, v, tau), options)
-    return {"casadi": plain, "casadi_factory": dense("casadi_factory", A, B), "casadi_cse": common}
+    q_next, v_next = f(q, v, tau, np.zeros((6, c.n)), model.parameter_values, STEP)
+    y, x = ca.vertcat(q_next, v_next), ca.vertcat(q, v)
+    slopes = (ca.densify(ca.jacobian(y, given)) for given in (x, tau))
+    return ca.Function("casadi", [q, v, tau], [q_next, v_next, *slopes])
 
 
 def sources(model, method: str, folder: Path) -> list[str]:
@@ -159,21 +152,15 @@ def sources(model, method: str, folder: Path) -> list[str]:
     project = CProject(c, model.version, derivatives=True)
     texts = {n: t for n, t in project.files().items() if n.endswith((".c", ".h")) and n not in ("main.c", "check.c")}
     texts["own.c"] = OWN.format(name=name, NAME=name.upper(), method=method, h=STEP)
-    made = functions(model, method)
+    f = by_casadi(model, method)
     rng = np.random.default_rng(1)
     x = [*rng.uniform(-1, 1, c.nq - c.n_modes), *rng.uniform(-0.01, 0.01, c.n_modes)]
     x += [*rng.uniform(-1, 1, c.nv - c.n_modes), *rng.uniform(-0.1, 0.1, c.n_modes), *rng.uniform(-5, 5, c.n_tau)]
-    rows, callers, declarations = 2 * c.nv, [], []
-    for key, f in made.items():
-        f.generate(f"{key}.c", {"with_header": False})
-        sizes = dict(w=f.sz_w(), iw=f.sz_iw(), n_arg=f.sz_arg(), n_res=f.sz_res())
-        sizes |= dict(a=rows * rows, b=rows * c.n_tau, nx=rows, nq=c.nq, nv=c.nv, name=key)
-        callers.append(CALLER.format(**sizes))
-        declarations.append(f"int {key}(const double **, double **, long long *, double *, int);")
+    rows = 2 * c.nv
+    texts["casadi.c"] = generated(f)
+    sizes = {"w": f.sz_w(), "iw": f.sz_iw(), "n_arg": f.sz_arg(), "n_res": f.sz_res(), "nq": c.nq, "nv": c.nv}
     texts["driver.c"] = DRIVER.format(
-        declarations="\n".join(declarations),
-        callers="".join(callers),
-        names=", ".join(f"call_{key}" for key in made),
+        caller=CALLER.format(a=rows * rows, b=rows * c.n_tau, nx=rows, **sizes),
         x=", ".join(map(repr, map(float, x))),
         rows=rows,
         columns=c.n_tau,
@@ -182,7 +169,14 @@ def sources(model, method: str, folder: Path) -> list[str]:
     )
     for file, text in texts.items():
         (folder / file).write_text(text)
-    return [file for file in texts if file.endswith(".c")] + [f"{key}.c" for key in made]
+    return [file for file in texts if file.endswith(".c")]
+
+
+def generated(f: ca.Function) -> str:
+    """CasADi's C of a function."""
+    made = ca.CodeGenerator("casadi")
+    made.add(f)
+    return made.dump()
 
 
 def instructions(program: Path, which: int) -> float | None:
@@ -201,10 +195,7 @@ def measure(robot: str, method: str, flags: list[str]) -> str:
     model = screwgen.derive(screwgen.load(HERE.parent / "examples" / f"{robot}.toml"))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        here = os.getcwd()
-        os.chdir(folder)
         files = sources(model, method, folder)
-        os.chdir(here)
         program = folder / "program"
         subprocess.run(["gcc", *COMMON, *flags, *files, "-lm", "-o", program], cwd=folder, check=True)
         said = subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
@@ -212,7 +203,7 @@ def measure(robot: str, method: str, flags: list[str]) -> str:
         if not differs < TOLERANCE:
             raise SystemExit(f"{robot}: the derivatives differ by {differs:.1e}")
         times = [float(line.split()[2]) for line in said[1:]]
-        labels = ["screwgen, step and derivatives", "screwgen, step alone", *functions(model, method)]
+        labels = ["screwgen, step and derivatives", "screwgen, step alone", "CasADi, step and derivatives"]
         out = [f"{robot} {method}, nv = {model.chain.nv}, gcc {' '.join(flags)}; largest difference {differs:.0e}"]
         for k, (label, t) in enumerate(zip(labels, times, strict=True)):
             count = instructions(program, k)
@@ -224,4 +215,4 @@ def measure(robot: str, method: str, flags: list[str]) -> str:
 if __name__ == "__main__":
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     given = sys.argv[1:]
-    print(measure(given[0] if given else "ella", given[1] if given[1:] else "modal_midpoint", given[2:] or ["-O2"]))
+    print(measure(given[0] if given else "ella", given[1] if given[1:] else "modal_midpoint", given[2:] or ["-O1"]))

@@ -19,6 +19,13 @@ typedef robot_status (*batch_step)(const robot_constants *, const robot_batch *,
 static const batch_step STEPS[] = { EACH_METHOD(X) };
 #undef X
 
+typedef robot_status (*derived_step)(const robot_constants *, const robot_state *, const robot_input *, real,
+    robot_step_derivatives_work *, robot_state *, robot_step_derivatives *);
+
+#define X(m) robot_step_##m##_derivatives,
+static const derived_step DERIVED[] = { EACH_METHOD(X) };
+#undef X
+
 enum { METHODS = (int)(sizeof STEPS / sizeof STEPS[0]), ROUNDS = 60, COUNT = 11, STRIDE = 13 };
 
 static robot_constants constants;
@@ -76,6 +83,40 @@ static void derivatives(int wild)
     free(work);
 }
 
+static void steps(int method, int wild)
+{
+    robot_state x, next, before;
+    robot_input u;
+    robot_step_derivatives_work *work = scratch(sizeof *work);
+    robot_step_derivatives *out = scratch(sizeof *out);
+    robot_wrench_work *other = scratch(sizeof *other);
+    robot_wrench_derivatives *wrenches = scratch(sizeof *wrenches);
+    robot_status status;
+    draw_all((real *)&x, sizeof x / sizeof(real), wild);
+    draw_all((real *)&u, sizeof u / sizeof(real), wild);
+    draw_all((real *)&next, sizeof next / sizeof(real), 0);
+    before = next;
+    status = DERIVED[method](&constants, &x, &u, (real)1e-5, work, &next, out);
+    expect(status >= ROBOT_OK && status <= ROBOT_BAD_ARGUMENT, "a status that the header does not list", (int)status);
+    expect(wild || status == ROBOT_OK, "derivatives of a step were refused", (int)status);
+    if (status == ROBOT_OK) {
+        expect(all_finite((real *)out, sizeof *out / sizeof(real)) && all_finite((real *)&next, sizeof next / sizeof(real)),
+            "derivatives of a step that are not finite", 0);
+        status = robot_linearise_wrenches(&constants, &x, &u, &work->stages[0], other, wrenches);
+        expect(wild || status == ROBOT_OK, "derivatives of wrenches were refused", (int)status);
+        expect(status != ROBOT_OK || all_finite((real *)wrenches, sizeof *wrenches / sizeof(real)),
+            "derivatives of wrenches that are not finite", 0);
+    } else {
+        expect(!memcmp(&next, &before, sizeof next), "a refused step has changed the state", (int)status);
+    }
+    expect(DERIVED[method](&constants, &x, &u, 0, work, &next, out) == ROBOT_BAD_ARGUMENT, "a step of no length", 0);
+    expect(DERIVED[method](&constants, &x, &u, 1, work, NULL, out) == ROBOT_BAD_ARGUMENT, "a step took a null pointer", 0);
+    free(wrenches);
+    free(other);
+    free(out);
+    free(work);
+}
+
 static void batches(int method, int wild)
 {
     real *q = scratch(ROBOT_NQ * STRIDE * sizeof *q), *v = scratch(ROBOT_NV * STRIDE * sizeof *v);
@@ -128,6 +169,7 @@ int main(void)
     for (round = 0; round < ROUNDS; ++round) {
         derivatives(round % 2);
         for (method = 0; method < METHODS; ++method) {
+            steps(method, round % 2);
             batches(method, round % 2);
         }
     }

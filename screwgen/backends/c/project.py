@@ -117,6 +117,8 @@ class CProject:
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
+            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
+            "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),
             "sources": [file for file in self.library if file.endswith(".c")],
             "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,
@@ -173,8 +175,6 @@ class CProject:
             "loops": self._loops,
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
-            "derivatives": self.with_derivatives and derivatives.content(self.chain, bool(self.baked), fused_place),
-            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
         }
 
     # programs ---------------------------------------------------------------------------------

@@ -117,6 +117,9 @@ class CProject:
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
+            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
+            "derivatives": self.with_derivatives
+            and derivatives.content(self.chain, bool(self.baked), fused_place, self.methods),
             "sources": [file for file in self.library if file.endswith(".c")],
             "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,
@@ -173,9 +176,6 @@ class CProject:
             "loops": self._loops,
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
-            "derivatives": self.with_derivatives
-            and derivatives.content(self.chain, bool(self.baked), fused_place, self.methods),
-            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
         }
 
     # programs ---------------------------------------------------------------------------------

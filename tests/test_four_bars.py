@@ -36,7 +36,8 @@ from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.spec.four_bar import NUMBERS
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
 
-SEEDS = range(8300, 8316)
+SEEDS = (8300, *range(8302, 8308), 8309, *range(8311, 8316))
+"""Of these robots each has a linkage."""
 
 
 @cache
@@ -45,12 +46,13 @@ def drawn_with_linkages(seed: int) -> Case:
     return drawn(seed, 1 + seed % 3, drives=0.5, cylinders=0.8, linkages=0.7, sliding=0.2, branching=0.3, **more)
 
 
-@pytest.fixture(params=swept(SEEDS, 8301, 8302))
+@pytest.fixture(params=swept(SEEDS, 8304, 8305))
 def case(request) -> Case:
     return drawn_with_linkages(request.param)
 
 
 def test_both_forms_in_numpy_and_casadi_equal_the_oracle(case):
+    assert case.model.chain.linked
     numpy_and_casadi(case)
     solved_densely(case)
 
@@ -60,7 +62,7 @@ def test_derivatives_equal_automatic_ones(case):
 
 
 @pytest.mark.parametrize("layout", ["fused", "modular"])
-@pytest.mark.parametrize("seed", swept(SEEDS, 8302))
+@pytest.mark.parametrize("seed", swept(SEEDS, 8305))
 def test_the_c_equals_the_oracle_in_both_forms(seed, layout):
     compiled(drawn_with_linkages(seed), layout)
 
@@ -174,9 +176,13 @@ def alone(angle: float, branch: str) -> dict:
     )
 
 
-@pytest.mark.parametrize(("angle", "branch"), [(1.3, "open"), (1.3, "crossed"), (-1.3, "open"), (-1.3, "crossed")])
-def test_a_linkage_equals_its_true_loop_where_crank_and_coupler_have_no_mass(angle, branch):
+ASSEMBLIES = [(1.3, "open"), (1.3, "crossed"), (-1.3, "open"), (-1.3, "crossed")]
+
+
+@pytest.mark.parametrize("assembly", swept(ASSEMBLIES, (1.3, "open"), (-1.3, "crossed")))
+def test_a_linkage_equals_its_true_loop_where_crank_and_coupler_have_no_mass(assembly):
     """The difference falls in proportion to the masses; what is left is extrapolated to none."""
+    angle, branch = assembly
     model, q, v, tau = model_of(alone(angle, branch)), np.array([0.25]), np.array([0.7]), np.array([6.0])
     expected = model.numpy().forward_dynamics(q, v, tau, None)[0]
     psi, slope, _ = travels(model.chain, q, model.parameter_values)[:, 0]
@@ -205,6 +211,7 @@ def test_a_linkage_equals_its_true_loop_where_crank_and_coupler_have_no_mass(ang
 # -------- runs, equilibria, linear models
 
 
+@pytest.mark.long
 def test_the_power_of_a_crank_is_its_torque_times_its_rate():
     model = model_of(digger(friction=None))
     run = simulate(model, 0.4, 1e-4, q0=START[:2], controller=lambda t, q, v: (900.0, 25 + 10 * np.sin(9 * t)))
@@ -214,7 +221,7 @@ def test_the_power_of_a_crank_is_its_torque_times_its_rate():
     assert abs(work) > 20 and work == pytest.approx(gained, rel=2e-4)
 
 
-@pytest.mark.parametrize("integrator", ["rk4", "modal_midpoint"])
+@pytest.mark.parametrize("integrator", swept(["rk4", "modal_midpoint"], "rk4"))
 def test_forms_back_ends_and_batches_make_the_same_motion(integrator):
     model, tau = boom(), np.array([900.0, 15.0])
     given = dict(q0=START, integrator=integrator, controller=tau)

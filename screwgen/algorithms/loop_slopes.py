@@ -65,10 +65,11 @@ def tips(chain: Chain) -> list[int]:
 def loop_changes(
     chain: Chain, shut: Shut, acc: Sequence[Array], forces: Sequence, at: Mapping[int, TipChange], apply: Apply
 ) -> tuple[RowChange, Array]:
-    """The changes of the rows, and the derivative (nv, nv) with q of ``Jᵀ forces`` at held directions ``J``'s tips.
+    """The changes of the rows, and of the generalised forces that given ``forces`` of the rows exert.
 
-    ``acc``: the accelerations of all tips (6,) in inertial axes, against free fall. The second is what the wrenches'
-    change in tip-frame components adds to the generalised forces.
+    ``acc``: the accelerations of all tips (6,) in inertial axes, against free fall; ``at``: the changes of the tips.
+    The second is the derivative (nv, nv) with q of the generalised forces, as far as the wrenches change in tip-frame
+    components; that of wrenches held in these is part of the inverse dynamics' derivatives.
     """
     rows: list[list[Array]] = [[], [], []]
     bend, nv = mx.zeros(chain.nv, chain.nv), chain.nv

@@ -1,0 +1,285 @@
+"""The predictive controller of the C back end: sizes, tables and programs of its templates."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...algorithms.gauges import gauges
+from ...algorithms.tip_terms import tip_terms
+from ...errors import UsageError
+from ...integrators.method import Method
+from ...spec.load import one_line
+from ...spec.mpc import VARIABLES, Between, Mpc, load_mpc
+from ..templates import folder
+from .code import literal
+from .columns import rendered
+from .derivatives import LIMIT, check_size
+from .fields import fused_place
+from .pieces import piece_place, pieces
+from .project import CProject
+
+if TYPE_CHECKING:
+    from ...model import Model
+
+FILES = ("mpc.h", "mpc.c", "qp.h", "qp.c")
+"""The files that a controller adds, without the robot's name; their templates have the same names."""
+
+SOLVER = ("LICENSE", "auxiliary.c", "auxiliary.h", "constants.h", "daqp.c", "daqp.h", "factorization.c", "factorization.h", "types.h")
+"""DAQP's files, which are copied as they are."""
+
+PLANT_STEP = 1e-3
+"""s: about a step of the arm in the example."""
+TIP = ("tip_position", "tip_orientation", "tip_velocity")
+
+
+class Fitted:
+    """A controller's numbers at a robot's sizes. Raises :class:`UsageError` with the file, key, fault and remedy."""
+
+    def __init__(self, model: Model, said: Mpc, file: str):
+        self.model, self.said, self.file = model, said, file
+        chain = model.chain
+        for asked, what in (
+            (bool(chain.robot.loops), "loops"),
+            (chain.keys[0].free, "a floating base"),
+            (bool(chain.n_motors), "elastic drives"),
+            (bool(chain.cranked), "transmissions"),
+        ):
+            if asked:
+                raise UsageError(
+                    f"robot '{chain.robot.name}' has {what}; predictive control in C is not made for them: use model.acados()"
+                )
+        if not chain.n_tau:
+            raise UsageError(f"robot '{chain.robot.name}' has no joints; predictive control needs torques")
+        self.n, self.modes, self.nq = chain.n_tau, chain.n_modes, chain.nq
+        if (count := self.n * len(said.horizon.lengths)) > VARIABLES:
+            raise self.refuse(
+                "horizon.blocks",
+                f"leave {count} torques to choose; at most {VARIABLES} are solved in real time: longer blocks make fewer",
+            )
+
+    def refuse(self, key: str, what: str) -> UsageError:
+        return UsageError(f"{self.file}: {key}: {what}")
+
+    def entries(self, key: str, value: Any, size: int) -> list[float]:
+        """One number for each of `size` entries."""
+        values = list(value) if isinstance(value, tuple) else [value] * size
+        if len(values) != size:
+            raise self.refuse(key, f"has length {len(values)}; it must be a number or an array of {size}")
+        return values
+
+    @cached_property
+    def torques(self) -> tuple[list[float], list[float]]:
+        return self.both("bounds.torques", self.said.bounds.torques)
+
+    def both(self, key: str, value: Any) -> tuple[list[float], list[float]]:
+        if isinstance(value, Between):
+            lower, upper = (self.entries(f"{key}.{k}", getattr(value, k), self.n) for k in ("lower", "upper"))
+        else:
+            upper = self.entries(key, value, self.n)
+            lower = [-x for x in upper]
+        for i, (a, b) in enumerate(zip(lower, upper, strict=True)):
+            if not a < b:
+                raise self.refuse(f"{key}.lower[{i}]", f"is {a:g}; it must be less than upper[{i}] = {b:g}")
+        return lower, upper
+
+    @cached_property
+    def weights(self) -> dict[str, list[float]]:
+        cost, sizes = self.said.cost, dict.fromkeys(("joints", "joint_rates", "torques", "torque_rates"), self.n)
+        sizes |= {"modes": self.modes, "mode_rates": self.modes} | dict.fromkeys(TIP, 3)
+        given = {name: getattr(cost, name) for name in sizes}
+        out = {name: self.entries(f"cost.{name}", w, sizes[name]) for name, w in given.items() if w is not None}
+        for i, (a, b) in enumerate(zip(out["torques"], out["torque_rates"], strict=True)):
+            if not a + b > 0:
+                raise self.refuse("cost.torques", f"and torque_rates are 0 for joint {i}; one of them must be > 0")
+        return out
+
+    @cached_property
+    def wrenches(self) -> list[dict[str, int]]:
+        """Link and component of the bounded joint wrenches."""
+        out = []
+        for i, wrench in enumerate(self.said.bounds.wrenches):
+            if wrench.component not in self.model.wrench_names:
+                known = ", ".join(self.model.wrench_names[:6])
+                raise self.refuse(f"bounds.wrenches[{i}].component", f"is no joint wrench; the first are {known}")
+            at = self.model.wrench_names.index(wrench.component)
+            out.append({"link": self.model.chain.firsts[at // 6], "component": at % 6})
+        return out
+
+    @cached_property
+    def rest(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """At the goal: q (nq,), torques (n,), the tip's position (3,) and rotation (3, 3)."""
+        from ...studies.equilibrium import equilibrium
+
+        joints = self.entries("goal.joints", self.said.goal.joints, self.n)
+        found = equilibrium(self.model, joints, hold="all")
+        R, r = self.model.numpy().tip_pose(found.q)
+        return np.array(found.q), np.array(found.tau), np.array(r), np.array(R)
+
+    @cached_property
+    def terminal(self) -> np.ndarray:
+        """The regulator's cost-to-go (2 nq, 2 nq) behind the last state, at the goal."""
+        from .riccati import cost_to_go
+
+        return cost_to_go(self.model, self.said, self.weights, *self.rest)
+
+
+def fitted(model: Model, file: str | os.PathLike[str]) -> Fitted:
+    """A controller's file at the sizes of a model."""
+    return Fitted(model, load_mpc(file), one_line(os.fsdecode(file)))
+
+
+def project(model: Model, file: str | os.PathLike[str] | None, version: str, *options: Any) -> CProject:
+    """The C of a model, with the controller of a file if there is one; ``options`` as :class:`CProject` takes them."""
+    return CProject(model.chain, version, *options) if file is None else MpcProject(fitted(model, file), version, *options)
+
+
+class MpcProject(CProject):
+    """The files of a robot's C with a predictive controller."""
+
+    def __init__(
+        self,
+        fitted: Fitted,
+        version: str,
+        binding="runtime",
+        layout="auto",
+        batch=False,
+        derivatives=True,
+        estimator=False,
+        methods: Sequence[Method] = (),
+    ):
+        super().__init__(fitted.model.chain, version, binding, layout, batch, True, estimator, methods)
+        self.fitted = fitted
+
+    @property
+    def library(self) -> dict[str, str]:
+        return super().library | {f"{self.name}_{file}": file for file in FILES}
+
+    def files(self) -> dict[str, str]:
+        return super().files() | self.solver() | self.example()
+
+    def example(self) -> dict[str, str]:
+        """A program that closes the loop; no part of the library."""
+        return {"mpc_main.c": rendered("mpc_main.c", **self.context)}
+
+    def solver(self) -> dict[str, str]:
+        """DAQP's sources and licence, and what makes them part of one file."""
+        own = {f"daqp/{name}": (folder() / "daqp" / name).read_text() for name in SOLVER}
+        return own | {"daqp/screwgen.h": rendered("daqp.h", **self.context)}
+
+    @cached_property
+    def context(self) -> dict:
+        return super().context | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
+
+
+def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
+    """The templates' context."""
+    said, n, chain = fitted.said, fitted.n, fitted.model.chain
+    horizon, bounds = said.horizon, said.bounds
+    lengths = horizon.lengths
+    found = gauges(chain) if bounds.strains else []
+    bounded = {name: getattr(bounds, name) is not None for name in ("joints", "joint_rates", "strains", "torque_rates")}
+    plain = [*(range(n) if bounded["joints"] else ()), *(range(fitted.nq, fitted.nq + n) if bounded["joint_rates"] else ())]
+    nz, stages = n * len(lengths), len(plain) + len(found)
+    soft = (stages + len(fitted.wrenches)) * horizon.intervals
+    rows = soft + nz * bounded["torque_rates"]
+    return {
+        "intervals": horizon.intervals,
+        "step": f"{horizon.step:g}",
+        "step_literal": literal(horizon.step),
+        "substeps": horizon.substeps,
+        "method": horizon.method,
+        "blocks": len(lengths),
+        "block": [b for b, length in enumerate(lengths) for _ in range(length)],
+        "length": lengths,
+        "nz": nz,
+        "rows": rows,
+        "soft": stages + len(fitted.wrenches),
+        "active": nz + soft + 2,
+        "plain": plain,
+        "bounded": bounded,
+        "rate_rows": bounded["torque_rates"],
+        "gauges": [{"first": g.first, "count": len(g.curvatures)} for g in found],
+        "curvatures": _curvatures(chain, found),
+        "wrenches": fitted.wrenches,
+        "terminal": said.cost.terminal.riccati,
+        "terminal_factor": literal(said.cost.terminal.factor),
+        "penalty": literal(bounds.penalty),
+        "iterations": said.solver.iterations,
+        "delay": said.solver.delay,
+        "plant_steps": max(horizon.substeps, round(horizon.step / PLANT_STEP)),
+        "check_duration": literal(max(1.0, 2 * horizon.intervals * horizon.step)),
+        **_tip(fitted, baked),
+        **_tables(fitted, len(found)),
+    }
+
+
+def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
+    """The terms of the tip that the file weighs, and the program of its pose and velocity."""
+    chain, weighed = fitted.model.chain, [name for name in TIP if name in fitted.weights]
+    at = {name: 3 * i for i, name in enumerate(weighed)}
+    out: dict[str, Any] = {
+        "terms": 3 * len(weighed),
+        "weights": [f"o->{name}" for name in weighed],
+        "placed": "tip_position" in at,
+        "turning": "tip_orientation" in at,
+        "moving": "tip_velocity" in at,
+        "turning_at": at.get("tip_orientation"),
+        "moving_at": at.get("tip_velocity"),
+    }
+    if not weighed:
+        return out | {"tip": {"pieces": [], "kept": 1}, "slopes_of_stumpff": False}
+    program = tip_terms(chain, out["turning"], out["moving"], "baked" if baked else "constants")
+    check_size(chain, program.operation_count, LIMIT, "operations")
+    own = {
+        "r": lambda k: f"m->r[{k}]",
+        "r_q": lambda k: f"m->r_q[{k // 3}][{k % 3}]",
+        "R": lambda k: f"m->R_tip[{k}]",
+        "R_q": lambda k: f"m->R_q[{k // 9}][{k % 9}]",
+        "u": lambda k: f"m->u[{k}]",
+        "u_q": lambda k: f"m->u_q[{k // 3}][{k % 3}]",
+    }
+    written = pieces(program, piece_place(chain, "m->kept", own, fused_place), ("c", "state", "m"))
+    return out | {"tip": written, "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys())}
+
+
+def _curvatures(chain, found: Sequence) -> list[str]:
+    """The curvature at the base of a link per unit of each mode that strains a gauge, 1/m², else 0."""
+    out = [0.0] * max(chain.n_modes, 1)
+    for gauge in found:
+        length = chain.robot.links[gauge.link].length
+        out[gauge.first : gauge.first + len(gauge.curvatures)] = [x / length**2 for x in gauge.curvatures]
+    return [literal(x) for x in out]
+
+
+def _tables(fitted: Fitted, count: int) -> dict[str, Any]:
+    """The numbers of the file: constant arrays, and the members that start with them."""
+    bounds, n = fitted.said.bounds, fitted.n
+    q, tau, r, R = fitted.rest
+    tables = {"GOAL_Q": q, "GOAL_TAU": tau, "GOAL_PLACE": r, "GOAL_ROTATION": R.ravel()}
+    members: dict[str, Sequence[float]] = {f"o->{name}": w for name, w in fitted.weights.items() if len(w)}
+    lower, upper = fitted.torques
+    members |= {"o->torque_lower": lower, "o->torque_upper": upper}
+    if bounds.torque_rates is not None:
+        members["o->torque_rate"] = fitted.entries("bounds.torque_rates", bounds.torque_rates, n)
+    if bounds.joints is not None:
+        members |= dict(zip(("o->joint_lower", "o->joint_upper"), fitted.both("bounds.joints", bounds.joints), strict=True))
+    if bounds.joint_rates is not None:
+        members["o->joint_rate"] = fitted.entries("bounds.joint_rates", bounds.joint_rates, n)
+    if bounds.strains is not None and count:
+        members["o->strain"] = fitted.entries("bounds.strains.limit", bounds.strains.limit, count)
+        members["o->fibre"] = fitted.entries("bounds.strains.fibre", bounds.strains.fibre, count)
+    if bounds.wrenches:
+        members["o->wrench"] = [w.limit for w in bounds.wrenches]
+    if fitted.said.cost.terminal.riccati:
+        members["&o->terminal[0][0]"] = fitted.terminal.ravel()
+    defaults = []
+    for member, values in members.items():
+        name = "DEFAULT_" + member.split(">")[1].partition("[")[0].upper()
+        tables[name] = values
+        defaults.append((member, name, len(values)))
+    return {"tables": [(k, [literal(float(x)) for x in v]) for k, v in tables.items()], "defaults": defaults}

@@ -4,11 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..ir.derivative import columns, tangents
-from ..ir.program import Node, Program, Value
+from ..ir.derivative import columns
+from ..ir.program import Program, Value
 from ..topology.chain import Chain
-from .functions import Functions
+from .functions import MOTION, Functions
 from .fused import fuse
+
+
+class Tip(Functions):
+    """The functions of a robot, with the velocity of its last tip."""
+
+    def tip_velocity(self, q, v) -> list[Value]:
+        """The velocity (3) of the last tip point, inertial components."""
+        links, _ = self._run(MOTION, self._state(q, v))
+        return links[self.chain.last]["tip_twist"][3:]
 
 
 def tip_terms(chain: Chain, turning: bool, moving: bool, constants="constants") -> Program:
@@ -18,16 +27,15 @@ def tip_terms(chain: Chain, turning: bool, moving: bool, constants="constants") 
     if ``moving``; that with v is ``r_q``.
     """
 
-    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
+    def body(f: Tip, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
         R, r = f.poses(x["q"])[1][chain.last]
         flat = lambda values: [s for column in columns(values, x["q"]) for s in column]  # noqa: E731
         out: dict[str, Sequence[Value]] = {"r": r, "r_q": flat(r)}
         if turning:
             out |= {"R": R, "R_q": flat(R)}
         if moving:
-            seeds = {q: v for q, v in zip(x["q"], x["v"], strict=True) if isinstance(q, Node)}
-            u = tangents(r, seeds)
+            u = f.tip_velocity(x["q"], x["v"])
             out |= {"u": u, "u_q": flat(u)}
         return out
 
-    return fuse(chain, "tip_terms", {"q": chain.nq, "v": chain.nv}, body, constants)
+    return fuse(chain, "tip_terms", {"q": chain.nq, "v": chain.nv}, body, constants, Tip)

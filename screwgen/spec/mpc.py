@@ -43,7 +43,7 @@ def each(check: Callable[..., float]) -> Callable[[Any], float | tuple[float, ..
     return checked
 
 
-def lengths(value: Any) -> tuple[int, ...]:
+def counts(value: Any) -> tuple[int, ...]:
     """Numbers of intervals."""
     entries = array(value, "an array of whole numbers")
     return tuple(whole(1, MOST)(x) for x in entries)
@@ -60,7 +60,7 @@ class Horizon(Part):
     intervals: Annotated[int, PlainValidator(whole(1, MOST))] = Field(description="the number of intervals")
     step: Annotated[float, PlainValidator(positive)] = Field(description="an interval, which is the time between samples, s")
     substeps: Annotated[int, PlainValidator(whole(1, MOST))] = Field(1, description="steps of the method in an interval")
-    blocks: Annotated[tuple[int, ...] | None, PlainValidator(lengths)] = Field(
+    blocks: Annotated[tuple[int, ...] | None, PlainValidator(counts)] = Field(
         None, description="numbers of intervals over which torques are constant"
     )
     method: Annotated[str, PlainValidator(choice(*METHODS))] = Field("modal_midpoint", description="the integrator")

@@ -99,7 +99,7 @@ class Fitted:
         return out
 
     @cached_property
-    def wrenches(self) -> list[dict[str, int]]:
+    def wrenches(self) -> list[dict[str, Any]]:
         """Link and component of the bounded joint wrenches."""
         out = []
         for i, wrench in enumerate(self.said.bounds.wrenches):
@@ -107,7 +107,7 @@ class Fitted:
                 known = ", ".join(self.model.wrench_names[:6])
                 raise self.refuse(f"bounds.wrenches[{i}].component", f"is no joint wrench; the first are {known}")
             at = self.model.wrench_names.index(wrench.component)
-            out.append({"link": self.model.chain.firsts[at // 6], "component": at % 6})
+            out.append({"link": self.model.chain.firsts[at // 6], "component": at % 6, "name": wrench.component})
         return out
 
     @cached_property
@@ -173,7 +173,11 @@ class MpcProject(CProject):
 
     @cached_property
     def context(self) -> dict:
-        return super().context | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
+        found = super().context
+        if self.fitted.wrenches and found["derivatives"]["wrenches"].get("long"):
+            what = "would have derivatives too long to compile; leave them out, or give the robot fewer links or modes"
+            raise self.fitted.refuse("bounds.wrenches", what)
+        return found | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
 
 
 def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
@@ -189,7 +193,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
     rows = soft + nz * bounded["torque_rates"]
     return {
         "intervals": horizon.intervals,
-        "step": f"{horizon.step:g}",
+        "step": repr(horizon.step),
         "step_literal": literal(horizon.step),
         "substeps": horizon.substeps,
         "method": horizon.method,
@@ -212,7 +216,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
         "iterations": said.solver.iterations,
         "delay": said.solver.delay,
         "plant_steps": max(horizon.substeps, round(horizon.step / PLANT_STEP)),
-        "check_duration": literal(max(1.0, 2 * horizon.intervals * horizon.step)),
+        "check_duration": repr(max(1.0, 2 * horizon.intervals * horizon.step)),
         **_tip(fitted, baked),
         **_tables(fitted, len(found)),
     }

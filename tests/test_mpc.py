@@ -51,16 +51,17 @@ PLAIN = """
 [horizon]
 intervals = 6
 step = 0.02
+substeps = 2
 [goal]
 joints = [0.3, 0.2, -0.2]
 [cost]
 joints = 10.0
-joint_rates = 0.1
-mode_rates = 0.2
+joint_rates = 1.0
+mode_rates = 1.0
 torques = 1e-4
 terminal = { riccati = true }
 [bounds]
-torques = [60.0, 30.0, 20.0]
+torques = [60.0, 12.0, 4.0]
 """
 
 
@@ -133,18 +134,18 @@ def test_the_fixed_point_is_the_minimum(controllers, text):
     assert np.abs((c.inner["tau"] - torques) / reach).max() <= 1e-6
     assert c.inner["cost"][0] == pytest.approx(cost, rel=1e-8)
     assert np.abs(c.inner["z"]).max() < 1e-6
-    at_bounds = (torques > c.options["torque_upper"] - 1e-6) | (torques < c.options["torque_lower"] + 1e-6)
-    assert at_bounds.any() or text is WHOLE
+    at_bounds = (torques > c.options["torque_upper"] - 1e-4) | (torques < c.options["torque_lower"] + 1e-4)
+    assert at_bounds.any() == (text is PLAIN)
     assert text is PLAIN or c.inner["violation"][0] > 1e-3
 
 
 def test_the_loop_reaches_the_goal(controllers):
     c = controllers(PLAIN)
-    run = screwgen.simulate(model(), 1.5, 1e-3, q0=start(), controller=c)
+    run = screwgen.simulate(model(), 2.0, 1e-3, q0=start(), controller=c)
     away = np.linalg.norm(run.tip_position - c.reference[0]["tip_position"], axis=1)
-    assert away[0] > 0.3 and away[-1] < 1e-3
-    assert np.all(np.abs(run.tau) <= [60.0, 30.0, 20.0])
-    assert len(np.unique(run.tau[:, 0])) <= 76, "torques are held over a sample"
+    assert away[0] > 0.6 and away[-1] < 2e-3
+    assert np.all(np.abs(run.tau) <= [60.0, 12.0, 4.0])
+    assert len(np.unique(run.tau[:, 0])) <= 101, "torques are held over a sample"
 
 
 def test_a_heavier_payload(controllers):
@@ -181,13 +182,14 @@ def test_late_and_limited(controllers):
         c.feedback(np.full(6, np.nan), np.zeros(6))
 
 
+@pytest.mark.long
 def test_in_float(controllers):
     double, single = controllers(PLAIN), controllers(PLAIN, True)
     for c in (double, single):
         c.initialise(start(), np.zeros(6))
     assert np.abs(single.torques - double.torques).max() < 0.02 * 60.0
     tau = single.feedback(start(), np.zeros(6))
-    assert single.outcome == "solved" and np.all(np.abs(tau) <= [60.0, 30.0, 20.0])
+    assert single.outcome == "solved" and np.all(np.abs(tau) <= [60.0, 12.0, 4.0])
 
 
 FAULTS = {
@@ -195,7 +197,7 @@ FAULTS = {
     "step = 0.02": ("step = 0.02\nblocks = [1, 2]", "horizon.blocks: add up to 3 intervals; they must add up to intervals = 6"),
     "joints = 10.0": ("joint = 10.0", "cost.joint: is an unknown key; did you mean joints?"),
     "torques = 1e-4": ("torques = 0.0", "cost.torques: and torque_rates are 0 for joint 0; one of them must be > 0"),
-    "torques = [60.0, 30.0, 20.0]": ("torques = [60.0, 30.0]", "bounds.torques: has length 2; it must be a number or an array of 3"),
+    "torques = [60.0, 12.0, 4.0]": ("torques = [60.0, 30.0]", "bounds.torques: has length 2; it must be a number or an array of 3"),
     "[bounds]": (
         '[bounds]\nwrenches = [ { component = "c.tau_x", limit = 1.0 } ]',
         "bounds.wrenches[0].component: is no joint wrench; the first are a.tau_x",

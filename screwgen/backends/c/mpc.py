@@ -61,6 +61,9 @@ class Fitted:
                 "horizon.blocks",
                 f"leave {count} torques to choose; at most {VARIABLES} are solved in real time: longer blocks make fewer",
             )
+        self.gauges = gauges(chain) if said.bounds.strains else []
+        self.joints = self.entries("goal.joints", said.goal.joints, self.n)
+        self.bounds, _ = self._bounds(), (self.wrenches, self.weights)
 
     def refuse(self, key: str, what: str) -> UsageError:
         return UsageError(f"{self.file}: {key}: {what}")
@@ -71,10 +74,6 @@ class Fitted:
         if len(values) != size:
             raise self.refuse(key, f"has length {len(values)}; it must be a number or an array of {size}")
         return values
-
-    @cached_property
-    def torques(self) -> tuple[list[float], list[float]]:
-        return self.both("bounds.torques", self.said.bounds.torques)
 
     def both(self, key: str, value: Any) -> tuple[list[float], list[float]]:
         if isinstance(value, Between):
@@ -98,6 +97,24 @@ class Fitted:
                 raise self.refuse("cost.torques", f"and torque_rates are 0 for joint {i}; one of them must be > 0")
         return out
 
+    def _bounds(self) -> dict[str, Sequence[float]]:
+        """The members of the options with the bounds that the file states."""
+        bounds, n, count = self.said.bounds, self.n, len(self.gauges)
+        lower, upper = self.both("bounds.torques", bounds.torques)
+        out: dict[str, Sequence[float]] = {"torque_lower": lower, "torque_upper": upper}
+        if bounds.torque_rates is not None:
+            out["torque_rate"] = self.entries("bounds.torque_rates", bounds.torque_rates, n)
+        if bounds.joints is not None:
+            out["joint_lower"], out["joint_upper"] = self.both("bounds.joints", bounds.joints)
+        if bounds.joint_rates is not None:
+            out["joint_rate"] = self.entries("bounds.joint_rates", bounds.joint_rates, n)
+        if bounds.strains is not None:
+            if not count:
+                raise self.refuse("bounds.strains", "bounds the bending of links, and no link bends; leave it out")
+            for name, values in (("strain", bounds.strains.limit), ("fibre", bounds.strains.fibre)):
+                out[name] = self.entries(f"bounds.strains.{'limit' if name == 'strain' else name}", values, count)
+        return out | ({"wrench": [w.limit for w in bounds.wrenches]} if bounds.wrenches else {})
+
     @cached_property
     def wrenches(self) -> list[dict[str, Any]]:
         """Link and component of the bounded joint wrenches."""
@@ -115,8 +132,7 @@ class Fitted:
         """At the goal: q (nq,), torques (n,), the tip's position (3,) and rotation (3, 3)."""
         from ...studies.equilibrium import equilibrium
 
-        joints = self.entries("goal.joints", self.said.goal.joints, self.n)
-        found = equilibrium(self.model, joints, hold="all")
+        found = equilibrium(self.model, self.joints, hold="all")
         R, r = self.model.numpy().tip_pose(found.q)
         return np.array(found.q), np.array(found.tau), np.array(r), np.array(R)
 
@@ -185,7 +201,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
     said, n, chain = fitted.said, fitted.n, fitted.model.chain
     horizon, bounds = said.horizon, said.bounds
     lengths = horizon.lengths
-    found = gauges(chain) if bounds.strains else []
+    found = fitted.gauges
     bounded = {name: getattr(bounds, name) is not None for name in ("joints", "joint_rates", "strains", "torque_rates")}
     plain = [*(range(n) if bounded["joints"] else ()), *(range(fitted.nq, fitted.nq + n) if bounded["joint_rates"] else ())]
     nz, stages = n * len(lengths), len(plain) + len(found)
@@ -218,7 +234,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
         "plant_steps": max(horizon.substeps, round(horizon.step / PLANT_STEP)),
         "check_duration": repr(max(1.0, 2 * horizon.intervals * horizon.step)),
         **_tip(fitted, baked),
-        **_tables(fitted, len(found)),
+        **_tables(fitted),
     }
 
 
@@ -260,25 +276,11 @@ def _curvatures(chain, found: Sequence) -> list[str]:
     return [literal(x) for x in out]
 
 
-def _tables(fitted: Fitted, count: int) -> dict[str, Any]:
+def _tables(fitted: Fitted) -> dict[str, Any]:
     """The numbers of the file: constant arrays, and the members that start with them."""
-    bounds, n = fitted.said.bounds, fitted.n
     q, tau, r, R = fitted.rest
     tables = {"GOAL_Q": q, "GOAL_TAU": tau, "GOAL_PLACE": r, "GOAL_ROTATION": R.ravel()}
-    members: dict[str, Sequence[float]] = {f"o->{name}": w for name, w in fitted.weights.items() if len(w)}
-    lower, upper = fitted.torques
-    members |= {"o->torque_lower": lower, "o->torque_upper": upper}
-    if bounds.torque_rates is not None:
-        members["o->torque_rate"] = fitted.entries("bounds.torque_rates", bounds.torque_rates, n)
-    if bounds.joints is not None:
-        members |= dict(zip(("o->joint_lower", "o->joint_upper"), fitted.both("bounds.joints", bounds.joints), strict=True))
-    if bounds.joint_rates is not None:
-        members["o->joint_rate"] = fitted.entries("bounds.joint_rates", bounds.joint_rates, n)
-    if bounds.strains is not None and count:
-        members["o->strain"] = fitted.entries("bounds.strains.limit", bounds.strains.limit, count)
-        members["o->fibre"] = fitted.entries("bounds.strains.fibre", bounds.strains.fibre, count)
-    if bounds.wrenches:
-        members["o->wrench"] = [w.limit for w in bounds.wrenches]
+    members = {f"o->{name}": w for name, w in (fitted.weights | fitted.bounds).items() if len(w)}
     if fitted.said.cost.terminal.riccati:
         members["&o->terminal[0][0]"] = fitted.terminal.ravel()
     defaults = []

@@ -29,6 +29,7 @@ from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
+from .studies.predictive import fitted
 from .topology.chain import Chain
 from .version import __version__ as VERSION
 
@@ -263,7 +264,9 @@ class Model:
         """
         from .backends.c.mpc import project as of
 
-        project = of(self, mpc, VERSION, parameters, layout, batch, derivatives, estimator, methods)
+        project = of(
+            mpc and fitted(self, mpc), self.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods
+        )
         files = {name: text.encode() for name, text in project.files().items()}
         if lost := project.check["lost"]:
             said = f"robot '{self.robot.name}': the C is of no use in float: rounding may change results by {lost}"
@@ -293,7 +296,7 @@ class Model:
 
     def mpc(self, file: str | os.PathLike, **options):
         """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.Mpc`."""
-        return import_module(".runtime.mpc", __package__).Mpc(self, file, **options)
+        return import_module(".runtime.mpc", __package__).Mpc(self, fitted(self, file), **options)
 
     def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""

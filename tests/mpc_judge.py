@@ -147,9 +147,15 @@ class Problem:
             jump = U[:, b] - (U[:, b - 1] if b else acting)
             cost += ca.dot(self.o["torque_rates"], jump**2) / (2 * self.h)
             if self.said.bounds.torque_rates is not None:
-                opti.subject_to(opti.bounded(-self.h * self.o["torque_rate"] / half, jump / half, self.h * self.o["torque_rate"] / half))
+                opti.subject_to(
+                    opti.bounded(
+                        -self.h * self.o["torque_rate"] / half, jump / half, self.h * self.o["torque_rate"] / half
+                    )
+                )
         for i in range(self.nu):
-            opti.subject_to(opti.bounded(self.o["torque_lower"][i] / half[i], z[i, :], self.o["torque_upper"][i] / half[i]))
+            opti.subject_to(
+                opti.bounded(self.o["torque_lower"][i] / half[i], z[i, :], self.o["torque_upper"][i] / half[i])
+            )
         opti.minimize(cost)
         opti.set_initial(z, (guess / half).T)
         quiet = {"print_level": 0, "sb": "yes", "tol": 1e-11, "constr_viol_tol": 1e-11, "max_iter": 200}

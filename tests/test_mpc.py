@@ -9,12 +9,18 @@ from mpc_judge import Problem
 
 import screwgen
 from screwgen.errors import UsageError
-from screwgen.runtime.mpc import Mpc
 
 SOFT = {"EIy": 300.0, "EIz": 500.0}
 TIP = [{"at": "tip", "mass": 1.0}]
 ARM = arm(
-    link("a", axes=["y", "z"], modes={"bending_y": 1, "bending_z": 1}, section=SOFT, bodies=TIP, joint={"armature": [0.5, 0.5]}),
+    link(
+        "a",
+        axes=["y", "z"],
+        modes={"bending_y": 1, "bending_z": 1},
+        section=SOFT,
+        bodies=TIP,
+        joint={"armature": [0.5, 0.5]},
+    ),
     link("b", axes=["z"], modes={"bending_y": 1}, section=SOFT, bodies=TIP, joint={"armature": [0.2]}),
 )
 WHOLE = """
@@ -81,7 +87,7 @@ def controllers(folder):
     def made(text, single=False):
         file = folder / f"mpc{abs(hash(text))}.toml"
         file.write_text(text)
-        return Mpc(model(), file, single=single, flags=QUICK)
+        return model().mpc(file, single=single, flags=QUICK)
 
     return made
 
@@ -106,7 +112,10 @@ def test_the_program_is_the_dense_one(controllers):
     H, g, D, jumps, rows, values = judge.dense(X, U, acting, x0 - X[0])
     unit, nz = np.tile(c.inner["unit"], 3), U.size
     lower = np.tril(c.inner["H"])
-    assert np.abs(lower + np.tril(lower, -1).T - unit[:, None] * H * unit).max() <= 1e-9 * np.abs(unit[:, None] * H * unit).max()
+    assert (
+        np.abs(lower + np.tril(lower, -1).T - unit[:, None] * H * unit).max()
+        <= 1e-9 * np.abs(unit[:, None] * H * unit).max()
+    )
     assert np.abs(c.inner["g"] - unit * g).max() <= 1e-9 * np.abs(unit * g).max()
     soft_lower, soft_upper = judge.soft_bounds()
     low = np.r_[np.tile(soft_lower, 5), np.tile(-c.options["wrench"], 5)]
@@ -115,8 +124,12 @@ def test_the_program_is_the_dense_one(controllers):
     row = np.vstack([D, rows * unit / half[:, None]])
     assert np.abs(c.inner["row"] - row).max() <= 1e-9 * np.abs(row).max()
     rate = 0.02 * np.tile(c.options["torque_rate"], 3)
-    expected_low = np.r_[(np.tile(c.options["torque_lower"], 3) - U.ravel()) / unit, (-rate - jumps) / unit, (low - values) / half]
-    expected_high = np.r_[(np.tile(c.options["torque_upper"], 3) - U.ravel()) / unit, (rate - jumps) / unit, (high - values) / half]
+    expected_low = np.r_[
+        (np.tile(c.options["torque_lower"], 3) - U.ravel()) / unit, (-rate - jumps) / unit, (low - values) / half
+    ]
+    expected_high = np.r_[
+        (np.tile(c.options["torque_upper"], 3) - U.ravel()) / unit, (rate - jumps) / unit, (high - values) / half
+    ]
     for found, expected in ((c.inner["lower"], expected_low), (c.inner["upper"], expected_high)):
         assert np.abs(found - expected).max() <= 1e-9 * np.abs(expected).max()
     assert len(found) == nz + len(row)
@@ -194,10 +207,16 @@ def test_in_float(controllers):
 
 FAULTS = {
     "intervals = 6": ("intervals = 0", "horizon.intervals: is 0; it must be a whole number from 1 to 1000"),
-    "step = 0.02": ("step = 0.02\nblocks = [1, 2]", "horizon.blocks: add up to 3 intervals; they must add up to intervals = 6"),
+    "step = 0.02": (
+        "step = 0.02\nblocks = [1, 2]",
+        "horizon.blocks: add up to 3 intervals; they must add up to intervals = 6",
+    ),
     "joints = 10.0": ("joint = 10.0", "cost.joint: is an unknown key; did you mean joints?"),
     "torques = 1e-4": ("torques = 0.0", "cost.torques: and torque_rates are 0 for joint 0; one of them must be > 0"),
-    "torques = [60.0, 12.0, 4.0]": ("torques = [60.0, 30.0]", "bounds.torques: has length 2; it must be a number or an array of 3"),
+    "torques = [60.0, 12.0, 4.0]": (
+        "torques = [60.0, 30.0]",
+        "bounds.torques: has length 2; it must be a number or an array of 3",
+    ),
     "[bounds]": (
         '[bounds]\nwrenches = [ { component = "c.tau_x", limit = 1.0 } ]',
         "bounds.wrenches[0].component: is no joint wrench; the first are a.tau_x",

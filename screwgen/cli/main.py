@@ -109,8 +109,7 @@ def generate(
     from .commands import run_generate
 
     more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "functions": functions or None}
-    more |= {"mpc": mpc}
-    run_generate(robot, output, target, parameters, layout, quiet or context.obj, **more)
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, mpc=mpc, **more)
 
 
 @app.command(short_help="Simulate and store the run.", epilog=EPILOG)

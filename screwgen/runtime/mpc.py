@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import Given, array
-from ..backends.c.mpc import Fitted, MpcProject, fitted
+from ..backends.c.mpc import Fitted, MpcProject
 from ..errors import ScrewgenError, SingularError
 from .compiled import STATUS, LeanProject
 from .library import load
@@ -37,26 +37,56 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
     weights = dict.fromkeys(("joints", "joint_rates", "torques", "torque_rates"), (n,)) | dict.fromkeys(
         ("tip_position", "tip_orientation", "tip_velocity"), (3,)
     )
-    bounds = dict.fromkeys(("torque_lower", "torque_upper", "torque_rate", "joint_lower", "joint_upper", "joint_rate"), (n,))
+    bounds = dict.fromkeys(
+        ("torque_lower", "torque_upper", "torque_rate", "joint_lower", "joint_upper", "joint_rate"), (n,)
+    )
     more = {"modes": (m,), "mode_rates": (m,), "terminal": (2 * nq, 2 * nq), "terminal_factor": (1,), "penalty": (1,)}
     gauges, wrenches = (len(content["gauges"]),), (len(content["wrenches"]),)
-    more |= {"strain": gauges, "fibre": gauges, "wrench": wrenches, "reference": (0,), "qp_iterations": (1,), "delay": (1,)}
+    more |= {
+        "strain": gauges,
+        "fibre": gauges,
+        "wrench": wrenches,
+        "reference": (0,),
+        "qp_iterations": (1,),
+        "delay": (1,),
+    }
     out = {f"options.{name}": shape for name, shape in (weights | bounds | more).items()}
     out |= {"state.q": (nq,), "state.v": (nq,), "acting": (n,), "tau": (n,)}
-    own = {"x": (N + 1, 2 * nq), "tau": (content["blocks"], n), "acting": (n,), "cost": (1,), "change": (1,), "violation": (1,)}
+    own = {
+        "x": (N + 1, 2 * nq),
+        "tau": (content["blocks"], n),
+        "acting": (n,),
+        "cost": (1,),
+        "change": (1,),
+        "violation": (1,),
+    }
     own |= {"outcome": (1,), "iterations": (1,), "converged": (1,), "prepared": (1,)}
-    own |= {"A": (N, 2 * nq, 2 * nq), "B": (N, 2 * nq, n), "d": (N, 2 * nq), "G": (N + 1, 2 * nq, nz), "H": (nz, nz), "g": (nz,)}
-    own |= {"row": (rows, nz), "lower": (nz + rows,), "upper": (nz + rows,), "z": (nz,), "unit": (n,), "dx": (N + 1, 2 * nq)}
+    own |= {
+        "A": (N, 2 * nq, 2 * nq),
+        "B": (N, 2 * nq, n),
+        "d": (N, 2 * nq),
+        "G": (N + 1, 2 * nq, nz),
+        "H": (nz, nz),
+        "g": (nz,),
+    }
+    own |= {
+        "row": (rows, nz),
+        "lower": (nz + rows,),
+        "upper": (nz + rows,),
+        "z": (nz,),
+        "unit": (n,),
+        "dx": (N + 1, 2 * nq),
+    }
     return out | {f"mpc.{name}": shape for name, shape in own.items()}
 
 
 class Mpc:
     """``<robot>_mpc`` of the generated C; arrays are NumPy's, in the order of ``model.q_names`` and ``tau_names``.
 
-    ``file``: the controller's TOML; ``parameters``: values in the order of ``model.parameter_names`` or by name, the
-    file's by default.  Options are views of the C's memory by the names of the header, such as
+    Made by :meth:`screwgen.Model.mpc` from a file.  ``parameters``: values in the order of ``model.parameter_names`` or
+    by name, the robot file's by default.  Options are views of the C's memory by the names of the header, such as
     ``controller.options["torque_upper"][:] = 100``; ``controller.reference`` is a list of views, one per stage.
-    Raises UsageError or RobotFileError on a bad file, :class:`ScrewgenError` where a call does not return OK.
+    Raises :class:`ScrewgenError` where a call does not return OK.
 
     As a controller of :func:`screwgen.simulate` it is called ``(t, q, v) -> tau``, with the state of its own model
     or, through ``projection`` (nq, nq of the plant), with that of another; it samples by itself, and with the delay of
@@ -66,7 +96,7 @@ class Mpc:
     def __init__(
         self,
         model: Model,
-        file: str | os.PathLike[str],
+        fitted: Fitted,
         parameters: Given = None,
         single=False,
         flags: Sequence[str] = ("-O3",),
@@ -75,8 +105,7 @@ class Mpc:
         projection: np.ndarray | None = None,
     ):
         self.model, self.real, self.projection = model, np.dtype(np.float32 if single else np.float64), projection
-        self.fitted = fitted(model, file)
-        self.said = self.fitted.said
+        self.fitted, self.said = fitted, fitted.said
         project = LeanMpcProject(self.fitted, model.version)
         content = project.context["mpc"]
         members = _members(self.fitted, content)
@@ -96,7 +125,10 @@ class Mpc:
         ends = np.cumsum([model.nq, model.nq, n, 3, 9, 3])
         names = ("q", "v", "tau", "tip_position", "tip_rotation", "tip_velocity")
         self.reference = [
-            {k: (p.reshape(3, 3) if k == "tip_rotation" else p) for k, p in zip(names, np.split(row, ends[:-1]), strict=True)}
+            {
+                k: (p.reshape(3, 3) if k == "tip_rotation" else p)
+                for k, p in zip(names, np.split(row, ends[:-1]), strict=True)
+            }
             for row in whole
         ]
         self.block = content["block"]
@@ -189,4 +221,3 @@ class Mpc:
             raise SingularError("the weights leave torques undetermined; weigh all torques or their rates")
         if status:
             raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
-

@@ -58,8 +58,12 @@ class Horizon(Part):
     """The plan: `intervals` of `step` seconds, each of `substeps` steps of `method`."""
 
     intervals: Annotated[int, PlainValidator(whole(1, MOST))] = Field(description="the number of intervals")
-    step: Annotated[float, PlainValidator(positive)] = Field(description="an interval, which is the time between samples, s")
-    substeps: Annotated[int, PlainValidator(whole(1, MOST))] = Field(1, description="steps of the method in an interval")
+    step: Annotated[float, PlainValidator(positive)] = Field(
+        description="an interval, which is the time between samples, s"
+    )
+    substeps: Annotated[int, PlainValidator(whole(1, MOST))] = Field(
+        1, description="steps of the method in an interval"
+    )
     blocks: Annotated[tuple[int, ...] | None, PlainValidator(counts)] = Field(
         None, description="numbers of intervals over which torques are constant"
     )
@@ -172,6 +176,3 @@ def load_mpc(path: str | os.PathLike[str]) -> Mpc:
         return Mpc.model_validate(data)
     except ValidationError as error:
         raise RobotFileError(f"{file}: {explain(error, Mpc, data)}") from None
-
-
-

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,8 +12,8 @@ from ...algorithms.gauges import gauges
 from ...algorithms.tip_terms import tip_terms
 from ...errors import UsageError
 from ...integrators.method import Method
-from ...spec.load import one_line
-from ...spec.mpc import VARIABLES, Between, Mpc, load_mpc
+from ...spec.mpc import VARIABLES, Between, Mpc
+from ...topology.chain import Chain
 from ..templates import folder
 from .code import literal
 from .columns import rendered
@@ -23,13 +22,20 @@ from .fields import fused_place
 from .pieces import piece_place, pieces
 from .project import CProject
 
-if TYPE_CHECKING:
-    from ...model import Model
-
 FILES = ("mpc.h", "mpc.c", "qp.h", "qp.c")
 """The files that a controller adds, without the robot's name; their templates have the same names."""
 
-SOLVER = ("LICENSE", "auxiliary.c", "auxiliary.h", "constants.h", "daqp.c", "daqp.h", "factorization.c", "factorization.h", "types.h")
+SOLVER = (
+    "LICENSE",
+    "auxiliary.c",
+    "auxiliary.h",
+    "constants.h",
+    "daqp.c",
+    "daqp.h",
+    "factorization.c",
+    "factorization.h",
+    "types.h",
+)
 """DAQP's files, which are copied as they are."""
 
 PLANT_STEP = 1e-3
@@ -37,12 +43,28 @@ PLANT_STEP = 1e-3
 TIP = ("tip_position", "tip_orientation", "tip_velocity")
 
 
+class Rest(NamedTuple):
+    """The arm at rest at the goal."""
+
+    q: np.ndarray
+    """(nq,)"""
+    tau: np.ndarray
+    """(n_tau,) N·m"""
+    position: np.ndarray
+    """(3,) m: of the last tip."""
+    rotation: np.ndarray
+    """(3, 3): of the last tip."""
+
+
 class Fitted:
     """A controller's numbers at a robot's sizes. Raises :class:`UsageError` with the file, key, fault and remedy."""
 
-    def __init__(self, model: Model, said: Mpc, file: str):
-        self.model, self.said, self.file = model, said, file
-        chain = model.chain
+    rest: Rest
+    terminal: np.ndarray
+    """The regulator's cost-to-go (2 nq, 2 nq) behind the last state; only where the file asks for it."""
+
+    def __init__(self, chain: Chain, wrench_names: Sequence[str], said: Mpc, file: str):
+        self.chain, self.wrench_names, self.said, self.file = chain, wrench_names, said, file
         for asked, what in (
             (bool(chain.robot.loops), "loops"),
             (chain.keys[0].free, "a floating base"),
@@ -51,7 +73,8 @@ class Fitted:
         ):
             if asked:
                 raise UsageError(
-                    f"robot '{chain.robot.name}' has {what}; predictive control in C is not made for them: use model.acados()"
+                    f"robot '{chain.robot.name}' has {what}; predictive control in C is not made for them; "
+                    "use model.acados()"
                 )
         if not chain.n_tau:
             raise UsageError(f"robot '{chain.robot.name}' has no joints; predictive control needs torques")
@@ -59,7 +82,7 @@ class Fitted:
         if (count := self.n * len(said.horizon.lengths)) > VARIABLES:
             raise self.refuse(
                 "horizon.blocks",
-                f"leave {count} torques to choose; at most {VARIABLES} are solved in real time: longer blocks make fewer",
+                f"leave {count} torques to choose; at most {VARIABLES} are solved in real time; state longer blocks",
             )
         self.gauges = gauges(chain) if said.bounds.strains else []
         self.joints = self.entries("goal.joints", said.goal.joints, self.n)
@@ -120,38 +143,17 @@ class Fitted:
         """Link and component of the bounded joint wrenches."""
         out = []
         for i, wrench in enumerate(self.said.bounds.wrenches):
-            if wrench.component not in self.model.wrench_names:
-                known = ", ".join(self.model.wrench_names[:6])
+            if wrench.component not in self.wrench_names:
+                known = ", ".join(self.wrench_names[:6])
                 raise self.refuse(f"bounds.wrenches[{i}].component", f"is no joint wrench; the first are {known}")
-            at = self.model.wrench_names.index(wrench.component)
-            out.append({"link": self.model.chain.firsts[at // 6], "component": at % 6, "name": wrench.component})
+            at = self.wrench_names.index(wrench.component)
+            out.append({"link": self.chain.firsts[at // 6], "component": at % 6, "name": wrench.component})
         return out
 
-    @cached_property
-    def rest(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """At the goal: q (nq,), torques (n,), the tip's position (3,) and rotation (3, 3)."""
-        from ...studies.equilibrium import equilibrium
 
-        found = equilibrium(self.model, self.joints, hold="all")
-        R, r = self.model.numpy().tip_pose(found.q)
-        return np.array(found.q), np.array(found.tau), np.array(r), np.array(R)
-
-    @cached_property
-    def terminal(self) -> np.ndarray:
-        """The regulator's cost-to-go (2 nq, 2 nq) behind the last state, at the goal."""
-        from .riccati import cost_to_go
-
-        return cost_to_go(self.model, self.said, self.weights, *self.rest)
-
-
-def fitted(model: Model, file: str | os.PathLike[str]) -> Fitted:
-    """A controller's file at the sizes of a model."""
-    return Fitted(model, load_mpc(file), one_line(os.fsdecode(file)))
-
-
-def project(model: Model, file: str | os.PathLike[str] | None, version: str, *options: Any) -> CProject:
-    """The C of a model, with the controller of a file if there is one; ``options`` as :class:`CProject` takes them."""
-    return CProject(model.chain, version, *options) if file is None else MpcProject(fitted(model, file), version, *options)
+def project(fitted: Fitted | None, chain: Chain, version: str, *options: Any) -> CProject:
+    """The C of a robot, with a controller if there is one; ``options`` as :class:`CProject` takes them."""
+    return CProject(chain, version, *options) if fitted is None else MpcProject(fitted, version, *options)
 
 
 class MpcProject(CProject):
@@ -168,7 +170,7 @@ class MpcProject(CProject):
         estimator=False,
         methods: Sequence[Method] = (),
     ):
-        super().__init__(fitted.model.chain, version, binding, layout, batch, True, estimator, methods)
+        super().__init__(fitted.chain, version, binding, layout, batch, True, estimator, methods)
         self.fitted = fitted
 
     @property
@@ -198,12 +200,15 @@ class MpcProject(CProject):
 
 def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
     """The templates' context."""
-    said, n, chain = fitted.said, fitted.n, fitted.model.chain
+    said, n, chain = fitted.said, fitted.n, fitted.chain
     horizon, bounds = said.horizon, said.bounds
     lengths = horizon.lengths
     found = fitted.gauges
     bounded = {name: getattr(bounds, name) is not None for name in ("joints", "joint_rates", "strains", "torque_rates")}
-    plain = [*(range(n) if bounded["joints"] else ()), *(range(fitted.nq, fitted.nq + n) if bounded["joint_rates"] else ())]
+    plain = [
+        *(range(n) if bounded["joints"] else ()),
+        *(range(fitted.nq, fitted.nq + n) if bounded["joint_rates"] else ()),
+    ]
     nz, stages = n * len(lengths), len(plain) + len(found)
     soft = (stages + len(fitted.wrenches)) * horizon.intervals
     rows = soft + nz * bounded["torque_rates"]
@@ -240,7 +245,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
 
 def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
     """The terms of the tip that the file weighs, and the program of its pose and velocity."""
-    chain, weighed = fitted.model.chain, [name for name in TIP if name in fitted.weights]
+    chain, weighed = fitted.chain, [name for name in TIP if name in fitted.weights]
     at = {name: 3 * i for i, name in enumerate(weighed)}
     out: dict[str, Any] = {
         "terms": 3 * len(weighed),

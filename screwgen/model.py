@@ -9,6 +9,7 @@ import os
 import warnings
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -28,6 +29,7 @@ from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
+from .studies.predictive import fitted
 from .topology.chain import Chain
 from .version import __version__ as VERSION
 
@@ -222,6 +224,7 @@ class Model:
         estimator=False,
         functions: str | Sequence[str] | None = None,
         methods: Sequence[Method] = (),
+        mpc: str | os.PathLike | None = None,
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
@@ -230,13 +233,12 @@ class Model:
         that steps many scenarios at once; ``derivatives``: also C of those of ``vdot``, steps and joint wrenches;
         ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
-        that do not follow from another; ``methods``: integrators for the C beside the built-in ones.  Writes all or
-        nothing; refuses a folder that holds files it did not write
-        (:class:`UsageError`).
+        that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
+        of a predictive controller in C.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
         """
         check_folder(Path(folder))
         makers = {
-            "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator, methods),
+            "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator, methods, mpc),
             "casadi": lambda: self.casadi_files(functions),
             "latex": self._latex_files,
         }
@@ -254,14 +256,17 @@ class Model:
         derivatives=False,
         estimator=False,
         methods: Sequence[Method] = (),
+        mpc: str | os.PathLike | None = None,
     ) -> dict[str, bytes]:
         """The files of the C target; a PrecisionWarning where single precision will not do for the robot.
 
         Raises :class:`UsageError` where double precision will not.
         """
-        from .backends.c.project import CProject
+        from .backends.c.mpc import project as of
 
-        project = CProject(self.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods)
+        project = of(
+            mpc and fitted(self, mpc), self.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods
+        )
         files = {name: text.encode() for name, text in project.files().items()}
         if lost := project.check["lost"]:
             said = f"robot '{self.robot.name}': the C is of no use in float: rounding may change results by {lost}"
@@ -288,6 +293,10 @@ class Model:
         from .runtime.compiled import compile_model
 
         return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods)
+
+    def mpc(self, file: str | os.PathLike, **options):
+        """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.Mpc`."""
+        return import_module(".runtime.mpc", __package__).Mpc(self, fitted(self, file), **options)
 
     def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""

@@ -1,116 +1,243 @@
-"""The MPC example in its short form, and its parts against what they approximate."""
+"""The predictive controller of the generated C: its quadratic program, its fixed point, its loop, its faults."""
 
-import json
-import os
-import subprocess
-import sys
-from pathlib import Path
+from functools import cache
 
 import numpy as np
 import pytest
-from conftest import require_tool
+from helpers import QUICK, arm, link, model_of
+from mpc_judge import Problem
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "examples"))
+import screwgen
+from screwgen.errors import UsageError
 
-from mpc.arms import GOAL, LIMIT, STEP, Arms, at_rest  # noqa: E402
-from mpc.loop import Motion  # noqa: E402
-from mpc.ocp import Dynamics  # noqa: E402
-from mpc.plan import Plan  # noqa: E402
-from mpc.task import rest, settling  # noqa: E402
-
-pytestmark = pytest.mark.examples
-
-PNGS = {"settling.png", "closed_loop.png", "solves.png", "wrench.png"}
-FILES = PNGS | {"report.md", "report.html", "results.json", "MANIFEST.sha256"}
+SOFT = {"EIy": 300.0, "EIz": 500.0}
+TIP = [{"at": "tip", "mass": 1.0}]
+ARM = arm(
+    link(
+        "a",
+        axes=["y", "z"],
+        modes={"bending_y": 1, "bending_z": 1},
+        section=SOFT,
+        bodies=TIP,
+        joint={"armature": [0.5, 0.5]},
+    ),
+    link("b", axes=["z"], modes={"bending_y": 1}, section=SOFT, bodies=TIP, joint={"armature": [0.2]}),
+)
+WHOLE = """
+[horizon]
+intervals = 5
+step = 0.02
+substeps = 2
+blocks = [1, 1, 3]
+[goal]
+joints = [0.3, 0.2, -0.2]
+[cost]
+tip_position = [300.0, 200.0, 100.0]
+tip_orientation = 2.0
+tip_velocity = 0.5
+joints = [1.0, 2.0, 3.0]
+modes = 1.0
+joint_rates = 0.02
+mode_rates = 0.2
+torques = 1e-4
+torque_rates = 1e-8
+terminal = { riccati = true, factor = 0.5 }
+[bounds]
+torques = { lower = [-50.0, -30.0, -20.0], upper = [60.0, 30.0, 20.0] }
+torque_rates = 3000.0
+joints = { lower = -2.0, upper = [2.0, 0.02, 2.0] }
+joint_rates = 0.5
+strains = { limit = 2e-4, fibre = 0.02 }
+wrenches = [ { component = "b.tau_y", limit = 8.0 }, { component = "a.F_z", limit = 30.0 } ]
+penalty = 10.0
+[solver]
+delay = 0
+"""
+PLAIN = """
+[horizon]
+intervals = 6
+step = 0.02
+substeps = 2
+[goal]
+joints = [0.3, 0.2, -0.2]
+[cost]
+joints = 10.0
+joint_rates = 1.0
+mode_rates = 1.0
+torques = 1e-4
+terminal = { riccati = true }
+[bounds]
+torques = [60.0, 12.0, 4.0]
+"""
 
 
 @pytest.fixture(scope="module")
-def arms() -> Arms:
-    return Arms()
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("mpc")
+
+
+@cache
+def model():
+    return model_of(ARM)
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory) -> Path:
-    require_tool("cc")
-    folder = tmp_path_factory.mktemp("mpc") / "out"
-    command = [sys.executable, str(ROOT / "examples" / "mpc_ella.py"), "--quick", "-o", str(folder)]
-    done = subprocess.run(command, env=os.environ | {"OMP_NUM_THREADS": "1"}, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert "times as fast" in done.stdout and "converged" in done.stdout
-    return folder
+def controllers(folder):
+    @cache
+    def made(text, single=False):
+        file = folder / f"mpc{abs(hash(text))}.toml"
+        file.write_text(text)
+        return model().mpc(file, single=single, flags=QUICK)
+
+    return made
 
 
-@pytest.fixture(scope="module")
-def results(written) -> dict:
-    return json.loads((written / "results.json").read_text())
+@cache
+def start():
+    return screwgen.equilibrium(model(), [0.0, 0.0, 0.0], hold=True).q
 
 
-def test_everything_is_written_and_the_report_shows_it(written):
-    assert {f.name for f in written.iterdir()} == FILES
-    text = (written / "report.md").read_text()
-    assert all(f"({name})" in text for name in PNGS)
-    assert str(ROOT) not in text and "nan" not in text.lower().split()
-    assert "*" not in (written / "report.html").read_text()
+def test_the_program_is_the_dense_one(controllers):
+    """Hessian, gradient and constraints about a plan that is none of the motion, from another state."""
+    c, rng = controllers(WHOLE), np.random.default_rng(1)
+    judge = Problem(model(), c.said, c.options, c.reference)
+    c.initialise(start(), np.zeros(6))
+    n = model().nq
+    c.inner["x"][:] += 0.01 * rng.standard_normal(c.inner["x"].shape)
+    c.inner["tau"][:] += rng.standard_normal(c.inner["tau"].shape)
+    c.prepare()
+    X, U, acting = c.states, c.inner["tau"].copy(), c.inner["acting"].copy()
+    x0 = np.r_[start(), np.zeros(n)] + 0.01 * rng.standard_normal(2 * n)
+    c.feedback(x0[:n], x0[n:])
+    H, g, D, jumps, rows, values = judge.dense(X, U, acting, x0 - X[0])
+    unit, nz = np.tile(c.inner["unit"], 3), U.size
+    lower = np.tril(c.inner["H"])
+    assert (
+        np.abs(lower + np.tril(lower, -1).T - unit[:, None] * H * unit).max()
+        <= 1e-9 * np.abs(unit[:, None] * H * unit).max()
+    )
+    assert np.abs(c.inner["g"] - unit * g).max() <= 1e-9 * np.abs(unit * g).max()
+    soft_lower, soft_upper = judge.soft_bounds()
+    low = np.r_[np.tile(soft_lower, 5), np.tile(-c.options["wrench"], 5)]
+    high = np.r_[np.tile(soft_upper, 5), np.tile(c.options["wrench"], 5)]
+    half = (high - low) / 2
+    row = np.vstack([D, rows * unit / half[:, None]])
+    assert np.abs(c.inner["row"] - row).max() <= 1e-9 * np.abs(row).max()
+    rate = 0.02 * np.tile(c.options["torque_rate"], 3)
+    expected_low = np.r_[
+        (np.tile(c.options["torque_lower"], 3) - U.ravel()) / unit, (-rate - jumps) / unit, (low - values) / half
+    ]
+    expected_high = np.r_[
+        (np.tile(c.options["torque_upper"], 3) - U.ravel()) / unit, (rate - jumps) / unit, (high - values) / half
+    ]
+    for found, expected in ((c.inner["lower"], expected_low), (c.inner["upper"], expected_high)):
+        assert np.abs(found - expected).max() <= 1e-9 * np.abs(expected).max()
+    assert len(found) == nz + len(row)
 
 
-def test_every_solve_converges(results):
-    assert results["converged"] and results["solves"] == 51
-    assert all(first["converged"] for first in results["first"])
-    costs = [first["cost"] for first in results["first"]]
-    assert len(costs) == 2 and costs[1] == pytest.approx(costs[0], rel=1e-3)
+@pytest.mark.parametrize("text", [WHOLE, PLAIN])
+def test_the_fixed_point_is_the_minimum(controllers, text):
+    """Of IPOPT on the same problem with exact derivatives; some bounds are active, some soft ones violated."""
+    c = controllers(text)
+    judge = Problem(model(), c.said, c.options, c.reference)
+    c.initialise(start(), np.zeros(6))
+    assert c.converged
+    torques, cost = judge.solve(c.states[0], c.inner["acting"], c.inner["tau"])
+    reach = c.options["torque_upper"] - c.options["torque_lower"]
+    assert np.abs((c.inner["tau"] - torques) / reach).max() <= 1e-6
+    assert c.inner["cost"][0] == pytest.approx(cost, rel=1e-8)
+    assert np.abs(c.inner["z"]).max() < 1e-6
+    at_bounds = (torques > c.options["torque_upper"] - 1e-4) | (torques < c.options["torque_lower"] + 1e-4)
+    assert at_bounds.any() == (text is PLAIN)
+    assert text is PLAIN or c.inner["violation"][0] > 1e-3
 
 
-def test_the_tip_settles_twice_as_fast_as_under_pd_within_equal_limits(results):
-    assert results["payload_error"] == pytest.approx(0.3)
-    assert results["payload_found"] == pytest.approx(0.63, abs=0.005)
-    assert results["headline"]["band"] == 0.005 and results["headline"]["faster"] >= 2.0
-    for peak in results["peak"].values():
-        assert np.all(np.array(peak) <= LIMIT + 1e-9)
+def test_the_loop_reaches_the_goal(controllers):
+    c = controllers(PLAIN)
+    run = screwgen.simulate(model(), 2.0, 1e-3, q0=start(), controller=c)
+    away = np.linalg.norm(run.tip_position - c.reference[0]["tip_position"], axis=1)
+    assert away[0] > 0.6 and away[-1] < 2e-3
+    assert np.all(np.abs(run.tau) <= [60.0, 12.0, 4.0])
+    assert len(np.unique(run.tau[:, 0])) <= 101, "torques are held over a sample"
 
 
-def test_a_pd_for_the_nominal_payload_rests_away_from_the_goal_and_one_that_is_told_at_it(results):
-    assert results["offset"]["pd"] > 0.005 and results["settling"]["pd"][2] is None
-    assert results["offset"]["told"] < 1e-3 and results["offset"]["mpc"] < 2e-3
+def test_a_heavier_payload(controllers):
+    """The plan follows new parameters from the next preparation on."""
+    c = controllers(PLAIN)
+    c.initialise(start(), np.zeros(6))
+    c.feedback(start(), np.zeros(6))
+    c.prepare()
+    before = c.inner["A"].copy()
+    c.feedback(start(), np.zeros(6))
+    c.set_parameters({"b.bodies[0].mass": 2.0})
+    c.prepare()
+    assert np.abs(c.inner["A"] - before).max() > 1e-3
+    c.set_parameters(None)
 
 
-def test_the_bounded_wrench_stays_inside_in_the_plant_and_leaves_without_the_bound(results):
-    moments, bound = results["wrench"]["plant"], results["wrench"]["bound"]
-    assert moments["bounded"] < bound < moments["free"]
-    assert results["wrench"]["margin"] == pytest.approx(bound - moments["bounded"])
+def test_late_and_limited(controllers):
+    """Without a preparation, and at the limit of iterations, the plan goes on."""
+    c = controllers(PLAIN)
+    c.initialise(start(), np.zeros(6))
+    c.feedback(start(), np.zeros(6))
+    planned = c.torques
+    with pytest.raises(screwgen.ScrewgenError, match="bad argument"):
+        c.feedback(start(), np.zeros(6))
+    assert np.array_equal(c._at["tau"], planned[1])
+    c.options["qp_iterations"][:] = 2
+    c.prepare()
+    shifted = c.torques
+    tau = c.feedback(start() + 0.5, np.full(6, 3.0))
+    assert c.outcome == "limited" and np.array_equal(tau, shifted[0])
+    c.options["qp_iterations"][:] = 100
+    c.prepare()
+    with pytest.raises(screwgen.ScrewgenError, match="non-finite"):
+        c.feedback(np.full(6, np.nan), np.zeros(6))
 
 
-def test_settling_is_the_last_time_outside_and_none_if_the_tip_is_outside_late():
-    away = np.r_[np.full(100, 1.0), np.full(50, 0.001), np.full(20, 0.01), np.full(800, 0.002)]
-    motion = Motion(*3 * [np.zeros((970, 3))], tip=away[:, None] * [1.0, 0.0, 0.0])
-    assert settling(motion, np.zeros(3), 0.005) == pytest.approx(170 * STEP)
-    assert settling(motion, np.zeros(3), 0.02) == pytest.approx(100 * STEP)
-    assert settling(motion, np.zeros(3), 0.001) is None
-    assert settling(motion, rest(motion), 0.001) == pytest.approx(170 * STEP)
+@pytest.mark.long
+def test_in_float(controllers):
+    double, single = controllers(PLAIN), controllers(PLAIN, True)
+    for c in (double, single):
+        c.initialise(start(), np.zeros(6))
+    assert np.abs(single.torques - double.torques).max() < 0.02 * 60.0
+    tau = single.feedback(start(), np.zeros(6))
+    assert single.outcome == "solved" and np.all(np.abs(tau) <= [60.0, 12.0, 4.0])
 
 
-def test_a_plan_gives_its_nodes_and_the_mean_of_its_torques():
-    x, u = np.linspace(0, 1, 4)[:, None] * np.ones(22), np.array([[1.0, 2, 3], [4, 5, 6], [7, 8, 9]])
-    plan = Plan(0.3, x, u, np.full(3, 10.0), True, 1, 0.0)
-    assert np.allclose(plan.states(0.1), x[1]) and np.allclose(plan.states(5.0), x[3])
-    assert np.allclose(plan.torques(0.1, 0.1), u[1]) and np.allclose(plan.torques(0.05, 0.1), u[:2].mean(axis=0))
-    assert np.allclose(plan.torques([0.25, 0.4], 0.1), [[8.5, 9, 9.5], [10, 10, 10]])
+FAULTS = {
+    "intervals = 6": ("intervals = 0", "horizon.intervals: is 0; it must be a whole number from 1 to 1000"),
+    "step = 0.02": (
+        "step = 0.02\nblocks = [1, 2]",
+        "horizon.blocks: add up to 3 intervals; they must add up to intervals = 6",
+    ),
+    "joints = 10.0": ("joint = 10.0", "cost.joint: is an unknown key; did you mean joints?"),
+    "torques = 1e-4": ("torques = 0.0", "cost.torques: and torque_rates are 0 for joint 0; one of them must be > 0"),
+    "torques = [60.0, 12.0, 4.0]": (
+        "torques = [60.0, 30.0]",
+        "bounds.torques: has length 2; it must be a number or an array of 3",
+    ),
+    "[bounds]": (
+        '[bounds]\nwrenches = [ { component = "c.tau_x", limit = 1.0 } ]',
+        "bounds.wrenches[0].component: is no joint wrench; the first are a.tau_x",
+    ),
+    "joints = [0.3, 0.2, -0.2]": ("joints = [0.3]", "goal.joints: has length 1; it must be a number or an array of 3"),
+}
 
 
-def test_the_target_rests_with_its_tip_at_the_goal(arms):
-    dynamics = Dynamics(arms.model)
-    x, u = dynamics.rest_there(arms.goal, 0.63)
-    assert np.allclose(np.array(dynamics.tip(x, 0.63)).ravel(), arms.goal, rtol=0, atol=1e-9)
-    assert np.abs(np.array(dynamics.rate(x, u, 0.63))).max() < 1e-6
-    q, _ = at_rest(arms.plant, GOAL, arms.nominal)
-    assert np.allclose(dynamics.rest_there(arms.goal, 0.0)[0][:3], q[:3], rtol=0, atol=1e-4)
+@pytest.mark.parametrize("good", FAULTS)
+def test_faults_are_one_line(tmp_path, good):
+    bad, said = FAULTS[good]
+    file = tmp_path / "mpc.toml"
+    file.write_text(PLAIN.replace(good, bad, 1))
+    with pytest.raises(screwgen.ScrewgenError) as raised:
+        model().c_files(mpc=file)
+    assert said in str(raised.value) and str(raised.value).startswith(str(file)) and "\n" not in str(raised.value)
 
 
-def test_the_projection_keeps_joints_and_leaves_out_axial_modes(arms):
-    axial = [k for k, name in enumerate(arms.plant.q_names) if "axial" in name]
-    assert np.array_equal(arms.projection[:3], np.eye(3, arms.plant.nq))
-    assert len(axial) == 2 and not arms.projection[:, axial].any()
-    # The lowest shapes of two and of three polynomials differ little.
-    lowest = [k for k, name in enumerate(arms.plant.q_names) if name.endswith("[0]") and "bending" in name]
-    own = [k for k, name in enumerate(arms.model.q_names) if name.endswith("[0]") and "bending" in name]
-    assert np.allclose(arms.projection[np.ix_(own, lowest)], np.eye(4), atol=0.05)
+def test_robots_that_it_is_not_made_for(tmp_path):
+    file = tmp_path / "mpc.toml"
+    file.write_text(PLAIN)
+    floating = screwgen.load("examples/space_arm.toml")
+    with pytest.raises(UsageError, match="has a floating base; predictive control in C is not made for them"):
+        screwgen.derive(floating).c_files(mpc=file)

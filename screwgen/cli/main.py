@@ -89,6 +89,10 @@ def generate(
             help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
         ),
     ] = False,
+    mpc: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.", show_default=False),
+    ] = None,
     functions: Annotated[
         list[str] | None,
         typer.Option(
@@ -106,7 +110,7 @@ def generate(
     from .commands import run_generate
 
     more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "functions": functions or None}
-    run_generate(robot, output, target, parameters, layout, quiet or context.obj, **more)
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, mpc=mpc, **more)
 
 
 @app.command(short_help="Simulate and store the run.", epilog=EPILOG)

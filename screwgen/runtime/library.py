@@ -104,8 +104,9 @@ def _compiler_and_name(compiler: str | None) -> tuple[str, list[str]]:
 def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], flags: Sequence[str]) -> Path:
     """Write the files into a folder and compile them; raises ScrewgenError where the compiler fails."""
     for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(text)
-    sources = sorted(name for name in files if name.endswith(".c") and name not in PROGRAMS)
+    sources = sorted(name for name in files if name.endswith(".c") and name not in PROGRAMS and "/" not in name)
     with ThreadPoolExecutor(min(os.cpu_count() or 1, len(sources))) as pool:
         list(pool.map(lambda name: _run([*command, *FLAGS[:2], *flags, "-c", name], folder), sources))
     objects = [f"{name[:-2]}.o" for name in sources]

@@ -1,0 +1,296 @@
+"""The predictive controller of the C back end: sizes, tables and programs of its templates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...algorithms.gauges import gauges
+from ...algorithms.tip_terms import tip_terms
+from ...errors import UsageError
+from ...integrators.method import Method
+from ...spec.mpc import VARIABLES, Between, Mpc
+from ...topology.chain import Chain
+from ..templates import folder
+from .code import literal
+from .columns import rendered
+from .derivatives import LIMIT, check_size
+from .fields import fused_place
+from .pieces import piece_place, pieces
+from .project import CProject
+
+FILES = ("mpc.h", "mpc.c", "qp.h", "qp.c")
+"""The files that a controller adds, without the robot's name; their templates have the same names."""
+
+SOLVER = (
+    "LICENSE",
+    "auxiliary.c",
+    "auxiliary.h",
+    "constants.h",
+    "daqp.c",
+    "daqp.h",
+    "factorization.c",
+    "factorization.h",
+    "types.h",
+)
+"""DAQP's files, which are copied as they are."""
+
+PLANT_STEP = 1e-3
+"""s: about a step of the arm in the example."""
+TIP = ("tip_position", "tip_orientation", "tip_velocity")
+
+
+class Rest(NamedTuple):
+    """The arm at rest at the goal."""
+
+    q: np.ndarray
+    """(nq,)"""
+    tau: np.ndarray
+    """(n_tau,) N·m"""
+    position: np.ndarray
+    """(3,) m: of the last tip."""
+    rotation: np.ndarray
+    """(3, 3): of the last tip."""
+
+
+class Fitted:
+    """A controller's numbers at a robot's sizes. Raises :class:`UsageError` with the file, key, fault and remedy."""
+
+    rest: Rest
+    terminal: np.ndarray
+    """The regulator's cost-to-go (2 nq, 2 nq) behind the last state; only where the file asks for it."""
+
+    def __init__(self, chain: Chain, wrench_names: Sequence[str], said: Mpc, file: str):
+        self.chain, self.wrench_names, self.said, self.file = chain, wrench_names, said, file
+        for asked, what in (
+            (bool(chain.robot.loops), "loops"),
+            (chain.keys[0].free, "a floating base"),
+            (bool(chain.n_motors), "elastic drives"),
+            (bool(chain.cranked), "transmissions"),
+        ):
+            if asked:
+                raise UsageError(
+                    f"robot '{chain.robot.name}' has {what}; predictive control in C is not made for them; "
+                    "use model.acados()"
+                )
+        if not chain.n_tau:
+            raise UsageError(f"robot '{chain.robot.name}' has no joints; predictive control needs torques")
+        self.n, self.modes, self.nq = chain.n_tau, chain.n_modes, chain.nq
+        if (count := self.n * len(said.horizon.lengths)) > VARIABLES:
+            raise self.refuse(
+                "horizon.blocks",
+                f"leave {count} torques to choose; at most {VARIABLES} are solved in real time; state longer blocks",
+            )
+        self.gauges = gauges(chain) if said.bounds.strains else []
+        self.joints = self.entries("goal.joints", said.goal.joints, self.n)
+        self.bounds, _ = self._bounds(), (self.wrenches, self.weights)
+
+    def refuse(self, key: str, what: str) -> UsageError:
+        return UsageError(f"{self.file}: {key}: {what}")
+
+    def entries(self, key: str, value: Any, size: int) -> list[float]:
+        """One number for each of `size` entries."""
+        values = list(value) if isinstance(value, tuple) else [value] * size
+        if len(values) != size:
+            raise self.refuse(key, f"has length {len(values)}; it must be a number or an array of {size}")
+        return values
+
+    def both(self, key: str, value: Any) -> tuple[list[float], list[float]]:
+        if isinstance(value, Between):
+            lower, upper = (self.entries(f"{key}.{k}", getattr(value, k), self.n) for k in ("lower", "upper"))
+        else:
+            upper = self.entries(key, value, self.n)
+            lower = [-x for x in upper]
+        for i, (a, b) in enumerate(zip(lower, upper, strict=True)):
+            if not a < b:
+                raise self.refuse(f"{key}.lower[{i}]", f"is {a:g}; it must be less than upper[{i}] = {b:g}")
+        return lower, upper
+
+    @cached_property
+    def weights(self) -> dict[str, list[float]]:
+        cost, sizes = self.said.cost, dict.fromkeys(("joints", "joint_rates", "torques", "torque_rates"), self.n)
+        sizes |= {"modes": self.modes, "mode_rates": self.modes} | dict.fromkeys(TIP, 3)
+        given = {name: getattr(cost, name) for name in sizes}
+        out = {name: self.entries(f"cost.{name}", w, sizes[name]) for name, w in given.items() if w is not None}
+        for i, (a, b) in enumerate(zip(out["torques"], out["torque_rates"], strict=True)):
+            if not a + b > 0:
+                raise self.refuse("cost.torques", f"and torque_rates are 0 for joint {i}; one of them must be > 0")
+        return out
+
+    def _bounds(self) -> dict[str, Sequence[float]]:
+        """The members of the options with the bounds that the file states."""
+        bounds, n, count = self.said.bounds, self.n, len(self.gauges)
+        lower, upper = self.both("bounds.torques", bounds.torques)
+        out: dict[str, Sequence[float]] = {"torque_lower": lower, "torque_upper": upper}
+        if bounds.torque_rates is not None:
+            out["torque_rate"] = self.entries("bounds.torque_rates", bounds.torque_rates, n)
+        if bounds.joints is not None:
+            out["joint_lower"], out["joint_upper"] = self.both("bounds.joints", bounds.joints)
+        if bounds.joint_rates is not None:
+            out["joint_rate"] = self.entries("bounds.joint_rates", bounds.joint_rates, n)
+        if bounds.strains is not None:
+            if not count:
+                raise self.refuse("bounds.strains", "bounds the bending of links, and no link bends; leave it out")
+            for name, values in (("strain", bounds.strains.limit), ("fibre", bounds.strains.fibre)):
+                out[name] = self.entries(f"bounds.strains.{'limit' if name == 'strain' else name}", values, count)
+        return out | ({"wrench": [w.limit for w in bounds.wrenches]} if bounds.wrenches else {})
+
+    @cached_property
+    def wrenches(self) -> list[dict[str, Any]]:
+        """Link and component of the bounded joint wrenches."""
+        out = []
+        for i, wrench in enumerate(self.said.bounds.wrenches):
+            if wrench.component not in self.wrench_names:
+                known = ", ".join(self.wrench_names[:6])
+                raise self.refuse(f"bounds.wrenches[{i}].component", f"is no joint wrench; the first are {known}")
+            at = self.wrench_names.index(wrench.component)
+            out.append({"link": self.chain.firsts[at // 6], "component": at % 6, "name": wrench.component})
+        return out
+
+
+def project(fitted: Fitted | None, chain: Chain, version: str, *options: Any) -> CProject:
+    """The C of a robot, with a controller if there is one; ``options`` as :class:`CProject` takes them."""
+    return CProject(chain, version, *options) if fitted is None else MpcProject(fitted, version, *options)
+
+
+class MpcProject(CProject):
+    """The files of a robot's C with a predictive controller."""
+
+    def __init__(
+        self,
+        fitted: Fitted,
+        version: str,
+        binding="runtime",
+        layout="auto",
+        batch=False,
+        derivatives=True,
+        estimator=False,
+        methods: Sequence[Method] = (),
+    ):
+        super().__init__(fitted.chain, version, binding, layout, batch, True, estimator, methods)
+        self.fitted = fitted
+
+    @property
+    def library(self) -> dict[str, str]:
+        return super().library | {f"{self.name}_{file}": file for file in FILES}
+
+    def files(self) -> dict[str, str]:
+        return super().files() | self.solver() | self.example()
+
+    def example(self) -> dict[str, str]:
+        """A program that closes the loop; no part of the library."""
+        return {"mpc_main.c": rendered("mpc_main.c", **self.context)}
+
+    def solver(self) -> dict[str, str]:
+        """DAQP's sources and licence, and what makes them part of one file."""
+        own = {f"daqp/{name}": (folder() / "daqp" / name).read_text() for name in SOLVER}
+        return own | {"daqp/screwgen.h": rendered("daqp.h", **self.context)}
+
+    @cached_property
+    def context(self) -> dict:
+        found = super().context
+        if self.fitted.wrenches and found["derivatives"]["wrenches"].get("long"):
+            what = "would have derivatives too long to compile; leave them out, or give the robot fewer links or modes"
+            raise self.fitted.refuse("bounds.wrenches", what)
+        return found | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
+
+
+def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
+    """The templates' context."""
+    said, n, chain = fitted.said, fitted.n, fitted.chain
+    horizon, bounds = said.horizon, said.bounds
+    lengths = horizon.lengths
+    found = fitted.gauges
+    bounded = {name: getattr(bounds, name) is not None for name in ("joints", "joint_rates", "strains", "torque_rates")}
+    plain = [
+        *(range(n) if bounded["joints"] else ()),
+        *(range(fitted.nq, fitted.nq + n) if bounded["joint_rates"] else ()),
+    ]
+    nz, stages = n * len(lengths), len(plain) + len(found)
+    soft = (stages + len(fitted.wrenches)) * horizon.intervals
+    rows = soft + nz * bounded["torque_rates"]
+    return {
+        "intervals": horizon.intervals,
+        "step": repr(horizon.step),
+        "step_literal": literal(horizon.step),
+        "substeps": horizon.substeps,
+        "method": horizon.method,
+        "blocks": len(lengths),
+        "block": [b for b, length in enumerate(lengths) for _ in range(length)],
+        "length": lengths,
+        "nz": nz,
+        "rows": rows,
+        "soft": stages + len(fitted.wrenches),
+        "active": nz + soft + 2,
+        "plain": plain,
+        "bounded": bounded,
+        "rate_rows": bounded["torque_rates"],
+        "gauges": [{"first": g.first, "count": len(g.curvatures)} for g in found],
+        "curvatures": _curvatures(chain, found),
+        "wrenches": fitted.wrenches,
+        "terminal": said.cost.terminal.riccati,
+        "terminal_factor": literal(said.cost.terminal.factor),
+        "penalty": literal(bounds.penalty),
+        "iterations": said.solver.iterations,
+        "delay": said.solver.delay,
+        "plant_steps": max(horizon.substeps, round(horizon.step / PLANT_STEP)),
+        "check_duration": repr(max(1.0, 2 * horizon.intervals * horizon.step)),
+        **_tip(fitted, baked),
+        **_tables(fitted),
+    }
+
+
+def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
+    """The terms of the tip that the file weighs, and the program of its pose and velocity."""
+    chain, weighed = fitted.chain, [name for name in TIP if name in fitted.weights]
+    at = {name: 3 * i for i, name in enumerate(weighed)}
+    out: dict[str, Any] = {
+        "terms": 3 * len(weighed),
+        "weights": [f"o->{name}" for name in weighed],
+        "placed": "tip_position" in at,
+        "turning": "tip_orientation" in at,
+        "moving": "tip_velocity" in at,
+        "turning_at": at.get("tip_orientation"),
+        "moving_at": at.get("tip_velocity"),
+    }
+    if not weighed:
+        return out | {"tip": {"pieces": [], "kept": 1}, "slopes_of_stumpff": False}
+    program = tip_terms(chain, out["turning"], out["moving"], "baked" if baked else "constants")
+    check_size(chain, program.operation_count, LIMIT, "operations")
+    own = {
+        "r": lambda k: f"m->r[{k}]",
+        "r_q": lambda k: f"m->r_q[{k // 3}][{k % 3}]",
+        "R": lambda k: f"m->R_tip[{k}]",
+        "R_q": lambda k: f"m->R_q[{k // 9}][{k % 9}]",
+        "u": lambda k: f"m->u[{k}]",
+        "u_q": lambda k: f"m->u_q[{k // 3}][{k % 3}]",
+    }
+    written = pieces(program, piece_place(chain, "m->kept", own, fused_place), ("c", "state", "m"))
+    return out | {"tip": written, "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys())}
+
+
+def _curvatures(chain, found: Sequence) -> list[str]:
+    """The curvature at the base of a link per unit of each mode that strains a gauge, 1/m², else 0."""
+    out = [0.0] * max(chain.n_modes, 1)
+    for gauge in found:
+        length = chain.robot.links[gauge.link].length
+        out[gauge.first : gauge.first + len(gauge.curvatures)] = [x / length**2 for x in gauge.curvatures]
+    return [literal(x) for x in out]
+
+
+def _tables(fitted: Fitted) -> dict[str, Any]:
+    """The numbers of the file: constant arrays, and the members that start with them."""
+    q, tau, r, R = fitted.rest
+    tables = {"GOAL_Q": q, "GOAL_TAU": tau, "GOAL_PLACE": r, "GOAL_ROTATION": R.ravel()}
+    members = {f"o->{name}": w for name, w in (fitted.weights | fitted.bounds).items() if len(w)}
+    if fitted.said.cost.terminal.riccati:
+        members["&o->terminal[0][0]"] = fitted.terminal.ravel()
+    defaults = []
+    for member, values in members.items():
+        name = "DEFAULT_" + member.split(">")[1].partition("[")[0].upper()
+        tables[name] = values
+        defaults.append((member, name, len(values)))
+    return {"tables": [(k, [literal(float(x)) for x in v]) for k, v in tables.items()], "defaults": defaults}

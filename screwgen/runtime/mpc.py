@@ -1,0 +1,223 @@
+"""The predictive controller of the generated C, compiled for this machine and loaded."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..arguments import Given, array
+from ..backends.c.mpc import Fitted, MpcProject
+from ..errors import ScrewgenError, SingularError
+from .compiled import STATUS, LeanProject
+from .library import load
+from .memory import Block, pointer
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+OUTCOMES = ("solved", "limited", "infeasible")
+COUNTS = ("options.qp_iterations", "options.delay", "mpc.outcome", "mpc.iterations", "mpc.converged", "mpc.prepared")
+
+
+class LeanMpcProject(MpcProject, LeanProject):
+    """The library alone, without self-check and example."""
+
+    def example(self) -> dict[str, str]:
+        return {}
+
+
+def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
+    """The members of a controller's memory that are read or written here, and their shapes."""
+    n, m, nq, N = f.n, f.modes, f.nq, content["intervals"]
+    nz, rows = content["nz"], content["rows"]
+    weights = dict.fromkeys(("joints", "joint_rates", "torques", "torque_rates"), (n,)) | dict.fromkeys(
+        ("tip_position", "tip_orientation", "tip_velocity"), (3,)
+    )
+    bounds = dict.fromkeys(
+        ("torque_lower", "torque_upper", "torque_rate", "joint_lower", "joint_upper", "joint_rate"), (n,)
+    )
+    more = {"modes": (m,), "mode_rates": (m,), "terminal": (2 * nq, 2 * nq), "terminal_factor": (1,), "penalty": (1,)}
+    gauges, wrenches = (len(content["gauges"]),), (len(content["wrenches"]),)
+    more |= {
+        "strain": gauges,
+        "fibre": gauges,
+        "wrench": wrenches,
+        "reference": (0,),
+        "qp_iterations": (1,),
+        "delay": (1,),
+    }
+    out = {f"options.{name}": shape for name, shape in (weights | bounds | more).items()}
+    out |= {"state.q": (nq,), "state.v": (nq,), "acting": (n,), "tau": (n,)}
+    own = {
+        "x": (N + 1, 2 * nq),
+        "tau": (content["blocks"], n),
+        "acting": (n,),
+        "cost": (1,),
+        "change": (1,),
+        "violation": (1,),
+    }
+    own |= {"outcome": (1,), "iterations": (1,), "converged": (1,), "prepared": (1,)}
+    own |= {
+        "A": (N, 2 * nq, 2 * nq),
+        "B": (N, 2 * nq, n),
+        "d": (N, 2 * nq),
+        "G": (N + 1, 2 * nq, nz),
+        "H": (nz, nz),
+        "g": (nz,),
+    }
+    own |= {
+        "row": (rows, nz),
+        "lower": (nz + rows,),
+        "upper": (nz + rows,),
+        "z": (nz,),
+        "unit": (n,),
+        "dx": (N + 1, 2 * nq),
+    }
+    return out | {f"mpc.{name}": shape for name, shape in own.items()}
+
+
+class Mpc:
+    """``<robot>_mpc`` of the generated C; arrays are NumPy's, in the order of ``model.q_names`` and ``tau_names``.
+
+    Made by :meth:`screwgen.Model.mpc` from a file.  ``parameters``: values in the order of ``model.parameter_names`` or
+    by name, the robot file's by default.  Options are views of the C's memory by the names of the header, such as
+    ``controller.options["torque_upper"][:] = 100``; ``controller.reference`` is a list of views, one per stage.
+    Raises :class:`ScrewgenError` where a call does not return OK.
+
+    As a controller of :func:`screwgen.simulate` it is called ``(t, q, v) -> tau``, with the state of its own model
+    or, through ``projection`` (nq, nq of the plant), with that of another; it samples by itself, and with the delay of
+    its file a torque acts from the next sample on.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        fitted: Fitted,
+        parameters: Given = None,
+        single=False,
+        flags: Sequence[str] = ("-O3",),
+        compiler: str | None = None,
+        cache: bool | str | os.PathLike = True,
+        projection: np.ndarray | None = None,
+    ):
+        self.model, self.real, self.projection = model, np.dtype(np.float32 if single else np.float64), projection
+        self.fitted, self.said = fitted, fitted.said
+        project = LeanMpcProject(self.fitted, model.version)
+        content = project.context["mpc"]
+        members = _members(self.fitted, content)
+        files = project.files() | {"shim.c": project.shim("mpc_shim.c", list(members))}
+        define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
+        self.library = load(files, [*flags, *define], compiler, cache)
+        self._block = Block(self.library, list(members), self.real)
+        self._memory = self._block.address
+        kind = lambda name: ctypes.c_int if name in COUNTS else None  # noqa: E731
+        at = {k: self._block.view(k, *s, kind=kind(k)) for k, s in members.items() if k != "options.reference"}
+        self.options = {name[8:]: view for name, view in at.items() if name.startswith("options.")}
+        self.inner = {name[4:]: view for name, view in at.items() if name.startswith("mpc.")}
+        self._at = at
+        n, stages = self.fitted.n, content["intervals"] + 1
+        width = 2 * model.nq + n + 15
+        whole = self._block.view("options.reference", stages, width)
+        ends = np.cumsum([model.nq, model.nq, n, 3, 9, 3])
+        names = ("q", "v", "tau", "tip_position", "tip_rotation", "tip_velocity")
+        self.reference = [
+            {
+                k: (p.reshape(3, 3) if k == "tip_rotation" else p)
+                for k, p in zip(names, np.split(row, ends[:-1]), strict=True)
+            }
+            for row in whole
+        ]
+        self.block = content["block"]
+        self.library.shim_default(self._memory)
+        self.set_parameters(parameters)
+        self._started, self._due, self._held, self._next = False, 0.0, np.zeros(n), np.zeros(n)
+
+    def set_parameters(self, parameters: Given = None) -> None:
+        """Other parameters from the next :meth:`prepare` on, a payload for one."""
+        p = np.append(self.model.chain.parameters.vector(parameters), 0.0).astype(self.real)
+        self._check(self.library.shim_parameters(self._memory, pointer(p)))
+
+    def initialise(self, q, v, acting=None) -> None:
+        """A plan from a state (nq,), (nq,), near or far from the references, by iterations until it settles.
+
+        ``acting`` (n_tau,): the torques that act until the next sample; those that hold the arm if left out.  Then
+        call :meth:`feedback` with the same state.
+        """
+        self._state(q, v)
+        if acting is not None:
+            self._at["acting"][:] = array(acting, "acting", self._at["acting"].shape)
+        self._check(self.library.shim_initialise(self._memory, int(acting is not None)))
+
+    def prepare(self) -> None:
+        """Between two samples: shift the plan, linearise, condense."""
+        self._check(self.library.shim_prepare(self._memory))
+
+    def feedback(self, q, v) -> np.ndarray:
+        """The torques (n_tau,) from a sample on, with the file's delay from the next one on."""
+        self._state(q, v)
+        self._check(self.library.shim_feedback(self._memory))
+        return self._at["tau"].astype(float)
+
+    @property
+    def outcome(self) -> str:
+        """Of the last quadratic program: ``solved``, ``limited`` or ``infeasible``."""
+        return OUTCOMES[int(self.inner["outcome"][0])]
+
+    @property
+    def iterations(self) -> int:
+        """Of the last quadratic program; after :meth:`initialise` of the outer loop."""
+        return int(self.inner["iterations"][0])
+
+    @property
+    def converged(self) -> bool:
+        """Whether :meth:`initialise` has settled."""
+        return bool(self.inner["converged"][0])
+
+    @property
+    def states(self) -> np.ndarray:
+        """The plan's states [q; v] (intervals + 1, 2 nq)."""
+        return self.inner["x"].astype(float)
+
+    @property
+    def torques(self) -> np.ndarray:
+        """The plan's torques (intervals, n_tau), N·m."""
+        return self.inner["tau"][self.block].astype(float)
+
+    def __call__(self, t: float, q, v) -> np.ndarray:
+        """The torques at time ``t`` of a run: at a sample a new one, between two the last."""
+        if t < self._due - 1e-9 * max(1.0, abs(t)):
+            if t >= self._due - 1.5 * self.said.horizon.step or not self._started:
+                return self._held
+            self._started = False
+        q, v = (x if self.projection is None else self.projection @ x for x in (np.asarray(q), np.asarray(v)))
+        delayed = bool(self.options["delay"][0])
+        if self._started:
+            self.prepare()
+        else:
+            self.initialise(q, v)
+            self._next = self.inner["acting"].astype(float)
+            self._started, self._due = True, t
+        self._held = self._next
+        self._next = self.feedback(q, v)
+        if not delayed:
+            self._held = self._next
+        self._due += self.said.horizon.step
+        return self._held
+
+    def _state(self, q, v) -> None:
+        for name, values in (("q", q), ("v", v)):
+            place = self._at[f"state.{name}"]
+            place[:] = array(values, name, place.shape, finite=False)
+
+    def _check(self, status: int) -> None:
+        fault = self.library.shim_fault(self._memory)
+        if status == 2 and fault >= 0:
+            raise self.model.chain.singular(fault)
+        if status == 2:
+            raise SingularError("the weights leave torques undetermined; weigh all torques or their rates")
+        if status:
+            raise ScrewgenError(f"the generated C reports: {STATUS[status]}")

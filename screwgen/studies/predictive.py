@@ -1,0 +1,81 @@
+"""A predictive controller's file fitted to a model: its goal at rest, and the cost-to-go of a regulator there."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..backends.c.mpc import Fitted, Rest
+from ..spec.load import one_line
+from ..spec.mpc import load_mpc
+from .equilibrium import equilibrium
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+ROUNDS = 60
+"""Doublings, at most: each squares what is left of the initial error."""
+
+
+def fitted(model: Model, file: str | os.PathLike[str]) -> Fitted:
+    """A controller's file at the sizes of a model.
+
+    Raises RobotFileError or UsageError: the file, the key, the fault and the remedy in one line.
+    """
+    out = Fitted(model.chain, model.wrench_names, load_mpc(file), one_line(os.fsdecode(file)))
+    found = equilibrium(model, out.joints, hold="all")
+    R, r = model.numpy().tip_pose(found.q)
+    out.rest = Rest(np.array(found.q), np.array(found.tau), np.array(r), np.array(R))
+    if out.said.cost.terminal.riccati:
+        out.terminal = cost_to_go(model, out)
+    return out
+
+
+def cost_to_go(model: Model, f: Fitted) -> np.ndarray:
+    """``P`` (2 nq, 2 nq): ``x'Px / 2`` behind a plan is what the regulator's motion from there on costs.
+
+    Motion and tip are linearised at rest at the goal; what the last stage costs itself is taken off.
+    """
+    from ..backends.casadi.intervals import interval_slopes
+
+    said, weights, (q, tau, *_) = f.said, f.weights, f.rest
+    functions, h, n = model.casadi(), said.horizon.step, model.nq
+    step = functions[f"step_{said.horizon.method}"]
+    A, B = interval_slopes(step, said.horizon, model.parameter_values, q, tau)
+    Q = h * np.diag([*weights["joints"], *weights["modes"], *weights["joint_rates"], *weights["mode_rates"]])
+    J = np.array(functions["tip_jacobian"](q, model.parameter_values))
+    for name, part, first in (
+        ("tip_position", J[3:], 0),
+        ("tip_orientation", J[:3], 0),
+        ("tip_velocity", J[3:], n),
+    ):
+        if name in weights:
+            C = np.zeros((3, 2 * n))
+            C[:, first : first + n] = part
+            Q += h * C.T @ np.diag(weights[name]) @ C
+    R = np.diag(h * np.array(weights["torques"]) + np.array(weights["torque_rates"]) / h)
+    try:
+        return riccati(A, B, Q, R) - said.cost.terminal.factor * Q
+    except np.linalg.LinAlgError:
+        remedy = "weigh joints, joint_rates, modes and mode_rates, or leave riccati out"
+        raise f.refuse("cost.terminal.riccati", f"has no finite cost-to-go at the goal; {remedy}") from None
+
+
+def riccati(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> np.ndarray:
+    """The stabilising solution of ``P = Q + A'PA − A'PB (R + B'PB)⁻¹ B'PA`` by doubling.
+
+    Raises LinAlgError where it does not settle: a motion that the weights do not see or torques cannot stop.
+    """
+    G, P, unit = B @ np.linalg.solve(R, B.T), Q.copy(), np.eye(len(A))
+    for _ in range(ROUNDS):
+        W = np.linalg.solve(unit + G @ P, np.hstack([A, G]))
+        V1, V2 = W[:, : len(A)], W[:, len(A) :]
+        more = A.T @ P @ V1
+        A, G, P = A @ V1, G + A @ V2 @ A.T, P + 0.5 * (more + more.T)
+        if not np.isfinite(P).all():
+            break
+        if np.abs(more).max() <= 1e-13 * np.abs(P).max():
+            return P
+    raise np.linalg.LinAlgError("no finite solution")

@@ -1,0 +1,174 @@
+"""A predictive controller's problem in CasADi, from its functions and the controller's file alone."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from screwgen import Model
+from screwgen.algorithms.gauges import gauges
+from screwgen.spec.mpc import Mpc
+
+
+class Problem:
+    """The terms of every stage as CasADi functions; numbers are those of the controller's options."""
+
+    def __init__(self, model: Model, said: Mpc, options: dict, reference: list[dict]):
+        self.model, self.said, self.o, self.reference = model, said, options, reference
+        self.n, self.nu, self.h = model.nq, model.n_tau, said.horizon.step
+        self.lengths = said.horizon.lengths
+        self.block = [b for b, length in enumerate(self.lengths) for _ in range(length)]
+        x, u = ca.SX.sym("x", 2 * self.n), ca.SX.sym("u", self.nu)
+        self.interval = ca.Function("interval", [x, u], [self._interval(x, u)])
+        jacobians = [ca.jacobian(self._interval(x, u), z) for z in (x, u)]
+        self.slopes = ca.Function("slopes", [x, u], jacobians)
+        y, w = ca.SX.sym("y", 18), self._state_terms
+        self.terms = ca.Function("terms", [x, y], [w(x, y), ca.jacobian(w(x, y), x)])
+        rows = self._soft_state(x)
+        self.soft_state = ca.Function("soft_state", [x], [rows, ca.jacobian(rows, x)])
+        wrench = self._wrench(x, u)
+        self.wrench = ca.Function("wrench", [x, u], [wrench, ca.jacobian(wrench, x), ca.jacobian(wrench, u)])
+
+    def _interval(self, x, u):
+        horizon = self.said.horizon
+        step, p = self.model.casadi()[f"step_{horizon.method}"], self.model.parameter_values
+        w_ext = ca.DM.zeros(6, self.model.n_links)
+        for _ in range(horizon.substeps):
+            x = ca.vertcat(*step(x[: self.n], x[self.n :], u, w_ext, p, self.h / horizon.substeps))
+        return x
+
+    def _state_terms(self, x, y):
+        """What the tip misses, (9,): position, orientation, velocity."""
+        R, r = self.model.casadi()["tip_pose"](x[: self.n], self.model.parameter_values)
+        J = self.model.casadi()["tip_jacobian"](x[: self.n], self.model.parameter_values)
+        to = ca.reshape(y[3:12], 3, 3).T
+        turn = sum(ca.cross(to[:, a], R[:, a]) for a in range(3)) / 2
+        return ca.vertcat(r - y[:3], turn, (J @ x[self.n :])[3:] - y[12:15])
+
+    def _soft_state(self, x):
+        rows, bounds = [], self.said.bounds
+        rows += [x[i] for i in range(self.nu) if bounds.joints is not None]
+        rows += [x[self.n + i] for i in range(self.nu) if bounds.joint_rates is not None]
+        for k, g in enumerate(gauges(self.model.chain) if bounds.strains else ()):
+            eta, length = x[self.n - self.model.chain.n_modes + g.first :], self.model.robot.links[g.link].length
+            bend = sum(c / length**2 * eta[i] for i, c in enumerate(g.curvatures))
+            rows.append(-float(self.o["fibre"][k]) * bend)
+        return ca.vertcat(*rows) if rows else ca.SX(0, 1)
+
+    def soft_bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        o, bounds, lower, upper = self.o, self.said.bounds, [], []
+        if bounds.joints is not None:
+            lower, upper = [*lower, *o["joint_lower"]], [*upper, *o["joint_upper"]]
+        if bounds.joint_rates is not None:
+            lower, upper = [*lower, *-o["joint_rate"]], [*upper, *o["joint_rate"]]
+        if bounds.strains is not None:
+            lower, upper = [*lower, *-o["strain"]], [*upper, *o["strain"]]
+        return np.array(lower), np.array(upper)
+
+    def _wrench(self, x, u):
+        p, w_ext = self.model.parameter_values, ca.DM.zeros(6, self.model.n_links)
+        w = ca.vec(self.model.casadi()["forward_dynamics"](x[: self.n], x[self.n :], u, w_ext, p)[1])
+        names = [b.component for b in self.said.bounds.wrenches]
+        return ca.vertcat(*[w[self.model.wrench_names.index(name)] for name in names]) if names else ca.SX(0, 1)
+
+    # numbers -----------------------------------------------------------------------------------
+
+    def weights(self) -> np.ndarray:
+        return np.r_[self.o["joints"], self.o["modes"], self.o["joint_rates"], self.o["mode_rates"]]
+
+    def tip_weights(self) -> np.ndarray:
+        names = ("tip_position", "tip_orientation", "tip_velocity")
+        stated = [getattr(self.said.cost, name) is not None for name in names]
+        return np.concatenate([self.o[name] * s for name, s in zip(names, stated, strict=True)])
+
+    def share(self, k: int) -> float:
+        return self.h * (float(self.o["terminal_factor"][0]) if k == len(self.block) else 1.0)
+
+    def target(self, k: int) -> tuple[np.ndarray, np.ndarray]:
+        y = self.reference[k]
+        tip = np.r_[y["tip_position"], y["tip_rotation"].ravel(), y["tip_velocity"], np.zeros(3)]
+        return np.r_[y["q"], y["v"]], tip
+
+    def dense(self, X, U, acting, dx0):
+        """H, g per N·m, and rows of the soft constraints with their values, about a plan and from another start."""
+        N, nz, nx = len(self.block), self.nu * len(self.lengths), 2 * self.n
+        G, off = np.zeros((nx, nz)), np.array(dx0, float)
+        H, g, rows, values, wrenches, wrench_values = np.zeros((nz, nz)), np.zeros(nz), [], [], [], []
+        pick = lambda k: np.kron(np.eye(len(self.lengths))[self.block[k]], np.eye(self.nu))  # noqa: E731
+        for k in range(N + 1):
+            if k:
+                target, tip = self.target(k)
+                e, C = map(np.array, self.terms(X[k], tip))
+                Q = self.share(k) * (np.diag(self.weights()) + C.T @ np.diag(self.tip_weights()) @ C)
+                slope = self.share(k) * (self.weights() * (X[k] - target) + C.T @ (self.tip_weights() * e[:, 0]))
+                if k == N:
+                    Q, slope = Q + self.o["terminal"], slope + self.o["terminal"] @ (X[k] - target)
+                H += G.T @ Q @ G
+                g += G.T @ (slope + Q @ off)
+                at, slopes = map(np.array, self.soft_state(X[k]))
+                rows.append(slopes @ G)
+                values.append(at[:, 0] + slopes @ off)
+            if k < N:
+                S = pick(k)
+                u = U[self.block[k]]
+                w, w_x, w_u = map(np.array, self.wrench(X[k], u))
+                wrenches.append(w_x @ G + w_u @ S)
+                wrench_values.append(w[:, 0] + w_x @ off)
+                H += self.h * S.T @ np.diag(self.o["torques"]) @ S
+                g += self.h * S.T @ (self.o["torques"] * (u - self.reference[k]["tau"]))
+                A, B = map(np.array, self.slopes(X[k], u))
+                d = np.array(self.interval(X[k], u))[:, 0] - X[k + 1]
+                G, off = A @ G + B @ S, A @ off + d
+        D = np.eye(nz) - np.eye(nz, k=-self.nu)
+        jumps = D @ np.ravel(U) - np.r_[acting, np.zeros(nz - self.nu)]
+        R = np.diag(np.tile(self.o["torque_rates"] / self.h, len(self.lengths)))
+        soft = np.vstack([*rows, *wrenches]), np.concatenate([*values, *wrench_values])
+        return H + D.T @ R @ D, g + D.T @ R @ jumps, D, jumps, *soft
+
+    def solve(self, x0, acting, guess):
+        """The torques (blocks, n_tau) of the converged problem, by IPOPT with exact derivatives, and its cost."""
+        N, M = len(self.block), len(self.lengths)
+        opti = ca.Opti()
+        z = opti.variable(self.nu, M)
+        half = (self.o["torque_upper"] - self.o["torque_lower"]) / 2
+        U, x, cost = z * ca.repmat(ca.DM(half), 1, M), ca.DM(x0), 0
+        lower, upper = self.soft_bounds()
+        for k in range(N):
+            u = U[:, self.block[k]]
+            cost += self._softened(opti, self.wrench(x, u)[0], -self.o["wrench"], self.o["wrench"])
+            x = self.interval(x, u)
+            target, tip = self.target(k + 1)
+            e, off = self.terms(x, tip)[0], x - target
+            cost += self.share(k + 1) / 2 * (ca.dot(self.weights(), off**2) + ca.dot(self.tip_weights(), e**2))
+            cost += self.h / 2 * ca.dot(self.o["torques"], (u - self.reference[k]["tau"]) ** 2)
+            cost += self._softened(opti, self.soft_state(x)[0], lower, upper)
+        cost += ca.bilin(self.o["terminal"], off, off) / 2
+        for b in range(M):
+            jump = U[:, b] - (U[:, b - 1] if b else acting)
+            cost += ca.dot(self.o["torque_rates"], jump**2) / (2 * self.h)
+            if self.said.bounds.torque_rates is not None:
+                opti.subject_to(
+                    opti.bounded(
+                        -self.h * self.o["torque_rate"] / half, jump / half, self.h * self.o["torque_rate"] / half
+                    )
+                )
+        for i in range(self.nu):
+            opti.subject_to(
+                opti.bounded(self.o["torque_lower"][i] / half[i], z[i, :], self.o["torque_upper"][i] / half[i])
+            )
+        opti.minimize(cost)
+        opti.set_initial(z, (guess / half).T)
+        quiet = {"print_level": 0, "sb": "yes", "tol": 1e-11, "constr_viol_tol": 1e-11, "max_iter": 200}
+        opti.solver("ipopt", {"print_time": False}, quiet | {"bound_relax_factor": 0.0})
+        found = opti.solve()
+        return np.array(found.value(U)).reshape(self.nu, M).T, float(found.value(cost))
+
+    def _softened(self, opti, values, lower, upper):
+        if not values.numel():
+            return 0
+        half = (np.array(upper) - np.array(lower)) / 2
+        s = opti.variable(values.numel())
+        opti.subject_to(s >= 0)
+        opti.subject_to(values / half - s <= np.array(upper) / half)
+        opti.subject_to(values / half + s >= np.array(lower) / half)
+        return float(self.o["penalty"][0]) * ca.sum1(s + s**2 / 2)

@@ -27,6 +27,10 @@ paper: $(READY)
 mpc: $(READY)
 	$(BIN)/python examples/mpc_ella.py
 
+# acados from PyPI for examples/nmpc_acados.py, into build/acados.
+acados: $(READY)
+	$(BIN)/python examples/with_acados/install.py
+
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
 
@@ -135,4 +139,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test examples test-long lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc acados docs test examples test-long lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

@@ -143,7 +143,7 @@ def flexible_arm(short: bool, stage: Callable[[str], None]) -> tuple[dict, Calla
         "bands_m": [0.01, 0.005],
         "settling_s": [arm.settled(richer, place, band) for band in (0.01, 0.005)],
         "peak_over_limit": float((np.abs(richer.u) / arm.LIMIT).max()),
-        "rate_over_bound": float((np.abs(richer.x[:, rates]) / arm.FASTEST).max()),
+        "rate_over_bound": [float((np.abs(r.x[:, rates]) / arm.FASTEST).max()) for r in (own, richer)],
         "beside_ipopt": judged,
     }
     return numbers, lambda: show.arm(own, richer, place)
@@ -163,6 +163,8 @@ def summary(name: str, n: dict) -> None:
         print(f"  one iteration torques within {max(off['torque']):.4f} of their limits beside converged IPOPT,")
         print(f"                {np.median(off['torque']):.4f} in the median; predicted tips within", end=" ")
         print(f"{1e3 * max(off['tip']):.1f} mm")
+        own, richer = n["rate_over_bound"]
+        print(f"  joint rates   up to {own:.2f} of their bounds, whose slacks cost, {richer:.2f} on the richer plant")
 
 
 def shortfalls(name: str, n: dict) -> list[str]:
@@ -180,7 +182,7 @@ def shortfalls(name: str, n: dict) -> list[str]:
         off = n["beside_ipopt"]
         claims["IPOPT converges"] = all(off["converged"])
         claims["torques are within a tenth of their limits of IPOPT's"] = max(off["torque"]) <= 0.1
-        claims["joint rates keep to their bounds, but for a fifth"] = n["rate_over_bound"] <= 1.2
+        claims["joint rates keep to their bounds on the own model, but for a tenth"] = n["rate_over_bound"][0] <= 1.1
     return [f"{name}: {claim}" for claim, holds in claims.items() if not holds]
 
 

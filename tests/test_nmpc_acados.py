@@ -65,7 +65,7 @@ def test_a_cold_start_without_a_plan_converges(results):
 def test_the_published_arm_settles_within_its_bounds(results):
     n = results["flexible_arm"]
     assert n["N"] == 125 and n["states"] == 14 and n["solved"]
-    assert n["settling_s"][0] <= 1.1 and n["peak_over_limit"] <= 1 + 1e-6 and n["rate_over_bound"] <= 1.2
+    assert n["settling_s"][0] <= 1.1 and n["peak_over_limit"] <= 1 + 1e-6 and n["rate_over_bound"][0] <= 1.1
 
 
 @pytest.mark.examples

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import os
 import shutil
@@ -149,9 +150,16 @@ class Solver:
         key = digest(problem, self.options, of_dynamics)
         ocp.model.name = f"{problem.name}_{key}"
         place, log = folder / key, folder / f"{key}.log"
-        log.unlink(missing_ok=True)
+        with (folder / f"{key}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # another process may be making the same one
+            self._make(ocp, place, log)
+        self.seconds = time.perf_counter() - start
+        """Of code generation and compilation."""
+
+    def _make(self, ocp, place: Path, log: Path) -> None:
         kept = (place / "done").is_file()
         if not kept:
+            log.unlink(missing_ok=True)
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir()
             (place / "elsewhere.c").write_text("typedef int nothing_here;\n")
@@ -161,10 +169,9 @@ class Solver:
                 make = acados_template().AcadosOcpSolver
                 self.acados = make(ocp, "ocp.json", generate=not kept, build=not kept)
         except Exception as error:
-            raise RuntimeError(f"acados could not make the solver of {problem.name} ({error}); see {log}") from error
+            name = self.problem.name
+            raise RuntimeError(f"acados could not make the solver of {name} ({error}); see {log}") from error
         (place / "done").touch()
-        self.seconds = time.perf_counter() - start
-        """Of code generation and compilation."""
 
     def options_set(self, **options) -> None:
         for name, value in options.items():

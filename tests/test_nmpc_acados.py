@@ -83,6 +83,15 @@ def test_times_have_parts_and_a_sum(results):
         assert t["sample"]["mean"] == pytest.approx(sum(part["mean"] for k, part in t.items() if k != "sample"))
 
 
+@pytest.mark.examples
+def test_the_script_that_make_acados_runs_leaves_what_is_there():
+    """`make acados` is examples/with_acados/install.py."""
+    require_acados()
+    command = [sys.executable, str(ROOT / "examples" / "with_acados" / "install.py")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout.startswith("acados is in ") and not done.stderr
+
+
 def test_without_acados_one_line_says_what_to_do(tmp_path):
     done = run("--short", "-o", str(tmp_path / "out"), ACADOS_SOURCE_DIR=str(tmp_path))
     assert done.returncode == 1 and not (tmp_path / "out").exists()

@@ -30,6 +30,14 @@ paper: $(READY)
 mpc: $(READY)
 	$(BIN)/python examples/mpc_ella.py
 
+# acados from PyPI for examples/nmpc_acados.py, into build/acados.
+acados: $(READY)
+	$(BIN)/python examples/with_acados/install.py
+
+# Two tasks in real time with acados, beside IPOPT: build/nmpc_acados. Some minutes.
+nmpc-acados: acados
+	$(BIN)/python examples/nmpc_acados.py
+
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
 
@@ -48,7 +56,7 @@ test-long: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
 
 # The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
-docs: $(READY) build/bode_ella.png build/ekf_ella.png build/bracket/bracket.png build/mpc/report.html build/ella_paper/report.html
+docs: $(READY) build/bode_ella.png build/ekf_ella.png build/bracket/bracket.png build/mpc/report.html build/ella_paper/report.html build/nmpc_acados/results.json
 	$(BIN)/python docs/tools/pages.py build/guides
 	$(BIN)/python docs/tools/pictures.py
 	$(BIN)/mkdocs build --quiet
@@ -64,6 +72,10 @@ build/bracket/bracket.png: examples/bracket.py | $(READY)
 	$(BIN)/python $<
 
 build/mpc/report.html: examples/mpc_ella.py $(wildcard examples/mpc/*.py) | $(READY)
+	$(BIN)/python $<
+
+build/nmpc_acados/results.json: examples/nmpc_acados.py $(wildcard examples/with_acados/*.py) | $(READY)
+	$(BIN)/python examples/with_acados/install.py
 	$(BIN)/python $<
 
 build/ella_paper/report.html: examples/ella_paper.py $(wildcard examples/ella/*.py) | $(READY)
@@ -149,4 +161,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc docs test examples robots test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc acados nmpc-acados docs test examples robots test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

@@ -100,17 +100,7 @@ class Arms:
         Joint coordinates are measured. The modal ones fit, by least squares, the deflections that the plant's links
         have at `STATIONS`; rates alike. Axial deflection is left out.
         """
-        T = np.zeros((self.model.nq, self.plant.nq))
-        T[:3, :3] = np.eye(3)
-        for link in range(2):
-            for k, direction in ((1, "bending_y"), (2, "bending_z")):
-                to, of = (modal_columns(m, link, direction) for m in (self.model, self.plant))
-                shapes = [
-                    displacements(m, np.eye(m.nq)[columns], link, STATIONS)[:, :, k].T
-                    for m, columns in ((self.model, to), (self.plant, of))
-                ]
-                T[np.ix_(to, of)] = np.linalg.lstsq(*shapes, rcond=None)[0]
-        return T
+        return projected(self.model, self.plant, {"bending_y": 1, "bending_z": 2})
 
     def rest(self, joints) -> tuple[np.ndarray, np.ndarray]:
         """The plant's coordinates (17,) at rest with these joint angles (3,), and the torques (3,) that hold it."""
@@ -119,6 +109,21 @@ class Arms:
     def tip(self, q: np.ndarray) -> np.ndarray:
         """The plant's tip (N, 3), m, inertial frame."""
         return tip_position(self.plant, q, self.p)
+
+
+def projected(model: Model, plant: Model, directions: dict[str, int]) -> np.ndarray:
+    """(nq, nq of the plant): what `Arms.projection` says, for modes of these directions and their axes."""
+    T, m = np.zeros((model.nq, plant.nq)), model.n_joints
+    T[:m, :m] = np.eye(m)
+    for link in range(model.n_links):
+        for direction, k in directions.items():
+            to, of = (modal_columns(a, link, direction) for a in (model, plant))
+            shapes = [
+                displacements(a, np.eye(a.nq)[columns], link, STATIONS)[:, :, k].T
+                for a, columns in ((model, to), (plant, of))
+            ]
+            T[np.ix_(to, of)] = np.linalg.lstsq(*shapes, rcond=None)[0]
+    return T
 
 
 def at_rest(model: Model, joints, p) -> tuple[np.ndarray, np.ndarray]:

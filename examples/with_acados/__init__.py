@@ -1,0 +1,1 @@
+"""Real-time control with acados of models that `model.acados()` hands over."""

@@ -83,7 +83,9 @@ def _joint(tree: Tree, node: Node) -> dict[str, Any]:
         table["drives"] = drive
     if joint.friction:
         rate = drive["friction"]["velocity"]
-        tree.notes.append(f"joint '{joint.name}': friction changes its sign over {rate:g}, which a URDF does not state")
+        unit = "m/s" if joint.kind in SLIDING else "rad/s"
+        said = f"friction changes its sign over {rate:g} {unit}, which a URDF does not state"
+        tree.notes.append(f"joint '{joint.name}': {said}")
     if joint.limited:
         table["limits"] = {key: x for key in ("lower", "upper") if (x := getattr(joint, key)) is not None}
     return table

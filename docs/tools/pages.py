@@ -11,9 +11,9 @@ text    is what the block before it prints, all of it; a line `…` stands for a
         runs of blanks; whole numbers must be equal; a number with a decimal point or an exponent may differ by one unit
         of its last digit. A block that prints must have such a text behind it.
 math    is the same, without any tolerance: TeX, a formula a line, which the site sets.
-toml, json, xml, c  are files, written under their title; a later block must use them by name. TOML, JSON and XML must be
-        read, robot files load, but for side files of URDFs; C must be compiled as C99 with all warnings as errors. A title `NAME (excerpt)` instead: these
-        lines stand in that file, in this order; `…` stands for any lines.
+toml, json, xml, c  are files, written under their title; a later block must use them by name. TOML, JSON and XML must
+        be read, robot files load, but for side files of URDFs; C must be compiled as C99 with all warnings as errors. A
+        title `NAME (excerpt)` instead: these lines stand in that file, in this order; `…` stands for any lines.
 Other languages, blocks without one, indented fences and pages without blocks are refused.
 """
 

@@ -17,8 +17,7 @@ ORDER = ("length", "frame_at", "order", "section", "profile", "body", "modes", "
 
 def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, tuple[str, ...]]]:
     """The robot's keys; a comment for each link by its name; the coordinates' names of each moving joint."""
-    stated = {key: value for key, value in tree.side.robot.items() if key != "base"}
-    robot: dict[str, Any] = {"name": tree.name, "gravity": GRAVITY} | stated
+    robot: dict[str, Any] = {"name": tree.name, "gravity": GRAVITY} | tree.side.robot
     if tree.floating:
         robot["base"] = FLOATING
     robot["links"] = [_link(tree, i, node) for i, node in enumerate(tree.nodes)]

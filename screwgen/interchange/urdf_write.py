@@ -36,14 +36,15 @@ class Exported:
     notes: tuple[str, ...]
 
 
-def export_urdf(robot: Robot) -> Exported:
-    """The robot as a URDF.  Raises UsageError for joints that URDF has none for."""
-    return _Writer(robot).exported()
+def export_urdf(robot: Robot, file: str = "") -> Exported:
+    """The robot, from a `file` that errors name, as a URDF.  Raises UsageError for joints that URDF has none for."""
+    return _Writer(robot, file or f"robot '{robot.name}'").exported()
 
 
 @dataclass
 class _Writer:
     robot: Robot
+    file: str
     notes: list[str] = field(default_factory=list)
     lines: list[str] = field(default_factory=list)
 
@@ -54,7 +55,7 @@ class _Writer:
                 if screw.turn and screw.travel:
                     where = f"links[{i}].joint.axes[{k}] (link {link.name})"
                     what = "is a screw, and URDF has no joint that turns and travels at once"
-                    raise UsageError(f"{where}: {what}; write a slide or a turning axis in its place")
+                    raise UsageError(f"{self.file}: {where}: {what}; write a slide or a turning axis in its place")
         self._robot_notes()
         self.names = [link.name for link in robot.links]
         self.root = next(name for name in (WORLD, "base", "ground", "origin_frame") if name not in self.names)

@@ -147,16 +147,17 @@ class _Writer:
         return Numeric(chain).mass_matrix(q)[:6, :6]
 
     def _shapes(self, i: int, link: Link) -> Iterator[list[str]]:
-        """A ball at the joint, and a cylinder along the link, or to each joint that it carries."""
-        colour = BLUE if of_link(link) else GREY
+        """A ball at the joint, cylinders along the link and from it to the joints that it carries, boxes for bodies."""
         yield _visual(HERE, f'<sphere radius="{self.size:g}"/>', GREY)
-        ends = [self._end(link).p]
-        if not ends[0].any():
-            ends = [self._mount(j).p for j, carrier in enumerate(self.carriers) if carrier == i]
-        for end in ends:
-            if (size := float(np.linalg.norm(end))) > 1e-9:
-                turn = _towards(end / size)
-                yield _visual(Pose(turn, end / 2), f'<cylinder radius="{self.size / 2:g}" length="{size:g}"/>', colour)
+        end = self._end(link).p
+        lines = [(np.zeros(3), end, BLUE if of_link(link) else GREY)]
+        for j, carrier in enumerate(self.carriers):
+            if carrier == i:
+                lines.append((self.places[j] * end, self._mount(j).p, GREY))
+        for start, stop, colour in lines:
+            if (size := float(np.linalg.norm(stop - start))) > 1e-9:
+                placed = Pose(_towards((stop - start) / size), (start + stop) / 2)
+                yield _visual(placed, f'<cylinder radius="{self.size / 2:g}" length="{size:g}"/>', colour)
         for body in link.bodies:
             if body.mass and body.com and any(body.com):
                 start = self._end(link) if body.at == "tip" else HERE

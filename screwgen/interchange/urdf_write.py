@@ -156,14 +156,12 @@ class _Writer:
                 lines.append((self.places[j] * end, self._mount(j).p, GREY))
         for start, stop, colour in lines:
             if (size := float(np.linalg.norm(stop - start))) > 1e-9:
-                placed = Pose(_towards((stop - start) / size), (start + stop) / 2)
-                yield _visual(placed, f'<cylinder radius="{self.size / 2:g}" length="{size:g}"/>', colour)
+                middle = Pose(_towards((stop - start) / size), (start + stop) / 2)
+                yield _visual(middle, f'<cylinder radius="{self.size / 2:g}" length="{size:g}"/>', colour)
         for body in link.bodies:
             if body.mass and body.com and any(body.com):
-                start = self._end(link) if body.at == "tip" else HERE
-                yield _visual(
-                    start @ Pose(HERE.R, np.array(body.com)), f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY
-                )
+                place = (self._end(link) if body.at == "tip" else HERE) @ Pose(HERE.R, np.array(body.com))
+                yield _visual(place, f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY)
 
     # joints
 

@@ -184,6 +184,8 @@ SIDES = [
         '[[links]]\nname = "fore"\njoint.armature = [-1]',
         "links[0].joint.armature[0] (link fore): is -1; it must be >= 0",
     ),
+    ('[[links]]\nname = "fore"\nat = "tip"', "links[0].at (link fore): is stated, but its carrier has no length"),
+    ('base = "free"', 'base: is "free"; it must be "fixed" or "floating"'),
     ("gravity = 9.81", "gravity: is 9.81; it must be an array of 3 numbers"),
     ("order = 7", "order: is 7; it must be 1 or 2"),
     ("[[links", "line 1: is not valid TOML"),

@@ -12,12 +12,14 @@ from random_urdfs import random_urdf
 from urdf_judge import Pair
 
 import screwgen
+from screwgen import Link
 from screwgen.cli.main import main
 from screwgen.errors import RobotFileError, UsageError
 from screwgen.interchange.load import import_urdf
 from screwgen.interchange.rigid import pose
 from screwgen.interchange.tree import Options
 
+FLAT = {"bending_y": 1, "bending_z": 1}
 TENSOR = '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>'
 BODY = f'<inertial><origin xyz="0.1 0 0"/><mass value="2"/>{TENSOR}</inertial>'
 RANGE = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
@@ -183,6 +185,23 @@ def test_the_y_axis_of_the_section_is_what_the_side_file_says(file):
     R = pose((0, 0, 0), link.joint.mount.rpy).R
     assert np.allclose(R[:, 0], [0, 0, 1]) and np.allclose(R[:, 1], [1, 0, 0])
     assert link.length == 0.4 and np.allclose(R @ link.joint.axes[0], [0, 1, 0])
+
+
+def test_a_body_from_finite_elements_stands_as_the_side_file_says(file, tmp_path):
+    """Its file is named from the folder of the side file, in the robot file from there; x runs along the URDF's z."""
+    boom = Link(name="boom", length=0.5, section={"rhoA": 3.0, "EIy": 9e3, "EIz": 9e3}, modes=FLAT, joint={"axes": []})
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "out").mkdir()
+    screwgen.write_sid(boom, tmp_path / "parts" / "boom.sid")
+    side = '[[links]]\nname = "upper"\nbody = { sid = "boom.sid" }\nrpy = [0.0, -1.5707963267948966, 0.0]\n'
+    urdf = file(robot(joint("shoulder", "base", "upper"), joint("elbow", "upper", "fore", xyz="0.02 0 0.5")))
+    found = import_urdf(urdf, file(side, "parts/side.toml"))
+    upper, fore = found.robot.links
+    assert upper.length is None and np.allclose(fore.joint.mount.xyz, [0, 0, -0.02], rtol=0, atol=1e-9)
+    (tmp_path / "out" / "bot.toml").write_text(text := found.text(tmp_path / "out"))
+    assert 'body = { sid = "../parts/boom.sid" }' in text
+    again = screwgen.load(tmp_path / "out" / "bot.toml")
+    assert again.links[0].body.data == upper.body.data and again.links[1] == fore
 
 
 # ------------------------------------------------------------------------------ what is read, merged and said

@@ -121,7 +121,10 @@ def test_a_screw_is_refused_in_one_line(tmp_path, capsys):
     (tmp_path / "a.toml").write_text(text + 'joint.axes = [{ screw = "x", pitch = 0.01 }]\n')
     out = tmp_path / "a.urdf"
     assert main(["export", str(tmp_path / "a.toml"), "-o", str(out)]) == 2
-    assert "links[0].joint.axes[0] (link b): is a screw, and URDF has no joint" in capsys.readouterr().err
+    assert (
+        f"{tmp_path}/a.toml: links[0].joint.axes[0] (link b): is a screw, and URDF has no joint"
+        in capsys.readouterr().err
+    )
     assert not out.exists()
 
 

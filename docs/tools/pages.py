@@ -11,9 +11,9 @@ text    is what the block before it prints, all of it; a line `…` stands for a
         runs of blanks; whole numbers must be equal; a number with a decimal point or an exponent may differ by one unit
         of its last digit. A block that prints must have such a text behind it.
 math    is the same, without any tolerance: TeX, a formula a line, which the site sets.
-toml, json, c  are files, written under their title; a later block must use them by name. TOML and JSON must be read,
-        robot files load; C must be compiled as C99 with all warnings as errors. A title `NAME (excerpt)` instead: these
-        lines stand in that file, in this order; `…` stands for any lines.
+toml, json, xml, c  are files, written under their title; a later block must use them by name. TOML, JSON and XML must
+        be read, robot files load, but for side files of URDFs; C must be compiled as C99 with all warnings as errors. A
+        title `NAME (excerpt)` instead: these lines stand in that file, in this order; `…` stands for any lines.
 Other languages, blocks without one, indented fences and pages without blocks are refused.
 """
 
@@ -33,12 +33,13 @@ from collections.abc import Callable, Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
+from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = ("index", "robot", "notebook", "firmware", "mpc", "realtime", "research", "modes", "elements", "models")
+PAGES = ("index", "robot", "notebook", "firmware", "mpc", "realtime", "research", "modes", "elements", "urdf", "models")
 GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES)
 
-FILES = ("toml", "json", "c")
+FILES = ("toml", "json", "xml", "c")
 LANGUAGES = (*FILES, "bash", "python", "text", "math")
 PRINTED = ("text", "math")
 STRICT_C = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
@@ -219,17 +220,18 @@ class Page:
             raise self.fault(block, f"no later block uses {name}")
         Path(name).write_text(block.text, encoding="utf-8")
         if block.language != "c":
-            self._loads(block, name)
+            self._loads(block, name, any(f"--flexible {name}" in text for text in users))
         if block.language == "c" and not any(all(flag in text for flag in STRICT_C) for text in users):
             raise self.fault(block, f"{name} is not compiled with {' '.join(STRICT_C)}")
 
-    def _loads(self, block: Block, name: str) -> None:
-        """Refuse a file that is no TOML or JSON, or a robot file that does not load."""
+    def _loads(self, block: Block, name: str, side: bool) -> None:
+        """Refuse a file that is no TOML, JSON or XML, or a robot file that does not load; `side`: it is part of one."""
+        read = {"toml": tomllib.loads, "json": json.loads, "xml": ElementTree.fromstring}[block.language]
         try:
-            content = {"toml": tomllib, "json": json}[block.language].loads(block.text)
-        except ValueError as error:
+            content = read(block.text)
+        except (ValueError, ElementTree.ParseError) as error:
             raise self.fault(block, str(error)) from None
-        if "links" not in content:
+        if side or block.language == "xml" or "links" not in content:
             return
         from screwgen import RobotFileError, load
 

@@ -70,13 +70,14 @@ def export(
     """Write a robot as a URDF of rigid links, for viewers and other tools; what it leaves out is said on stderr."""
     from ..interchange.urdf_write import export_urdf
     from ..simulation.runs import check_output, outputs
+    from ..spec.load import one_line
     from .output import busy, load_robot, notes, say
 
     check_output(output, (".urdf",))
     quiet = quiet or context.obj
     loaded = load_robot(robot, quiet)
     with busy("writing", quiet):
-        found = export_urdf(loaded)
+        found = export_urdf(loaded, one_line(robot))
     with outputs(output) as (stream,):
         stream.write(found.text.encode())
     notes(robot, found.notes, quiet)

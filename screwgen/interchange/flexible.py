@@ -9,6 +9,7 @@ in the frame of the URDF's link.
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,7 +17,7 @@ import numpy as np
 
 from ..errors import RobotFileError
 from ..spec.load import decode, one_line, parse, read
-from ..spec.ranges import several
+from ..spec.ranges import several, within
 from ..spec.reduced import FOLDER, Reduced
 from ..spec.stations import checked
 from ..spec.values import quoted, shown
@@ -74,6 +75,8 @@ def _refuse_the_urdfs(side: SideFile, name: str, table: dict[str, Any]) -> None:
     stated = ["parent"] if "parent" in table else [f"joint.{key}" for key in ("axes", "mount") if key in joint]
     if stated:
         raise side.fault(name, stated[0], "is what the URDF states; change it there")
+    if not isinstance(table.get("bodies", []), list):
+        raise side.fault(name, "bodies", f"is {shown(table['bodies'])}; it must be an array of tables")
 
 
 @dataclass(frozen=True)
@@ -137,9 +140,7 @@ def _rod(side: SideFile, urdf: Urdf, name: str, table: dict, keys: dict, body: I
     x = end / size
     R = np.column_stack([x, y := _across(side, name, table.get("y"), x), np.cross(x, y)])
     R[np.abs(R) < 1e-15] = 0.0
-    length = keys.get("length", size)
-    if not isinstance(length, int | float) or isinstance(length, bool):
-        raise side.fault(name, "length", f"is {shown(length)}; it must be a number")
+    length = _checked(side, name, "length", keys.get("length", size), within("length"))
     section = keys.get("section")
     if (
         isinstance(section, dict)
@@ -149,7 +150,7 @@ def _rod(side: SideFile, urdf: Urdf, name: str, table: dict, keys: dict, body: I
         and length
     ):
         keys = keys | {"section": {"rhoA": body.mass / length} | section}
-    keys = {"length": float(length)} | keys
+    keys = {"length": length} | keys
     return Shape(Pose(R, np.zeros(3)), Pose(HERE.R, np.array([length, 0.0, 0.0])), keys, "modes" in keys, False)
 
 
@@ -183,7 +184,11 @@ def _across(side: SideFile, name: str, stated: Any, x: np.ndarray) -> np.ndarray
 
 
 def _numbers(side: SideFile, name: str, key: str, value: Any, quantity: str) -> tuple[float, ...]:
+    return _checked(side, name, key, value, several(quantity, 3))
+
+
+def _checked(side: SideFile, name: str, key: str, value: Any, check: Callable[[Any], Any]) -> Any:
     try:
-        return several(quantity, 3)(value)
+        return check(value)
     except ValueError as error:
         raise side.fault(name, key, str(error)) from None

@@ -19,7 +19,7 @@ from .flexible import SideFile, read_side_file
 from .singular import first_without_inertia
 from .tables import robot_tables
 from .toml_write import document
-from .tree import Options, Tree
+from .tree import Node, Options, Tree
 from .urdf import read_urdf
 
 SUFFIXES = (".urdf", ".xacro", ".xml")
@@ -138,7 +138,9 @@ def _refuse_without_inertia(tree: Tree) -> None:
         raise tree.urdf.links[nodes[0].urdf].element.fault("is a floating base without mass; give it an <inertial>")
 
 
-def _armature(node, side: SideFile) -> float:
-    stated = side.links.get(node.urdf, {}).get("joint", {}).get("armature", 0.0)
-    rotor = (node.joint.rotor_inertia or 0.0) if node.joint else 0.0
-    return rotor * ((node.joint.ratio or 1.0) if node.joint else 1.0) ** 2 or (1.0 if stated else 0.0)
+def _armature(node: Node, side: SideFile) -> float:
+    """The rotor's inertia at the joint; 1 where the side file states one, whose value is then not checked here."""
+    stated = side.links.get(node.urdf, {}).get("joint", {})
+    if node.joint is None or "armature" in stated or "drives" in stated:
+        return 1.0
+    return (node.joint.rotor_inertia or 0.0) * (node.joint.ratio or 1.0) ** 2

@@ -12,7 +12,7 @@ import numpy as np
 from ..spec.physics import some_body_has
 
 NOTHING = 1e-15
-"""m or rad: what rounding leaves where a computed mount has nothing."""
+"""What rounding leaves where there is nothing: of mounts in m and rad, of tensors relative to their largest entry."""
 
 
 class Pose(NamedTuple):
@@ -88,9 +88,9 @@ class Inertial:
 
     @property
     def entries(self) -> tuple[float, ...]:
-        """[xx, yy, zz, xy, xz, yz]."""
-        J = self.tensor
-        return tuple(float(x) + 0.0 for x in (J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]))
+        """[xx, yy, zz, xy, xz, yz], without what rounding left."""
+        J = np.where(np.abs(self.tensor) > NOTHING * np.abs(self.tensor).max(), self.tensor, 0.0)
+        return tuple(float(x) for x in (J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]))
 
     def seen(self, frame: Pose) -> Inertial:
         """The same body, stated in a frame that has this one at the pose `frame`."""

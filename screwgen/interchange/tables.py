@@ -17,8 +17,7 @@ ORDER = ("length", "frame_at", "order", "section", "profile", "body", "modes", "
 
 def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, tuple[str, ...]]]:
     """The robot's keys; a comment for each link by its name; the coordinates' names of each moving joint."""
-    stated = {key: value for key, value in tree.side.robot.items() if key != "base"}
-    robot: dict[str, Any] = {"name": tree.name, "gravity": GRAVITY} | stated
+    robot: dict[str, Any] = {"name": tree.name, "gravity": GRAVITY} | tree.side.robot
     if tree.floating:
         robot["base"] = FLOATING
     robot["links"] = [_link(tree, i, node) for i, node in enumerate(tree.nodes)]
@@ -83,7 +82,9 @@ def _joint(tree: Tree, node: Node) -> dict[str, Any]:
         table["drives"] = drive
     if joint.friction:
         rate = drive["friction"]["velocity"]
-        tree.notes.append(f"joint '{joint.name}': friction changes its sign over {rate:g}, which a URDF does not state")
+        unit = "m/s" if joint.kind in SLIDING else "rad/s"
+        said = f"friction changes its sign over {rate:g} {unit}, which a URDF does not state"
+        tree.notes.append(f"joint '{joint.name}': {said}")
     if joint.limited:
         table["limits"] = {key: x for key in ("lower", "upper") if (x := getattr(joint, key)) is not None}
     return table

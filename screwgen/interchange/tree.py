@@ -200,6 +200,9 @@ class Tree:
             s = above.foot(placed.p) if "at" not in table else self._place(carrier, link, table["at"])
             node.at = table.get("at", {0.0: "base", 1.0: "tip"}.get(s, {"s": s}))
             placed = above.section(s).inverse @ placed
+        elif "at" in table:
+            what = "is stated, but its carrier has no length in the side file"
+            raise self.side.fault(link, "at", f"{what}; leave it out, or state the carrier's")
         node.literal = direct and above is None and shape is None
         node.mount = placed if shape is None else placed @ shape.frame
         if shape and body and {"section", "profile", "body"} & shape.keys.keys():

@@ -36,14 +36,15 @@ class Exported:
     notes: tuple[str, ...]
 
 
-def export_urdf(robot: Robot) -> Exported:
-    """The robot as a URDF.  Raises UsageError for joints that URDF has none for."""
-    return _Writer(robot).exported()
+def export_urdf(robot: Robot, file: str = "") -> Exported:
+    """The robot, from a `file` that errors name, as a URDF.  Raises UsageError for joints that URDF has none for."""
+    return _Writer(robot, file or f"robot '{robot.name}'").exported()
 
 
 @dataclass
 class _Writer:
     robot: Robot
+    file: str
     notes: list[str] = field(default_factory=list)
     lines: list[str] = field(default_factory=list)
 
@@ -54,7 +55,7 @@ class _Writer:
                 if screw.turn and screw.travel:
                     where = f"links[{i}].joint.axes[{k}] (link {link.name})"
                     what = "is a screw, and URDF has no joint that turns and travels at once"
-                    raise UsageError(f"{where}: {what}; write a slide or a turning axis in its place")
+                    raise UsageError(f"{self.file}: {where}: {what}; write a slide or a turning axis in its place")
         self._robot_notes()
         self.names = [link.name for link in robot.links]
         self.root = next(name for name in (WORLD, "base", "ground", "origin_frame") if name not in self.names)
@@ -146,22 +147,21 @@ class _Writer:
         return Numeric(chain).mass_matrix(q)[:6, :6]
 
     def _shapes(self, i: int, link: Link) -> Iterator[list[str]]:
-        """A ball at the joint, and a cylinder along the link, or to each joint that it carries."""
-        colour = BLUE if of_link(link) else GREY
+        """A ball at the joint, cylinders along the link and from it to the joints that it carries, boxes for bodies."""
         yield _visual(HERE, f'<sphere radius="{self.size:g}"/>', GREY)
-        ends = [self._end(link).p]
-        if not ends[0].any():
-            ends = [self._mount(j).p for j, carrier in enumerate(self.carriers) if carrier == i]
-        for end in ends:
-            if (size := float(np.linalg.norm(end))) > 1e-9:
-                turn = _towards(end / size)
-                yield _visual(Pose(turn, end / 2), f'<cylinder radius="{self.size / 2:g}" length="{size:g}"/>', colour)
+        end = self._end(link).p
+        lines = [(np.zeros(3), end, BLUE if of_link(link) else GREY)]
+        for j, carrier in enumerate(self.carriers):
+            if carrier == i:
+                lines.append((self.places[j] * end, self._mount(j).p, GREY))
+        for start, stop, colour in lines:
+            if (size := float(np.linalg.norm(stop - start))) > 1e-9:
+                middle = Pose(_towards((stop - start) / size), (start + stop) / 2)
+                yield _visual(middle, f'<cylinder radius="{self.size / 2:g}" length="{size:g}"/>', colour)
         for body in link.bodies:
             if body.mass and body.com and any(body.com):
-                start = self._end(link) if body.at == "tip" else HERE
-                yield _visual(
-                    start @ Pose(HERE.R, np.array(body.com)), f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY
-                )
+                place = (self._end(link) if body.at == "tip" else HERE) @ Pose(HERE.R, np.array(body.com))
+                yield _visual(place, f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY)
 
     # joints
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -24,6 +24,8 @@ from .folder import check_folder, write_folder
 from .integrators.method import Method
 from .ir.block import Block
 from .plugins import Formulation, Plugin, merged, plugins
+from .runtime.fmu import TARGETS as UNITS
+from .runtime.fmu import unit_files
 from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
@@ -35,6 +37,7 @@ if TYPE_CHECKING:
     from .backends.casadi.functions import Made
 
 TARGETS = ("c", "casadi", "latex")
+"""What is written unless targets are named; there are also ``fmu2`` and ``fmu3``."""
 CONSISTENT = "consistent"
 
 
@@ -240,9 +243,10 @@ class Model:
             "casadi": lambda: self.casadi_files(functions),
             "latex": self._latex_files,
         }
+        makers |= {t: partial(unit_files, self, t, parameters, layout, methods) for t in UNITS}
         unknown = [t for t in targets if t not in makers]
         if unknown:
-            raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(TARGETS)}")
+            raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(makers)}")
         files = {f"{t}/{name}": data for t in targets for name, data in makers[t]().items()}
         return write_folder(folder, files, tuple(targets))
 

@@ -65,6 +65,12 @@ def load(
         return ctypes.CDLL(str(_compiled(Path(place), used, command, flags)))
 
 
+def binary(files: Mapping[str, str], flags: Sequence[str], compiler: str | None = None) -> bytes:
+    """The shared library of C files by name, as `load` compiles it; raises ScrewgenError where that fails."""
+    with tempfile.TemporaryDirectory(prefix="screwgen-") as place:
+        return _compiled(Path(place), files, compiler_command(compiler), flags).read_bytes()
+
+
 def cache_folder() -> Path | None:
     """The folder of the cache: SCREWGEN_CACHE, else screwgen in XDG_CACHE_HOME or ~/.cache; None without a home."""
     if named := os.environ.get("SCREWGEN_CACHE"):

@@ -1,0 +1,49 @@
+"""Functional mock-up units of a model, with a binary of this machine where there is a compiler."""
+
+from __future__ import annotations
+
+import platform
+import sys
+import warnings
+from collections.abc import Sequence
+
+from ..backends.fmi.package import VERSIONS, archive, unit
+from ..integrators.method import Method
+from .compiled import Derived, LeanProject
+from .library import binary, has_compiler
+
+TARGETS = tuple(VERSIONS)
+"""The targets: FMI 2.0 and FMI 3.0."""
+
+FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
+"""Nothing but the functions of FMI is seen from outside, so units of equal names can be in one process."""
+
+PLACES = {
+    2: {"x86_64": "linux64"},
+    3: {"x86_64": "x86_64-linux", "aarch64": "aarch64-linux"},
+}
+"""The folders of binaries of Linux, by version and processor."""
+
+
+class UnitWarning(UserWarning):
+    """A unit that lacks something; the text is one line meant for a user."""
+
+
+def unit_files(
+    model: Derived, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
+) -> dict[str, bytes]:
+    """``<robot>.fmu`` in the version of FMI of ``target``; a UnitWarning where binary or derivatives are missing."""
+    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods)
+    made = unit(project, target)
+    name, places = f"{made.name}.fmu", PLACES[made.version] if sys.platform == "linux" else {}
+    place = places.get(platform.machine(), "")
+    lacks = "" if place and has_compiler() else "no C compiler" if place else "no name in FMI for this machine"
+    if lacks:
+        _warn(f"{target}/{name} holds sources alone, since there is {lacks}; compile it where it is used")
+    if not made.derived:
+        _warn(f"{target}/{name} has no directional derivatives: they would take too long to compile")
+    return {name: archive(made, None if lacks else binary(made.sources, FLAGS), place)}
+
+
+def _warn(text: str) -> None:
+    warnings.warn(text, UnitWarning, stacklevel=4)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import platform
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Sequence
+from typing import Any, Protocol
 
+from ..backends.fmi.code import content
 from ..backends.fmi.package import VERSIONS, archive, unit
 from ..integrators.method import Method
 from .compiled import Derived, LeanProject
@@ -25,16 +27,23 @@ PLACES = {
 """The folders of binaries of Linux, by version and processor."""
 
 
+class Keeping(Derived, Protocol):
+    """A model that keeps what is made of it."""
+
+    def once(self, key: Hashable, make: Callable[[], object]) -> Any: ...
+
+
 class UnitWarning(UserWarning):
     """A unit that lacks something; the text is one line meant for a user."""
 
 
 def unit_files(
-    model: Derived, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
+    model: Keeping, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
 ) -> dict[str, bytes]:
     """``<robot>.fmu`` in the version of FMI of ``target``; a UnitWarning where binary or derivatives are missing."""
-    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods)
-    made = unit(project, target)
+    key = ("unit", parameters, layout, tuple(methods))
+    project, programs, objects = model.once(key, lambda: _common(model, parameters, layout, methods))
+    made = unit(project, programs, target)
     name, places = f"{made.name}.fmu", PLACES[made.version] if sys.platform == "linux" else {}
     place = places.get(platform.machine(), "")
     lacks = "" if place and has_compiler() else "no C compiler" if place else "no name in FMI for this machine"
@@ -42,7 +51,13 @@ def unit_files(
         _warn(f"{target}/{name} holds sources alone, since there is {lacks}; compile it where it is used")
     if not made.derived:
         _warn(f"{target}/{name} has no directional derivatives: they would take too long to compile")
-    return {name: archive(made, None if lacks else binary(made.sources, FLAGS), place)}
+    return {name: archive(made, None if lacks else binary(made.sources, FLAGS, objects), place)}
+
+
+def _common(model: Keeping, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
+    """What the units of both versions share: the library, the programs besides, and what is compiled of them."""
+    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods)
+    return project, content(project), {}
 
 
 def _warn(text: str) -> None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from ...errors import UsageError
 from ..c.project import CProject
 from . import description
-from .code import TOKEN, content, sources
+from .code import TOKEN, sources
 from .variables import variables
 
 TIME = (1980, 1, 1, 0, 0, 0)
@@ -33,8 +33,8 @@ class Unit:
     """Whether it has directional derivatives."""
 
 
-def unit(project: CProject, target: str) -> Unit:
-    """The unit of a robot in the version of FMI of ``target``.
+def unit(project: CProject, programs: dict, target: str) -> Unit:
+    """The unit of a robot in the version of FMI of ``target``; ``programs`` are those of :func:`.code.content`.
 
     Its token is the digest of what it holds, so equal robots have equal tokens.
     """
@@ -42,7 +42,6 @@ def unit(project: CProject, target: str) -> Unit:
     if not chain.nv:
         raise UsageError(f"robot '{project.name}' has no coordinates, so there is nothing to simulate; give it a joint")
     found = variables(chain, list(project.methods), project.baked is not None)
-    programs = content(project)
     plain = sources(project, version, found, programs)
     token = _token(plain)
     files = {name: text.replace(TOKEN, token) for name, text in plain.items()}

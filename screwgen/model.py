@@ -24,8 +24,6 @@ from .folder import check_folder, write_folder
 from .integrators.method import Method
 from .ir.block import Block
 from .plugins import Formulation, Plugin, merged, plugins
-from .runtime.fmu import TARGETS as UNITS
-from .runtime.fmu import unit_files
 from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
@@ -37,7 +35,8 @@ if TYPE_CHECKING:
     from .backends.casadi.functions import Made
 
 TARGETS = ("c", "casadi", "latex")
-"""What is written unless targets are named; there are also ``fmu2`` and ``fmu3``."""
+"""What is written unless targets are named."""
+UNITS = ("fmu2", "fmu3")
 CONSISTENT = "consistent"
 
 
@@ -228,15 +227,18 @@ class Model:
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
+        ``"fmu2"``, ``"fmu3"``: functional mock-up units, with a binary of this machine where there is a compiler.
+
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
         that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau;
         ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones.  Writes all or
-        nothing; refuses a folder that holds files it did not write
-        (:class:`UsageError`).
+        nothing; refuses a folder that holds files it did not write (:class:`UsageError`).
         """
+        from .runtime.fmu import unit_files
+
         check_folder(Path(folder))
         makers = {
             "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator, methods),

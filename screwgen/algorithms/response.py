@@ -1,4 +1,4 @@
-"""What a robot answers to its state and inputs, in one program: values, directional and adjoint derivatives, sparsity."""
+"""What a robot answers to its state and inputs: values, directional and adjoint derivatives, sparsity."""
 
 from __future__ import annotations
 

@@ -9,13 +9,11 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import Any, Protocol
 
 from ..backends.fmi.code import content
-from ..backends.fmi.package import VERSIONS, archive, unit
+from ..backends.fmi.package import archive, unit
+from ..errors import TargetWarning
 from ..integrators.method import Method
 from .compiled import Derived, LeanProject
 from .library import binary, has_compiler
-
-TARGETS = tuple(VERSIONS)
-"""The targets: FMI 2.0 and FMI 3.0."""
 
 FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
 """Nothing but the functions of FMI is seen from outside, so units of equal names can be in one process."""
@@ -33,14 +31,10 @@ class Keeping(Derived, Protocol):
     def once(self, key: Hashable, make: Callable[[], object]) -> Any: ...
 
 
-class UnitWarning(UserWarning):
-    """A unit that lacks something; the text is one line meant for a user."""
-
-
 def unit_files(
     model: Keeping, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
 ) -> dict[str, bytes]:
-    """``<robot>.fmu`` in the version of FMI of ``target``; a UnitWarning where binary or derivatives are missing."""
+    """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing."""
     key = ("unit", parameters, layout, tuple(methods))
     project, programs, objects = model.once(key, lambda: _common(model, parameters, layout, methods))
     made = unit(project, programs, target)
@@ -61,4 +55,4 @@ def _common(model: Keeping, parameters: str, layout: str, methods: Sequence[Meth
 
 
 def _warn(text: str) -> None:
-    warnings.warn(text, UnitWarning, stacklevel=4)
+    warnings.warn(text, TargetWarning, stacklevel=4)

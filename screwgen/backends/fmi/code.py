@@ -32,20 +32,26 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
 
     In place of the token stands ``TOKEN``.
     """
-    values = project.context | programs | {
-        "fmi": version,
-        "token": TOKEN,
-        "first": first_references(variables),
-        "count": len(variables),
-        "groups": GROUPS,
-        "default_step": repr(STEP),
-        "default_method": list(project.methods).index(METHOD) + 1,
-        "start": [repr(float(x.start)) for x in variables if x.group == "q"],
-        "nominals": [repr(x.nominal or 1.0) for x in variables if x.group in ("q", "v")],
-        "n_parameters": len(parameters(project.chain.robot)) if project.baked is None else 0,
-        "segment_names": project.chain.names,
+    values = (
+        project.context
+        | programs
+        | {
+            "fmi": version,
+            "token": TOKEN,
+            "first": first_references(variables),
+            "count": len(variables),
+            "groups": GROUPS,
+            "default_step": repr(STEP),
+            "default_method": list(project.methods).index(METHOD) + 1,
+            "start": [repr(float(x.start)) for x in variables if x.group == "q"],
+            "nominals": [repr(x.nominal or 1.0) for x in variables if x.group in ("q", "v")],
+            "n_parameters": len(parameters(project.chain.robot)) if project.baked is None else 0,
+            "segment_names": project.chain.names,
+        }
+    )
+    files = {f"{project.name}_response.{end}": f"response.{end}" for end in "hc"} | {
+        f"fmu{version}.c": f"fmu{version}.c"
     }
-    files = {f"{project.name}_response.{end}": f"response.{end}" for end in "hc"} | {f"fmu{version}.c": f"fmu{version}.c"}
     made = {name: written(render(f"fmi/{file}.jinja", **values), project.name) for name, file in files.items()}
     given = {name: (folder() / "fmi" / "headers" / name).read_text(encoding="utf-8") for name in HEADERS[version]}
     return {**project.files(), **made, **given}
@@ -57,7 +63,9 @@ def content(project: CProject) -> dict:
     Without derivatives, in ``derived``, where they would take too long to compile.
     """
     constants = "baked" if project.baked is not None else "constants"
-    programs = {name: getattr(response, name)(project.chain, constants) for name in ("observation", "tangent", "adjoint")}
+    programs = {
+        name: getattr(response, name)(project.chain, constants) for name in ("observation", "tangent", "adjoint")
+    }
     derived = max(program.operation_count for program in programs.values()) <= LIMIT
     programs = programs if derived else {"observation": programs["observation"]}
     extra = sorted({x for program in programs.values() for x in extra_constants(project, program)})

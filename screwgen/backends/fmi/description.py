@@ -18,7 +18,13 @@ METHODS = "solver.methods"
 
 
 def model_description(
-    chain: Chain, version: int, variables: Sequence[Variable], token: str, tool: str, files: Sequence[str], derived: bool
+    chain: Chain,
+    version: int,
+    variables: Sequence[Variable],
+    token: str,
+    tool: str,
+    files: Sequence[str],
+    derived: bool,
 ) -> bytes:
     """``modelDescription.xml``; ``files`` are the C sources, ``derived`` tells whether there are derivatives."""
     name = chain.robot.name
@@ -165,7 +171,11 @@ def terminals(chain: Chain, variables: Sequence[Variable]) -> bytes:
     listed = SubElement(root, "Terminals")
     first = first_references(variables)
     for k in range(chain.n_tau):
-        members = {"coordinate": first["q"] + chain.base_q + k, "rate": first["v"] + chain.base_v + k, "force": first["tau"] + k}
+        members = {
+            "coordinate": first["q"] + chain.base_q + k,
+            "rate": first["v"] + chain.base_v + k,
+            "force": first["tau"] + k,
+        }
         _terminal(listed, variables[members["coordinate"]].name, {n: variables[r].name for n, r in members.items()})
     for i in chain.lasts:
         link = chain.segments[i].owner

@@ -56,7 +56,14 @@ def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variabl
     out: list[Variable] = [
         Variable("time", "time", "s", "time", "independent"),
         Variable(
-            "solver", "solver.step", "s", "longest internal step of co-simulation", "parameter", "tunable", "exact", STEP
+            "solver",
+            "solver.step",
+            "s",
+            "longest internal step of co-simulation",
+            "parameter",
+            "tunable",
+            "exact",
+            STEP,
         ),
         Variable(
             "solver",
@@ -71,9 +78,7 @@ def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variabl
         ),
     ]
     for p in () if baked else parameters(chain.robot):
-        out.append(
-            Variable("parameters", p.name, p.unit, p.description, "parameter", "tunable", "exact", p.value)
-        )
+        out.append(Variable("parameters", p.name, p.unit, p.description, "parameter", "tunable", "exact", p.value))
     first = len(out)
     out += _states(chain)
     out += _inputs(chain)
@@ -134,7 +139,13 @@ def _rates(states: Sequence[Variable], first: int, nq: int) -> Iterator[Variable
         group = "qdot" if k < nq else "vdot"
         unit = f"{state.unit}/s" if k < nq else state.unit.removesuffix("/s") + "/s²"
         yield Variable(
-            group, f"der({state.name})", unit, f"rate of {state.name}", "local", initial="calculated", derivative=first + k
+            group,
+            f"der({state.name})",
+            unit,
+            f"rate of {state.name}",
+            "local",
+            initial="calculated",
+            derivative=first + k,
         )
 
 

@@ -8,7 +8,7 @@ from tempfile import mkdtemp
 
 import numpy as np
 from fmpy import extract, read_model_description
-from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions
+from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from helpers import QUICK, arm, link, model_of
 
@@ -39,7 +39,7 @@ def written(target: str, make=small):
 class Unit:
     """An instance of a unit in a form of `KINDS`; variables are known by their names."""
 
-    def __init__(self, target: str, kind: str, make=small, **start: float):
+    def __init__(self, target: str, kind: str, make=small):
         self.target, self.kind = target, kind
         self.model, path = written(target, make)
         self.description = read_model_description(str(path))
@@ -81,7 +81,7 @@ class Unit:
         write([self.references["solver.method"]], [method])
 
     def step(self, t: float, h: float):
-        return self.fmu.doStep(t, h) if self.target == "fmu2" else self.fmu.doStep(t, h)
+        return self.fmu.doStep(t, h)
 
     @property
     def states(self) -> list[str]:

@@ -49,9 +49,8 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
             "segment_names": project.chain.names,
         }
     )
-    files = {f"{project.name}_response.{end}": f"response.{end}" for end in "hc"} | {
-        f"fmu{version}.c": f"fmu{version}.c"
-    }
+    files = {f"{project.name}_response.{end}": f"response.{end}" for end in "hc"}
+    files[f"fmu{version}.c"] = f"fmu{version}.c"
     made = {name: written(render(f"fmi/{file}.jinja", **values), project.name) for name, file in files.items()}
     given = {name: (folder() / "fmi" / "headers" / name).read_text(encoding="utf-8") for name in HEADERS[version]}
     return {**project.files(), **made, **given}
@@ -63,9 +62,8 @@ def content(project: CProject) -> dict:
     Without derivatives, in ``derived``, where they would take too long to compile.
     """
     constants = "baked" if project.baked is not None else "constants"
-    programs = {
-        name: getattr(response, name)(project.chain, constants) for name in ("observation", "tangent", "adjoint")
-    }
+    makers = response.observation, response.tangent, response.adjoint
+    programs = {make.__name__: make(project.chain, constants) for make in makers}
     derived = max(program.operation_count for program in programs.values()) <= LIMIT
     programs = programs if derived else {"observation": programs["observation"]}
     extra = sorted({x for program in programs.values() for x in extra_constants(project, program)})

@@ -53,32 +53,15 @@ class Variable:
 
 def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variable]:
     """All variables, group by group; parameters that are folded into the code are none."""
+    tunable = ("parameter", "tunable", "exact")
+    start, names = list(methods).index(METHOD) + 1, tuple(methods)
     out: list[Variable] = [
         Variable("time", "time", "s", "time", "independent"),
-        Variable(
-            "solver",
-            "solver.step",
-            "s",
-            "longest internal step of co-simulation",
-            "parameter",
-            "tunable",
-            "exact",
-            STEP,
-        ),
-        Variable(
-            "solver",
-            "solver.method",
-            "",
-            "integrator of co-simulation",
-            "parameter",
-            "tunable",
-            "exact",
-            list(methods).index(METHOD) + 1,
-            items=tuple(methods),
-        ),
+        Variable("solver", "solver.step", "s", "longest internal step of co-simulation", *tunable, STEP),
+        Variable("solver", "solver.method", "", "integrator of co-simulation", *tunable, start, items=names),
     ]
     for p in () if baked else parameters(chain.robot):
-        out.append(Variable("parameters", p.name, p.unit, p.description, "parameter", "tunable", "exact", p.value))
+        out.append(Variable("parameters", p.name, p.unit, p.description, *tunable, p.value))
     first = len(out)
     out += _states(chain)
     out += _inputs(chain)

@@ -11,16 +11,19 @@ from conftest import require_tool
 from fmi_units import FORMS, Unit, small, written
 from fmpy import simulate_fmu
 from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import fmi2LastSuccessfulTime
 from fmpy.validation import validate_fmu
-from helpers import arm, flat, link, quick, relative
+from helpers import arm, link, model_of, quick, relative
 
 from screwgen.algorithms import fused
 from screwgen.backends.casadi.functions import coordinate_rates, expressions, rotations
 from screwgen.backends.casadi.linear import base_strains
+from screwgen.bodies.validity import MEASURES
 from screwgen.integrators import METHODS
 
 TARGETS = ("fmu2", "fmu3")
 START = {"boom.joint[0]": 0.3, "boom.joint[1]": -0.4, "load.slide[0]": 0.1, "boom.joint_rate[1]": 0.5}
+CHANGED = {"load.bodies[0].mass": 2.0, "gravity[2]": -1.6}
 every_form = pytest.mark.parametrize(("target", "kind"), FORMS)
 every_target = pytest.mark.parametrize("target", TARGETS)
 
@@ -75,9 +78,7 @@ def test_outputs_are_those_of_the_model(target, kind):
     assert relative(unit.get([f"load.tip.position.{x}" for x in "xyz"]), position) < 1e-13
     assert relative(unit.get([f"load.tip.rotation[{i},{k}]" for i in range(3) for k in range(3)]), R.ravel()) < 1e-13
     measures = c.validity(q, v, u[: m.n_tau], u[m.n_tau :].reshape(-1, 6))
-    assert (
-        unit.get([f"boom.validity.{x}" for x in ("deflection", "slope", "axial_load", "rotation")]) == measures[0]
-    ).all()
+    assert (unit.get([f"boom.validity.{x}" for x in MEASURES]) == measures[0]).all()
 
 
 def responses(model) -> ca.Function:
@@ -96,6 +97,11 @@ def responses(model) -> ca.Function:
     return ca.Function("responses", [point], [ca.jacobian(ca.vertcat(*parts), point)])
 
 
+def by_rows(found, expected) -> float:
+    """The worst row, each beside its own largest entry."""
+    return max(map(relative, found, expected))
+
+
 @every_target
 def test_derivatives_are_those_of_casadi(target):
     """Along every direction, against every one (FMI 3.0), and nothing where the structure says so."""
@@ -103,10 +109,10 @@ def test_derivatives_are_those_of_casadi(target):
     knowns, unknowns = unit.of(unit.states + unit.inputs), unit.of(unit.unknowns)
     expected = np.array(responses(unit.model)(unit.get(unit.states + unit.inputs)))
     columns = [unit.fmu.getDirectionalDerivative(unknowns, [known], [1.0]) for known in knowns]
-    assert relative(np.transpose(columns), expected) < 1e-12
+    assert by_rows(np.transpose(columns), expected) < 1e-12
     if target == "fmu3":
         rows = [unit.fmu.getAdjointDerivative([unknown], knowns, [1.0], len(knowns)) for unknown in unknowns]
-        assert relative(rows, expected) < 1e-12
+        assert by_rows(rows, expected) < 1e-12
     listed = [*unit.description.derivatives, *unit.description.outputs]
     depends = [{x.valueReference for x in unknown.dependencies} for unknown in listed]
     stated = np.array([[known in own for known in knowns] for own in depends])
@@ -144,22 +150,17 @@ def test_a_serialised_state_begins_the_same_run(target):
     unit.set({"load.bodies[0].mass": 1.3})
     unit.step(0.0, 0.01)
     states = "FMUstate" if target == "fmu2" else "FMUState"
-    call = lambda instance, what: getattr(instance.fmu, what)  # noqa: E731
-    kept = call(unit, f"get{states}")()
-    serialise, again = (
-        ("serializeFMUstate", "deSerializeFMUstate")
-        if target == "fmu2"
-        else ("serializeFMUState", "deserializeFMUState")
-    )
-    data = call(unit, serialise)(kept)
+    call = lambda instance, what: getattr(instance.fmu, f"{what}{states}")  # noqa: E731
+    kept = call(unit, "get")()
+    data = call(unit, "serialize")(kept)
     ends = []
     for instance in (unit, Unit(target, "cs").ready()):
-        state = call(instance, again)(data)
-        call(instance, f"set{states}")(state)
+        state = call(instance, "deSerialize" if target == "fmu2" else "deserialize")(data)
+        call(instance, "set")(state)
         instance.step(0.01, 0.02)
         ends.append([*(x.tobytes() for x in state_of(instance)), instance.get(["load.bodies[0].mass"])[0]])
     unit.step(0.03, 0.01)
-    call(unit, f"set{states}")(kept)
+    call(unit, "set")(kept)
     unit.step(0.01, 0.02)
     ends.append([*(x.tobytes() for x in state_of(unit)), 1.3])
     assert ends[0] == ends[1] == ends[2]
@@ -169,14 +170,11 @@ def test_a_serialised_state_begins_the_same_run(target):
 def test_parameters_are_tunable(target):
     """What is set counts from the next evaluation, as with the C; values that no robot has are refused."""
     unit = Unit(target, "cs").ready(**START)
-    unit.set({"load.bodies[0].mass": 2.0, "gravity[2]": -1.6})
+    unit.set(CHANGED)
     m = unit.model
-    p = [
-        {"load.bodies[0].mass": 2.0, "gravity[2]": -1.6}.get(n, x)
-        for n, x in zip(m.parameter_names, m.parameter_values, strict=True)
-    ]
+    p = dict(zip(m.parameter_names, m.parameter_values, strict=True)) | CHANGED
     q, v = state_of(unit)
-    vdot, _ = m.numpy(p).forward_dynamics(q, v, np.zeros(m.n_tau), np.zeros((m.n_links, 6)))
+    vdot, _ = m.numpy(list(p.values())).forward_dynamics(q, v, np.zeros(m.n_tau), np.zeros((m.n_links, 6)))
     assert relative(unit.get([f"der({name})" for name in m.v_names]), vdot) < 1e-12
     unit.set({"load.bodies[0].mass": -2.0})
     with pytest.raises(FMICallException):
@@ -203,9 +201,7 @@ def test_a_singular_posture_is_discarded(target):
     with pytest.raises(FMICallException):
         unit.get(["der(wrist.joint_rate[0])"])
     if target == "fmu2":
-        assert unit.fmu.getRealStatus(2) == 0.0
-    state = unit.fmu.getFMUstate() if target == "fmu2" else unit.fmu.getFMUState()
-    assert state
+        assert unit.fmu.getRealStatus(fmi2LastSuccessfulTime) == 0.0
     unit = Unit(target, "cs", wrist).ready(**{"wrist.joint[1]": 0.5})
     unit.step(0.0, 1e-2)
 
@@ -216,11 +212,9 @@ def test_a_step_into_a_singular_posture_ends_early():
     unit = Unit("fmu3", "cs", wrist).ready(early=True, events=True, **start)
     unit.choose(list(METHODS).index("euler") + 1)
     event, terminate, early, last = unit.step(0.0, 0.1)
-    if early:
-        assert event and not terminate and 0.005 < last < 0.02
-        unit.fmu.enterEventMode()
-        assert unit.fmu.updateDiscreteStates()[1]
-    assert early
+    assert early and event and not terminate and 0.005 < last < 0.02
+    unit.fmu.enterEventMode()
+    assert unit.fmu.updateDiscreteStates()[1]
 
 
 @every_target
@@ -230,10 +224,8 @@ def test_terminals_and_units(target):
     with zipfile.ZipFile(path) as archive:
         description = ElementTree.fromstring(archive.read("modelDescription.xml"))
         units = {x.get("name"): x.find("BaseUnit").attrib for x in description.find("UnitDefinitions")}
-        assert (
-            units["N.m.s/rad"] == {"kg": "1", "m": "2", "s": "-1", "rad": "-1"}
-            and units["kg.m2" if "kg.m2" in units else "N.m2"]
-        )
+        assert units["N.m.s/rad"] == {"kg": "1", "m": "2", "s": "-1", "rad": "-1"}
+        assert units["N.m2"] == {"kg": "1", "m": "3", "s": "-2"} and units["1"] == {}
         assert any(name.startswith("binaries/") for name in archive.namelist())
         if target == "fmu3":
             terminals = ElementTree.fromstring(archive.read("terminalsAndIcons/terminalsAndIcons.xml"))
@@ -258,7 +250,7 @@ def test_what_cannot_be_set_is_refused(target):
     unit.step(0.0, 1e-3)
     other = Unit(target, "cs")
     other.fmu.guid = "{other}"
-    with pytest.raises(Exception, match="[Ff]ail"):
+    with pytest.raises(Exception, match=r"[Ff]ail"):
         other.fmu.instantiate()
 
 
@@ -277,9 +269,5 @@ def test_sources_compile_without_warnings(target, tmp_path):
 def test_units_are_the_same_every_time(tmp_path):
     """Sources and descriptions byte by byte; a unit of another robot has another token."""
     _, path = written("fmu3")
-    from helpers import model_of
-
-    model = model_of(small())
-    model.write(tmp_path / "again", targets=("fmu3",))
+    model_of(small()).write(tmp_path / "again", targets=("fmu3",))
     assert path.read_bytes() == (tmp_path / "again" / "fmu3" / "small.fmu").read_bytes()
-    assert flat([1.0]).size == 1

@@ -36,7 +36,12 @@ def measured(file: Path, turns: int, steps: int) -> tuple[str, list[list[float]]
         subprocess.run(["cc", *FLAGS, "-fPIC", "-shared", "-o", folder / "model.so", *sources, "-lm"], check=True)
         text = (folder / "modelDescription.xml").read_text(encoding="utf-8")
         first = lambda variable: re.search(rf'name="{re.escape(variable)}" valueReference="(\d+)"', text)[1]  # noqa: E731
-        defines = [f"-DROBOT(x)={name}_##x", f'-DHEADER="{name}.h"', f'-DNAME="{name}"', f"-DSTATES={model.nq + model.nv}"]
+        defines = [
+            f"-DROBOT(x)={name}_##x",
+            f'-DHEADER="{name}.h"',
+            f'-DNAME="{name}"',
+            f"-DSTATES={model.nq + model.nv}",
+        ]
         defines += [f"-DFIRST_STATE={first(model.q_names[0])}", f"-DFIRST_INPUT={first(model.tau_names[0])}"]
         program = [str(folder / "loop"), str(folder / "model.so"), str(folder / "binaries" / "linux64" / f"{name}.so")]
         command = ["cc", *FLAGS, *defines, "-I", folder / "sources", "-o", program[0], HERE / "fmu_overhead.c", "-ldl"]

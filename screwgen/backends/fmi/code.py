@@ -43,7 +43,7 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
             "groups": GROUPS,
             "default_step": repr(STEP),
             "default_method": list(project.methods).index(METHOD) + 1,
-            "start": [repr(float(x.start)) for x in variables if x.group == "q"],
+            "start": [repr(x.start) for x in variables if x.group == "q"],
             "nominals": [repr(x.nominal or 1.0) for x in variables if x.group in ("q", "v")],
             "n_parameters": len(parameters(project.chain.robot)) if project.baked is None else 0,
             "segment_names": project.chain.names,

@@ -36,7 +36,7 @@ def model_description(
     if version == 2:
         root.set("numberOfEventIndicators", "0")
     for kind in ("ModelExchange", "CoSimulation"):
-        element = SubElement(root, kind, modelIdentifier=name, **_abilities(version, kind, derived))
+        element = SubElement(root, kind, {"modelIdentifier": name} | _abilities(version, kind, derived))
         if version == 2:
             listed = SubElement(element, "SourceFiles")
             for file in files:

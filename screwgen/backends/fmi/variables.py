@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from ...algorithms import response
 from ...bodies.markers import strains
 from ...bodies.validity import MEASURES
@@ -80,7 +82,7 @@ def first_references(found: Sequence[Variable]) -> dict[str, int]:
 
 
 def _states(chain: Chain) -> Iterator[Variable]:
-    names, start = coordinate_names(chain.robot), chain.complete([], [p.value for p in parameters(chain.robot)])
+    names, start = coordinate_names(chain.robot), chain.complete(np.zeros(0), [p.value for p in parameters(chain.robot)])
     if isinstance(start, str):
         raise UsageError(f"robot '{chain.robot.name}': there is no state to start in: {start}")
     for k, (name, unit) in enumerate(zip(names.q, coordinate_units(chain.robot), strict=True)):

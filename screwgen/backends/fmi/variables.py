@@ -82,7 +82,8 @@ def first_references(found: Sequence[Variable]) -> dict[str, int]:
 
 
 def _states(chain: Chain) -> Iterator[Variable]:
-    names, start = coordinate_names(chain.robot), chain.complete(np.zeros(0), [p.value for p in parameters(chain.robot)])
+    names, values = coordinate_names(chain.robot), [p.value for p in parameters(chain.robot)]
+    start = chain.complete(np.zeros(0), values)
     if isinstance(start, str):
         raise UsageError(f"robot '{chain.robot.name}': there is no state to start in: {start}")
     for k, (name, unit) in enumerate(zip(names.q, coordinate_units(chain.robot), strict=True)):

@@ -13,7 +13,11 @@ class UsageError(ScrewgenError):
     """A request that cannot be met as stated: a wrong option, argument, state file or output folder."""
 
 
-class PrecisionWarning(UserWarning):
+class TargetWarning(UserWarning):
+    """What a generated target lacks; the text is one line meant for a user."""
+
+
+class PrecisionWarning(TargetWarning):
     """Generated C that is of no use in single precision; the text is one line meant for a user."""
 
 

@@ -6,21 +6,21 @@ robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedu
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
+from . import target_files
 from .algorithms.dae_functions import dae_names
 from .algorithms.scope import derived
 from .arguments import Given, choice
 from .backends.numpy.closing import independent
 from .backends.numpy.numeric import Numeric
-from .errors import PrecisionWarning, UsageError
+from .errors import UsageError
 from .folder import check_folder, write_folder
 from .integrators.method import Method
 from .ir.block import Block
@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from .backends.casadi.functions import Made
 
 TARGETS = ("c", "casadi", "latex")
+"""What is written unless targets are named."""
+UNITS = ("fmu2", "fmu3")
 CONSISTENT = "consistent"
 
 
@@ -228,6 +230,8 @@ class Model:
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
+        ``"fmu2"``, ``"fmu3"``: functional mock-up units, with a binary of this machine where there is a compiler.
+
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
         that steps many scenarios at once; ``derivatives``: also C of those of ``vdot``, steps and joint wrenches;
@@ -236,15 +240,18 @@ class Model:
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
         of a predictive controller in C.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
         """
+        options = {"parameters": parameters, "layout": layout, "methods": methods}
+        more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "mpc": mpc}
         check_folder(Path(folder))
         makers = {
-            "c": lambda: self.c_files(parameters, layout, batch, derivatives, estimator, methods, mpc),
+            "c": lambda: self.c_files(**options, **more),
             "casadi": lambda: self.casadi_files(functions),
-            "latex": self._latex_files,
+            "latex": lambda: target_files.latex_files(self.robot, self._plugins),
         }
+        makers |= {t: partial(target_files.unit_files, self, t, **options) for t in UNITS}
         unknown = [t for t in targets if t not in makers]
         if unknown:
-            raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(TARGETS)}")
+            raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(makers)}")
         files = {f"{t}/{name}": data for t in targets for name, data in makers[t]().items()}
         return write_folder(folder, files, tuple(targets))
 
@@ -262,16 +269,7 @@ class Model:
 
         Raises :class:`UsageError` where double precision will not.
         """
-        from .backends.c.mpc import project as of
-
-        project = of(
-            mpc and fitted(self, mpc), self.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods
-        )
-        files = {name: text.encode() for name, text in project.files().items()}
-        if lost := project.check["lost"]:
-            said = f"robot '{self.robot.name}': the C is of no use in float: rounding may change results by {lost}"
-            warnings.warn(f"{said}; compile it as double", PrecisionWarning, stacklevel=2)
-        return files
+        return target_files.c_files(self, parameters, layout, batch, derivatives, estimator, methods, mpc)
 
     def compile(
         self,
@@ -300,17 +298,7 @@ class Model:
 
     def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""
-        from .backends.casadi.functions import casadi_files, chosen
-
-        names = chosen(functions, found := self.casadi())
-        notes = {p.casadi_notes: tuple(p.casadi(self.chain)) for p in self._plugins if p.casadi_notes}
-        return casadi_files(self.robot, found, names, self.parameter_names, VERSION, notes)
-
-    def _latex_files(self) -> dict[str, bytes]:
-        from .backends.latex import document as latex
-
-        shown, made = latex.content(self.robot, self._plugins), {".tex": latex.tex, ".html": latex.page}
-        return {f"{self.robot.name}{end}": make(shown).encode() for end, make in made.items()}
+        return target_files.casadi_files(self, self._plugins, functions)
 
     def _repr_html_(self) -> str:
         """The equations, as a notebook shows them."""

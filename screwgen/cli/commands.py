@@ -13,8 +13,8 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..errors import PrecisionWarning, SingularError, StoppedError, UsageError
-from ..model import CONSISTENT, TARGETS, Model, derive, formulations
+from ..errors import SingularError, StoppedError, TargetWarning, UsageError
+from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
 from ..simulation.state import State, read_state, state_of
 from ..spec.load import one_line
@@ -44,7 +44,7 @@ def run_generate(
 ) -> None:
     """Write the folder and list its files; ``more`` holds further arguments of :meth:`screwgen.Model.write`."""
     for target in targets or ():
-        check_choice("--target", target, TARGETS)
+        check_choice("--target", target, (*TARGETS, *UNITS))
     check_choice("--parameters", parameters, PARAMETERS)
     check_choice("--layout", layout, LAYOUTS)
     for name, asked in more.items():
@@ -56,8 +56,8 @@ def run_generate(
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
     with busy("generating", quiet), _stoppable():
-        wanted = tuple(t for t in TARGETS if not targets or t in targets)
-        with warnings.catch_warnings(record=True, action="always", category=PrecisionWarning) as noted:
+        wanted = tuple(t for t in (*TARGETS, *UNITS) if t in (targets or TARGETS))
+        with warnings.catch_warnings(record=True, action="always", category=TargetWarning) as noted:
             files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
     for note in noted:
         print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)

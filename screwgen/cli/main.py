@@ -65,7 +65,9 @@ def generate(
     target: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="NAME", help="c, casadi or latex; may be given again. All, if not given.", show_default=False
+            metavar="NAME",
+            help="c, casadi, latex, fmu2 or fmu3; may be given again. The first three, if not given.",
+            show_default=False,
         ),
     ] = None,
     parameters: Annotated[

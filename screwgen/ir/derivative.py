@@ -1,4 +1,4 @@
-"""Forward-mode differentiation of traced operations, recorded by the same tracer."""
+"""Differentiation of traced operations, forward and in reverse, recorded by the same tracer."""
 
 from __future__ import annotations
 
@@ -26,6 +26,46 @@ def columns(values: Sequence[Value], variables: Sequence[Value]) -> list[list[Va
     """The partial derivatives of ``values``, one column per variable; floats are constant."""
     unit = lambda x: {x: 1.0} if isinstance(x, Node) else {}  # noqa: E731
     return [tangents(values, unit(x)) for x in variables]
+
+
+def gradients(values: Sequence[Value], weights: Sequence[Value], variables: Sequence[Value]) -> list[Value]:
+    """The derivatives of ``sum(weights * values)`` with every one of ``variables``, in reverse mode.
+
+    A variable is independent, whatever it was computed from.  Weights are no functions of the variables.
+    """
+    found: Slopes = {}
+    ends = {x.id for x in variables if isinstance(x, Node)}
+    for value, weight in zip(values, weights, strict=True):
+        _add(found, value, weight)
+    for node in reversed(live(values)):
+        if node.id in ends or node.op in ("input", "epsilon") or _zero(_of_found(found, node)):
+            continue
+        for arg, share in _shares(node, found[node.id]):
+            _add(found, arg, share)
+    return [_of_found(found, x) for x in variables]
+
+
+def _shares(node: Node, weight: Value) -> list[tuple[Value, Value]]:
+    """The operands of an operation, and the weight of each that follows from the weight of the result."""
+    a = node.args[0]
+    if len(node.args) == 1:
+        return [(a, _unary(node, a, weight))]
+    b = node.args[1]
+    if node.op in ("add", "sub"):
+        return [(a, weight), (b, weight if node.op == "add" else -weight)]
+    if node.op == "mul":
+        return [(x, weight * y) for x, y in ((a, b), (b, a)) if isinstance(x, Node)]
+    quotient = weight / b
+    return [(a, quotient), (b, -(quotient * node))]
+
+
+def _add(found: Slopes, value: Value, weight: Value) -> None:
+    if isinstance(value, Node):
+        found[value.id] = found[value.id] + weight if value.id in found else weight
+
+
+def _of_found(found: Slopes, value: Value) -> Value:
+    return found.get(value.id, 0.0) if isinstance(value, Node) else 0.0
 
 
 def _of(value: Value, slopes: Slopes) -> Value:

@@ -65,6 +65,15 @@ def load(
         return ctypes.CDLL(str(_compiled(Path(place), used, command, flags)))
 
 
+def binary(files: Mapping[str, str], flags: Sequence[str], objects: dict[str, bytes]) -> bytes:
+    """The shared library of C files by name, as `load` compiles it; raises ScrewgenError where that fails.
+
+    `objects` keeps what was compiled, by source, for libraries that share sources, headers and flags.
+    """
+    with tempfile.TemporaryDirectory(prefix="screwgen-") as place:
+        return _compiled(Path(place), files, compiler_command(), flags, objects).read_bytes()
+
+
 def cache_folder() -> Path | None:
     """The folder of the cache: SCREWGEN_CACHE, else screwgen in XDG_CACHE_HOME or ~/.cache; None without a home."""
     if named := os.environ.get("SCREWGEN_CACHE"):
@@ -101,16 +110,27 @@ def _compiler_and_name(compiler: str | None) -> tuple[str, list[str]]:
         raise ScrewgenError(f"the C compiler {text!r} is no command ({error}); mend the quotes in CC") from None
 
 
-def _compiled(folder: Path, files: Mapping[str, str], command: Sequence[str], flags: Sequence[str]) -> Path:
+def _compiled(
+    folder: Path,
+    files: Mapping[str, str],
+    command: Sequence[str],
+    flags: Sequence[str],
+    objects: dict[str, bytes] | None = None,
+) -> Path:
     """Write the files into a folder and compile them; raises ScrewgenError where the compiler fails."""
     for name, text in files.items():
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(text)
     sources = sorted(name for name in files if name.endswith(".c") and name not in PROGRAMS and "/" not in name)
+    places, kept = {name: folder / f"{name[:-2]}.o" for name in sources}, {} if objects is None else objects
+    missing = [name for name in sources if files[name] not in kept]
     with ThreadPoolExecutor(min(os.cpu_count() or 1, len(sources))) as pool:
-        list(pool.map(lambda name: _run([*command, *FLAGS[:2], *flags, "-c", name], folder), sources))
-    objects = [f"{name[:-2]}.o" for name in sources]
-    _run([*command, *FLAGS, *flags, "-o", "model.so", *objects, "-lm"], folder)
+        list(pool.map(lambda name: _run([*command, *FLAGS[:2], *flags, "-c", name], folder), missing))
+    for name in set(sources) - set(missing):
+        places[name].write_bytes(kept[files[name]])
+    if objects is not None:
+        objects.update((files[name], places[name].read_bytes()) for name in missing)
+    _run([*command, *FLAGS, *flags, "-o", "model.so", *(place.name for place in places.values()), "-lm"], folder)
     return folder / "model.so"
 
 

@@ -21,7 +21,12 @@ def rendered(template: str, **values: object) -> str:
     text = render(f"c/{template}.jinja", **values)
     if template.endswith((".md", "Makefile", ".txt")):
         return text
-    return folded(text.replace("$$_", f"{values['NAME']}_").replace("$_", f"{values['name']}_"))
+    return written(text, str(values["name"]))
+
+
+def written(text: str, name: str) -> str:
+    """C source with the robot's prefix, in limited columns."""
+    return folded(text.replace("$$_", f"{name.upper()}_").replace("$_", f"{name}_"))
 
 
 def folded(text: str) -> str:

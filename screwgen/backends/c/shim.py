@@ -30,21 +30,21 @@ VIEWS = (
 def shims(project: CProject) -> dict[str, str]:
     """The files beside a robot's C that its shared library is made of."""
     energy = fused.energy(project.chain, "baked" if project.baked is not None else "constants")
-    extra = _extra(project, energy)
+    extra = extra_constants(project, energy)
     known = project.labels
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
     chain = project.chain
     values = dict(
         views=VIEWS,
         extra=extra,
-        extra_lines=_extra_lines(project, extra),
+        extra_lines=extra_lines(project, extra),
         energy=_energy(project, energy, known, extra),
         width=1 + chain.nq + chain.nv + chain.n_tau + 6 * chain.n + 3 + 2,
     )
     return {name: rendered(name, **project.context, **values) for name in names}
 
 
-def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
+def extra_constants(project: CProject, energy: Program) -> list[tuple[int, str]]:
     """Link and label of the constants that the energy reads and `<robot>_prepare` does not compute."""
     known, found = project.labels, []
     for node in live([v for values in energy.outputs.values() for v in values]):
@@ -55,7 +55,7 @@ def _extra(project: CProject, energy: Program) -> list[tuple[int, str]]:
     return sorted(set(found))
 
 
-def _extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
+def extra_lines(project: CProject, extra: list[tuple[int, str]]) -> list[str]:
     """Their preparation, link by link."""
     out = []
     for i in sorted({link for link, _ in extra}):

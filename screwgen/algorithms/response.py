@@ -1,0 +1,137 @@
+"""What a robot answers to its state and inputs: values, directional and adjoint derivatives, sparsity."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..bodies.markers import strains
+from ..ir.derivative import gradients, tangents
+from ..ir.program import Node, Program, Value
+from ..topology.chain import Chain
+from .functions import Functions
+from .fused import fuse
+
+Values = Mapping[str, Sequence[Value]]
+
+POINT = ("q", "v", "tau", "w_ext")
+"""States and inputs, in the order of a direction."""
+
+ANSWERS = ("qdot", "vdot", "position", "rotation", "wrench", "strain", "energy")
+"""Rates of the states and outputs, in the order of a direction's image."""
+
+
+def sizes(chain: Chain) -> dict[str, int]:
+    """The lengths of all of them; poses are those of the tips of the robot's links."""
+    tips, gauged = len(chain.lasts), sum(len(strains(chain.keys[i], 0.0)) for i in chain.firsts)
+    point = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
+    outputs = {"position": 3 * tips, "rotation": 9 * tips, "wrench": 6 * chain.n, "strain": gauged, "energy": 2}
+    return point | {"qdot": chain.nq, "vdot": chain.nv} | outputs
+
+
+def observation(chain: Chain, constants="constants") -> Program:
+    """``(q, v, length) -> (qdot, strain, energy)``; ``length`` (n) has the lengths of the links' segments."""
+    return fuse(chain, "observation", _given(chain, constants, "q", "v"), _observed, constants)
+
+
+def tangent(chain: Chain, constants="constants") -> Program:
+    """``(q, v, tau, w_ext, length, d_q, d_v, d_tau, d_w_ext) -> (d_qdot, ...)``: the derivative along a direction."""
+
+    def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+        answers = _answers(f, x)
+        seeds = {a: b for name in POINT for a, b in zip(x[name], x[f"d_{name}"], strict=True) if isinstance(a, Node)}
+        with f.section("along the direction"):
+            slopes = tangents([value for values in answers.values() for value in values], seeds)
+        return _named(slopes, {f"d_{name}": len(values) for name, values in answers.items()})
+
+    inputs = _given(chain, constants, *POINT)
+    return fuse(chain, "tangent", inputs | {f"d_{n}": inputs[n] for n in POINT}, body, constants)
+
+
+def adjoint(chain: Chain, constants="constants") -> Program:
+    """``(q, v, tau, w_ext, length, b_qdot, ...) -> (b_q, b_v, b_tau, b_w_ext)``: the gradient of the weighted sum."""
+
+    def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+        answers = _answers(f, x)
+        values = [value for name in ANSWERS for value in answers[name]]
+        weights = [weight for name in ANSWERS for weight in x[f"b_{name}"]]
+        with f.section("against the direction"):
+            found = gradients(values, weights, [value for name in POINT for value in x[name]])
+        return _named(found, {f"b_{name}": len(x[name]) for name in POINT})
+
+    size = sizes(chain)
+    inputs = _given(chain, constants, *POINT) | {f"b_{name}": size[name] for name in ANSWERS}
+    return fuse(chain, "adjoint", inputs, body, constants)
+
+
+def sparsity(chain: Chain) -> dict[str, list[list[int]]]:
+    """The entries of the point, counted through ``POINT``, on which each entry of every answer depends."""
+    program = fuse(chain, "response", _given(chain, "constants", *POINT), _answers, "constants")
+    size = sizes(chain)
+    starts = {name: sum(size[n] for n in POINT[:k]) for k, name in enumerate(POINT)}
+    masks: dict[int, int] = {}
+    for node in program.nodes:
+        if node.op == "input":
+            name, k = node.args
+            masks[node.id] = 1 << (starts[name] + k) if name in starts else 0
+            continue
+        masks[node.id] = 0
+        for a in node.args:
+            masks[node.id] |= masks[a.id] if isinstance(a, Node) else 0
+    return {n: [_bits(masks[v.id]) if isinstance(v, Node) else [] for v in o] for n, o in program.outputs.items()}
+
+
+def _bits(mask: int) -> list[int]:
+    return [k for k in range(mask.bit_length()) if mask >> k & 1]
+
+
+def _given(chain: Chain, constants: str, *names: str) -> dict[str, int]:
+    size = sizes(chain)
+    return {name: size[name] for name in names} | ({} if constants == "baked" else {"length": chain.n})
+
+
+def _answers(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+    """All answers, those of :func:`observation` last."""
+    vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+    tips = f.poses(x["q"])[1]
+    own = _observed(f, x)
+    return {
+        "qdot": own["qdot"],
+        "vdot": vdot,
+        "position": [value for i in f.chain.lasts for value in tips[i][1]],
+        "rotation": [value for i in f.chain.lasts for value in tips[i][0]],
+        "wrench": wrench,
+        "strain": own["strain"],
+        "energy": own["energy"],
+    }
+
+
+def _observed(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+    return {
+        "qdot": f.coordinate_rates(x["q"], x["v"]) if f.chain.floating else list(x["v"]),
+        "strain": _strains(f.chain, x["q"], x.get("length")),
+        "energy": list(f.energy(x["q"], x["v"])),
+    }
+
+
+def _strains(chain: Chain, q: Sequence[Value], lengths: Sequence[Value] | None) -> list[Value]:
+    """The strains at the base section of every link, as the linear models have them."""
+    out = []
+    for i in chain.firsts:
+        segment, first = chain.segments[i], chain.eta_q + chain.eta_offset[i]
+        for strain in strains(chain.keys[i], 0.0):
+            length = chain.robot.links[segment.link].length if lengths is None else lengths[i]
+            total: Value = 0.0
+            for k, weight in zip(strain.modes, strain.weights, strict=True):
+                total = total + weight * q[first + k]
+            for _ in range(strain.order):
+                total = total / (length / segment.count)
+            out.append(total)
+    return out
+
+
+def _named(values: Sequence[Value], counts: Mapping[str, int]) -> dict[str, Sequence[Value]]:
+    out, first = {}, 0
+    for name, count in counts.items():
+        out[name] = values[first : first + count]
+        first += count
+    return out

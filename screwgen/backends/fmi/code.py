@@ -1,0 +1,116 @@
+"""The C of a functional mock-up unit: the robot's library, its answers' derivatives, and the functions of FMI."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from ...algorithms import response
+from ...ir.program import Program
+from ...spec.parameters import parameters
+from ..c.columns import written
+from ..c.derivatives import LIMIT
+from ..c.fields import fused_place
+from ..c.pieces import piece_place, pieces
+from ..c.project import CProject
+from ..c.shim import extra_constants, extra_lines
+from ..templates import folder, render
+from .variables import GROUPS, METHOD, STEP, Variable, first_references
+
+HEADERS = {
+    2: ("fmi2TypesPlatform.h", "fmi2FunctionTypes.h", "fmi2Functions.h"),
+    3: ("fmi3PlatformTypes.h", "fmi3FunctionTypes.h", "fmi3Functions.h"),
+}
+"""The files of the standard, which are passed on as they are."""
+
+TOKEN = "<token>"
+POINTERS = ("c", "p", "extra", "state", "input", "x", "kept", "y")
+
+
+def sources(project: CProject, version: int, variables: list[Variable], programs: dict) -> dict[str, str]:
+    """The C files of a unit by name: the library of ``project`` and what FMI needs besides; ``programs``: `content`.
+
+    In place of the token stands ``TOKEN``.
+    """
+    values = (
+        project.context
+        | programs
+        | {
+            "fmi": version,
+            "token": TOKEN,
+            "first": first_references(variables),
+            "count": len(variables),
+            "groups": GROUPS,
+            "default_step": repr(STEP),
+            "default_method": list(project.methods).index(METHOD) + 1,
+            "start": [repr(x.start) for x in variables if x.group == "q"],
+            "nominals": [repr(x.nominal or 1.0) for x in variables if x.group in ("q", "v")],
+            "n_parameters": len(parameters(project.chain.robot)) if project.baked is None else 0,
+            "segment_names": project.chain.names,
+        }
+    )
+    files = {f"{project.name}_response.{end}": f"response.{end}" for end in "hc"}
+    files[f"fmu{version}.c"] = f"fmu{version}.c"
+    made = {name: written(render(f"fmi/{file}.jinja", **values), project.name) for name, file in files.items()}
+    given = {name: (folder() / "fmi" / "headers" / name).read_text(encoding="utf-8") for name in HEADERS[version]}
+    return {**project.files(), **made, **given}
+
+
+def content(project: CProject) -> dict:
+    """The programs of :mod:`...algorithms.response` as the templates print them.
+
+    Without derivatives, in ``derived``, where they would take too long to compile.
+    """
+    constants = "baked" if project.baked is not None else "constants"
+    makers = response.observation, response.tangent, response.adjoint
+    programs = {make.__name__: make(project.chain, constants) for make in makers}
+    derived = max(program.operation_count for program in programs.values()) <= LIMIT
+    programs = programs if derived else {"observation": programs["observation"]}
+    extra = sorted({x for program in programs.values() for x in extra_constants(project, program)})
+    place = partial(_place, project, extra)
+    printed = {name: _printed(project, program, place) for name, program in programs.items()}
+    return {
+        "derived": derived,
+        "extra": extra,
+        "extra_lines": extra_lines(project, extra),
+        "programs": printed,
+        "response": response.sizes(project.chain),
+        "tips": project.chain.lasts,
+        "slopes_of_stumpff": any({"c6", "c7"} & program.operations.keys() for program in programs.values()),
+    }
+
+
+def _printed(project: CProject, program: Program, place: Callable[[str, int], str]) -> dict:
+    fail = lambda test, link: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
+    return pieces(program, piece_place(project.chain, "kept", _own(project), place), POINTERS, fail=fail)
+
+
+def _place(project: CProject, extra: list[tuple[int, str]], name: str, k: int) -> str:
+    """Constants that the library prepares are its own, others stand in ``extra``."""
+    owner, _, what = name.partition(":c.")
+    if not what or what in project.labels[int(owner)]:
+        return fused_place(name, k)
+    return f"extra[{extra.index((int(owner), what))}]"
+
+
+def _own(project: CProject) -> dict[str, Callable[[int], str]]:
+    """The places of directions and answers: their entries one after the other."""
+    size, segments = response.sizes(project.chain), project.chain.segments
+    own: dict[str, Callable[[int], str]] = {
+        "gravity": lambda k: f"c->gravity[{k}]",
+        "length": lambda k: f"p->links[{segments[k].link}].length",
+    }
+    parts = {"q": "state", "v": "state", "tau": "input", "w_ext": "input"}
+    for names, along, against in ((response.POINT, "x", "y"), (response.ANSWERS, "y", "x")):
+        first = 0
+        for name in names:
+            own[f"d_{name}"] = partial(_entry, along, first)
+            own[f"b_{name}"] = partial(_entry, against, first)
+            if name not in parts:
+                own[name] = partial(_entry, "y", first)
+            first += size[name]
+    return own
+
+
+def _entry(array: str, first: int, k: int) -> str:
+    return f"{array}[{first + k}]"

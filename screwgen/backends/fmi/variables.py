@@ -1,0 +1,164 @@
+"""The variables of a functional mock-up unit: names, units, start values and value references.
+
+A value reference is a variable's place in the list, so groups of variables are ranges of references.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...algorithms import response
+from ...bodies.markers import strains
+from ...bodies.validity import MEASURES
+from ...errors import UsageError
+from ...spec.base import POSE
+from ...spec.modes import DIRECTIONS
+from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units, parameters
+from ...topology.chain import Chain
+
+STEP, METHOD = 1e-3, "modal_implicit"
+"""The internal step of co-simulation, s, and its integrator, until others are set."""
+
+MODE_NOMINAL, RATE_NOMINAL = 1e-2, 1e-1
+"""Nominal values of modal coordinates (m, torsion: rad) and of their rates; those of all other states are 1."""
+
+GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *response.ANSWERS, "measures")
+"""The groups of variables, in the order of their value references."""
+
+STRAIN_UNITS = dict.fromkeys(DIRECTIONS, "1") | {"bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
+WRENCH_UNITS = {part: "N" if part.startswith("F") else "N·m" for part in WRENCH}
+TWIST_UNITS = ("rad", "rad", "rad", "m", "m", "m")
+MEASURE_UNITS = {"slope": "rad"}
+AXES = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One scalar variable; ``derivative``: the place of the state whose rate it is, in the list of variables."""
+
+    group: str
+    name: str
+    unit: str
+    description: str
+    causality: str
+    variability: str = "continuous"
+    initial: str | None = None
+    start: float | None = None
+    derivative: int | None = None
+    nominal: float | None = None
+    items: tuple[str, ...] = ()
+    """The values of an enumeration, which are numbered from 1."""
+
+
+def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variable]:
+    """All variables, group by group; parameters that are folded into the code are none."""
+    tunable = ("parameter", "tunable", "exact")
+    start, names = list(methods).index(METHOD) + 1, tuple(methods)
+    out: list[Variable] = [
+        Variable("time", "time", "s", "time", "independent"),
+        Variable("solver", "solver.step", "s", "longest internal step of co-simulation", *tunable, STEP),
+        Variable("solver", "solver.method", "", "integrator of co-simulation", *tunable, start, items=names),
+    ]
+    for p in () if baked else parameters(chain.robot):
+        out.append(Variable("parameters", p.name, p.unit, p.description, *tunable, p.value))
+    first = len(out)
+    out += _states(chain)
+    out += _inputs(chain)
+    out += _rates(out[first : first + chain.nq + chain.nv], first, chain.nq)
+    out += _outputs(chain)
+    twice = {x.name for x in out if sum(y.name == x.name for y in out) > 1}
+    if twice:
+        raise UsageError(f"robot '{chain.robot.name}': two variables would be called '{min(twice)}'; rename the link")
+    return out
+
+
+def first_references(found: Sequence[Variable]) -> dict[str, int]:
+    """The first value reference of every group; of an empty one that of the group behind it."""
+    counts = {group: sum(x.group == group for x in found) for group in GROUPS}
+    return {group: sum(counts[g] for g in GROUPS[:k]) for k, group in enumerate(GROUPS)}
+
+
+def _states(chain: Chain) -> Iterator[Variable]:
+    names, values = coordinate_names(chain.robot), [p.value for p in parameters(chain.robot)]
+    start = chain.complete(np.zeros(0), values)
+    if isinstance(start, str):
+        raise UsageError(f"robot '{chain.robot.name}': there is no state to start in: {start}")
+    for k, (name, unit) in enumerate(zip(names.q, coordinate_units(chain.robot), strict=True)):
+        nominal = MODE_NOMINAL if k >= chain.eta_q else None
+        meaning = "coordinate" if k < chain.base_q else "modal coordinate" if nominal else "coordinate of the joint"
+        yield Variable(
+            "q", name, unit, _pose(name) or meaning, "output", initial="exact", start=float(start[k]), nominal=nominal
+        )
+    for k, (name, unit) in enumerate(zip(names.v, _rate_units(chain), strict=True)):
+        nominal = RATE_NOMINAL if k >= chain.eta_v else None
+        meaning = "twist of the base, in its own axes" if k < chain.base_v else "rate of the coordinate"
+        yield Variable("v", name, unit, meaning, "output", initial="exact", start=0.0, nominal=nominal)
+
+
+def _pose(name: str) -> str:
+    """What a coordinate of a floating base is."""
+    if not name.startswith("base.") or name.removeprefix("base.") not in POSE:
+        return ""
+    return "unit quaternion of the base" if name.startswith("base.q") else "position of the base, inertial frame"
+
+
+def _rate_units(chain: Chain) -> list[str]:
+    units = [*TWIST_UNITS * chain.floating, *coordinate_units(chain.robot)[chain.base_q :]]
+    return [f"{unit}/s" for unit in units]
+
+
+def _inputs(chain: Chain) -> Iterator[Variable]:
+    names = coordinate_names(chain.robot).tau
+    for name, unit in zip(names, force_units(chain.robot), strict=True):
+        yield Variable("tau", name, unit, "what the drive exerts", "input", initial=None, start=0.0)
+    for segment in chain.segments:
+        for part, unit in WRENCH_UNITS.items():
+            name = f"{segment.tipped}.w_ext.{part}"
+            yield Variable("w_ext", name, unit, "external wrench on the tip section, tip frame", "input", start=0.0)
+
+
+def _rates(states: Sequence[Variable], first: int, nq: int) -> Iterator[Variable]:
+    for k, state in enumerate(states):
+        group = "qdot" if k < nq else "vdot"
+        unit = f"{state.unit}/s" if k < nq else state.unit.removesuffix("/s") + "/s²"
+        yield Variable(
+            group,
+            f"der({state.name})",
+            unit,
+            f"rate of {state.name}",
+            "local",
+            initial="calculated",
+            derivative=first + k,
+        )
+
+
+def _outputs(chain: Chain) -> Iterator[Variable]:
+    """What is calculated, in the order of ``response.ANSWERS``, then the measures of the model's validity."""
+
+    def of(group: str, name: str, unit: str, description: str) -> Variable:
+        return Variable(group, name, unit, description, "output", initial="calculated")
+
+    links = [chain.segments[i].owner for i in chain.lasts]
+    for link in links:
+        for axis in AXES:
+            yield of("position", f"{link}.tip.position.{axis}", "m", "tip point, inertial frame")
+    for link in links:
+        for row in range(3):
+            for column in range(3):
+                name = f"{link}.tip.rotation[{row},{column}]"
+                yield of("rotation", name, "1", "rotation of the tip frame, in the inertial frame")
+    for k, name in enumerate(coordinate_names(chain.robot).wrench):
+        yield of("wrench", name, WRENCH_UNITS[WRENCH[k % 6]], "of the joint on the link, at the joint point, in F_i")
+    for i in chain.firsts:
+        for strain in strains(chain.keys[i], 0.0):
+            name = f"{chain.segments[i].owner}.base_strain.{strain.direction}"
+            yield of("strain", name, STRAIN_UNITS[strain.direction], "strain of the centreline at the link's base")
+    yield of("energy", "energy.kinetic", "J", "kinetic energy")
+    yield of("energy", "energy.potential", "J", "potential energy: weight, springs and modes")
+    for segment in chain.segments:
+        for measure in MEASURES:
+            name, unit = f"{segment.name}.validity.{measure}", MEASURE_UNITS.get(measure, "1")
+            yield Variable("measures", name, unit, "how near to a limit of the model", "local", initial="calculated")

@@ -1,0 +1,58 @@
+"""Functional mock-up units of a model, with a binary of this machine where there is a compiler."""
+
+from __future__ import annotations
+
+import platform
+import sys
+import warnings
+from collections.abc import Callable, Hashable, Sequence
+from typing import Any, Protocol
+
+from ..backends.fmi.code import content
+from ..backends.fmi.package import archive, unit
+from ..errors import TargetWarning
+from ..integrators.method import Method
+from .compiled import Derived, LeanProject
+from .library import binary, has_compiler
+
+FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
+"""Nothing but the functions of FMI is seen from outside, so units of equal names can be in one process."""
+
+PLACES = {
+    2: {"x86_64": "linux64"},
+    3: {"x86_64": "x86_64-linux", "aarch64": "aarch64-linux"},
+}
+"""The folders of binaries of Linux, by version and processor."""
+
+
+class Keeping(Derived, Protocol):
+    """A model that keeps what is made of it."""
+
+    def once(self, key: Hashable, make: Callable[[], object]) -> Any: ...
+
+
+def unit_files(
+    model: Keeping, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
+) -> dict[str, bytes]:
+    """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing."""
+    key = ("unit", parameters, layout, tuple(methods))
+    project, programs, objects = model.once(key, lambda: _common(model, parameters, layout, methods))
+    made = unit(project, programs, target)
+    name, places = f"{made.name}.fmu", PLACES[made.version] if sys.platform == "linux" else {}
+    place = places.get(platform.machine(), "")
+    lacks = "" if place and has_compiler() else "no C compiler" if place else "no name in FMI for this machine"
+    if lacks:
+        _warn(f"{target}/{name} holds sources alone, since there is {lacks}; compile it where it is used")
+    if not made.derived:
+        _warn(f"{target}/{name} has no directional derivatives: they would take too long to compile")
+    return {name: archive(made, None if lacks else binary(made.sources, FLAGS, objects), place)}
+
+
+def _common(model: Keeping, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
+    """What the units of both versions share: the library, the programs besides, and what is compiled of them."""
+    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods)
+    return project, content(project), {}
+
+
+def _warn(text: str) -> None:
+    warnings.warn(text, TargetWarning, stacklevel=4)

@@ -1,0 +1,60 @@
+"""The files that each target of a model consists of: names, relative to the target's folder, and contents."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from .errors import PrecisionWarning
+from .integrators.method import Method
+from .plugins import Plugin
+from .runtime.fmu import unit_files
+from .spec.robot import Robot
+from .studies.predictive import fitted
+from .version import __version__ as VERSION
+
+__all__ = ["c_files", "casadi_files", "latex_files", "unit_files"]
+
+if TYPE_CHECKING:
+    from .model import Model
+
+
+def c_files(
+    model: Model,
+    parameters: str,
+    layout: str,
+    batch: bool,
+    derivatives: bool,
+    estimator: bool,
+    methods: Sequence[Method],
+    mpc: str | os.PathLike | None,
+) -> dict[str, bytes]:
+    """Of C, as :meth:`screwgen.Model.c_files` says."""
+    from .backends.c.mpc import project as of
+
+    controller = mpc and fitted(model, mpc)
+    project = of(controller, model.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods)
+    files = {name: text.encode() for name, text in project.files().items()}
+    if lost := project.check["lost"]:
+        said = f"robot '{model.robot.name}': the C is of no use in float: rounding may change results by {lost}"
+        warnings.warn(f"{said}; compile it as double", PrecisionWarning, stacklevel=3)
+    return files
+
+
+def casadi_files(model: Model, plugins: Sequence[Plugin], functions: str | Sequence[str] | None) -> dict[str, bytes]:
+    """Of CasADi: the saved functions, and a README."""
+    from .backends.casadi.functions import casadi_files, chosen
+
+    names = chosen(functions, found := model.casadi())
+    notes = {p.casadi_notes: tuple(p.casadi(model.chain)) for p in plugins if p.casadi_notes}
+    return casadi_files(model.robot, found, names, model.parameter_names, VERSION, notes)
+
+
+def latex_files(robot: Robot, plugins: Sequence[Plugin]) -> dict[str, bytes]:
+    """Of the documents, in LaTeX and HTML."""
+    from .backends.latex import document as latex
+
+    shown, made = latex.content(robot, plugins), {".tex": latex.tex, ".html": latex.page}
+    return {f"{robot.name}{end}": make(shown).encode() for end, make in made.items()}

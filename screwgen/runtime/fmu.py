@@ -16,6 +16,7 @@ from .compiled import Derived, LeanProject
 from .library import binary, has_compiler
 
 FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
+EXPORTS = {"fmi.map": "{ global: fmi2*; fmi3*; local: *; };\n"}
 """Nothing but the functions of FMI is seen from outside, so units of equal names can be in one process."""
 
 PLACES = {
@@ -45,7 +46,13 @@ def unit_files(
         _warn(f"{target}/{name} holds sources alone, since there is {lacks}; compile it where it is used")
     if not made.derived:
         _warn(f"{target}/{name} has no directional derivatives: they would take too long to compile")
-    return {name: archive(made, None if lacks else binary(made.sources, FLAGS, objects), place)}
+    return {
+        name: archive(
+            made,
+            None if lacks else binary(made.sources | EXPORTS, (*FLAGS, "-Wl,--version-script=fmi.map"), objects),
+            place,
+        )
+    }
 
 
 def _common(model: Keeping, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:

@@ -49,6 +49,8 @@ def model_description(
     SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize=repr(STEP))
     listed = SubElement(root, "ModelVariables")
     for k, variable in enumerate(variables):
+        if version == 2 and variable.causality == "independent":
+            continue  # optional there, and importers of FMI 2.0 want a start value of it, which the standard forbids
         (_scalar if version == 2 else _typed)(listed, k, variable)
     _structure(SubElement(root, "ModelStructure"), chain, version, variables)
     return _text(root)
@@ -104,11 +106,11 @@ def _numbers(x: Variable) -> dict[str, str]:
 
 
 def _scalar(parent: Element, reference: int, x: Variable) -> None:
-    """A variable of FMI 2.0, which refers to others by their place in the list, from 1."""
+    """A variable of FMI 2.0, which refers to others by their place from 1: as time is missing, their references."""
     element = SubElement(parent, "ScalarVariable", _common(reference, x))
     value = SubElement(element, "Enumeration" if x.items else "Real", _numbers(x))
     if x.derivative is not None:
-        value.set("derivative", str(x.derivative + 1))
+        value.set("derivative", str(x.derivative))
 
 
 def _typed(parent: Element, reference: int, x: Variable) -> None:
@@ -131,10 +133,10 @@ def _structure(parent: Element, chain: Chain, version: int, variables: Sequence[
     for name, single, places in (*groups, ("InitialUnknowns", "InitialUnknown", unknown)):
         holder = SubElement(parent, name) if version == 2 else parent
         for k in places:
-            key = {"index": str(k + 1)} if version == 2 else {"valueReference": str(k)}
+            key = {"index" if version == 2 else "valueReference": str(k)}
             element = SubElement(holder, "Unknown" if version == 2 else single, key)
             if places is not unknown:
-                element.set("dependencies", " ".join(str(d + (version == 2)) for d in depends[k]))
+                element.set("dependencies", " ".join(str(d) for d in depends[k]))
                 element.set("dependenciesKind", " ".join(_kind(variables, k) for _ in depends[k]))
 
 

@@ -41,7 +41,7 @@ OWN = Method("late", 1, (Stage(implicit=1), Stage([1], "new", implicit=1)), Move
 LONG = pytest.mark.long
 CASES = [
     ("gears", "modal_midpoint", 0.01),
-    ("floating", "modal_midpoint", 0.02),
+    pytest.param("floating", "modal_midpoint", 0.02, marks=LONG),
     pytest.param("slides", "modal_midpoint", 0.01, marks=LONG),
     pytest.param("second", "modal_midpoint", 0.01, marks=LONG),
     pytest.param("stops", "modal_midpoint", 0.02, marks=LONG),
@@ -139,7 +139,7 @@ def by_casadi_once(model, q, v, tau, w_ext, h):
 # -------- the step that is differentiated
 
 
-@pytest.mark.parametrize("robot", ["stops", "floating"])
+@pytest.mark.parametrize("robot", [pytest.param("stops", marks=LONG), "floating"])
 def test_the_new_state_is_that_of_the_step(robot):
     model = model_of(SMALL[robot])
     x = point(model, 2)

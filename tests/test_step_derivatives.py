@@ -73,7 +73,7 @@ def test_equal_casadi(robot, method, h):
 
 @pytest.mark.parametrize(
     ("robot", "h"),
-    [pytest.param("gears", 0.01, marks=LONG), pytest.param("stops", 0.02, marks=LONG), ("floating", 0.02)],
+    [pytest.param("gears", 0.01, marks=LONG), ("stops", 0.02), ("floating", 0.02)],
 )
 def test_equal_differences_of_50_digits(robot, h):
     model = model_of(SMALL[robot])
@@ -110,6 +110,7 @@ def test_large_robots_equal_casadi(robot):
         assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
 
 
+@LONG
 def test_stops_over_every_branch():
     """A way that enters, leaves, crosses and misses the range; the deeper of two rates, and a pull that is no force."""
     model, h = model_of(SMALL["stops"]), 0.05

@@ -10,12 +10,9 @@ from typing import TYPE_CHECKING
 from .errors import PrecisionWarning
 from .integrators.method import Method
 from .plugins import Plugin
-from .runtime.fmu import unit_files
 from .spec.robot import Robot
 from .studies.predictive import fitted
 from .version import __version__ as VERSION
-
-__all__ = ["c_files", "casadi_files", "latex_files", "unit_files"]
 
 if TYPE_CHECKING:
     from .model import Model
@@ -58,3 +55,10 @@ def latex_files(robot: Robot, plugins: Sequence[Plugin]) -> dict[str, bytes]:
 
     shown, made = latex.content(robot, plugins), {".tex": latex.tex, ".html": latex.page}
     return {f"{robot.name}{end}": make(shown).encode() for end, make in made.items()}
+
+
+def unit_files(model: Model, target: str, **options) -> dict[str, bytes]:
+    """Of a functional mock-up unit; options as :func:`screwgen.runtime.fmu.unit_files` takes them."""
+    from .runtime import fmu
+
+    return fmu.unit_files(model, target, **options)

@@ -45,7 +45,7 @@ OWN = Method("late", 1, (Stage(implicit=1), Stage([1], "new", implicit=1)), Move
 LONG = pytest.mark.long
 CASES = [
     ("gears", "modal_midpoint", 0.01),
-    ("floating", "modal_midpoint", 0.02),
+    pytest.param("floating", "modal_midpoint", 0.02, marks=LONG),
     pytest.param("slides", "modal_midpoint", 0.01, marks=LONG),
     pytest.param("second", "modal_midpoint", 0.01, marks=LONG),
     pytest.param("stops", "modal_midpoint", 0.02, marks=LONG),
@@ -77,7 +77,7 @@ def test_equal_casadi(robot, method, h):
 
 @pytest.mark.parametrize(
     ("robot", "h"),
-    [pytest.param("gears", 0.01, marks=LONG), pytest.param("stops", 0.02, marks=LONG), ("floating", 0.02)],
+    [pytest.param("gears", 0.01, marks=LONG), ("stops", 0.02), ("floating", 0.02)],
 )
 def test_equal_differences_of_50_digits(robot, h):
     model = model_of(SMALL[robot])
@@ -114,6 +114,7 @@ def test_large_robots_equal_casadi(robot):
         assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
 
 
+@LONG
 def test_stops_over_every_branch():
     """A way that enters, leaves, crosses and misses the range; the deeper of two rates, and a pull that is no force."""
     model, h = model_of(SMALL["stops"]), 0.05
@@ -163,7 +164,7 @@ def test_large_loops_equal_casadi(robot, method):
 # -------- the step that is differentiated
 
 
-@pytest.mark.parametrize("robot", ["stops", "floating"])
+@pytest.mark.parametrize("robot", [pytest.param("stops", marks=LONG), "floating"])
 def test_the_new_state_is_that_of_the_step(robot):
     model = model_of(SMALL[robot])
     x = point(model, 2)

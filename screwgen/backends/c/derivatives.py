@@ -22,6 +22,8 @@ LIMIT = 45_000
 COORDINATES = 32
 """With more coordinates every robot exceeds the limit, so it is refused at once."""
 
+SLOPES_OF_STUMPFF = {"c6", "c7"}
+
 UNROLLED = 16
 """Up to this many coordinates the solver is written out: values in registers, two to three times as fast as loops."""
 
@@ -56,6 +58,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "solve": solve,
         "rows": rows,
         "closing": chain.closures[-1].second if rows else None,
+        "stumpff": chain.floating or bool(SLOPES_OF_STUMPFF & program.operations.keys()),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
         "wrenches": _wrenches(chain, baked, place),
@@ -81,7 +84,7 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
         own[name] = lambda k, name=name: f"out->{name}[{k // (6 * nv)}][{k // nv % 6}][{k % nv}]"
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"))
-    stumpff = bool({"c6", "c7"} & program.operations.keys())
+    stumpff = bool(SLOPES_OF_STUMPFF & program.operations.keys())
     return made | {"missing": "", "product": product, "stumpff": stumpff}
 
 

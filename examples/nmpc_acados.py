@@ -38,12 +38,12 @@ def main() -> int:
     try:
         acados_template()
         results = {}
-        for name, task in (("ella", ella), ("flexible_arm", flexible_arm)):
+        for name, task, picture in (("ella", ella, "ella.png"), ("flexible_arm", flexible_arm, "flexible_arm.png")):
             if given.task in ("both", name):
                 results[name], draw = task(given.short, stage)
                 given.output.mkdir(parents=True, exist_ok=True)
                 if not given.short:
-                    (given.output / f"{name}.png").write_bytes(draw())
+                    (given.output / picture).write_bytes(draw())
         (given.output / "results.json").write_text(json.dumps(results, indent=1) + "\n")
     except (Missing, OSError, RuntimeError) as error:
         stage.clear()

@@ -31,7 +31,7 @@ def c_files(
     """Of C, as :meth:`screwgen.Model.c_files` says."""
     from .backends.c.mpc import project as of
 
-    controller = mpc and fitted(model, mpc)
+    controller = fitted(model, mpc) if mpc else None
     project = of(controller, model.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods)
     files = {name: text.encode() for name, text in project.files().items()}
     if lost := project.check["lost"]:

@@ -134,7 +134,8 @@ class Mpc:
         self.block = content["block"]
         self.library.shim_default(self._memory)
         self.set_parameters(parameters)
-        self._started, self._due, self._held, self._next = False, 0.0, np.zeros(n), np.zeros(n)
+        self._due: float | None = None
+        self._last, self._held, self._next = 0.0, np.zeros(n), np.zeros(n)
 
     def set_parameters(self, parameters: Given = None) -> None:
         """Other parameters from the next :meth:`prepare` on, a payload for one."""
@@ -188,22 +189,19 @@ class Mpc:
         return self.inner["tau"][self.block].astype(float)
 
     def __call__(self, t: float, q, v) -> np.ndarray:
-        """The torques at time ``t`` of a run: at a sample a new one, between two the last."""
-        if t < self._due - 1e-9 * max(1.0, abs(t)):
-            if t >= self._due - 1.5 * self.said.horizon.step or not self._started:
-                return self._held
-            self._started = False
+        """The torques at time ``t`` of a run: at a sample new ones, between two the last; an earlier time begins anew."""
+        begun = self._due is not None and t >= self._last
+        if begun and t < self._due - 1e-9 * max(1.0, abs(t)):
+            return self._held
         q, v = (x if self.projection is None else self.projection @ x for x in (np.asarray(q), np.asarray(v)))
-        delayed = bool(self.options["delay"][0])
-        if self._started:
+        if begun:
             self.prepare()
         else:
             self.initialise(q, v)
-            self._next = self.inner["acting"].astype(float)
-            self._started, self._due = True, t
-        self._held = self._next
+            self._next, self._due = self.inner["acting"].astype(float), t
+        self._held, self._last = self._next, t
         self._next = self.feedback(q, v)
-        if not delayed:
+        if not self.options["delay"][0]:
             self._held = self._next
         self._due += self.said.horizon.step
         return self._held

@@ -9,7 +9,6 @@ import os
 import warnings
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -29,7 +28,6 @@ from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
-from .studies.predictive import fitted
 from .topology.chain import Chain
 from .version import __version__ as VERSION
 
@@ -230,11 +228,11 @@ class Model:
 
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
-        that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau;
-        ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
+        that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau; ``estimator``,
+        ``mpc``: also a Kalman filter in C, the predictive controller of a file, with those; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
-        that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
-        of a predictive controller in C.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
+        that do not follow from another; ``methods``: integrators for the C beside the built-in ones.  Writes all or
+        nothing; refuses folders with other files (:class:`UsageError`).
         """
         check_folder(Path(folder))
         makers = {
@@ -258,15 +256,10 @@ class Model:
         methods: Sequence[Method] = (),
         mpc: str | os.PathLike | None = None,
     ) -> dict[str, bytes]:
-        """The files of the C target; a PrecisionWarning where single precision will not do for the robot.
+        """The files of the C target; a PrecisionWarning where float will not do, UsageError where double will not."""
+        from .studies.predictive import project as of
 
-        Raises :class:`UsageError` where double precision will not.
-        """
-        from .backends.c.mpc import project as of
-
-        project = of(
-            mpc and fitted(self, mpc), self.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods
-        )
+        project = of(self, mpc, parameters, layout, batch, derivatives, estimator, methods)
         files = {name: text.encode() for name, text in project.files().items()}
         if lost := project.check["lost"]:
             said = f"robot '{self.robot.name}': the C is of no use in float: rounding may change results by {lost}"
@@ -296,7 +289,9 @@ class Model:
 
     def mpc(self, file: str | os.PathLike, **options):
         """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.Mpc`."""
-        return import_module(".runtime.mpc", __package__).Mpc(self, fitted(self, file), **options)
+        from .studies.predictive import controller
+
+        return controller(self, file, **options)
 
     def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""

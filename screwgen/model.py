@@ -230,8 +230,8 @@ class Model:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
         that steps many scenarios at once; ``derivatives``: also C of those of ``vdot`` with q, v and tau;
         ``estimator``, ``mpc``: also a Kalman filter in C, the predictive controller of a file, with those;
-        ``functions``: names of :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
-        that do not follow from another; ``methods``: integrators for the C beside the built-in ones.  Writes all or
+        ``functions``: names of :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number
+        of links alone and that do not follow from another; ``methods``: integrators for the C beside the built-in ones.  Writes all or
         nothing; refuses folders with other files (:class:`UsageError`).
         """
         check_folder(Path(folder))

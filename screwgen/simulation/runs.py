@@ -64,11 +64,12 @@ class Run:
         return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s, {joints} joints, {modes} modes>"
 
     def _repr_html_(self) -> str:
-        """First, last and extreme values of the coordinates and of the tip position."""
+        """The run in motion, and first, last and extreme values of the coordinates and of the tip position."""
         names = (*self.q_names, *TIP_NAMES)
         values = np.column_stack([self.q, self.tip_position]).T
         rows = ((name, x[0], x[-1], x.min(), x.max()) for name, x in zip(names, values, strict=True))
-        return notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
+        table = notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
+        return notebook.player(self) + table
 
     @property
     def columns(self) -> tuple[str, ...]:

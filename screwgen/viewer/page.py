@@ -78,6 +78,12 @@ def clip_of(run: Run, model: Model, number: int, label: str) -> dict[str, Any]:
     }
 
 
+def mode_clip(label: str, t: np.ndarray, q: np.ndarray) -> dict[str, Any]:
+    """A vibration over a period, or a posture; `t` in periods."""
+    exact = np.zeros(q.shape[1])
+    return {"label": label, "scene": 0, "t": rounded(t[:, None], exact[:1]), "q": rounded(q, exact)}
+
+
 def scene_size(model: Model) -> float:
     """A length to which displacements compare, m."""
     return sum(link.length or 0.0 for link in model.robot.links) or 1.0

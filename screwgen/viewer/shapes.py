@@ -72,7 +72,7 @@ def _slopes(key: LinkClass, length: float, places: np.ndarray) -> tuple[np.ndarr
 def _of_rod(key: LinkClass, length: float, places: np.ndarray) -> np.ndarray:
     """(S, 6, r, r): ``u_2 = ∫∫ψ×(κ×e_x) + ∫ψ×γ`` and ``θ_2 = ½∫ψ×κ`` by the products of two modes."""
     turn, bend, strain = _slopes(key, length, DENSE)
-    tilt = np.cross(bend, [1.0, 0.0, 0.0], axis=1)
+    tilt = np.cross(bend, [1.0, 0.0, 0.0], axisa=1, axisb=0, axisc=1)
     product = lambda a, b: np.cross(a[:, :, :, None], b[:, :, None, :], axis=1)  # noqa: E731
     place = _integral(_integral(product(turn, tilt), length) + product(turn, strain), length)
     whole = np.concatenate([place, _integral(product(turn, bend) / 2, length)], axis=1)

@@ -184,7 +184,7 @@ let found = [];
 function draw() {
   const now = motion().at(modes ? state.time : Math.min(state.time, motion().end));
   found = robot.pose(now.q, state.magnified);
-  if (ghost) ghost.pose(ghostly.at(Math.min(state.time, ghostly.end)).q, modes ? 0 : state.magnified);
+  if (ghost) ghost.pose(ghostly.at(Math.min(state.time, ghostly.end)).q, state.magnified);
   push(found, now.forces);
   for (const trail of trails) {
     let count = trail.times.findIndex((t) => t > state.time);

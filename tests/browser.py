@@ -14,9 +14,9 @@ import numpy as np
 from matplotlib.image import imread
 
 FLAGS = (
-    "--headless=new --no-sandbox --disable-gpu-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --no-first-run "
-    "--disable-dev-shm-usage --hide-scrollbars --disable-background-networking --disable-component-update --disable-sync "
-    "--mute-audio --force-device-scale-factor=1 --remote-debugging-pipe"
+    "--headless=new --no-sandbox --disable-gpu-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader "
+    "--no-first-run --disable-dev-shm-usage --hide-scrollbars --disable-background-networking --disable-sync "
+    "--disable-component-update --mute-audio --force-device-scale-factor=1 --remote-debugging-pipe"
 ).split()
 PATIENCE = 60.0
 
@@ -28,7 +28,7 @@ class Browser:
         inward, outward = os.pipe(), os.pipe()
         ends = {3: inward[0], 4: outward[1]}
         command = [program, *FLAGS, f"--user-data-dir={profile}", f"--window-size={size[0]},{size[1]}", "about:blank"]
-        shell = 'exec "$@" 3<&%d 4>&%d' % tuple(ends.values())
+        shell = f'exec "$@" 3<&{ends[3]} 4>&{ends[4]}'
         self.process = subprocess.Popen(
             ["bash", "-c", shell, "bash", *command], pass_fds=tuple(ends.values()), stderr=subprocess.DEVNULL
         )
@@ -123,7 +123,9 @@ class Browser:
         for event in self.events:
             given = event.get("params", {})
             if event.get("method") == "Runtime.exceptionThrown":
-                out.append(given["exceptionDetails"].get("exception", given["exceptionDetails"]).get("description", "error"))
+                out.append(
+                    given["exceptionDetails"].get("exception", given["exceptionDetails"]).get("description", "error")
+                )
             elif event.get("method") == "Runtime.consoleAPICalled" and given["type"] in ("error", "warning", "assert"):
                 out.append(" ".join(str(x.get("value", x.get("description"))) for x in given["args"]))
             elif event.get("method") == "Log.entryAdded" and given["entry"]["level"] in ("error", "warning"):

@@ -31,15 +31,17 @@ def rounded(values: np.ndarray, tolerance: np.ndarray) -> dict[str, Any]:
     wide = span / (2**16 - 1) > tolerance
     step = np.where(span > 0, span / np.where(wide, 2**32 - 1, 2**16 - 1), 1.0)
     counts = np.rint((values - low) / step).T
-    data = [b64encode(row.astype("<u4" if w else "<u2").tobytes()).decode() for row, w in zip(counts, wide, strict=True)]
+    data = [
+        b64encode(row.astype("<u4" if w else "<u2").tobytes()).decode() for row, w in zip(counts, wide, strict=True)
+    ]
     return {"low": low.tolist(), "step": step.tolist(), "wide": wide.tolist(), "data": data}
 
 
 def kept(t: np.ndarray, values: np.ndarray, tolerance: np.ndarray, width: int) -> tuple[np.ndarray, float]:
     """The rows of samples to keep, and how far the others are at most from straight lines between these.
 
-    Few enough that straight lines stay within `tolerance` (c,) of `values` (N, c), or that `width` bytes for each sample
-    are at most `MOST_BYTES`. The distance is in tolerances.
+    Few enough that straight lines stay within `tolerance` (c,) of `values` (N, c), or that `width` bytes for each
+    sample are at most `MOST_BYTES`. The distance is in tolerances.
     """
     least = max(1, -(-len(t) * width // MOST_BYTES))
     for stride in [s for s in STRIDES if s > least] + [least]:

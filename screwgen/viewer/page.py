@@ -13,6 +13,7 @@ import numpy as np
 
 from ..backends.templates import folder, markup, render
 from ..simulation.runs import Run, check_output, outputs
+from ..plotting.curves import NOTHING
 from .pack import curve, kept, rounded
 from .scene import scene
 
@@ -46,8 +47,10 @@ class View:
         return f'<iframe srcdoc="{escape(self.html)}" style="{style}" title="screwgen viewer"></iframe>'
 
 
-def page(title: str, scenes: Sequence[dict], clips: Sequence[dict], ghost: int | None = None, kind: str = "run") -> View:
-    """The page of `clips`, each of one of the `scenes`; `ghost`: the clip that is drawn translucent beside the others."""
+def page(
+    title: str, scenes: Sequence[dict], clips: Sequence[dict], ghost: int | None = None, kind: str = "run"
+) -> View:
+    """The page of `clips`, each of one of the `scenes`; `ghost`: the clip that is drawn translucent."""
     data = {"title": title, "kind": kind, "scenes": scenes, "clips": clips, "ghost": ghost}
     text = json.dumps(data, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     here = folder() / "view"
@@ -100,7 +103,7 @@ def _panels(run: Run) -> list[dict[str, Any]]:
     return [
         {"title": title, "unit": unit, "curves": [curve(n, run.t, y, k) for k, (n, y) in enumerate(curves.items())]}
         for title, unit, curves in groups
-        if curves
+        if max((np.abs(y).max() for y in curves.values()), default=0.0) > NOTHING
     ]
 
 

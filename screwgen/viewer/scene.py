@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..spec.reduced import end
 from ..spec.robot import Body, Link
 from .pack import floats
 from .shapes import sections

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import RobotFileError, UsageError
 from ..model import Model, derive
-from ..plotting.mode_plot import STATIONS, amplified, displaced, field, meaning
+from ..plotting.mode_plot import STATIONS, STEP, amplified, displaced, field, meaning
 from ..simulation.motion import centrelines
 from ..simulation.runs import ARRAYS, NAMES, Run
 from ..spec.load import loads, one_line
@@ -23,6 +23,8 @@ MOST_RUNS, MOST_MODES = 2, 12
 GIVE = "give a .npz of simulate"
 PHASES = np.linspace(0.0, 1.0, 49)
 """Of a period, at which a mode is stored."""
+TURN = 0.35
+"""The largest turn of a tip in a mode, rad."""
 
 
 def view(*runs: Run, robot: Robot | None = None, labels: Sequence[str] = ()) -> View:
@@ -41,7 +43,9 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
     """The model of a run's robot, with the coordinates that the run has."""
     own = run.robot if run.robot is not None else robot
     if own is None:
-        raise UsageError(f"{one_line(name)}: does not know its robot; name the robot's file by --robot, robot=… in Python")
+        raise UsageError(
+            f"{one_line(name)}: does not know its robot; name the robot's file by --robot, robot=… in Python"
+        )
     model = derive(own)
     if tuple(run.q_names) != tuple(model.q_names) or tuple(run.tau_names) != tuple(model.tau_names):
         pairs = zip([*run.q_names, "no more"], [*model.q_names, "no more"], strict=False)
@@ -56,7 +60,9 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
         if not np.isfinite(found).all():
             raise UsageError(f"{one_line(name)}: {key} holds numbers that are not finite; simulate again")
     if run.parameters is not None and len(run.parameters) != len(model.parameter_values):
-        raise UsageError(f"{one_line(name)}: parameters are {len(run.parameters)} numbers; '{own.name}' has {len(model.parameter_values)}")
+        raise UsageError(
+            f"{one_line(name)}: has {len(run.parameters)} parameters where '{own.name}' has {len(model.parameter_values)}"
+        )
     return model
 
 
@@ -92,11 +98,22 @@ def view_modes(model: Model, q: np.ndarray, found: ModeShapes) -> View:
     rest, clips = centrelines(model, q, STATIONS), []
     for k in range(count):
         shape = found.shapes[:, k]
-        small = field(model, q, shape)
-        large = amplified(rest, small)
-        sizes = [np.linalg.norm([np.linalg.norm(x.motion), *map(np.linalg.norm, x.turns.values())]) for x in (large, small)]
-        change = shape / np.abs(shape).max() * sizes[0] / max(sizes[1], 1e-300)
+        change = _enlarged(model, q, shape / np.abs(shape).max(), rest)
         motion = np.array([displaced(model, q, np.sin(2 * np.pi * x) * change) for x in PHASES])
         clips.append(mode_clip(f"{k + 1}: {found.frequencies[k]:.4g} Hz, {meaning(model, shape)}", PHASES, motion))
     clips.append(mode_clip("at rest", PHASES[[0, -1]], np.array([q, q])))
     return page(f"Modes of {model.robot.name}", [scene(model)], clips, len(clips) - 1, "modes")
+
+
+def _enlarged(model: Model, q: np.ndarray, shape: np.ndarray, rest: np.ndarray) -> np.ndarray:
+    """The change of coordinates (nv,) at the peak of a mode: as large as figures have it, but no tip turns by more than
+    `TURN`, beyond which the arm would not move as the mode says."""
+    small = field(model, q, shape)
+    sizes = [
+        np.linalg.norm([np.linalg.norm(x.motion), *map(np.linalg.norm, x.turns.values())])
+        for x in (amplified(rest, small), small)
+    ]
+    R, moved = (model.numpy().tip_poses(x)[0] for x in (q, displaced(model, q, STEP * shape)))
+    turn = np.linalg.norm(moved - R, axis=(1, 2)).max() / np.sqrt(2) / STEP
+    factor = min(sizes[0] / max(sizes[1], 1e-300), TURN / max(turn, 1e-300))
+    return factor * shape

@@ -128,7 +128,7 @@ class Robot {
   }
 
   paint(color, options = {}) {
-    const ghostly = this.ghost ? { transparent: true, opacity: 0.26, depthWrite: false } : {};
+    const ghostly = this.ghost ? { transparent: true, opacity: 0.34, depthWrite: false } : {};
     const material = new THREE.MeshStandardMaterial({ roughness: 0.5, metalness: 0.12, ...ghostly, ...options });
     this.paints.push([material, color]);
     return material;

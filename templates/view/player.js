@@ -23,7 +23,7 @@ space.add(world);
 const LIGHT = new THREE.Vector3(-0.35, -0.25, -1);
 const sun = new THREE.DirectionalLight(0xffffff, 2.1);
 sun.position.copy(LIGHT).negate();
-const sky = new THREE.HemisphereLight(0xffffff, 0x8a94a0, 1.5);
+const sky = new THREE.HemisphereLight(0xffffff, 0xb4bcc6, 2.3);
 space.add(sun, sky);
 const rim = new THREE.DirectionalLight(0xffffff, 0.5);
 rim.position.set(-1, -2, 0.6);
@@ -67,8 +67,10 @@ const nice = (x) => {
   return power * [5, 2, 1].find((k) => k * power <= x * 1.0001);
 };
 const reachOf = motions.map((m) => travelled(m === ghostly ? ghost : robot, m, 1));
-const low = reachOf.reduce((a, x) => a.min(x.low), reachOf[0].low.clone());
-const high = reachOf.reduce((a, x) => a.max(x.high), reachOf[0].high.clone());
+const framed = modes ? [reachOf[data.ghost]] : reachOf; // of modes the robot at rest, with room to vibrate
+const room = modes ? 0.15 * robot.scene.size : 0;
+const low = framed.reduce((a, x) => a.min(x.low), framed[0].low.clone()).subScalar(room);
+const high = framed.reduce((a, x) => a.max(x.high), framed[0].high.clone()).addScalar(room);
 const extent = Math.max(high.clone().sub(low).length(), robot.scene.size);
 const middle = low.clone().add(high).multiplyScalar(0.5);
 const ground = low.z - 0.035 * robot.scene.size - 1.5 * robot.thin;
@@ -191,11 +193,6 @@ function draw() {
     if (count < 0) count = trail.times.length;
     trail.whole.visible = trail.done.visible = state.shown.trail && !(trail.owner === ghost && (modes || !state.shown.ghost));
     trail.done.geometry.setDrawRange(0, count);
-    if (count > 0) {
-      const tip = trail.done.geometry.attributes.position.array;
-      if (count < trail.times.length) count += 0;
-      void tip;
-    }
   }
   if (ghost) ghost.group.visible = state.shown.ghost;
   for (const axes of robot.triads) axes.visible = state.shown.frames;
@@ -276,7 +273,7 @@ function theme(dark) {
   document.documentElement.classList.toggle("dark", dark);
   space.background = new THREE.Color(css("--paper"));
   sun.intensity = dark ? 1.9 : 2.1;
-  sky.intensity = dark ? 1.0 : 1.5;
+  sky.intensity = dark ? 1.5 : 2.3;
   for (const part of [robot, ghost, floor, ...shadows]) if (part) part.repaint();
   for (const [kind, paint] of Object.entries(paints)) paint.color.set(css(`--${kind}`));
   for (const { whole, done } of trails) for (const line of [whole, done]) line.material.color.set(css("--trail"));

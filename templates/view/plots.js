@@ -1,7 +1,7 @@
 // Curves over time below the picture: drawn once, with a cursor that moves over them.
 
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const shown = (x) => (x === 0 ? "0" : Math.abs(x) >= 1e5 || Math.abs(x) < 1e-3 ? x.toExponential(2) : x.toPrecision(4)).replace("-", "−");
+const shown = (x) => (Math.abs(x) < 5e-5 ? "0" : Math.abs(x) >= 1e5 || Math.abs(x) < 1e-3 ? x.toExponential(2) : x.toPrecision(3)).replace("-", "−");
 const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"]];
 const LEFT = 46;
 const [TOP, BOTTOM, RIGHT] = [6, 20, 8];
@@ -10,7 +10,7 @@ const [TOP, BOTTOM, RIGHT] = [6, 20, 8];
 function ticks(low, high, count) {
   const raw = (high - low) / count;
   const power = 10 ** Math.floor(Math.log10(raw));
-  const step = power * [1, 2, 5, 10].find((k) => k * power >= raw * 0.999);
+  const step = power * [1, 2, 5, 10].find((k) => k * power >= raw * 0.8);
   const out = [];
   for (let x = Math.ceil(low / step - 1e-9) * step; x <= high + 1e-9 * step; x += step) out.push(Math.abs(x) < step / 1e6 ? 0 : x);
   return out;
@@ -33,10 +33,12 @@ class Panel {
     part("h2").append(sets[0].title + " ", Object.assign(document.createElement("small"), { textContent: prefix + sets[0].unit }));
     [this.values, this.plot, this.canvas, this.cursor, this.pointer] = [".values", ".plot", "canvas", ".cursor", ".pointer"].map(part);
     this.numbers = this.curves.map((c) => {
-      const text = document.createElement("span");
       const value = document.createElement("b");
-      text.append(...(c.ghost ? ["⋯ "] : [`${c.label} `]), value);
-      this.values.append(text);
+      const own = c.ghost && this.values.querySelector(`[data-label="${CSS.escape(c.label)}"]`);
+      const text = own || document.createElement("span");
+      text.dataset.label = c.label;
+      text.append(own ? " ┆ " : `${c.label} `, value);
+      if (!own) this.values.append(text);
       return { text, value };
     });
     const time = (event) => {

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..backends.templates import folder, markup, render
-from ..simulation.runs import Run, check_output, outputs
 from ..plotting.curves import NOTHING
+from ..simulation.runs import Run, check_output, outputs
 from .pack import curve, kept, rounded
 from .scene import scene
 

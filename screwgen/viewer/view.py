@@ -61,7 +61,7 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
             raise UsageError(f"{one_line(name)}: {key} holds numbers that are not finite; simulate again")
     if run.parameters is not None and len(run.parameters) != len(model.parameter_values):
         raise UsageError(
-            f"{one_line(name)}: has {len(run.parameters)} parameters where '{own.name}' has {len(model.parameter_values)}"
+            f"{one_line(name)}: has {len(run.parameters)} parameters, '{own.name}' {len(model.parameter_values)}"
         )
     return model
 

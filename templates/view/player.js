@@ -313,7 +313,7 @@ const SWITCHES = { trail: "Path of the tip", floor: "Floor", frames: "Frames of 
 for (const [name, text] of Object.entries(SWITCHES)) {
   if ((name in KINDS && !scales[name]) || (name === "ghost" && !ghost)) continue;
   const label = document.createElement("label");
-  const box = Object.assign(document.createElement("input"), { type: "checkbox", checked: state.shown[name] });
+  const box = Object.assign(document.createElement("input"), { type: "checkbox", name, checked: state.shown[name] });
   box.addEventListener("change", () => { state.shown[name] = box.checked; state.stale = true; legend(); });
   label.append(box, text);
   find("switches").append(label);
@@ -392,6 +392,21 @@ if (renderer) {
   controls = new THREE.OrbitControls(camera, find("space"));
   Object.assign(controls, { enableDamping: true, dampingFactor: 0.12, maxDistance: 20 * extent, minDistance: 0.05 * extent, zoomToCursor: true });
 }
+/** What the page's address asks for behind its #: `t` in s, `bending`, `theme`, `show`. */
+function asked(wanted) {
+  for (const name of (wanted.get("show") || "").split(",")) {
+    if (!(name in state.shown)) continue;
+    state.shown[name] = true;
+    for (const box of find("switches").querySelectorAll(`[name=${name}]`)) box.checked = true;
+  }
+  if (Number(wanted.get("bending")) > 0) magnify(Number(wanted.get("bending")));
+  if (wanted.has("theme")) theme(wanted.get("theme") === "dark");
+  if (wanted.has("t")) {
+    play(false);
+    seek(Number(wanted.get("t")) || 0);
+  }
+  legend();
+}
 const prefers = matchMedia("(prefers-color-scheme: dark)");
 prefers.addEventListener("change", () => theme(prefers.matches));
 look();
@@ -403,6 +418,7 @@ retrace();
 legend();
 facts();
 play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+asked(new URLSearchParams(location.hash.slice(1)));
 draw();
 tell();
 requestAnimationFrame((stamp) => { before = stamp; tick(stamp); });

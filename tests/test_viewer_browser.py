@@ -13,11 +13,11 @@ from screwgen.simulation.controllers import PD
 from screwgen.viewer.view import view
 
 pytestmark = pytest.mark.examples
-SIZE = (800, 600)
+SIZE, LARGE = (800, 600), (1200, 1100)
 NEAR = 2.0
 """Pixels between the middle of the drawn end of a tube and its computed place."""
 COLORS = ((255, 0, 0), (0, 255, 0))
-END = 0.01
+END = 0.025
 """How far before the end of a link, over its length, the middle of what is coloured lies."""
 
 
@@ -73,6 +73,12 @@ def drawn(picture: np.ndarray, color) -> np.ndarray:
     return np.array([columns.mean() + 0.5, rows.mean() + 0.5])
 
 
+def marked(browser, k: int, color, time: float) -> np.ndarray:
+    """The middle of the end of link k's tube, which alone is drawn."""
+    browser.run(f"screwgen.mark({k}, 'rgb{color}'), screwgen.seek({time}), screwgen.settled()")
+    return drawn(browser.picture(), color)
+
+
 def ends(model, q: np.ndarray) -> np.ndarray:
     """The middles (2, 3) of what is coloured, at elbow and tip."""
     R, r = model.numpy().tip_poses(q)
@@ -83,17 +89,17 @@ def ends(model, q: np.ndarray) -> np.ndarray:
 def test_elbow_and_tip_are_drawn_where_they_are(browser, ella, tmp_path, factor):
     """At ten times, against the model's own poses; and the links are seen to bend."""
     model, run = ella
+    browser.resize(*LARGE)
     opened(browser, tmp_path, view(run))
-    browser.run(f"screwgen.play(false), screwgen.magnify({factor}), screwgen.mark(['#ff0000', '#00ff00'])")
+    browser.run(f"screwgen.play(false), screwgen.magnify({factor})")
     bends = 0.0
     for row in np.linspace(0, len(run.t) - 1, 10).round().astype(int):
-        browser.run(f"screwgen.seek({run.t[row]}), new Promise(requestAnimationFrame)")
-        picture = browser.picture(tmp_path / f"{factor}-{row}.png")
-        found = np.array([drawn(picture, color) for color in COLORS])
+        found = np.array([marked(browser, k, color, run.t[row]) for k, color in enumerate(COLORS)])
         expected = pixels(browser, ends(model, magnified(model, run.q[row], factor)))
         straight = pixels(browser, ends(model, magnified(model, run.q[row], 0)))
         assert np.linalg.norm(found - expected, axis=1).max() < NEAR, (row, found, expected)
         bends = max(bends, float(np.linalg.norm(found - straight, axis=1).max()))
+    browser.resize(*SIZE)
     assert bends > (6 if factor == 1 else 40)
     quiet(browser)
 
@@ -154,9 +160,9 @@ def test_ghost_themes_and_widths(browser, ella, tmp_path):
     _, run = ella
     opened(browser, tmp_path, view(run, run, labels=["one", "two"]))
     assert "two" in browser.run("document.getElementById('legend').textContent")
-    browser.run("screwgen.theme(true), screwgen.seek(0.5), new Promise(requestAnimationFrame)")
+    browser.run("screwgen.theme(true), screwgen.seek(0.5), screwgen.settled()")
     assert browser.picture(tmp_path / "dark.png")[:300].mean() < 60
-    browser.run("screwgen.theme(false), screwgen.seek(0.5), new Promise(requestAnimationFrame)")
+    browser.run("screwgen.theme(false), screwgen.seek(0.5), screwgen.settled()")
     assert browser.picture()[:300].mean() > 200
     browser.resize(390, 844, mobile=True)
     assert browser.run("document.documentElement.scrollWidth") <= 390

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 ROWS = 25
 """Sections at which a flexible link is drawn; links with segments have about as many in all."""
-SLENDER, STOUT, PLAIN = 0.008, 0.03, 0.012
+SLENDER, STOUT, PLAIN = 0.01, 0.03, 0.012
 """Least and largest radius of a tube over the size of the robot, and that of one whose section says nothing."""
 MODULUS_OVER_DENSITY = 2.6e7
 """m²/s²: of steel, aluminium and titanium alike; it tells the size of a section from its stiffness and its mass."""
@@ -96,7 +96,7 @@ def _carried(model: Model, i: int) -> tuple[int, float]:
 
 
 def _between(carried, frames, i: int, parent: int, R_tip, r_tip, tips, bases) -> dict[str, list[float]]:
-    """The pose of a link's frame, with its joint at zero, in the section that carries it."""
+    """The pose of a link's joint point, with its joint at zero, in the section that carries it."""
     R, r = frames
     if parent < 0:
         Rp, rp = np.eye(3), np.zeros(3)
@@ -104,7 +104,7 @@ def _between(carried, frames, i: int, parent: int, R_tip, r_tip, tips, bases) ->
         Rp, rp = R_tip[parent], r_tip[parent]
     else:
         Rp, rp = R[parent], r[parent] + R[parent] @ (bases[parent] + carried * (tips[parent] - bases[parent]))
-    return {"at": (Rp.T @ (r[i] - rp)).tolist(), "turn": _quaternion(Rp.T @ R[i])}
+    return {"at": (Rp.T @ (r[i] + R[i] @ bases[i] - rp)).tolist(), "turn": _quaternion(Rp.T @ R[i])}
 
 
 def _base(segment, link: Link, values: dict[str, float]) -> tuple[float, float, float]:

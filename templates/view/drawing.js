@@ -30,7 +30,7 @@ function bending(material, uniforms, lit, marks = false) {
     shader.vertexShader = shader.vertexShader.replace("#include <begin_vertex>", `${lit ? "" : "bend();"} vec3 transformed = centre + turn * position;`);
     if (marks) {
       shader.fragmentShader = shader.fragmentShader.replace("#include <common>", "#include <common>\nvarying float along;");
-      shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", "if (along < 0.98) diffuseColor.rgb = vec3(0.0);");
+      shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", "if (along < 0.95) diffuseColor.rgb = vec3(0.0);");
     }
   };
   material.customProgramCacheKey = () => `bent ${lit} ${marks}`;
@@ -154,7 +154,7 @@ class Robot {
     for (const body of link.bodies) {
       const geometry = body.box ? new THREE.BoxGeometry(...body.box.map((x) => Math.max(x, 1e-3 * this.scene.size))) : new THREE.SphereGeometry(body.ball, 32, 20);
       const mesh = new THREE.Mesh(geometry, this.paint("--metal", { roughness: 0.38, metalness: 0.25 }));
-      mesh.position.set(...body.at);
+      mesh.position.set(...(body.tip ? body.at : plus(body.at, link.base)));
       if (body.turn) mesh.quaternion.set(...body.turn);
       (body.tip ? tip : frame).add(mesh);
     }
@@ -169,6 +169,7 @@ class Robot {
     link.screws.slice(slide ? 0 : -1).slice(0, 1).forEach((screw) => {
       const mesh = new THREE.Mesh(shape, this.paint("--dark-metal", { roughness: 0.45 }));
       mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), vector(screw.axis).normalize());
+      mesh.position.set(...link.base);
       frame.add(mesh);
     });
   }
@@ -201,7 +202,7 @@ class Robot {
       coordinates.forEach((x, k) => { data[4 * k] = x; });
       part.uniforms.modal.value.needsUpdate = true;
       if (part.rail) {
-        const way = plus(frame.at, times(-1, joint.at));
+        const way = plus(plus(frame.at, turned(frame.turn, part.link.base)), times(-1, joint.at));
         const long = norm(way);
         part.rail.visible = long > 1e-6;
         part.rail.position.set(...joint.at);

@@ -83,6 +83,7 @@ function poses(scene, q, magnified = 1) {
       const turn = screw.turn ? exponential(times(x, screw.axis)) : ORIGIN.turn;
       frame = behind(frame, pose(times(screw.travel * x, screw.axis), turn));
     });
+    if (!link.free) frame = behind(frame, pose(times(-1, link.base), ORIGIN.turn));
     const coordinates = modal(link, q, magnified);
     const tip = behind(frame, section(link, link.rows - 1, coordinates));
     out.push({ frame, coordinates, joint, axes, tip });

@@ -106,7 +106,7 @@ function retrace() {
 
 // ---------------------------------------------------------------- arrows
 
-const KINDS = { force: ["Joint forces", "N", 1], moment: ["Joint moments", "N·m", 2], drive: ["Drive torques and forces", "", 2] };
+const KINDS = { force: ["Joint forces", "N", 1], moment: ["Joint moments", "N·m", 2], drive: ["Drives", "", 2] };
 const paints = Object.fromEntries(Object.keys(KINDS).map((kind) => [kind, new THREE.MeshStandardMaterial({ roughness: 0.6 })]));
 const arrows = robot.scene.links.flatMap((link, i) => {
   const make = (kind, k, turn) => {
@@ -117,6 +117,8 @@ const arrows = robot.scene.links.flatMap((link, i) => {
   const own = link.welded ? [] : [make("force", 6 * i + 3), make("moment", 6 * i)];
   return [...own, ...link.screws.map((screw, k) => make("drive", 6 * robot.scene.links.length + link.force + k, screw.turn))];
 });
+const turns = new Set(robot.scene.links.flatMap((link) => link.screws.map((screw) => screw.turn)));
+const DRIVEN = turns.has(false) ? (turns.has(true) ? "N·m, N" : "N") : "N·m";
 /** N or N·m for each cell of the grid, so that the largest arrow is about a quarter of the robot. */
 const scales = Object.fromEntries(Object.keys(KINDS).map((kind) => {
   let most = 0;
@@ -136,7 +138,7 @@ function push(found, forces) {
     const { frame, axes } = found[link];
     const value = kind === "drive" ? times(forces[k], axes[k - 6 * robot.scene.links.length - robot.scene.links[link].force])
       : turned(frame.turn, [forces[k], forces[k + 1], forces[k + 2]]);
-    arrow.point(frame.at, times(cell / scales[kind], value));
+    arrow.point(plus(frame.at, turned(frame.turn, robot.scene.links[link].base)), times(cell / scales[kind], value));
   }
 }
 
@@ -285,7 +287,7 @@ function legend() {
   const rows = links.slice(0, 8).map((x) => [`background:var(--c${x.owner % 8})`, "", x.name.replace(/\[0\]$/, "").replace(/_/g, " ")]);
   if (ghostly) rows.push(["background:var(--soft)", "faint", modes ? "at rest" : ghostly.label]);
   for (const [kind, [name, unit]] of Object.entries(KINDS))
-    if (state.shown[kind] && scales[kind]) rows.push([`background:var(--${kind})`, "", `${name}: ${+scales[kind].toPrecision(3)} ${unit || "N·m, N"} per ${+cell.toPrecision(3)} m`]);
+    if (state.shown[kind] && scales[kind]) rows.push([`background:var(--${kind})`, "", `${name}: ${+scales[kind].toPrecision(3)} ${unit || DRIVEN} per ${+cell.toPrecision(3)} m`]);
   if (state.shown.floor) rows.push(["", "grid", `${+cell.toPrecision(3)} m`]);
   if (state.magnified !== 1) rows.push(["", "none", `bending × ${state.magnified}`]);
   find("legend").replaceChildren(...rows.map(([style, kind, text]) => {
@@ -309,7 +311,7 @@ const panels = (motions[0].clip.panels || []).map((own) => {
   const other = ghostly && (ghostly.clip.panels || []).find((x) => x.title === own.title);
   return new Panel(find("panels"), other ? [own, other] : [own], end(), (t) => { play(false); seek(t); });
 });
-const SWITCHES = { trail: "Path of the tip", floor: "Floor", frames: "Frames of the links", force: "Joint forces", moment: "Joint moments", drive: "Drive torques", ghost: "Ghost" };
+const SWITCHES = { trail: "Path of the tip", floor: "Floor", frames: "Frames of the links", force: "Joint forces", moment: "Joint moments", drive: "Torques of drives", ghost: "Ghost" };
 for (const [name, text] of Object.entries(SWITCHES)) {
   if ((name in KINDS && !scales[name]) || (name === "ghost" && !ghost)) continue;
   const label = document.createElement("label");
@@ -375,16 +377,23 @@ window.screwgen = {
   },
   poses: () => found,
   frames: () => drawn.slice(),
-  /** Draw nothing but the ends of the links' tubes, that of link k in the k-th colour. */
-  mark: (colors) => {
+  /** When what was asked for has been drawn and shown. */
+  settled: () => new Promise((done) => {
+    state.stale = true;
+    let left = 3;
+    const next = () => requestAnimationFrame(left-- ? next : done);
+    next();
+  }),
+  /** Draw nothing but a link's tube, black, and its end in a colour. */
+  mark: (link, color) => {
     state.marked = true;
     space.background = new THREE.Color(0);
     for (const kind of ["trail", "frames", "force", "moment", "drive", "floor", "ghost"]) state.shown[kind] = false;
     robot.group.traverse((mesh) => { if (mesh.isMesh) mesh.visible = false; });
-    robot.parts.forEach((part, k) => part.bent.forEach((mesh) => {
-      mesh.material = bending(new THREE.MeshBasicMaterial({ color: colors[k] }), part.uniforms, false, true);
+    for (const mesh of robot.parts[link].bent) {
+      mesh.material = bending(new THREE.MeshBasicMaterial({ color }), robot.parts[link].uniforms, false, true);
       mesh.visible = true;
-    }));
+    }
     draw();
   },
 };

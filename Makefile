@@ -56,7 +56,7 @@ test-long: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
 
 # The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
-docs: $(READY) build/bode_ella.png build/ekf_ella.png build/bracket/bracket.png build/mpc/report.html build/ella_paper/report.html build/nmpc_acados/results.json
+docs: $(READY) build/bode_ella.png build/ekf_ella.png build/bracket/bracket.png build/mpc/report.html build/ella_paper/report.html build/nmpc_acados/results.json build/viewer/viewer.png
 	$(BIN)/python docs/tools/pages.py build/guides
 	$(BIN)/python docs/tools/pictures.py
 	$(BIN)/mkdocs build --quiet
@@ -69,6 +69,9 @@ build/ekf_ella.png: examples/ekf_ella.py | $(READY)
 	$(BIN)/python $<
 
 build/bracket/bracket.png: examples/bracket.py | $(READY)
+	$(BIN)/python $<
+
+build/viewer/viewer.png: examples/view_ella.py examples/demo.py $(wildcard templates/view/*) | $(READY)
 	$(BIN)/python $<
 
 build/mpc/report.html: examples/mpc_ella.py $(wildcard examples/mpc/*.py) | $(READY)

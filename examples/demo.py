@@ -1,6 +1,6 @@
 """ELLA, the paper's arm with modes that converge, from robot file to motion: derive, generate, compile, step, plot.
 
-Writes build/ella and build/ella.png and prints a short summary. The motion goes to the paper's set points under
+Writes build/ella, build/ella.png and build/ella.html, in which the motion plays, and prints a short summary. The motion goes to the paper's set points under
 PD torques with gravity compensation; the gains are ours, the paper gives none.
 """
 
@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "ella"
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 LAW = PD((400.0, 400.0, 120.0), (28.0, 28.0, 12.0), SET_POINTS, duration=1.7, q_start=(0.0,) * 3)
-PLOT = ROOT / "build" / "ella.png"
+PLOT, PAGE = ROOT / "build" / "ella.png", ROOT / "build" / "ella.html"
 DURATION, STEP = 2.0, 1e-3
 ROTORS = ((0.2, 0.2), (0.1,))
 """kg·m²: of the motors, seen at the joints. The paper states none; but without any a joint would feel the masses alone
@@ -48,6 +48,8 @@ def main() -> None:
     summary(model, compiled, run)
     plot.save(run, PLOT, model, LAW)
     print(f"plot                    {short(PLOT)}")
+    screwgen.view(run, labels=["PD to the paper's set points"]).save(PAGE)
+    print(f"to be played            {short(PAGE)}, in any browser")
 
 
 def with_rotors(robot: screwgen.Robot) -> screwgen.Robot:

@@ -38,6 +38,8 @@ HOMES = {
     "studies.linear": ("LinearModel",),
     "studies.modes": ("natural_frequencies",),
     "studies.standard_data": ("write_sid",),
+    "viewer.page": ("View",),
+    "viewer.view": ("view",),
 }
 """The public names by the module that defines them."""
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from html import escape
+from importlib import import_module
 from typing import Any
 
 
@@ -16,6 +17,11 @@ def table(caption: str, head: Sequence[str], rows: Iterable[Sequence[object]]) -
     lines = ("".join(f"<td>{escape(_shown(x))}</td>" for x in row) for row in rows)
     body = "".join(f"<tr>{line}</tr>" for line in lines)
     return f"<table><caption>{escape(caption)}</caption><thead><tr>{titles}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def player(run: Any) -> str:
+    """The viewer's page of a run that knows its robot, in a frame; made by the layer above, when it is asked for."""
+    return "" if run.robot is None else import_module("screwgen").view(run, labels=[run.name])._repr_html_()
 
 
 def _shown(x: Any) -> str:

@@ -76,12 +76,15 @@ def run_simulate(
     controller: str | None,
     form: str,
     integrator: str | None,
-    plot: str | None,
+    pictures: tuple[str | None, str | None],
     every: int,
     keep: bool,
     quiet: bool,
 ) -> None:
-    """Simulate and store; the run and its picture appear together or not at all, unless a stopped run is kept."""
+    """Simulate and store; the run and its pictures appear together or not at all, unless a stopped run is kept.
+
+    `pictures`: the files of --plot and --view.
+    """
     from ..simulation.controllers import read_controller
     from ..simulation.hits import lines
     from ..simulation.runs import FORMATS, check_output, outputs
@@ -90,8 +93,9 @@ def run_simulate(
 
     check_output(output, FORMATS)
     check_choice("--form", form, known_forms)
-    if plot is not None:
-        check_output(plot, (".png",))
+    for path, end in zip(pictures, (".png", ".html"), strict=True):
+        if path is not None:
+            check_output(path, (end,))
     steps = step_count(duration, step)
     model = derive(load_robot(robot, quiet))
     start = _state(state, model)
@@ -99,17 +103,29 @@ def run_simulate(
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
     ways: dict[str, Any] = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
-    with outputs(*filter(None, (None if keep else output, plot))) as streams:
+    wanted = [path for path in (None if keep else output, *pictures) if path]
+    with outputs(*wanted) as streams:
         with bar("simulating", steps, quiet) as progress, _stoppable():
             run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
         if not keep:
-            run.write(streams[0], output)
-        if plot is not None:
-            with busy("drawing", quiet):
-                from ..plotting.plot import png
+            run.write(streams.pop(0), output)
+        with busy("drawing", quiet):
+            for path, draw in zip(pictures, (_drawn, _viewed), strict=True):
+                if path is not None:
+                    streams.pop(0).write(draw(run, model, torque, output))
+    say("\n".join(filter(None, (output, *pictures, *lines(run.hits)))), quiet)
 
-                streams[-1].write(png(run, model, torque))
-    say("\n".join(filter(None, (output, plot, *lines(run.hits)))), quiet)
+
+def _drawn(run: Any, model: Model, torque: Any, _: str) -> bytes:
+    from ..plotting.plot import png
+
+    return png(run, model, torque)
+
+
+def _viewed(run: Any, model: Model, _: Any, output: str) -> bytes:
+    from ..viewer.page import run_page
+
+    return run_page([(run, model, Path(output).name)]).html.encode()
 
 
 @contextmanager

@@ -28,7 +28,14 @@ def state_in(path: str | None, model: Model) -> State:
 
 
 def run_modes(
-    robot: str, posture: str | None, joints: str, rates: str | None, loaded: bool, json: bool, plot: str | None
+    robot: str,
+    posture: str | None,
+    joints: str,
+    rates: str | None,
+    loaded: bool,
+    json: bool,
+    plot: str | None,
+    view: str | None,
 ) -> None:
     """Print natural frequencies, one a line or as JSON, and draw the shapes."""
     from ..simulation.runs import check_output, outputs
@@ -37,6 +44,8 @@ def run_modes(
 
     if plot is not None:
         check_output(plot, (".png",))
+    if view is not None:
+        check_output(view, (".html",))
     model = derive(load_robot(robot))
     values = np.array(model.parameter_values)
     q = closed_posture(model, None if posture is None else state_in(posture, model).q, values)
@@ -49,6 +58,10 @@ def run_modes(
 
         with outputs(plot) as (stream,):
             stream.write(png(model, q, found))
+    if view is not None:
+        from ..viewer.view import view_modes
+
+        view_modes(model, q, found).save(view)
     if json:
         print(json_format.dumps(modes_record(found, more), allow_nan=False))
         return

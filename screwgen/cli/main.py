@@ -18,6 +18,7 @@ from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
 from . import exchange
 from .process import guarded, prepare
+from .viewing import ViewFile, view
 
 EPILOG = (
     "Exit status: 0 done; 2 a request that cannot be met (one line says why, nothing is written); "
@@ -148,6 +149,7 @@ def simulate(
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also draw the run, as .png.", show_default=False)
     ] = None,
+    view: ViewFile = None,
     every: Annotated[int, typer.Option(metavar="N", min=1, help="Store every N-th step, and the end.")] = 1,
     keep: Annotated[
         bool, typer.Option("--keep", help="Store while it runs: a stopped run leaves run.part.npy or run.part.csv.")
@@ -158,7 +160,7 @@ def simulate(
     from .commands import run_simulate
 
     quiet = quiet or context.obj
-    run_simulate(robot, duration, step, output, state, controller, form, integrator, plot, every, keep, quiet)
+    run_simulate(robot, duration, step, output, state, controller, form, integrator, (plot, view), every, keep, quiet)
 
 
 @app.command(short_help="Print the dynamics at a state, as JSON.", epilog=EPILOG)
@@ -198,13 +200,14 @@ def modes(
     plot: Annotated[
         str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
     ] = None,
+    view: ViewFile = None,
 ) -> None:
     """Print the natural frequencies in Hz, and how far one more mode would move them: at rest without gravity, or
     with --rates and --loaded about a steady motion and the deflection under its loads, the joints held by torques.
     """
     from .linear import run_modes
 
-    run_modes(robot, posture, joints, rates, loaded, json, plot)
+    run_modes(robot, posture, joints, rates, loaded, json, plot, view)
 
 
 @app.command(short_help="Find where the arm rests under gravity.", epilog=EPILOG)
@@ -255,6 +258,9 @@ def assemble(
     from .linear import run_assemble
 
     run_assemble(robot, q, hold or [])
+
+
+app.command(short_help="Write a page in which runs play.", epilog=EPILOG)(view)
 
 
 @app.command(short_help="Analyse well-posedness, spectrum and steps.", epilog=EPILOG)

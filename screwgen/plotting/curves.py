@@ -38,11 +38,11 @@ class Scale(NamedTuple):
     note: str = ""
 
 
-def thin(t: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """At most `MOST_POINTS` of the samples (N,): the smallest and the largest of every stretch, in their order."""
-    if len(t) <= MOST_POINTS:
+def thin(t: np.ndarray, values: np.ndarray, most: int = MOST_POINTS) -> tuple[np.ndarray, np.ndarray]:
+    """At most `most` of the samples (N,): the smallest and the largest of every stretch, in their order."""
+    if len(t) <= most:
         return t, values
-    edges = np.linspace(0, len(t), MOST_POINTS // 2).round().astype(int)
+    edges = np.linspace(0, len(t), most // 2).round().astype(int)
     pairs = [(a + np.argmin(values[a:b]), a + np.argmax(values[a:b])) for a, b in pairwise(edges)]
     kept = np.unique([0, *np.ravel(pairs), len(t) - 1])
     return t[kept], values[kept]

@@ -114,6 +114,7 @@ class Table:
         arrays: dict[str, Any] = {name: self.rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": self.rows[:, 0], "wrench": arrays["wrench"].reshape(len(self.rows), m.n_links, 6)}
         arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
+        arrays |= {"robot": m.robot, "parameters": np.array(self.p, float)}
         return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all)
 
 

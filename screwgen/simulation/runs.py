@@ -8,16 +8,19 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
 from .. import notebook
 from ..errors import UsageError
 from ..files import create
-from ..spec.load import one_line
+from ..spec.load import dump, one_line
 from .hits import Hit
 from .validity import Validity
+
+if TYPE_CHECKING:
+    from ..spec.robot import Robot
 
 ARRAYS = ("t", "q", "v", "tau", "wrench", "tip_position", "energy")
 NAMES = ("q_names", "v_names", "tau_names", "wrench_names")
@@ -51,17 +54,22 @@ class Run:
     """The validity measures of the motion; files do not store them."""
     hits: tuple[Hit, ...] = ()
     """The joints beyond their limits, by their beginning, looked for at every step; files do not store them."""
+    robot: Robot | None = None
+    """The robot; .npz files store it as the text of its file, where a file can state it."""
+    parameters: np.ndarray | None = None
+    """The values of its parameters; those of the file if None."""
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
         return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s, {joints} joints, {modes} modes>"
 
     def _repr_html_(self) -> str:
-        """First, last and extreme values of the coordinates and of the tip position."""
+        """The run in motion, and first, last and extreme values of the coordinates and of the tip position."""
         names = (*self.q_names, *TIP_NAMES)
         values = np.column_stack([self.q, self.tip_position]).T
         rows = ((name, x[0], x[-1], x.min(), x.max()) for name, x in zip(names, values, strict=True))
-        return notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
+        table = notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
+        return notebook.player(self) + table
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -95,6 +103,10 @@ class Run:
 def write_npz(run: Run, stream: BinaryIO) -> None:
     arrays: dict[str, Any] = {name: getattr(run, name) for name in ARRAYS}
     arrays |= {name: np.array(getattr(run, name), dtype=str) for name in NAMES}
+    if run.robot is not None:
+        with suppress(UsageError):
+            arrays["robot"] = np.array(dump(run.robot))
+        arrays["parameters"] = run.parameters
     np.savez(stream, **arrays)
 
 

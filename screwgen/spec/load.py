@@ -29,9 +29,14 @@ def load(path: str | os.PathLike[str]) -> Robot:
     Raises RobotFileError, `<file>: <key path>: <what is wrong>; <what is allowed>`, on anything but a robot.
     """
     file = one_line(os.fsdecode(path))
-    data = parse(decode(read(path, file), file), file)
+    return loads(decode(read(path, file), file), file, os.path.dirname(os.fspath(path)))
+
+
+def loads(text: str, file: str, folder: Any = "") -> Robot:
+    """The robot that a text describes; `file`: what messages call it, `folder`: where the files lie that it names."""
+    data = parse(text, file)
     try:
-        return Robot.model_validate(data, context={FOLDER: os.path.dirname(os.fspath(path))})
+        return Robot.model_validate(data, context={FOLDER: folder})
     except ValidationError as error:
         raise RobotFileError(f"{file}: {explain(error, Robot, data)}") from None
 

@@ -1,0 +1,121 @@
+"""The page: motions of robots, packed, in one HTML file that needs nothing else."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..backends.templates import folder, markup, render
+from ..plotting.curves import NOTHING
+from ..simulation.runs import Run, check_output, outputs
+from .pack import curve, kept, rounded
+from .scene import scene
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+SUFFIXES = (".html",)
+PARTS = ("kinematics.js", "plots.js", "drawing.js", "player.js")
+"""The page's own script, in this order."""
+FINE = 1e-4
+"""How far a joint may be off, rad, or a displacement over the size of the robot."""
+FINER = 1e-5
+"""The same of modes, which can be magnified."""
+
+
+@dataclass(frozen=True)
+class View:
+    """A page, as text; notebooks show it."""
+
+    html: str
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the page as an .html file, which replaces an existing one at once. Raises UsageError."""
+        check_output(path, SUFFIXES)
+        with outputs(path) as (stream,):
+            stream.write(self.html.encode())
+
+    def _repr_html_(self) -> str:
+        """The page in a frame of its own."""
+        style = "width:100%;height:640px;border:1px solid #8884;border-radius:8px"
+        return f'<iframe srcdoc="{escape(self.html)}" style="{style}" title="screwgen viewer"></iframe>'
+
+
+def page(
+    title: str, scenes: Sequence[dict], clips: Sequence[dict], ghost: int | None = None, kind: str = "run"
+) -> View:
+    """The page of `clips`, each of one of the `scenes`; `ghost`: the clip that is drawn translucent."""
+    data = {"title": title, "kind": kind, "scenes": scenes, "clips": clips, "ghost": ghost}
+    text = json.dumps(data, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+    here = folder() / "view"
+    read = lambda name: markup((here / name).read_text(encoding="utf-8"))  # noqa: E731
+    shown = {"style": read("style.css"), "three": read("three/three.min.js"), "licence": read("three/LICENSE")}
+    script = markup("\n".join((here / name).read_text(encoding="utf-8") for name in PARTS))
+    return View(render("view/page.html.jinja", title=title, data=markup(text), script=script, **shown))
+
+
+def clip_of(run: Run, model: Model, number: int, label: str) -> dict[str, Any]:
+    """A run for the page, of scene `number`."""
+    size = scene_size(model)
+    tolerance = np.full(model.nq, FINE)
+    tolerance[model.chain.eta_q :] = FINER * size
+    forces = np.column_stack([run.wrench.reshape(len(run.t), -1), run.tau])
+    width = 2 * (model.nq + forces.shape[1])
+    rows, error = kept(run.t, run.q, tolerance, width)
+    coarse = np.maximum(np.abs(forces).max(axis=0) * 1e-3, 1e-9)
+    return {
+        "label": label,
+        "scene": number,
+        "samples": [len(rows), len(run.t)],
+        "within": error,
+        "t": rounded(run.t[rows, None], np.array([1e-6])),
+        "q": rounded(run.q[rows], tolerance),
+        "forces": rounded(forces[rows], coarse),
+        "panels": _panels(run),
+    }
+
+
+def mode_clip(label: str, t: np.ndarray, q: np.ndarray) -> dict[str, Any]:
+    """A vibration over a period, or a posture; `t` in periods."""
+    exact = np.zeros(q.shape[1])
+    return {"label": label, "scene": 0, "t": rounded(t[:, None], exact[:1]), "q": rounded(q, exact)}
+
+
+def scene_size(model: Model) -> float:
+    """A length to which displacements compare, m."""
+    return sum(link.length or 0.0 for link in model.robot.links) or 1.0
+
+
+def _panels(run: Run) -> list[dict[str, Any]]:
+    """The curves below the picture: energy, place of the tip, and torques, forces."""
+    kinetic, potential = run.energy.T
+    energy = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
+    groups = [("Energy", "J", energy), ("Tip position", "m", dict(zip("xyz", run.tip_position.T, strict=True)))]
+    for part, title, unit in ((".torque[", "Torques", "N·m"), (".force[", "Forces of drives", "N")):
+        names = {_joint(x): run.tau[:, k] for k, x in enumerate(run.tau_names) if part in x}
+        groups.append((title, unit, names))
+    return [
+        {"title": title, "unit": unit, "curves": [curve(n, run.t, y, k) for k, (n, y) in enumerate(curves.items())]}
+        for title, unit, curves in groups
+        if max((np.abs(y).max() for y in curves.values()), default=0.0) > NOTHING
+    ]
+
+
+def _joint(name: str) -> str:
+    """`forearm` of `forearm.torque[0]`, `base 2` of `base.torque[1]`."""
+    link, _, rest = name.partition(".")
+    number = rest.partition("[")[2].rstrip("]")
+    return link.replace("_", " ") + (f" {int(number) + 1}" if number and number != "0" else "")
+
+
+def run_page(runs: Sequence[tuple[Run, Model, str]]) -> View:
+    """The page of a run, and of a second one as its ghost; each with its model and what it is called."""
+    scenes = [scene(model, run.parameters) for run, model, _ in runs]
+    clips = [clip_of(run, model, k, label) for k, (run, model, label) in enumerate(runs)]
+    return page(runs[0][1].robot.name, scenes, clips, 1 if len(runs) > 1 else None)

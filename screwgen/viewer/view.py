@@ -1,0 +1,119 @@
+"""The viewer's front door: runs, their files and mode shapes, as pages."""
+
+from __future__ import annotations
+
+import os
+import zipfile
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..errors import RobotFileError, UsageError
+from ..model import Model, derive
+from ..plotting.mode_plot import STATIONS, STEP, amplified, displaced, field, meaning
+from ..simulation.motion import centrelines
+from ..simulation.runs import ARRAYS, NAMES, Run
+from ..spec.load import loads, one_line
+from ..spec.robot import Robot
+from ..studies.modes import ModeShapes
+from .page import View, mode_clip, page, run_page
+from .scene import scene
+
+MOST_RUNS, MOST_MODES = 2, 12
+GIVE = "give a .npz of simulate"
+PHASES = np.linspace(0.0, 1.0, 49)
+"""Of a period, at which a mode is stored."""
+TURN = 0.35
+"""The largest turn of a tip in a mode, rad."""
+
+
+def view(*runs: Run, robot: Robot | None = None, labels: Sequence[str] = ()) -> View:
+    """The page of a run, in which a second one is a ghost: a View, to be saved or shown in a notebook.
+
+    `robot`: that of runs which do not know theirs, such as one read from a file of an older version; `labels`: what the
+    runs are called. Raises UsageError.
+    """
+    if not 1 <= len(runs) <= MOST_RUNS:
+        raise UsageError(f"there are {len(runs)} runs to view; give one, or two to have the second as a ghost")
+    names = [*labels, *(f"run {k + 1}" for k in range(len(labels), len(runs)))]
+    return run_page([(run, _model(run, robot, name), name) for run, name in zip(runs, names, strict=False)])
+
+
+def _model(run: Run, robot: Robot | None, name: str) -> Model:
+    """The model of a run's robot, with the coordinates that the run has."""
+    own = run.robot if run.robot is not None else robot
+    if own is None:
+        raise UsageError(
+            f"{one_line(name)}: does not know its robot; name the robot's file by --robot, robot=… in Python"
+        )
+    model = derive(own)
+    if tuple(run.q_names) != tuple(model.q_names) or tuple(run.tau_names) != tuple(model.tau_names):
+        pairs = zip([*run.q_names, "no more"], [*model.q_names, "no more"], strict=False)
+        here, there = next((pair for pair in pairs if pair[0] != pair[1]), ("other torques", "its own"))
+        raise UsageError(f"{one_line(name)}: is a run of another robot: it has {here} where '{own.name}' has {there}")
+    shapes = {"q": (model.nq,), "v": (model.nv,), "tau": (model.n_tau,), "wrench": (model.n_links, 6)}
+    shapes |= {"tip_position": (3,), "energy": (2,), "t": ()}
+    for key, shape in shapes.items():
+        found = np.asarray(getattr(run, key))
+        if found.shape != (len(run.t), *shape) or not len(run.t):
+            raise UsageError(f"{one_line(name)}: {key} has the shape {found.shape}; it must be (samples, *{shape})")
+        if not np.isfinite(found).all():
+            raise UsageError(f"{one_line(name)}: {key} holds numbers that are not finite; simulate again")
+    if run.parameters is not None and len(run.parameters) != len(model.parameter_values):
+        raise UsageError(
+            f"{one_line(name)}: has {len(run.parameters)} parameters, '{own.name}' {len(model.parameter_values)}"
+        )
+    return model
+
+
+def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
+    """The run in a .npz file, with its robot if the file has it, else `robot`; raises UsageError."""
+    shown = one_line(os.fsdecode(path))
+    try:
+        with np.load(path, allow_pickle=False) as data:
+            if not isinstance(data, np.lib.npyio.NpzFile):
+                raise ValueError("it is one array")
+            arrays = {name: np.array(data[name], float) for name in ARRAYS}
+            names = {name: tuple(map(str, data[name])) for name in NAMES}
+            text = str(data["robot"]) if "robot" in data else None
+            parameters = np.array(data["parameters"], float) if "parameters" in data else None
+    except (OSError, ValueError, zipfile.BadZipFile) as error:
+        raise UsageError(f"{shown}: cannot be read as a run ({one_line(str(error))}); {GIVE}") from None
+    except KeyError as error:
+        raise UsageError(f"{shown}: has no {one_line(str(error.args[0]))}; {GIVE}") from None
+    if robot is None and text is not None:
+        try:
+            robot = loads(text, shown, os.path.dirname(os.fspath(path)))
+        except RobotFileError as error:
+            raise UsageError(f"{error}; name the robot's file by --robot") from None
+    name = robot.name if robot is not None else ""
+    return Run(name, **arrays, **names, robot=robot, parameters=parameters)
+
+
+def view_modes(model: Model, q: np.ndarray, found: ModeShapes) -> View:
+    """The page of the lowest vibrations about the posture `q` (nq,), enlarged, with the arm at rest as a ghost."""
+    count = min(len(found.frequencies), MOST_MODES)
+    if not count:
+        raise UsageError("there are no modes to view: every link is rigid and no joint has a spring; leave out --view")
+    rest, clips = centrelines(model, q, STATIONS), []
+    for k in range(count):
+        shape = found.shapes[:, k]
+        change = _enlarged(model, q, shape / np.abs(shape).max(), rest)
+        motion = np.array([displaced(model, q, np.sin(2 * np.pi * x) * change) for x in PHASES])
+        clips.append(mode_clip(f"{k + 1}: {found.frequencies[k]:.4g} Hz, {meaning(model, shape)}", PHASES, motion))
+    clips.append(mode_clip("at rest", PHASES[[0, -1]], np.array([q, q])))
+    return page(f"Modes of {model.robot.name}", [scene(model)], clips, len(clips) - 1, "modes")
+
+
+def _enlarged(model: Model, q: np.ndarray, shape: np.ndarray, rest: np.ndarray) -> np.ndarray:
+    """The change of coordinates (nv,) at the peak of a mode: as large as figures have it, but no tip turns by more than
+    `TURN`, beyond which the arm would not move as the mode says."""
+    small = field(model, q, shape)
+    sizes = [
+        np.linalg.norm([np.linalg.norm(x.motion), *map(np.linalg.norm, x.turns.values())])
+        for x in (amplified(rest, small), small)
+    ]
+    R, moved = (model.numpy().tip_poses(x)[0] for x in (q, displaced(model, q, STEP * shape)))
+    turn = np.linalg.norm(moved - R, axis=(1, 2)).max() / np.sqrt(2) / STEP
+    factor = min(sizes[0] / max(sizes[1], 1e-300), TURN / max(turn, 1e-300))
+    return factor * shape

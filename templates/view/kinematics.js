@@ -1,0 +1,127 @@
+// Where everything is: the poses of a robot's links from its coordinates, as the model has them.
+
+const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+const floats = (text) => new Float32Array(bytes(text).buffer);
+
+/** The columns of a block of rounded numbers, as arrays of doubles. */
+function columns(block) {
+  return block.data.map((text, k) => {
+    const raw = bytes(text).buffer;
+    const counts = block.wide[k] ? new Uint32Array(raw) : new Uint16Array(raw);
+    return Float64Array.from(counts, (n) => block.low[k] + block.step[k] * n);
+  });
+}
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const times = (k, a) => [k * a[0], k * a[1], k * a[2]];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const norm = (a) => Math.hypot(...a);
+
+/** Unit quaternions are [x, y, z, w]. */
+const chain = (a, b) => [
+  a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
+  a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+  a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
+  a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2],
+];
+function turned(q, v) {
+  const t = times(2, cross(q, v));
+  return plus(v, plus(times(q[3], t), cross(q, t)));
+}
+function exponential(v) {
+  const angle = norm(v);
+  const k = angle > 1e-9 ? Math.sin(angle / 2) / angle : 0.5;
+  return [k * v[0], k * v[1], k * v[2], Math.cos(angle / 2)];
+}
+const pose = (at, turn) => ({ at, turn });
+const behind = (a, b) => pose(plus(a.at, turned(a.turn, b.at)), chain(a.turn, b.turn));
+const ORIGIN = pose([0, 0, 0], [0, 0, 0, 1]);
+
+/** The links of a scene with their tables unpacked: `shape[(mode * rows + row) * 6 + component]`. */
+function unpacked(scene) {
+  for (const link of scene.links) {
+    link.shape = floats(link.columns);
+    link.rows = link.places.length;
+    link.count = link.modes + link.pairs.length / 2;
+  }
+  return scene;
+}
+
+/** The modal coordinates of a link, magnified, and behind them their products. */
+function modal(link, q, magnified) {
+  const out = new Float64Array(link.count);
+  for (let k = 0; k < link.modes; k++) out[k] = magnified * q[link.eta + k];
+  for (let k = link.modes, p = 0; k < link.count; k++, p += 2) out[k] = out[link.pairs[p]] * out[link.pairs[p + 1]];
+  return out;
+}
+
+/** The pose of a section in the link's frame; with `drawn` its turn is that of the material, whatever links follow. */
+function section(link, row, coordinates, drawn = false) {
+  const moved = [0, 0, 0, 0, 0, 0];
+  for (let k = 0; k < link.count; k++)
+    for (let c = 0; c < 6; c++) moved[c] += coordinates[k] * link.shape[(k * link.rows + row) * 6 + c];
+  const at = plus(plus(link.base, times(link.places[row], link.reach)), moved);
+  const turn = link.turns || drawn ? exponential(moved.slice(3)) : [0, 0, 0, 1];
+  return pose(at, row === link.rows - 1 ? chain(turn, link.axes) : turn);
+}
+
+/** Every link: `frame`, its modal `coordinates`, `joint` (where its mount is), `axes` of its screws, and its `tip`. */
+function poses(scene, q, magnified = 1) {
+  const out = [];
+  for (const link of scene.links) {
+    const parent = link.parent < 0 ? null : out[link.parent];
+    const carrier = parent ? section(scene.links[link.parent], link.place, parent.coordinates) : ORIGIN;
+    const from = parent ? behind(parent.frame, carrier) : ORIGIN;
+    const joint = behind(from, pose(link.mount.at, link.mount.turn));
+    let frame = joint;
+    if (link.free) frame = pose([q[0], q[1], q[2]], unit([q[4], q[5], q[6], q[3]]));
+    const axes = [];
+    link.screws.forEach((screw, k) => {
+      const x = q[link.joint + k];
+      axes.push(turned(frame.turn, screw.axis));
+      const turn = screw.turn ? exponential(times(x, screw.axis)) : ORIGIN.turn;
+      frame = behind(frame, pose(times(screw.travel * x, screw.axis), turn));
+    });
+    if (!link.free) frame = behind(frame, pose(times(-1, link.base), ORIGIN.turn));
+    const coordinates = modal(link, q, magnified);
+    const tip = behind(frame, section(link, link.rows - 1, coordinates));
+    out.push({ frame, coordinates, joint, axes, tip });
+  }
+  return out;
+}
+const unit = (q) => times4(1 / Math.hypot(...q), q);
+const times4 = (k, q) => q.map((x) => k * x);
+
+/** A motion: its coordinates and forces at any time, on straight lines between samples. */
+class Motion {
+  constructor(clip) {
+    this.label = clip.label;
+    this.t = columns(clip.t)[0];
+    this.q = columns(clip.q);
+    this.forces = clip.forces ? columns(clip.forces) : [];
+    this.end = this.t[this.t.length - 1];
+    this.clip = clip;
+  }
+
+  place(time) {
+    let low = 0;
+    let high = this.t.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.t[middle] <= time) low = middle;
+      else high = middle;
+    }
+    const span = this.t[high] - this.t[low];
+    return [low, high, span > 0 ? Math.min(Math.max((time - this.t[low]) / span, 0), 1) : 0];
+  }
+
+  static mix(columns, [low, high, share]) {
+    return columns.map((x) => (1 - share) * x[low] + share * x[high]);
+  }
+
+  at(time) {
+    const place = this.place(time);
+    return { q: Motion.mix(this.q, place), forces: Motion.mix(this.forces, place) };
+  }
+}

@@ -1,0 +1,119 @@
+"""The viewer's pages without a browser: shapes against the model's poses, numbers within their bounds, refusals."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+from helpers import ROOT, arm, link, model_of
+from scipy.spatial.transform import Rotation
+
+import screwgen
+from screwgen.cli.main import main
+from screwgen.viewer import pack
+from screwgen.viewer.shapes import sections
+from screwgen.viewer.view import read_run, view
+
+MODES = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
+
+
+def bent(order: int):
+    """An arm of two links of that order, the second carried in the middle of the first."""
+    first = link("first", modes=MODES)
+    second = link("second", modes=MODES, parent="first", at={"s": 0.4})
+    return model_of(arm(first, second) | {"order": order})
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_sections_are_those_of_the_model(order):
+    """At the tip and at a station, of an arm that bends far."""
+    model = bent(order)
+    q = np.zeros(model.nq)
+    q[model.chain.eta_q :] = np.random.default_rng(order).normal(size=model.chain.n_modes) * 0.1
+    (R, r), (R_tip, r_tip) = model.numpy().link_pose(q), model.numpy().tip_poses(q)
+    key, eta = model.chain.keys[0], q[model.chain.eta_q :][: model.chain.keys[0].modes]
+    length = model.robot.links[0].length
+    found = sections(key, length, np.array([0.4, 1.0]))
+    coordinates = np.concatenate([eta, *(eta[a : a + 1] * eta[b] for a, b in found.pairs)])
+    moved = np.einsum("k,ski->si", coordinates, found.columns)
+    assert (len(found.pairs) > 0) == (order == 2)
+    for row, (s, turn, place) in enumerate(((0.4, R[1], r[1]), (1.0, R_tip[0], r_tip[0]))):
+        assert r[0] + R[0] @ ([s * length, 0, 0] + moved[row, :3]) == pytest.approx(place, abs=1e-6)
+        assert R[0] @ Rotation.from_rotvec(moved[row, 3:]).as_matrix() == pytest.approx(turn, abs=1e-6)
+
+
+def test_numbers_are_within_their_bounds():
+    t = np.linspace(0, 3, 3001)
+    values = np.column_stack([np.sin(5 * t), 1e3 * t, np.full_like(t, 2.0)])
+    tolerance = np.array([1e-3, 1e-3, 1e-6])
+    rows, error = pack.kept(t, values, tolerance, 6)
+    assert 10 < len(rows) < 400 and rows[0] == 0 and rows[-1] == 3000 and error <= 1
+    straight = np.array([np.interp(t, t[rows], x) for x in values[rows].T]).T
+    assert (np.abs(straight - values) <= tolerance).all()
+    block = pack.rounded(values, tolerance)
+    assert block["wide"] == [False, True, False]
+    assert (np.array(block["step"])[:2] / 2 <= tolerance[:2]).all()
+
+
+def run_of(model, duration=0.05):
+    start = np.full(model.nq, 1e-3)
+    return screwgen.simulate(model, duration, 1e-3, q0=start)
+
+
+def test_page_needs_nothing_else(tmp_path):
+    """It names no address, says so to the browser, holds the licence, and its data is JSON."""
+    run = run_of(bent(1))
+    html = view(run, run, labels=["<one>", "two"]).html
+    data = re.search(r'<script type="application/json" id="data">(.*?)</script>', html, re.DOTALL)[1]
+    assert [clip["label"] for clip in json.loads(data)["clips"]] == ["<one>", "two"]
+    assert "default-src 'none'" in html and "The MIT License" in html
+    outside = html.replace((ROOT / "templates/view/three/three.min.js").read_text(), "")
+    assert not re.search(r"https?://|<link|src=|@import|url\(", outside)
+
+
+def test_run_knows_its_robot(tmp_path):
+    """Through its file, with the parameters that it was made with; the page is the same."""
+    model = bent(2)
+    p = np.array(model.parameter_values)
+    p[model.parameter_names.index("first.length")] *= 1.25
+    run = screwgen.simulate(model, 0.02, 1e-3, q0=np.full(model.nq, 1e-3), parameters=p)
+    run.save(tmp_path / "run.npz")
+    found = read_run(tmp_path / "run.npz")
+    assert found.robot == model.robot and (found.parameters == p).all()
+    assert view(found).html == view(run).html
+    assert view(found).html != view(screwgen.simulate(model, 0.02, 1e-3, q0=np.full(model.nq, 1e-3))).html
+    assert "<iframe" in run._repr_html_()
+
+
+def refusal(capsys, *arguments) -> str:
+    assert main([str(x) for x in arguments]) == 2
+    return capsys.readouterr().err
+
+
+def test_refusals(tmp_path, capsys):
+    """One line each, and nothing written."""
+    model = bent(1)
+    run_of(model).save(tmp_path / "run.npz")
+    with np.load(tmp_path / "run.npz") as data:
+        arrays = dict(data)
+    np.savez(tmp_path / "old.npz", **{k: x for k, x in arrays.items() if k not in ("robot", "parameters")})
+    np.savez(tmp_path / "bad.npz", **arrays | {"q": np.full_like(arrays["q"], np.nan)})
+    np.savez(tmp_path / "cut.npz", **arrays | {"wrench": arrays["wrench"][:-1]})
+    np.savez(tmp_path / "text.npz", **arrays | {"robot": np.array("name = ")})
+    (tmp_path / "none.npz").write_text("nothing")
+    page, good = tmp_path / "run.html", tmp_path / "run.npz"
+    ella = ROOT / "examples" / "ella.toml"
+    for arguments, said in [
+        ((tmp_path / "old.npz",), "old.npz: does not know its robot; name the robot's file by --robot"),
+        ((tmp_path / "bad.npz",), "bad.npz: q holds numbers that are not finite"),
+        ((tmp_path / "cut.npz",), "cut.npz: wrench has the shape"),
+        ((tmp_path / "text.npz",), "name the robot's file by --robot"),
+        ((tmp_path / "none.npz",), "none.npz: cannot be read as a run"),
+        ((good, "--robot", ella), "is a run of another robot"),
+        ((good, good, good), "there are 3 runs to view"),
+        ((good, "--frames", "run.gif"), "films are not written"),
+    ]:
+        error = refusal(capsys, "view", *arguments, "-o", page)
+        assert said in error and error.count("\n") == 1
+    assert "unknown suffix" in refusal(capsys, "view", good, "-o", tmp_path / "run.png")
+    assert not page.exists()

@@ -1,0 +1,170 @@
+"""The viewer's pages in headless Chromium: where things are drawn, that nothing is asked for, and how fast it is."""
+
+import time
+
+import numpy as np
+import pytest
+from browser import Browser
+from conftest import require_tool
+from helpers import ROOT, arm, link, model_of
+
+import screwgen
+from screwgen.simulation.controllers import PD
+from screwgen.viewer.view import view
+
+pytestmark = pytest.mark.examples
+SIZE, LARGE = (800, 600), (1200, 1100)
+NEAR = 2.0
+"""Pixels between the middle of the drawn end of a tube and its computed place."""
+COLORS = ((255, 0, 0), (0, 255, 0))
+END = 0.025
+"""How far before the end of a link, over its length, the middle of what is coloured lies."""
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory):
+    with Browser(require_tool("chromium"), tmp_path_factory.mktemp("chromium"), SIZE) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def ella():
+    model = screwgen.derive(screwgen.load(ROOT / "examples" / "ella.toml"))
+    law = PD((400.0, 400.0, 120.0), (28.0, 28.0, 12.0), (-0.5, 0.7, 0.4), duration=0.3, q_start=(0.0,) * 3)
+    robot = model.robot
+    joints = [x.joint.model_copy(update={"armature": (0.2,) * len(x.joint.axes)}) for x in robot.links]
+    links = [x.model_copy(update={"joint": j}) for x, j in zip(robot.links, joints, strict=True)]
+    model = screwgen.derive(robot.model_copy(update={"links": tuple(links)}))
+    return model, screwgen.simulate(model, 1.0, 1e-3, controller=law)
+
+
+def opened(browser, tmp_path, page) -> None:
+    browser.events.clear()
+    page.save(tmp_path / "page.html")
+    browser.open(tmp_path / "page.html")
+
+
+def quiet(browser) -> None:
+    """Nothing but the page itself was asked for, and nothing complained."""
+    assert len(browser.requests) == 1 and browser.requests[0].startswith("file:")
+    assert browser.complaints == []
+
+
+def magnified(model, q: np.ndarray, factor: float) -> np.ndarray:
+    return np.append(q[: model.chain.eta_q], factor * q[model.chain.eta_q :])
+
+
+def pixels(browser, points: np.ndarray) -> np.ndarray:
+    """Where points (n, 3) are by the page's camera, computed here."""
+    box = browser.run("(({left, top, width, height}) => [left, top, width, height])"
+                      "(document.getElementById('space').getBoundingClientRect())")  # fmt: skip
+    matrix = np.array(browser.run("screwgen.camera().matrix")).reshape(4, 4)
+    clip = np.column_stack([points, np.ones(len(points))]) @ matrix.T
+    flat = clip[:, :2] / clip[:, 3:]
+    return np.array(box[:2]) + (flat * [1, -1] + 1) / 2 * box[2:]
+
+
+def drawn(picture: np.ndarray, color) -> np.ndarray:
+    """The middle of the pixels of a colour; a pixel's place is its middle."""
+    wanted = np.array(color) > 0
+    near = (picture[:, :, wanted] > 150).all(axis=2) & (picture[:, :, ~wanted] < 60).all(axis=2)
+    rows, columns = np.nonzero(near)
+    assert len(rows) > 3, f"nothing has the colour {color}"
+    return np.array([columns.mean() + 0.5, rows.mean() + 0.5])
+
+
+def marked(browser, k: int, color, time: float) -> np.ndarray:
+    """The middle of the end of link k's tube, which alone is drawn."""
+    browser.run(f"screwgen.mark({k}, 'rgb{color}'), screwgen.seek({time}), screwgen.settled()")
+    return drawn(browser.picture(), color)
+
+
+def ends(model, q: np.ndarray) -> np.ndarray:
+    """The middles (2, 3) of what is coloured, at elbow and tip."""
+    R, r = model.numpy().tip_poses(q)
+    return r - END * np.array([x.length for x in model.robot.links])[:, None] * R[:, :, 0]
+
+
+@pytest.mark.parametrize("factor", [1, 10])
+def test_elbow_and_tip_are_drawn_where_they_are(browser, ella, tmp_path, factor):
+    """At ten times, against the model's own poses; and the links are seen to bend."""
+    model, run = ella
+    browser.resize(*LARGE)
+    opened(browser, tmp_path, view(run))
+    browser.run(f"screwgen.play(false), screwgen.magnify({factor})")
+    bends = 0.0
+    for row in np.linspace(0, len(run.t) - 1, 10).round().astype(int):
+        found = np.array([marked(browser, k, color, run.t[row]) for k, color in enumerate(COLORS)])
+        expected = pixels(browser, ends(model, magnified(model, run.q[row], factor)))
+        straight = pixels(browser, ends(model, magnified(model, run.q[row], 0)))
+        assert np.linalg.norm(found - expected, axis=1).max() < NEAR, (row, found, expected)
+        bends = max(bends, float(np.linalg.norm(found - straight, axis=1).max()))
+    browser.resize(*SIZE)
+    assert bends > (6 if factor == 1 else 40)
+    quiet(browser)
+
+
+def carried():
+    """Order 2, a link carried in the middle of another, a frame along the centreline, and segments."""
+    modes = {"axial": 1, "bending_y": 1, "bending_z": 2, "torsion": 1}
+    first = link("first", modes=modes, frame_at=0.2)
+    return model_of(
+        arm(first, link("side", modes=modes, parent="first", at={"s": 0.3}), link("last", modes=modes, segments=3))
+        | {"order": 2}
+    )
+
+
+@pytest.mark.parametrize("name", ["carried", "space_arm", "gantry", "crane", "parallelogram"])
+def test_poses_are_those_of_the_model(browser, tmp_path, name):
+    """Trees, loops, floating bases, slides, stations, segments and second order: every frame and every tip."""
+    file = ROOT / "examples" / f"{name}.toml"
+    model = screwgen.derive(screwgen.load(file)) if file.exists() else carried()
+    random = np.random.default_rng(1)
+    base, eta = model.chain.base_q, model.chain.eta_q
+    q = np.concatenate(
+        [model.chain.home[:base], random.normal(size=eta - base), 0.05 * random.normal(size=model.nq - eta)]
+    )
+    if base:
+        q[:7] = [0.3, -0.2, 0.5, 0.5, -0.5, 0.1, np.sqrt(1 - 0.51)]
+    n = model.n_links
+    still = {"v": np.zeros((2, model.nv)), "tau": np.zeros((2, model.n_tau)), "wrench": np.ones((2, n, 6))}
+    still |= {"tip_position": np.zeros((2, 3)), "energy": np.ones((2, 2)), "robot": model.robot}
+    names = {f"{kind}_names": tuple(getattr(model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
+    run = screwgen.Run(model.robot.name, np.array([0.0, 1.0]), np.array([q, q]), **still, **names)
+    opened(browser, tmp_path, view(run))
+    for factor in (1, 2):
+        browser.run(f"screwgen.magnify({factor}), screwgen.seek(0.5)")
+        for key, poses in (("frame", "link_pose"), ("tip", "tip_poses")):
+            place = browser.run(f"screwgen.poses().map((x) => x.{key}.at)")
+            _, expected = getattr(model.numpy(), poses)(magnified(model, q, factor))
+            assert np.array(place) == pytest.approx(expected, abs=2e-5)
+    quiet(browser)
+
+
+def test_page_is_fast_and_small(browser, ella, tmp_path):
+    """A first picture within two seconds and thirty frames a second in software, which a loaded machine shares."""
+    _, run = ella
+    size = len(view(run).html) - len((ROOT / "templates/view/three/three.min.js").read_text())
+    assert size < 4e5
+    opened(browser, tmp_path, view(run))
+    time.sleep(3)
+    rate = browser.run("((f) => 1000 * (f.length - 1) / (f.at(-1) - f[0]))(screwgen.frames())")
+    ready = browser.run("screwgen.ready")
+    print(f"first picture after {ready:.0f} ms, {rate:.0f} frames per second")
+    assert ready < 8000 and rate > 5
+    quiet(browser)
+
+
+def test_ghost_themes_and_widths(browser, ella, tmp_path):
+    """Both runs are drawn; a dark page is dark; on a telephone nothing is wider than the page."""
+    _, run = ella
+    opened(browser, tmp_path, view(run, run, labels=["one", "two"]))
+    assert "two" in browser.run("document.getElementById('legend').textContent")
+    browser.run("screwgen.theme(true), screwgen.seek(0.5), screwgen.settled()")
+    assert browser.picture(tmp_path / "dark.png")[:300].mean() < 60
+    browser.run("screwgen.theme(false), screwgen.seek(0.5), screwgen.settled()")
+    assert browser.picture()[:300].mean() > 200
+    browser.resize(390, 844, mobile=True)
+    assert browser.run("document.documentElement.scrollWidth") <= 390
+    browser.resize(*SIZE)
+    quiet(browser)

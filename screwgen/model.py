@@ -160,6 +160,18 @@ class Model:
         made = lambda: self._casadi.joined(steps(self.chain, more))  # noqa: E731
         return self.once(("casadi", more), made) if more else self._casadi
 
+    def jax(self, precision="double", forward_mode=False, methods: Sequence[Method] = ()) -> Mapping:
+        """The functions of ``casadi()`` by name on arrays of JAX, pure and jitted; the extra ``screwgen[jax]``.
+
+        ``w_ext`` is (n, 6); ``step_<method> (q, v, tau, w_ext, h, p) -> (q, v)``; where a joint cannot be solved for, all
+        results are NaN.  ``forward_mode``: for ``jvp`` and ``jacfwd``, at minutes of compiling; ``methods``: as
+        :meth:`casadi`.
+        """
+        from .backends.jax import functions
+
+        key = ("jax", precision, forward_mode, methods := tuple(methods))
+        return self.once(key, lambda: functions(self.chain, precision, forward_mode, methods))
+
     def acados(self, form="joint", parameters="runtime", w_ext=False):
         """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -161,16 +161,10 @@ class Model:
         return self.once(("casadi", more), made) if more else self._casadi
 
     def jax(self, precision="double", forward_mode=False, methods: Sequence[Method] = ()) -> Mapping:
-        """The functions of ``casadi()`` by name on arrays of JAX, pure and jitted; the extra ``screwgen[jax]``.
-
-        ``w_ext`` is (n, 6); ``step_<method> (q, v, tau, w_ext, h, p) -> (q, v)``; where a joint cannot be solved for, all
-        results are NaN.  ``forward_mode``: for ``jvp`` and ``jacfwd``, at minutes of compiling; ``methods``: as
-        :meth:`casadi`.
-        """
+        """The functions on arrays of JAX by the names of :meth:`casadi`, pure and jitted; :mod:`.backends.jax`."""
         from .backends.jax import functions
-
-        key = ("jax", precision, forward_mode, methods := tuple(methods))
-        return self.once(key, lambda: functions(self.chain, precision, forward_mode, methods))
+        given = (self.chain, precision, forward_mode, tuple(methods))
+        return self.once(("jax", given[1:]), partial(functions, *given))  # type: ignore[return-value]
 
     def acados(self, form="joint", parameters="runtime", w_ext=False):
         """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.

@@ -224,4 +224,3 @@ def _moved(chain: Chain) -> Program:
 
 def _rate(chain: Chain) -> Program:
     return programs(chain.nq, chain.nv)[1]
-

@@ -107,11 +107,12 @@ def table_runner(table: Levels, real: Any) -> Callable:
     @wide.def_vmap
     def wider(size, are_batched, *inputs):
         spread = [
-            x if own else jnp.broadcast_to(x[None], (size, *x.shape)) for x, own in zip(inputs, are_batched, strict=True)
+            x if own else jnp.broadcast_to(x[None], (size, *x.shape))
+            for x, own in zip(inputs, are_batched, strict=True)
         ]
-        flat = [jnp.moveaxis(x, 0, 1).reshape(x.shape[1], -1) for x in spread]
+        flat = [jnp.moveaxis(x, 0, 1).reshape(x.shape[1], size * x.shape[2]) for x in spread]
         found = wide(*flat)
-        return [jnp.moveaxis(x.reshape(len(x), size, -1), 1, 0) for x in found], [True] * len(found)
+        return [jnp.moveaxis(x.reshape(len(x), size, x.shape[1] // size), 1, 0) for x in found], [True] * len(found)
 
     return evaluate
 
@@ -126,7 +127,7 @@ def _in_blocks(table: Levels, real: Any, inputs) -> list:
     more = count * size - scenarios
     blocks = [jnp.pad(x, ((0, 0), (0, more)), "edge").reshape(len(x), count, size).swapaxes(0, 1) for x in inputs]
     found = lax.map(lambda block: _run(table, real, block), blocks)
-    return [x.swapaxes(0, 1).reshape(x.shape[1], -1)[:, :scenarios] for x in found]
+    return [x.swapaxes(0, 1).reshape(x.shape[1], count * size)[:, :scenarios] for x in found]
 
 
 def _run(table: Levels, real: Any, inputs) -> list:

@@ -1,9 +1,9 @@
 """Gradient-based tuning of a PD law: 1,000 scenarios of payloads and starts, differentiated through the flexible arm.
 
 The gains of a planar arm with two flexible links are logarithms that Adam moves along the gradient of the mean cost of
-all scenarios: the error of the joints and the effort. The motions are steps of JAX under `jit(vmap(scan(step)))`. At the
-end the same torques go through the compiled C. Writes build/jax_tuning.png. Needs `pip install screwgen[jax]`; some
-minutes. `--short`: few scenarios, seconds.
+all scenarios: the error of the joints and the effort. The motions are steps of JAX under `jit(vmap(scan(step)))`. The
+same torques go through the compiled C at the end. Writes build/jax_tuning.png. Needs
+`pip install screwgen[jax]`; some minutes. `--short`: few scenarios, seconds.
 """
 
 from __future__ import annotations
@@ -47,8 +47,9 @@ def main() -> None:
     found, history = tune(cost, jnp.array(FIRST), rounds)
     before, after = (moved(jnp.array(gains)) for gains in (FIRST, found))
     check(model, starts, parameters, after)
-    print(f"gains {np.exp(FIRST).round(1)} -> {np.exp(found).round(1)}; mean cost {history[0]:.4f} -> {history[-1]:.4f}")
-    assert history[-1] < history[0]
+    print(f"gains {np.exp(FIRST).round(1)} -> {np.exp(found).round(1)}")
+    print(f"mean cost {history[0]:.4f} -> {min(history):.4f}")
+    assert min(history) < history[0]
     FILE.parent.mkdir(parents=True, exist_ok=True)
     FILE.write_bytes(picture(before, after, history))
     print(f"build/{FILE.name}")
@@ -94,7 +95,8 @@ def tune(cost, gains, rounds: int) -> tuple[np.ndarray, list[float]]:
         value, slope = cost(gains)
         history.append(float(value))
         best = min(best, (float(value), gains), key=lambda pair: pair[0])
-        print(f"iteration {k}: cost {value:.4f}, slope {np.linalg.norm(slope):.2e}, {time.perf_counter() - clock:.1f} s")
+        size, spent = np.linalg.norm(slope), time.perf_counter() - clock
+        print(f"iteration {k}: cost {value:.4f}, slope {size:.2e}, {spent:.1f} s")
         mean, square = 0.9 * mean + 0.1 * slope, 0.99 * square + 0.01 * slope**2
         gains = gains - 0.15 * (mean / (1 - 0.9**k)) / (jnp.sqrt(square / (1 - 0.99**k)) + 1e-12)
     return np.array(best[1]), history

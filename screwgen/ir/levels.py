@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .program import Node, Program, Value
+from .program import Node, Program
 
 ARITHMETIC = ("add", "sub", "mul")
 """What one row may mix; of all else a row has one kind."""

@@ -108,6 +108,21 @@ def rollout(
     A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
+    given, count, how = checked(
+        model, x0, tau, w_ext, parameters, step, steps, substeps, integrator, threads=threads, single=single
+    )
+    if executor is None:
+        run = rolled(model, given, count, *how)
+    else:
+        from .sweep import in_chunks
+
+        run = in_chunks(model, given, count, how, executor)
+    run.validity.warn(stacklevel=2)
+    return run
+
+
+def checked(model, x0, tau, w_ext, parameters, step, steps, substeps, integrator, threads, single):
+    """The arguments of :func:`rollout` as :func:`rolled` takes them: arrays, the number of scenarios, and the rest."""
     _check_numbers(step, steps, substeps, threads)
     method = method_of(integrator, missing=NO_METHOD)
     given = {
@@ -119,15 +134,7 @@ def rollout(
     count = _common({name: len(a) for name, a in given.items()}, "scenarios")
     periods = _periods(steps, {"tau": np.shape(tau)[:-1], "w_ext": np.shape(w_ext)[:-2]})
     _check_size(count, periods, model)
-    how = (periods, step, substeps, method, threads, single)
-    if executor is None:
-        run = rolled(model, given, count, *how)
-    else:
-        from .sweep import in_chunks
-
-        run = in_chunks(model, given, count, how, executor)
-    run.validity.warn(stacklevel=2)
-    return run
+    return given, count, (periods, step, substeps, method, threads, single)
 
 
 def rolled(model, given, count, periods, step, substeps, method, threads, single) -> Rollout:

@@ -51,7 +51,7 @@ class Store:
                 path.unlink(missing_ok=True)
         for path in (self.path, self.statuses) if self.done else ():
             self._open(path)
-        self._list = open(self.manifest, "r+b")  # noqa: SIM115
+        self._list = open(self.manifest, "r+b")
         self._list.truncate(len(header) + 1 + sum(len(line) + 1 for line in lines[:-1]))
         self._list.seek(0, os.SEEK_END)
         return self
@@ -71,7 +71,7 @@ class Store:
         self._files.append((open(path, "r+b"), rows.offset))  # noqa: SIM115
 
     def _create(self, path: Path, like: np.ndarray) -> None:
-        file = create(path)
+        file = create(path, path)
         shape = (self.count, *like.shape[1:])
         np.lib.format.write_array_header_1_0(file, {"descr": like.dtype.str, "fortran_order": False, "shape": shape})
         start = file.tell()
@@ -81,7 +81,7 @@ class Store:
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         """The rows of chunk k."""
         if self._list is None:
-            self._list = create(self.manifest)
+            self._list = create(self.manifest, self.manifest)
             self._list.write(f"{self.header}\n".encode())
         if not self._files:
             self._create(self.path, values)

@@ -10,12 +10,13 @@ import hashlib
 import inspect
 import os
 import pickle
+import sys
 import threading
-import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from concurrent.futures.thread import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -29,9 +30,9 @@ from ..runtime.batch import compiled_batch
 from ..runtime.compiled import NO_METHOD
 from ..version import __version__ as VERSION
 from .loop import added
-from .rollout import Rollout, rolled, rollout
+from .rollout import Rollout, checked, rolled
 from .store import Store
-from .validity import ModelValidityWarning, Validity
+from .validity import Validity
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -91,9 +92,9 @@ def sweep(
 ) -> Sweep:
     """Roll out `count` scenarios in chunks and keep numbers of each in the file `store`, an ``.npy``.
 
-    ``draw(rng, n)`` gives the arguments `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n` scenarios,
-    as a mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is kept, (n, ...), by
-    default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its workers are
+    ``draw(rng, n)`` gives the arguments `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n`
+    scenarios, as a mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is
+    kept, (n, ...), by default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its workers are
     processes, `draw` and `keep` must be functions of a module, and each process derives and compiles the robot once.
     `progress` is told how many scenarios are done, and of how many. Memory holds some chunks, never all.
 
@@ -104,8 +105,15 @@ def sweep(
     whole(count, "count", 1, 10**12)
     whole(chunk, "chunk", 1)
     whole(seed, "seed", 0)
-    options = {"step": step, "steps": steps, "substeps": substeps, "integrator": integrator, "single": single}
-    packed = pickle.dumps((model, draw, keep, options)) if not isinstance(executor, ThreadPoolExecutor | None) else None
+    options = {
+        "step": step,
+        "steps": steps,
+        "substeps": substeps,
+        "integrator": integrator,
+        "threads": 1,
+        "single": single,
+    }
+    packed = None if isinstance(executor, ThreadPoolExecutor | None) else _packed(model, draw, keep, options)
     task = Task(_digest(model, draw, keep, options, count, chunk, seed), count, chunk, seed, packed)
     if packed is None:
         _kept[task.digest] = (model, draw, keep, options)
@@ -138,19 +146,37 @@ class Task:
         return -(-self.count // self.chunk)
 
 
+def _packed(*what: Any) -> bytes:
+    try:
+        return pickle.dumps(what)
+    except (pickle.PicklingError, AttributeError, TypeError) as error:
+        said = "draw and keep must be functions of a module"
+        raise UsageError(f"the task cannot be sent to other processes: {error}; {said}") from None
+
+
 def _digest(model: Model, draw: Draw, keep: Keep, options: dict, *numbers: int) -> str:
-    said = [VERSION, repr(model.robot), repr(options), *map(str, numbers), _source(draw), _source(keep)]
+    with np.printoptions(threshold=sys.maxsize, floatmode="unique"):
+        said = [VERSION, _said(model), _said(options), _said(numbers), _said(draw), _said(keep)]
     return hashlib.sha256("\n".join(said).encode()).hexdigest()
 
 
-def _source(function: Any) -> str:
-    """What a function says, as far as Python can tell, with the numbers that are bound to it."""
-    inner = getattr(function, "func", function)
-    bound = repr((getattr(function, "args", ()), getattr(function, "keywords", {}))) if inner is not function else ""
+def _said(what: Any) -> str:
+    """What tells one sweep from another: numbers, robots by their files, functions by their source and what is bound."""
+    if hasattr(what, "robot"):
+        return repr(what.robot)
+    if isinstance(what, partial):
+        return _said((what.func, what.args, what.keywords))
+    if isinstance(what, dict):
+        return _said([x for pair in what.items() for x in pair])
+    if isinstance(what, list | tuple):
+        return f"({', '.join(map(_said, what))})"
+    if not inspect.isfunction(what):
+        return repr(what)
+    inner = _said([cell.cell_contents for cell in what.__closure__ or ()] + list(what.__defaults__ or ()))
     try:
-        return inspect.getsource(inner) + bound
+        return inspect.getsource(what) + inner
     except (TypeError, OSError):
-        return f"{getattr(inner, '__module__', '')}.{getattr(inner, '__qualname__', type(inner).__qualname__)}{bound}"
+        return f"{what.__module__}.{what.__qualname__}{inner}"
 
 
 _kept: dict[str, tuple] = {}
@@ -177,9 +203,8 @@ def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
     given = dict(draw(rng, n))
     if wrong := given.keys() - set(ARGUMENTS) or {"x0"} - given.keys():
         raise UsageError(f"draw: wrong or missing is '{min(wrong)}'; it gives x0, and may {', '.join(ARGUMENTS[1:])}")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ModelValidityWarning)
-        run = rollout(model, given.pop("x0"), given.pop("tau", None), **given, **options)
+    given, count, how = checked(model, **(dict.fromkeys(ARGUMENTS) | given), **options)
+    run = rolled(model, given, count, *how)
     values = np.asarray(keep(run))
     if len(run.status) != n or values.shape[:1] != (n,):
         raise UsageError(f"draw gave {len(run.status)} scenarios, keep the shape {values.shape}; both must be of {n}")

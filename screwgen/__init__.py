@@ -20,6 +20,7 @@ HOMES = {
     "simulation.rollout": ("Rollout", "rollout"),
     "simulation.runs": ("Run",),
     "simulation.simulate": ("simulate",),
+    "simulation.sweep": ("Sweep", "sweep"),
     "simulation.validity": ("ModelLeftError", "ModelValidityWarning", "Validity"),
     "spec.frequencies": ("Frequencies",),
     "spec.load": ("dump",),

@@ -18,6 +18,8 @@ from .simulation.rollout import Rollout as Rollout
 from .simulation.rollout import rollout as rollout
 from .simulation.runs import Run as Run
 from .simulation.simulate import simulate as simulate
+from .simulation.sweep import Sweep as Sweep
+from .simulation.sweep import sweep as sweep
 from .simulation.validity import ModelLeftError as ModelLeftError
 from .simulation.validity import ModelValidityWarning as ModelValidityWarning
 from .simulation.validity import Validity as Validity

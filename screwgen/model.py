@@ -162,6 +162,12 @@ class Model:
         made = lambda: self._casadi.joined(steps(self.chain, more))  # noqa: E731
         return self.once(("casadi", more), made) if more else self._casadi
 
+    def jax(self, precision="double", forward_mode=False, methods: Sequence[Method] = ()) -> Mapping:
+        """The functions on arrays of JAX by the names of :meth:`casadi`, pure and jitted; :mod:`.backends.jax`."""
+        from .backends.jax import functions
+        given = (self.chain, precision, forward_mode, tuple(methods))
+        return self.once(("jax", given[1:]), partial(functions, *given))  # type: ignore[return-value]
+
     def acados(self, form="joint", parameters="runtime", w_ext=False):
         """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -87,6 +88,7 @@ def rollout(
     parameters: Given = None,
     threads: int = 1,
     single: bool = False,
+    executor: Executor | None = None,
 ) -> Rollout:
     """Roll out a batch of scenarios in the compiled C, as many at a time as a vector register has lanes.
 
@@ -98,13 +100,29 @@ def rollout(
     steps. `steps` is needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or
     (batch, n); or those that differ by name, each a number or (batch,). `threads`: cores; the results do not depend
     on it.
-    `single`: in single precision, about half the time.
+    `single`: in single precision, about half the time. `executor`: any of ``concurrent.futures``, which gets the
+    scenarios in chunks and does those of lost workers again; :func:`screwgen.sweep` keeps more than memory holds.
 
     The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
     Where a link is past the bounds of the model a :class:`ModelValidityWarning` says so; see `Rollout.validity`.
     A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
+    given, count, how = checked(
+        model, x0, tau, w_ext, parameters, step, steps, substeps, integrator, threads=threads, single=single
+    )
+    if executor is None:
+        run = rolled(model, given, count, *how)
+    else:
+        from .sweep import in_chunks
+
+        run = in_chunks(model, given, count, how, executor)
+    run.validity.warn(stacklevel=2)
+    return run
+
+
+def checked(model, x0, tau, w_ext, parameters, step, steps, substeps, integrator, threads, single):
+    """The arguments of :func:`rollout` as :func:`rolled` takes them: arrays, the number of scenarios, and the rest."""
     _check_numbers(step, steps, substeps, threads)
     method = method_of(integrator, missing=NO_METHOD)
     given = {
@@ -116,10 +134,11 @@ def rollout(
     count = _common({name: len(a) for name, a in given.items()}, "scenarios")
     periods = _periods(steps, {"tau": np.shape(tau)[:-1], "w_ext": np.shape(w_ext)[:-2]})
     _check_size(count, periods, model)
-    return _run(model, given, count, periods, step, substeps, method, threads, single)
+    return given, count, (periods, step, substeps, method, threads, single)
 
 
-def _run(model, given, count, periods, step, substeps, method, threads, single) -> Rollout:
+def rolled(model, given, count, periods, step, substeps, method, threads, single) -> Rollout:
+    """The motions of scenarios whose arguments are checked, without warnings."""
     batch = compiled_batch(model, single, added(method))
     starts = np.split(np.broadcast_to(given["x0"], (count, model.nq + model.nv)).T, [model.nq])
     path = [np.empty((periods + 1, *start.shape), batch.real) for start in starts]
@@ -131,9 +150,7 @@ def _run(model, given, count, periods, step, substeps, method, threads, single) 
     q, v = (rows.transpose(2, 0, 1) for rows in path)
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)
-    validity = watched(model, given, t, q, v)
-    validity.warn(stacklevel=3)
-    return Rollout(t, q, v, status, done // substeps, fault, links, validity)
+    return Rollout(t, q, v, status, done // substeps, fault, links, watched(model, given, t, q, v))
 
 
 def _rows(values: np.ndarray, count: int, real) -> np.ndarray:

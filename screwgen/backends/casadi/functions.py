@@ -94,8 +94,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         lower = ca.SX(ca.Sparsity.lower(nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
-    def loop_wrenches() -> dict[str, ca.SX]:
-        return {"loop_wrench": ca.reshape(outputs(_loop_wrenches)["loop_wrench"], 6, n)}
+    def closing_wrenches() -> dict[str, ca.SX]:
+        return {"loop_wrench": ca.reshape(outputs(loop_wrenches)["loop_wrench"], 6, n)}
 
     rows = (
         ("forward_dynamics", "q v tau w_ext p", dynamics),
@@ -108,7 +108,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         ("link_pose", "q p", link_pose),
     )
     levers = (("levers", "q p", lambda: outputs(fused.levers)),) if chain.cranked else ()
-    loops = (("loop_wrenches", "q v tau w_ext p", loop_wrenches),) if chain.closures else ()
+    loops = (("loop_wrenches", "q v tau w_ext p", closing_wrenches),) if chain.closures else ()
     return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers, *loops)}
 
 
@@ -123,7 +123,7 @@ def _inertia(chain: Chain) -> Program:
     return fused.fuse(chain, "mass_matrix", {"q": chain.nq}, body)
 
 
-def _loop_wrenches(chain: Chain) -> Program:
+def loop_wrenches(chain: Chain) -> Program:
     """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
     sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
 

@@ -1,0 +1,226 @@
+"""The JAX back end: the robot's functions on arrays of JAX, pure and batched by ``jax.vmap``.
+
+``q`` (nq,), ``v``, ``vdot`` (nv,), ``tau`` (n_tau,), ``w_ext`` (n, 6), a row per link, ``p``: the parameters of the
+robot file. SI units, radians. JAX cannot raise from inside: where a joint cannot be solved for, every result and every
+gradient of a function is NaN.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import cache, partial
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+
+from ...algorithms import fused
+from ...algorithms.axis_laws import STOP, secants
+from ...algorithms.schedule import COLUMNS
+from ...arguments import choice
+from ...bodies.validity import MEASURES
+from ...errors import UsageError
+from ...integrators.method import Method, Motion
+from ...integrators.methods import with_built_in
+from ...integrators.se3 import FLAT, programs
+from ...ir.adjoint import only
+from ...ir.program import Program
+from ...topology.chain import Chain
+from ..casadi.functions import Made, loop_wrenches
+from .programs import Evaluator, Values, straight
+
+PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
+STEP = "modal_midpoint"
+"""The method of the function `step`, which is that of a simulation."""
+
+
+def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterable[Method]) -> Made:
+    """The functions by name, each made when it is first asked for; see :meth:`screwgen.Model.jax`."""
+    choice(precision, PRECISIONS, "there is no precision")
+    if precision == "double" and not jax.config.jax_enable_x64:
+        said = "call jax.config.update('jax_enable_x64', True) first, or give precision='single'"
+        raise UsageError(f"JAX is set to single precision; {said}")
+    own = Own(chain, PRECISIONS[precision], straight if forward_mode else Evaluator)
+    found = with_built_in(methods)
+    steps = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
+    return Made(own.makers() | {"step": partial(own.step, found[STEP])} | steps)
+
+
+class Own:
+    """What makes the functions of one robot; ``evaluated`` makes a JAX function of a program."""
+
+    def __init__(self, chain: Chain, real: Any, evaluated: Callable[[Program], Callable]):
+        self.chain, self.real = chain, real
+        self.sizes: dict[str, tuple[int, ...]] = {
+            "q": (chain.nq,),
+            "v": (chain.nv,),
+            "vdot": (chain.nv,),
+            "tau": (chain.n_tau,),
+            "w_ext": (chain.n, 6),
+            "p": (len(fused.parameters(chain.robot)),),
+            "h": (),
+        }
+
+        @cache
+        def evaluator(maker: Callable[[Chain], Program], outputs: tuple[str, ...]) -> Callable:
+            return evaluated(only(maker(chain), outputs))
+
+        self._evaluator = evaluator
+
+    def run(self, maker: Callable[[Chain], Program], outputs: str, given: Values) -> list:
+        """Outputs of a program; NaN, gradients included, where one of its guards is not > 0."""
+        names = tuple(outputs.split())
+        flat = {name: jnp.ravel(x) for name, x in given.items()}
+        found, guards = self._evaluator(maker, names)(flat)
+        fine = jnp.where(jnp.all(guards > 0), 1, jnp.nan).astype(self.real)
+        return [found[name] * fine for name in names]
+
+    def function(self, inputs: str, body: Callable[..., Any]) -> Callable:
+        """``body`` of the named inputs, converted and checked."""
+        names = inputs.split()
+
+        def call(*args, **named):
+            given = dict(zip(names, args, strict=False)) | named
+            if len(args) > len(names) or given.keys() != set(names) or len(given) != len(args) + len(named):
+                raise UsageError(f"the arguments are ({', '.join(names)})")
+            return compiled({name: self._array(name, given[name]) for name in names})
+
+        compiled = jax.jit(body)
+        call.__doc__ = f"``({', '.join(names)})``"
+        return call
+
+    def _array(self, name: str, value: Any):
+        try:
+            out = jnp.asarray(value, self.real)
+        except (TypeError, ValueError):
+            raise UsageError(f"{name} is not an array of numbers") from None
+        if out.shape != self.sizes[name]:
+            wanted = f"it must be {self.sizes[name]}; take many at a time by jax.vmap"
+            raise UsageError(f"{name} has the shape {out.shape}; {wanted}")
+        return out
+
+    def makers(self) -> dict[str, Callable[[], Callable]]:
+        """What makes all but the steps, by name."""
+        n, run, whole = self.chain.n, self.run, (self.chain.n, 6)
+
+        def forward_dynamics(x: Values):
+            vdot, wrench = run(fused.forward_dynamics, "vdot wrench", x)
+            return vdot, wrench.reshape(whole)
+
+        def energy(x: Values):
+            return tuple(value[0] for value in run(fused.energy, "kinetic potential", x))
+
+        def tip_pose(x: Values):
+            R, position = run(fused.poses, "tip_R tip_position", x)
+            return R.reshape(n, 3, 3)[self.chain.last], position.reshape(n, 3)[self.chain.last]
+
+        def link_pose(x: Values):
+            R, position = run(fused.poses, "link_R link_position", x)
+            return R.reshape(n, 3, 3), position.reshape(n, 3)
+
+        def one(maker: Callable[[Chain], Program], output: str, *shape: int):
+            return lambda x: run(maker, output, x)[0].reshape(shape or -1)
+
+        rows: list[tuple[str, str, Callable]] = [
+            ("forward_dynamics", "q v tau w_ext p", forward_dynamics),
+            ("validity", "q v tau w_ext p", one(fused.validity, "measures", n, len(MEASURES))),
+            ("inverse_dynamics", "q v vdot w_ext p", one(fused.inverse_dynamics, "force")),
+            ("mass_matrix", "q p", self._mass_matrix),
+            ("bias", "q v w_ext p", one(fused.bias, "h")),
+            ("energy", "q v p", energy),
+            ("tip_pose", "q p", tip_pose),
+            ("link_pose", "q p", link_pose),
+            ("tip_jacobian", "q p", partial(self._tip_jacobian, tip_pose)),
+            ("coordinate_rates", "q v p", self._coordinate_rates),
+        ]
+        if self.chain.cranked:
+            rows.append(("levers", "q p", one(fused.levers, "levers")))
+        if self.chain.closures:
+            rows.append(("loop_wrenches", "q v tau w_ext p", one(loop_wrenches, "loop_wrench", *whole)))
+            rows.append(("correct", "q v p", lambda x: tuple(run(fused.correction, "new_q new_v", x))))
+        return {name: partial(self.function, inputs, body) for name, inputs, body in rows}
+
+    def _mass_matrix(self, x: Values):
+        force = lambda vdot: self.run(fused.inertial_force, "force", {**x, "vdot": vdot})[0]  # noqa: E731
+        return jax.jacrev(force)(jnp.zeros(self.chain.nv, self.real))
+
+    def _coordinate_rates(self, x: Values):
+        return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.floating else x["v"]
+
+    def _tip_jacobian(self, tip_pose: Callable, x: Values):
+        """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
+        R, _ = tip_pose(x)
+        turning, moving = jax.jacrev(lambda q: tip_pose({**x, "q": q}))(x["q"])
+        units = jnp.eye(self.chain.nv, dtype=self.real)
+        rates = jax.vmap(lambda v: self._coordinate_rates({**x, "v": v}), out_axes=1)(units)
+        spin = jnp.einsum("ijk,kl,mj->iml", turning, rates, R)
+        return jnp.concatenate([jnp.stack([spin[2, 1], spin[0, 2], spin[1, 0]]), moving @ rates])
+
+    def step(self, method: Method) -> Callable:
+        """``(q, v, tau, w_ext, h, p) -> (q, v)``: the inputs held over h seconds."""
+
+        def body(x: Values):
+            space = Curved(self) if self.chain.floating else FLAT
+            q, v = method.step(Held(self, x), x["q"], x["v"], x["h"], space)
+            return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
+
+        return self.function("q v tau w_ext h p", body)
+
+
+class Held:
+    """Accelerations at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
+
+    def __init__(self, own: Own, x: Values):
+        self.own, self.chain = own, own.chain
+        self.given = {name: x[name] for name in ("tau", "w_ext", "p")}
+        names = [*COLUMNS["eta"], *(COLUMNS["dry"] if self.chain.dry else ()), *(STOP if self.chain.stops else ())]
+        values = own.run(fused.modal_properties, " ".join(names), {"p": x["p"]})
+        self.properties = dict(zip(names, values, strict=True))
+
+    def explicit(self, q: Any, v: Any) -> Any:
+        return self.implicit(q, v, 0.0)
+
+    def implicit(self, q: Any, v: Any, h: Any, there: Motion | None = None) -> Any:
+        q_there, v_there = there or (q, v)
+        x, rate, later = (values[len(values) - self.chain.n_given :] for values in (q, v, v_there))
+        M, K, D = (self.properties[name] for name in COLUMNS["eta"])
+        if dry := list(self.chain.dry):
+            coulomb, speed = (self.properties[name] for name in COLUMNS["dry"])
+            D = D.at[jnp.array(dry)].add(coulomb / jnp.sqrt(later[jnp.array(dry)] ** 2 + speed))
+        inertia, force = M + h * D + h**2 * K, self._product(K, x + h * rate) + self._product(D, rate)
+        for k, (i, side) in enumerate(self.chain.stops):
+            at, stiffness, damping = (self.properties[name][k] for name in STOP)
+            on = lambda x: (x > 0).astype(self.own.real)  # noqa: E731
+            K_s, D_s, rest = secants(side, x[i], rate[i], later[i], h, at, stiffness, damping, on)
+            inertia = inertia.at[i].add(h * (D_s + h * K_s))
+            force = force.at[i].add(K_s * (x[i] - rest + h * rate[i]) + D_s * rate[i])
+        given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
+        return self.own.run(fused.modal_dynamics, "vdot", given)[0]
+
+    def _product(self, A: Any, x: Any) -> Any:
+        """:meth:`Chain.modal_product` on arrays that cannot be written to."""
+        out = A[: self.chain.n_given] * x
+        for k, (i, j) in enumerate(self.chain.coupled, self.chain.n_given):
+            out = out.at[i].add(A[k] * x[j]).at[j].add(A[k] * x[i])
+        return out
+
+
+class Curved:
+    """The coordinates behind a floating base: a :class:`~screwgen.integrators.se3.Space`."""
+
+    def __init__(self, own: Own):
+        self.own = own
+
+    def moved(self, q: Any, u: Any) -> Any:
+        return self.own.run(_moved, "q", {"q": q, "u": u})[0]
+
+    def rate(self, u: Any, v: Any) -> Any:
+        return self.own.run(_rate, "rate", {"u": u, "v": v})[0]
+
+
+def _moved(chain: Chain) -> Program:
+    return programs(chain.nq, chain.nv)[0]
+
+
+def _rate(chain: Chain) -> Program:
+    return programs(chain.nq, chain.nv)[1]

@@ -11,6 +11,7 @@ import numpy as np
 
 from screwgen import ScrewgenError
 from screwgen.runtime.mpc import Mpc
+from screwgen.spec.mpc import load_mpc
 
 from .arms import Arms
 from .loop import Controller
@@ -29,7 +30,7 @@ class Sampled(Solution):
     state: np.ndarray
     """(nx,): what the controller was given."""
     reference: np.ndarray
-    """The references of all stages in the order of the C struct; empty where the file's own are kept."""
+    """The references of all stages, in the order of the C struct."""
     late: bool
 
 
@@ -42,32 +43,27 @@ class Generated(Controller):
     """One real-time iteration in generated C for each sample, along the plan or, without one, towards the file's goal.
 
     A late sample is one whose preparation is not done when the measurement comes.  Then `feedback` is called all the
-    same: it returns the next torque of the plan and says BAD_ARGUMENT, and the plan moves on by an interval.
+    same: it returns the next torque of what was predicted and says BAD_ARGUMENT, and that moves on by an interval.
     """
 
     def __init__(
         self,
         arms: Arms,
-        intervals: int,
+        intervals: int = 0,
         plan: Plan | None = None,
         file: Path = FILE,
-        along: bool = True,
         late: Callable[[int], bool] = always_in_time,
     ):
-        self.file, self.along, self.late = file, along, late
-        super().__init__(arms, Form(), intervals, plan)
+        self.file, self.late, horizon = file, late, load_mpc(file).horizon
+        super().__init__(arms, Form(horizon.step, horizon.intervals), intervals, plan)
 
     def stated(self, form: Form) -> Mpc:
-        controller = self.arms.model.mpc(self.file, parameters=self.dynamics.parameters(self.extra))
-        said = controller.said.horizon
-        if (said.intervals, said.step) != (form.N, form.h):
-            raise ScrewgenError(f"{self.file}: the horizon is not that of the example, {form.N} of {form.h} s")
-        return controller
+        return self.arms.model.mpc(self.file, parameters=self.dynamics.parameters(self.extra))
 
     def refer(self, t: float) -> np.ndarray:
-        """References from time t on: the plan's states, torques and tips."""
+        """The references from time t on: states, torques and tips of the plan, or without one what they are."""
         c, h, n = self.problem, self.form.h, self.arms.model.nq
-        for k, stage in enumerate(c.reference if self.along else ()):
+        for k, stage in enumerate(c.reference if self.plan else ()):
             at = t + k * h
             x = self.plan.states(at)
             stage["q"][:], stage["v"][:], stage["tau"][:] = x[:n], x[n:], self.plan.torques(at, h)

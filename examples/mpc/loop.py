@@ -64,7 +64,8 @@ def found_payload(arms: Arms, dynamics: Dynamics) -> float:
 class Controller:
     """An MPC: finds the payload, plans the fastest motion, and follows it by a receding horizon; here with IPOPT.
 
-    A solve takes an interval: it starts from where the model will be at its end, and acts from then on.
+    A solve takes an interval: it starts from where the model will be at its end, and acts from then on.  The plan is
+    made in so many `intervals`, or it is one that is there.
     """
 
     def __init__(self, arms: Arms, form: Form, intervals: int, plan: Plan | None = None):
@@ -73,7 +74,8 @@ class Controller:
         start = at_rest(arms.model, np.zeros(3), self.dynamics.parameters(self.extra))
         start = np.append(start[0], np.zeros(arms.model.nq)), start[1]
         self.ends = [start, self.dynamics.rest_there(arms.goal, self.extra)]
-        self.plan = plan or fastest(self.dynamics, self.ends, self.extra, intervals, SHARE, SMOOTH)
+        given = self.dynamics, self.ends, self.extra, intervals, SHARE, SMOOTH
+        self.plan = fastest(*given) if intervals else plan
         self.problem = self.stated(form)
         self.ahead, self.soon = self.dynamics.step(form.h), self.dynamics.step(STEP)
 

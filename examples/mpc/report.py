@@ -142,14 +142,14 @@ def horizon(out: Document, r: Results, n: dict) -> None:
         "of the tip, coordinates, rates and torques from the plan's; at the end the cost-to-go of the linear quadratic",
         "regulator at the goal. The controller predicts the state one interval ahead and acts from then on: the delay",
         f"is simulated. Between samples a rate loop at 1 kHz, {listed(RATE_GAIN)} N·m·s/rad, holds the joint rates to",
-        "the predicted ones, and an observer runs the model beside the plant: sampled every 20 ms without it, the plant's",
-        "undamped mode at 502 Hz looks like a motion at 1.7 Hz, and the controller follows that.",
+        "the predicted ones, and an observer runs the model beside the plant: sampled every 20 ms without it, the",
+        "plant's undamped mode at 502 Hz looks like a motion at 1.7 Hz, and the controller follows that.",
     )
     out.text(
         f"{n['samples']} samples, {'all' if n['solved'] else 'NOT all'} solved; {count['median']:g} iterations of the",
         f"quadratic program in the median, {count['max']} at most. **Cold start**: the first plan comes from the",
-        "straight posture at rest with the torques that hold it, not from the fastest motion. *MPC without a plan* has the goal",
-        "alone as its reference, from the first sample on.",
+        "straight posture at rest with the torques that hold it, not from the fastest motion. *MPC without a plan* has",
+        "the goal alone as its reference, from the first sample on.",
     )
     out.text(
         "*IPOPT in every sample* is a recording (`mpc_ella.py --ghost`): the same loop with collocation at two Radau",
@@ -199,8 +199,8 @@ def bounded(out: Document, n: dict) -> None:
         f"No motor acts on the elbow's bending moment {w['component']}, so no torque limit bounds it: the motion above",
         f"brings it to **{free:.1f} N·m**. `examples/mpc/mpc_wrench.toml` is the same controller with one more line, a",
         f"bound on that moment; the plant shall keep to {w['bound']:g} N·m, and since it has modes that the model has",
-        f"not, the file says less. In the plant, by `forward_dynamics` in C each ms: at most **{inside:.1f} N·m, a margin",
-        f"of {w['margin']:.1f} N·m**. The tip settles after {times}.",
+        f"not, the file says less. In the plant, by `forward_dynamics` in C each ms: at most **{inside:.1f} N·m, a",
+        f"margin of {w['margin']:.1f} N·m**. The tip settles after {times}.",
     )
     out.figure("wrench.png", "The plant's moment in the two motions; dotted: the bound.")
 

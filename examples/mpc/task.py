@@ -103,9 +103,9 @@ def compute(extent: Extent, progress: Callable[[str], None]) -> Results:
     latency = measured(arms, samples, mpc.extra, extent.repeats)
     late = {"none": motion}
     for name, when in list(LATE_SAMPLES.items())[1:]:
-        loop = Generated(arms, extent.intervals, mpc.plan, late=when)
+        loop = Generated(arms, plan=mpc.plan, late=when)
         late[name], _ = loop.run(extent.duration, quietly(progress, f"MPC, late samples: {name}", extent))
-    alone = Generated(arms, extent.intervals, mpc.plan, along=False)
+    alone = Generated(arms)
     cold, _ = alone.run(extent.duration, quietly(progress, "MPC without a plan", extent))
     wrench = list(bounded_wrench(arms, mpc, motion, extent, progress))
     motions, gains, hindsight = baselines(arms, mpc, extent, progress)
@@ -184,7 +184,7 @@ def lower_bounds(mpc: Generated, extent: Extent, progress: Callable[[str], None]
 
 def bounded_wrench(arms: Arms, mpc: Generated, motion: Motion, extent: Extent, progress: Callable[[str], None]):
     """The same motion with the file that bounds `COMPONENT`; the moment (N,) is that of the plant's C."""
-    loop = Generated(arms, extent.intervals, mpc.plan, BOUNDED)
+    loop = Generated(arms, file=BOUNDED)
     held, _ = loop.run(extent.duration, quietly(progress, "MPC with a bounded joint wrench", extent))
     for bound, run in ((None, motion), (BOUND, held)):
         rows = zip(run.q, run.v, run.tau, strict=True)

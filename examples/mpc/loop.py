@@ -62,18 +62,20 @@ def found_payload(arms: Arms, dynamics: Dynamics) -> float:
 
 
 class Controller:
-    """The MPC: finds the payload, plans the fastest motion, and follows it by a receding horizon.
+    """An MPC: finds the payload, plans the fastest motion, and follows it by a receding horizon; here with IPOPT.
 
-    A solve takes an interval: it starts from where the model will be at its end, and acts from then on.
+    A solve takes an interval: it starts from where the model will be at its end, and acts from then on.  The plan is
+    made in so many `intervals`, or it is one that is there.
     """
 
-    def __init__(self, arms: Arms, form: Form, intervals: int):
+    def __init__(self, arms: Arms, form: Form, intervals: int, plan: Plan | None = None):
         self.arms, self.form, self.dynamics = arms, form, Dynamics(arms.model)
         self.extra = found_payload(arms, self.dynamics)
         start = at_rest(arms.model, np.zeros(3), self.dynamics.parameters(self.extra))
         start = np.append(start[0], np.zeros(arms.model.nq)), start[1]
         self.ends = [start, self.dynamics.rest_there(arms.goal, self.extra)]
-        self.plan = fastest(self.dynamics, self.ends, self.extra, intervals, SHARE, SMOOTH)
+        given = self.dynamics, self.ends, self.extra, intervals, SHARE, SMOOTH
+        self.plan = fastest(*given) if intervals else plan
         self.problem = self.stated(form)
         self.ahead, self.soon = self.dynamics.step(form.h), self.dynamics.step(STEP)
 
@@ -85,22 +87,26 @@ class Controller:
         t = t + h * np.arange(N + 1)
         return problem.solve(x, self.extra, self.plan.states(t), self.plan.torques(t[:-1], h))
 
-    def run(self, duration: float, tick: Callable[[float], None]) -> tuple[Motion, list[Solution]]:
-        n, h, every, T = self.arms.model.nq, self.form.h, round(self.form.h / STEP), self.arms.projection
+    def sample(self, x, acting: Solution, t: float) -> Solution:
+        """What acts from an interval after t on, from the state x (nx,) at t, where `acting` acts now."""
+        h = self.form.h
+        return self.solve(self.problem, np.array(self.ahead(x, acting.u[0], self.extra)).ravel(), t + h)
+
+    def run(self, duration: float, tick: Callable[[float], None]) -> tuple[Motion, list]:
+        n, every, T = self.arms.model.nq, round(self.form.h / STEP), self.arms.projection
         x, tau = self.ends[0]
         solutions = [self.solve(self.problem, x, 0.0)]
         acting = solutions[0]
-        after = lambda step, x, u: np.array(step(x, u, self.extra)).ravel()  # noqa: E731
 
         def torque(k: int, q, v) -> np.ndarray:
             nonlocal acting, x, tau
-            x = after(self.soon, x, tau) if k else x
+            x = np.array(self.soon(x, tau, self.extra)).ravel() if k else x
             x = x + OBSERVER_GAIN * (np.append(T @ q, T @ v) - x)
             if k % 200 == 0:
                 tick(k * STEP)
             if k % every == 0:
                 acting = solutions[-1]
-                solutions.append(self.solve(self.problem, after(self.ahead, x, acting.u[0]), k * STEP + h))
+                solutions.append(self.sample(x, acting, k * STEP))
             share = k % every / every
             rates = (1 - share) * acting.x[0, n : n + 3] + share * acting.x[1, n : n + 3]
             tau = np.clip(acting.u[0] - RATE_GAIN * (v[:3] - rates), -LIMIT, LIMIT)

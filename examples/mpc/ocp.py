@@ -1,4 +1,4 @@
-"""The problem of every solve: to follow the plan; Opti, direct collocation or multiple shooting, IPOPT or fatrop."""
+"""The problem of a sample, converged: to follow the plan; Opti, direct collocation, IPOPT. The judge and the ghost."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .attempt import attempt
 DEGREE = 2
 """Radau points in an interval: third order, and what is too fast for the interval is damped."""
 SUBSTEP = 1e-3
-"""s: of Runge–Kutta 4 in shooting intervals and in the prediction over the delay, at most."""
+"""s: of Runge–Kutta 4 in the prediction over the delay, at most."""
 TIP_WEIGHT = 300.0
 """Per second and m²: of the tip's distance from the plan's, linearised at the goal."""
 JOINTS, MODES, JOINT_RATES, MODE_RATES = 1.0, 1.0, 0.02, 0.2
@@ -96,12 +96,8 @@ class Dynamics:
 
 @dataclass(frozen=True)
 class Form:
-    """How the problem is put and solved."""
+    """The horizon of the problem."""
 
-    transcription: str = "collocation"
-    """"collocation" or "shooting"."""
-    solver: str = "ipopt"
-    """"ipopt" or "fatrop"."""
     h: float = 0.02
     """s: interval, over which u is held, and time between two solves."""
     N: int = 6
@@ -121,39 +117,30 @@ class Solution:
 
 
 class Problem:
-    """The problem in stages (x_k, u_k, collocation states), as fatrop wants them; warm starts by shifting."""
+    """The problem in stages (x_k, u_k, collocation states); warm starts by shifting."""
 
     def __init__(self, dynamics: Dynamics, form: Form, Q: np.ndarray, P: np.ndarray):
         self.dynamics, self.form, self.opti = dynamics, form, ca.Opti()
         o, N, nx = self.opti, form.N, dynamics.nx
-        points = DEGREE if form.transcription == "collocation" else 0
         self.X, self.U, self.C = [], [], []
         for _ in range(N):
             self.X.append(o.variable(nx))
             self.U.append(o.variable(3))
-            self.C += [o.variable(nx, points)] if points else []
+            self.C.append(o.variable(nx, DEGREE))
         self.X.append(o.variable(nx))
         self.given = [o.parameter(*size) for size in ((nx, 1), (1, 1), (nx, N + 1), (3, N))]
-        self._constrain(points)
+        self._constrain()
         self._minimise(Q, P)
         self._solver()
         self.last = None
 
-    def _constrain(self, points: int) -> None:
+    def _constrain(self) -> None:
         o, N, h, size, (x0, extra, _, _) = self.opti, self.form.N, self.form.h, self.dynamics.size, self.given
         X, U, extras = ca.hcat(self.X[:-1]), ca.hcat(self.U), ca.repmat(extra, 1, N)
-        if points:
-            defects = self.dynamics.defects().map(N)(X, ca.hcat(self.C), U, extras, np.full((1, N), h))
-            ends = [c[:, -1] for c in self.C]
-        else:
-            full, limits = (ca.repmat(ca.DM(s), 1, N) for s in (size, LIMIT))
-            ends = ca.horzsplit(self.dynamics.step(h).map(N)(X * full, U * limits, extras) / full)
+        o.subject_to(self.X[0] == x0 / size)
+        o.subject_to(ca.vec(self.dynamics.defects().map(N)(X, ca.hcat(self.C), U, extras, np.full((1, N), h))) == 0)
         for k in range(N):
-            o.subject_to(self.X[k + 1] == ends[k])
-            if k == 0:
-                o.subject_to(self.X[0] == x0 / size)
-            if points:
-                o.subject_to(defects[:, k] == 0)
+            o.subject_to(self.X[k + 1] == self.C[k][:, -1])
             o.subject_to(o.bounded(-1, self.U[k], 1))
 
     def _minimise(self, Q: np.ndarray, P: np.ndarray) -> None:
@@ -164,11 +151,8 @@ class Problem:
         self.opti.minimize(cost + TORQUE_WEIGHT * h * sum(map(ca.sumsqr, extra)))
 
     def _solver(self) -> None:
-        """IPOPT with the Hessian of the quadratic cost alone (Gauss–Newton); fatrop with the exact one."""
+        """IPOPT with the Hessian of the quadratic cost alone (Gauss–Newton)."""
         o, quiet = self.opti, {"print_time": False}
-        if self.form.solver == "fatrop":
-            o.solver("fatrop", quiet | {"structure_detection": "auto"}, {"print_level": 0, "tol": TOLERANCE})
-            return
         names = ["x", "p", "lam_f", "lam_g"]
         lam_f, lam_g = ca.MX.sym("lam_f"), ca.MX.sym("lam_g", o.ng)
         H = ca.triu(ca.hessian(o.f, o.x)[0])
@@ -193,7 +177,7 @@ class Problem:
         points = ca.collocation_points(DEGREE, "radau")
         inner = [np.array([a + c * (b - a) for c in points]).T for a, b in pairwise(x)]
         plan = [list(x), list(u), inner]
-        shifted = self.last and [[*old[1:], new[-1]] for old, new in zip(self.last, plan, strict=True) if old]
-        for variables, values in zip((self.X, self.U, self.C), shifted or plan, strict=False):
-            for variable, value in zip(variables, values, strict=bool(variables)):
+        shifted = self.last and [[*old[1:], new[-1]] for old, new in zip(self.last, plan, strict=True)]
+        for variables, values in zip((self.X, self.U, self.C), shifted or plan, strict=True):
+            for variable, value in zip(variables, values, strict=True):
                 self.opti.set_initial(variable, value)

@@ -9,9 +9,8 @@ from .arms import ARMATURE, LIMIT
 from .loop import RATE_GAIN
 from .ocp import TOLERANCE, Form
 from .plan import SHARE
-from .task import AMID, BAND, BANDS, CONTROLLERS, LATE, OFF, Results, numbers
-from .wrench import BOUND, COMPONENT, MOVE, PLANNED
-from .wrench import N as INTERVALS
+from .task import BAND, BANDS, CONTROLLERS, LATE, Results, numbers
+from .timing import MARKS
 
 MM = [f"{1e3 * band:g} mm" for band in BANDS]
 HEAD = ("controller", *MM)
@@ -38,7 +37,8 @@ def report(r: Results) -> Document:
     if r.bounds:
         lower_bound(out, r, n)
     horizon(out, r, n)
-    transcriptions(out, r)
+    latencies(out, n)
+    late_samples(out, r, n)
     bounded(out, n)
     return out
 
@@ -65,7 +65,8 @@ def settling(out: Document, r: Results, n: dict) -> None:
     out.heading("Settling")
     bounds = [("*fastest possible motion*", *map(seconds, n["lower_bounds"]))] if r.bounds else []
     out.text("Time (s) after which the tip stays within a band **about the goal**; –: it does not.")
-    out.table(HEAD, rows(n["settling"], seconds) + bounds)
+    ghost = [("*IPOPT in every sample, recorded*", *map(seconds, n["ghost"]["settling"]))]
+    out.table(HEAD, rows(n["settling"], seconds) + ghost + bounds)
     out.text("How many times as fast the MPC is, about the goal, beside each PD:")
     out.table(HEAD, rows(n["faster"], ratio))
     out.figure(
@@ -128,7 +129,7 @@ def lower_bound(out: Document, r: Results, n: dict) -> None:
 
 
 def horizon(out: Document, r: Results, n: dict) -> None:
-    form, s, count = Form(), n["solve_seconds"], n["iterations"]
+    form, count, ghost = Form(), n["qp_iterations"], n["ghost"]["solve_ms"]
     out.heading("Receding horizon")
     out.text(
         f"**Plan**, once, before the motion: the fastest from rest to rest within {100 * SHARE:g} % of the torque",
@@ -136,60 +137,72 @@ def horizon(out: Document, r: Results, n: dict) -> None:
         f"excite the modes from 80 Hz on: {r.plan.duration:.3f} s long, found in {r.plan.seconds:.0f} s of one core.",
     )
     out.text(
-        f"**Solve**, every {1e3 * form.h:g} ms: {form.N} intervals of as much, collocation at two Radau points,",
-        "torques held and within their limits. Weighed are the distance of the tip, coordinates, rates and torques",
-        "from the plan's; at the end the cost-to-go of the linear quadratic regulator on the model linearised at the",
-        "goal (`Model.linearise`). A solve starts from where the model will be one interval later, and acts from then",
-        f"on: the delay is simulated. Between solves a rate loop at 1 kHz, {listed(RATE_GAIN)} N·m·s/rad, holds the",
-        "joint rates to the predicted ones, and an observer runs the model beside the plant: sampled every 20 ms",
-        "without it, the plant's undamped mode at 502 Hz looks like a motion at 1.7 Hz, and the controller follows",
-        "that.",
+        f"**Sample**, every {1e3 * form.h:g} ms: the generated controller of `examples/mpc/mpc.toml`, one real-time",
+        f"iteration on {form.N} intervals of as much, torques held and within their limits. Weighed are the distance",
+        "of the tip, coordinates, rates and torques from the plan's; at the end the cost-to-go of the linear quadratic",
+        "regulator at the goal. The controller predicts the state one interval ahead and acts from then on: the delay",
+        f"is simulated. Between samples a rate loop at 1 kHz, {listed(RATE_GAIN)} N·m·s/rad, holds the joint rates to",
+        "the predicted ones, and an observer runs the model beside the plant: sampled every 20 ms without it, the",
+        "plant's undamped mode at 502 Hz looks like a motion at 1.7 Hz, and the controller follows that.",
     )
     out.text(
-        f"{n['solves']} solves, {'all' if n['converged'] else 'NOT all'} converged (IPOPT, tolerance {TOLERANCE:g},",
-        f"Hessian of the cost alone); {count['median']:g} iterations in the median, {count['max']} at most;",
-        f"{1e3 * s['median']:.0f} ms of one core in the median, {1e3 * s['max']:.0f} ms at most, in CasADi's virtual",
-        f"machine: more than the {1e3 * form.h:g} ms between two solves, so this is no real-time controller as it",
-        "stands.",
+        f"{n['samples']} samples, {'all' if n['solved'] else 'NOT all'} solved; {count['median']:g} iterations of the",
+        f"quadratic program in the median, {count['max']} at most. **Cold start**: the first plan comes from the",
+        "straight posture at rest with the torques that hold it, not from the fastest motion. *MPC without a plan* has",
+        "the goal alone as its reference, from the first sample on.",
     )
-    out.figure("solves.png", "Time and iterations of every solve; dotted: the time between two.")
-
-
-def transcriptions(out: Document, r: Results) -> None:
-    out.heading("Two transcriptions, two solvers")
-    form = r.first[0][0]
     out.text(
-        f"A problem {AMID:g} s after the start, the joints {OFF:g} rad off the plan: {form.N} intervals of",
-        f"{1e3 * form.h:g} ms, the plan as guess. Shooting: Runge–Kutta 4 in steps of 1 ms under `map`. fatrop takes",
-        "the exact Hessian, IPOPT that of the cost.",
+        "*IPOPT in every sample* is a recording (`mpc_ella.py --ghost`): the same loop with collocation at two Radau",
+        f"points, converged to {TOLERANCE:g} in CasADi's virtual machine, {ghost['median']:.0f} ms of one core in the",
+        f"median and {ghost['max']:.0f} ms at most.",
+    )
+
+
+def latencies(out: Document, n: dict) -> None:
+    found = n["latency"]
+    out.heading("Latency")
+    out.text(
+        f"{found['samples']['warm']:,} samples: those of the closed loop again and again, in C, `clock_gettime` around",
+        "the calls; the references' copy counts as preparation. *Processor* is the thread's own time; *wall* also has",
+        "what other work on the machine took. *Cold*: 8 MiB of other memory are walked through between samples. The",
+        f"thread is {'bound to one core' if found['bound_to_a_core'] else 'not bound to a core'}. {found['machine']}.",
     )
     table = [
-        (
-            f.transcription,
-            f.solver,
-            "yes" if s.converged else "no",
-            str(s.iterations),
-            f"{s.cost:.5g}",
-            f"{s.seconds:.2f}",
-        )
-        for f, s in r.first
+        (f"{phase}, {what}, {caches}", *(f"{found[f'{caches}_{what}'][phase][m]:.3f}" for m in MARKS))
+        for caches in ("warm", "cold")
+        for what in ("cpu", "wall")
+        for phase in ("preparation", "feedback", "sum")
     ]
-    out.table(("transcription", "solver", "converged", "iterations", "cost", "core s"), table)
+    table = [(row[0].replace("cpu", "processor"), *row[1:]) for row in table]
+    out.table(("ms", *MARKS), table)
+    out.figure("latency.png", "Left: median and range over all repetitions. Dotted: the time between two samples.")
+
+
+def late_samples(out: Document, r: Results, n: dict) -> None:
+    out.heading("When a sample is late")
+    out.text(
+        "A sample is late if its preparation is not done when the measurement comes. `feedback` is called all the",
+        "same: it moves the plan on by an interval, returns the plan's torque for it, within the limits, and says",
+        "`BAD_ARGUMENT`; the rate loop follows the states of that plan. A measurement that is not finite does the same",
+        "with `NONFINITE`, a quadratic program at its limit of iterations with the outcome `LIMITED`. The next",
+        "preparation that is in time goes on from there. Here preparations are dropped on purpose; settling (s):",
+    )
+    out.table(("late samples", *MM), [(name, *map(seconds, times)) for name, times in n["late"].items()])
+    out.figure("late.png", f"Tip and torque where samples are late; dotted: {MM[BAND]}, and the torque's limits.")
 
 
 def bounded(out: Document, n: dict) -> None:
     out.heading("A bounded joint wrench")
-    free, inside = n["wrench"]["plant"]["free"], n["wrench"]["plant"]["bounded"]
+    w, free, inside = n["wrench"], n["wrench"]["plant"]["free"], n["wrench"]["plant"]["bounded"]
+    times = ", ".join(f"{seconds(t)} s within {mm}" for t, mm in zip(w["settling"], MM, strict=True))
     out.text(
-        f"The same move within {MOVE:g} s, planned on the DAE form: `dae` by collocation at two Radau points in",
-        f"{INTERVALS} intervals, the joint wrenches unknowns of the problem, the rows of M_sys z + H_sys = W_sys its",
-        f"constraints, |{COMPONENT}| bounded at every point. No motor acts on that moment. The plan keeps to",
-        f"{PLANNED:g} N·m, since the plant's payload is heavier than the model's; the plant shall keep to {BOUND:g}",
-        "N·m. The plant gets the plan's torques and a PD law about its joint angles; its moment is that of",
-        f"`forward_dynamics` in C, each ms for 1.2 s: at most **{inside:.1f} N·m, a margin of {BOUND - inside:.1f}",
-        f"N·m**; with the plan that has no bound, {free:.1f} N·m.",
+        f"No motor acts on the elbow's bending moment {w['component']}, so no torque limit bounds it: the motion above",
+        f"brings it to **{free:.1f} N·m**. `examples/mpc/mpc_wrench.toml` is the same controller with one more line, a",
+        f"bound on that moment; the plant shall keep to {w['bound']:g} N·m, and since it has modes that the model has",
+        f"not, the file says less. In the plant, by `forward_dynamics` in C each ms: at most **{inside:.1f} N·m, a",
+        f"margin of {w['margin']:.1f} N·m**. The tip settles after {times}.",
     )
-    out.figure("wrench.png", "The plant's moment under the two plans; dotted: the bound.")
+    out.figure("wrench.png", "The plant's moment in the two motions; dotted: the bound.")
 
 
 def rows(table: dict, cell) -> list[tuple[str, ...]]:

@@ -2,34 +2,47 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from .arms import ERROR, LIMIT, STEP, Arms
-from .loop import FEW, GRID, SOFT, Baseline, Controller, Gains, Motion
-from .ocp import Form, Solution
+from .generated import BOUNDED, Generated, Sampled, always_in_time
+from .loop import FEW, FREE, GRID, SOFT, Baseline, Controller, Gains, Motion
+from .ocp import Form
 from .plan import Plan, fastest
-from .wrench import BOUND, PLANNED, Planner, follow
-from .wrench import Plan as BoundedPlan
+from .timing import MARKS, Latency, machine, measured, percentiles
 
 BANDS = (0.02, 0.01, 0.005, 0.002)
 """m: within which the tip counts as settled."""
 BAND = BANDS.index(0.005)
 """That of the headline: what a gripper can still catch; the payload's error moves the resting tip by as much."""
+BOUND, COMPONENT = 60.0, "forearm.tau_y"
+"""N·m: on the plant's bending moment at the elbow across its axis. No motor acts there: no torque limit bounds it."""
 LATE = 0.3
 """s: how long, at least, the tip must stay in a band, and over which its own rest is taken."""
 CONTROLLERS = {
     "mpc": "MPC",
+    "cold": "MPC without a plan",
     "pd": "PD, as designed",
     "told": "PD, told the payload",
     "hindsight": "PD, told, best gains in hindsight",
     "plan": "PD along the MPC's plan",
 }
-AMID, OFF = 0.3, 0.02
-"""s, rad: when, and how far off the plan, the problem starts that every form solves."""
-FORMS = [Form(t, s, 0.01, 6) for t in ("collocation", "shooting") for s in ("ipopt", "fatrop")]
+LATE_SAMPLES: dict[str, Callable[[int], bool]] = {
+    "none": always_in_time,
+    "one in four": lambda k: k % 4 == 3,
+    "one in two": lambda k: k % 2 == 1,
+    "three at once, at 0.2 and 0.4 s": lambda k: k in (10, 11, 12, 20, 21, 22),
+}
+"""Which preparations are late, by number of the sample from the start of the motion."""
+GHOST = Path(__file__).with_name("ghost.json")
+"""The recorded run of `mpc_ella.py --ghost`: IPOPT, converged in every sample."""
+THIN = 4
+"""Of the ghost's tip every so many `STEP` are kept."""
 
 
 @dataclass(frozen=True)
@@ -42,16 +55,15 @@ class Extent:
     grid: list[Gains]
     soft: list[Gains]
     """Of the PD along the MPC's plan."""
-    forms: list[Form]
     bounds: bool
     """Whether the fastest motion for every band is computed."""
+    repeats: int
+    """Of the closed loop, for the latencies."""
     dpi: int
 
 
-FULL = Extent(2.4, 2.4, 36, GRID, SOFT, FORMS, True, 130)
-QUICK = Extent(
-    1.0, 2.0, 36, FEW, SOFT[:2], [Form("collocation", solver, 0.01, 4) for solver in ("ipopt", "fatrop")], False, 50
-)
+FULL = Extent(2.4, 2.4, 36, GRID, SOFT, True, 50, 130)
+QUICK = Extent(1.2, 2.0, 36, FEW, SOFT[:2], False, 3, 50)
 
 
 @dataclass(frozen=True)
@@ -63,15 +75,20 @@ class Results:
     plan: Plan
     bounds: list[Plan]
     """The fastest motion for each of `BANDS`; empty in the short form."""
-    solutions: list[Solution]
+    samples: list[Sampled]
+    latency: dict[str, Latency]
+    """By state of the caches: `warm` or `cold`."""
     motions: dict[str, Motion]
     """By controller; of "hindsight" that with the best gains for the headline's band."""
     gains: dict[str, list[Gains]]
     """Of "hindsight" one for each of `BANDS`; of "plan" the best of `soft` on the plant; else those rehearsed."""
     hindsight: list[Motion]
-    first: list[tuple[Form, Solution]]
-    wrench: list[tuple[float | None, BoundedPlan, np.ndarray]]
-    """Bound, plan and the plant's moment, without and with the bound."""
+    late: dict[str, Motion]
+    """By `LATE_SAMPLES`."""
+    wrench: list[tuple[float | None, Motion, np.ndarray]]
+    """Bound, motion and the plant's moment, without and with the bound."""
+    ghost: dict
+    """`GHOST`."""
 
 
 def compute(extent: Extent, progress: Callable[[str], None]) -> Results:
@@ -79,10 +96,18 @@ def compute(extent: Extent, progress: Callable[[str], None]) -> Results:
     progress("derive the arm, compile the plant")
     arms = Arms()
     arms.compiled.prepare(arms.p)
-    progress("MPC: the fastest motion")
-    mpc = Controller(arms, Form(), extent.intervals)
-    tick = lambda t: progress(f"MPC in closed loop: {t:.1f} of {extent.duration:g} s")  # noqa: E731
-    motion, solutions = mpc.run(extent.duration, tick)
+    progress("MPC: the fastest motion, and its controller in C")
+    mpc = Generated(arms, extent.intervals)
+    motion, samples = mpc.run(extent.duration, quietly(progress, "MPC in closed loop", extent))
+    progress("MPC: latencies in C")
+    latency = measured(arms, samples, mpc.extra, extent.repeats)
+    late = {"none": motion}
+    for name, when in list(LATE_SAMPLES.items())[1:]:
+        loop = Generated(arms, plan=mpc.plan, late=when)
+        late[name], _ = loop.run(extent.duration, quietly(progress, f"MPC, late samples: {name}", extent))
+    alone = Generated(arms)
+    cold, _ = alone.run(extent.duration, quietly(progress, "MPC without a plan", extent))
+    wrench = list(bounded_wrench(arms, mpc, motion, extent, progress))
     motions, gains, hindsight = baselines(arms, mpc, extent, progress)
     return Results(
         extent=extent,
@@ -90,16 +115,39 @@ def compute(extent: Extent, progress: Callable[[str], None]) -> Results:
         found=mpc.extra,
         plan=mpc.plan,
         bounds=list(lower_bounds(mpc, extent, progress)),
-        solutions=solutions,
-        motions={"mpc": motion} | motions,
+        samples=samples,
+        latency=latency,
+        motions={"mpc": motion, "cold": cold} | motions,
         gains=gains,
         hindsight=hindsight,
-        first=list(first_problems(mpc, extent, progress)),
-        wrench=list(bounded_wrench(arms, progress)),
+        late=late,
+        wrench=wrench,
+        ghost=json.loads(GHOST.read_text()),
     )
 
 
-def baselines(arms: Arms, mpc: Controller, extent: Extent, progress: Callable[[str], None]):
+def quietly(progress: Callable[[str], None], what: str, extent: Extent) -> Callable[[float], None]:
+    return lambda t: progress(f"{what}: {t:.1f} of {extent.duration:g} s")
+
+
+def ghost(progress: Callable[[str], None]) -> dict:
+    """The content of `GHOST`: the same loop with IPOPT, converged in every sample."""
+    arms = Arms()
+    mpc = Controller(arms, Form(), FULL.intervals)
+    motion, solutions = mpc.run(FULL.duration, quietly(progress, "IPOPT in closed loop", FULL))
+    return {
+        "every": THIN * STEP,
+        "tip": np.round(motion.tip[::THIN], 4).tolist(),
+        "bands": list(BANDS),
+        "settling": [settling(motion, arms.goal, band) for band in BANDS],
+        "settling_about_own_rest": [settling(motion, rest(motion), band) for band in BANDS],
+        "converged": all(s.converged for s in solutions),
+        "iterations": [s.iterations for s in solutions],
+        "solve_seconds": [round(s.seconds, 4) for s in solutions],
+    }
+
+
+def baselines(arms: Arms, mpc: Generated, extent: Extent, progress: Callable[[str], None]):
     """Motions and gains of every PD, and the motions that were best in hindsight for each band."""
     plain, told = Baseline(arms, 0.0), Baseline(arms, mpc.extra)
     rehearsed, tried = [], []
@@ -128,27 +176,19 @@ def best(motions: list[Motion], about, band: float) -> int:
     return int(np.argmin([settling(m, about, band) or np.inf for m in motions]))
 
 
-def lower_bounds(mpc: Controller, extent: Extent, progress: Callable[[str], None]):
+def lower_bounds(mpc: Generated, extent: Extent, progress: Callable[[str], None]):
     for band in BANDS if extent.bounds else ():
         progress(f"the fastest motion into {1e3 * band:g} mm")
         yield fastest(mpc.dynamics, mpc.ends, mpc.extra, extent.intervals, band=band)
 
 
-def first_problems(mpc: Controller, extent: Extent, progress: Callable[[str], None]):
-    """A problem amid the motion, the joints `OFF` the plan, in every form, from the same guess."""
-    x = mpc.plan.states(AMID)
-    x[:3] += OFF
-    for form in extent.forms:
-        progress(f"one problem by {form.transcription} and {form.solver}")
-        yield form, mpc.solve(mpc.stated(form), x, AMID)
-
-
-def bounded_wrench(arms: Arms, progress: Callable[[str], None]):
-    progress("the wrench-bounded motion on the DAE form")
-    planner = Planner()
-    for bound in (None, PLANNED):
-        plan = planner.plan(bound)
-        yield bound, plan, follow(arms, plan, 1.2)[1]
+def bounded_wrench(arms: Arms, mpc: Generated, motion: Motion, extent: Extent, progress: Callable[[str], None]):
+    """The same motion with the file that bounds `COMPONENT`; the moment (N,) is that of the plant's C."""
+    loop = Generated(arms, file=BOUNDED)
+    held, _ = loop.run(extent.duration, quietly(progress, "MPC with a bounded joint wrench", extent))
+    for bound, run in ((None, motion), (BOUND, held)):
+        rows = zip(run.q, run.v, run.tau, strict=True)
+        yield bound, run, np.array([arms.compiled.forward_dynamics(*row, FREE)[1][1, 1] for row in rows])
 
 
 # ------------------------------------------------------------------------------ figures
@@ -180,7 +220,7 @@ def faster(r: Results, name: str, own: bool) -> list[float | None]:
 
 def numbers(r: Results) -> dict:
     """What is written as JSON; times of solves depend on the machine."""
-    seconds, iterations = ([getattr(s, name) for s in r.solutions] for name in ("seconds", "iterations"))
+    iterations = [s.iterations for s in r.samples]
     moments = {("bounded" if b else "free"): float(np.abs(m).max()) for b, _, m in r.wrench}
     late = {name: m.tip[-round(LATE / STEP) :] for name, m in r.motions.items()}
     return {
@@ -199,13 +239,26 @@ def numbers(r: Results) -> dict:
         "peak": {name: np.abs(m.tau).max(axis=0).tolist() for name, m in r.motions.items()},
         "gains": {name: [vars(g) for g in given] for name, given in r.gains.items()},
         "plan": {"duration": r.plan.duration, "seconds": r.plan.seconds},
-        "solves": len(r.solutions),
-        "converged": all(s.converged for s in (*r.solutions, r.plan, *r.bounds, *(p for _, p, _ in r.wrench))),
-        "iterations": {"median": float(np.median(iterations)), "max": max(iterations)},
-        "solve_seconds": {"median": float(np.median(seconds)), "max": max(seconds)},
-        "first": [
-            vars(f) | {"converged": s.converged, "iterations": s.iterations, "cost": s.cost, "seconds": s.seconds}
-            for f, s in r.first
-        ],
-        "wrench": {"bound": BOUND, "planned": PLANNED, "margin": BOUND - moments["bounded"], "plant": moments},
+        "samples": len(r.samples),
+        "solved": all(s.converged for s in (*r.samples, r.plan, *r.bounds)),
+        "qp_iterations": {"median": float(np.median(iterations)), "max": max(iterations)},
+        "latency": {
+            "machine": machine(),
+            "bound_to_a_core": r.latency["warm"].bound,
+            "samples": {name: len(found.wall["sum"]) for name, found in r.latency.items()},
+            "unit": "ms",
+        }
+        | {f"{name}_cpu": percentiles(found.cpu) for name, found in r.latency.items()}
+        | {f"{name}_wall": percentiles(found.wall) for name, found in r.latency.items()},
+        "late": {name: [settling(m, r.arms.goal, band) for band in BANDS] for name, m in r.late.items()},
+        "late_peak": {name: np.abs(m.tau).max(axis=0).tolist() for name, m in r.late.items()},
+        "ghost": {k: v for k, v in r.ghost.items() if k.startswith("settling")}
+        | {"solve_ms": {m: float(1e3 * np.percentile(r.ghost["solve_seconds"], q)) for m, q in MARKS.items()}},
+        "wrench": {
+            "component": COMPONENT,
+            "bound": BOUND,
+            "margin": BOUND - moments["bounded"],
+            "plant": moments,
+            "settling": [settling(r.wrench[1][1], r.arms.goal, band) for band in BANDS],
+        },
     }

@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property, partial
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -29,7 +28,6 @@ from .simulation.validity import Validity
 from .spec.parameters import coordinate_names, parameters
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
-from .studies.predictive import fitted
 from .topology.chain import Chain
 from .version import __version__ as VERSION
 
@@ -265,10 +263,7 @@ class Model:
         methods: Sequence[Method] = (),
         mpc: str | os.PathLike | None = None,
     ) -> dict[str, bytes]:
-        """The files of the C target; a PrecisionWarning where single precision will not do for the robot.
-
-        Raises :class:`UsageError` where double precision will not.
-        """
+        """The files of the C target; a PrecisionWarning where float will not do, UsageError where double will not."""
         return target_files.c_files(self, parameters, layout, batch, derivatives, estimator, methods, mpc)
 
     def compile(
@@ -294,7 +289,9 @@ class Model:
 
     def mpc(self, file: str | os.PathLike, **options):
         """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.Mpc`."""
-        return import_module(".runtime.mpc", __package__).Mpc(self, fitted(self, file), **options)
+        from .studies.predictive import controller
+
+        return controller(self, file, **options)
 
     def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""

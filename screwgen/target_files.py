@@ -11,7 +11,6 @@ from .errors import PrecisionWarning
 from .integrators.method import Method
 from .plugins import Plugin
 from .spec.robot import Robot
-from .studies.predictive import fitted
 from .version import __version__ as VERSION
 
 if TYPE_CHECKING:
@@ -29,10 +28,9 @@ def c_files(
     mpc: str | os.PathLike | None,
 ) -> dict[str, bytes]:
     """Of C, as :meth:`screwgen.Model.c_files` says."""
-    from .backends.c.mpc import project as of
+    from .studies import predictive
 
-    controller = fitted(model, mpc) if mpc else None
-    project = of(controller, model.chain, VERSION, parameters, layout, batch, derivatives, estimator, methods)
+    project = predictive.project(model, mpc, parameters, layout, batch, derivatives, estimator, methods)
     files = {name: text.encode() for name, text in project.files().items()}
     if lost := project.check["lost"]:
         said = f"robot '{model.robot.name}': the C is of no use in float: rounding may change results by {lost}"

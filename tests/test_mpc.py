@@ -1,11 +1,14 @@
 """The predictive controller of the generated C: its quadratic program, its fixed point, its loop, its faults."""
 
+import subprocess
 from functools import cache
 
 import numpy as np
 import pytest
+from conftest import require_tool
 from helpers import QUICK, arm, link, model_of
 from mpc_judge import Problem
+from test_c_code import WARNINGS
 
 import screwgen
 from screwgen.errors import UsageError
@@ -203,6 +206,25 @@ def test_in_float(controllers):
     assert np.abs(single.torques - double.torques).max() < 0.02 * 60.0
     tau = single.feedback(start(), np.zeros(6))
     assert single.outcome == "solved" and np.all(np.abs(tau) <= [60.0, 12.0, 4.0])
+
+
+def test_folder_compiles_without_a_warning(tmp_path):
+    """Also for a Cortex-M7; no source asks for heap."""
+    (tmp_path / "whole.toml").write_text(WHOLE)
+    files = model().c_files(mpc=tmp_path / "whole.toml")
+    for name, data in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(data)
+    sources = ["arm_mpc.c", "arm_qp.c", "mpc_main.c"]
+    board = ["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-d16"]
+    for compiler in (["gcc"], ["arm-none-eabi-gcc", *board]):
+        for define in ([], ["-DARM_REAL_FLOAT"]):
+            command = [require_tool(compiler[0]), *compiler[1:], *WARNINGS, *define, "-fsyntax-only", *sources]
+            done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+            assert done.returncode == 0 and not done.stderr, done.stderr[:2000]
+    assert not any(b"alloc(" in files[name] for name in files if name.startswith(("daqp/", "arm_mpc", "arm_qp")))
+    assert files["daqp/LICENSE"].startswith(b"MIT License")
+    assert b"arm_mpc check" in files["Makefile"] and b"arm_mpc" in files["CMakeLists.txt"]
 
 
 FAULTS = {

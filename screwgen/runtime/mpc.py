@@ -189,7 +189,7 @@ class Mpc:
         return self.inner["tau"][self.block].astype(float)
 
     def __call__(self, t: float, q, v) -> np.ndarray:
-        """The torques at time ``t`` of a run: at a sample new ones, between two the last; an earlier time begins anew."""
+        """The torques at time ``t`` of a run: at a sample new ones, else the last; an earlier time begins anew."""
         begun = self._due is not None and t >= self._last
         if begun and t < self._due - 1e-9 * max(1.0, abs(t)):
             return self._held

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..backends.c.mpc import Fitted, Rest
+from ..backends.c.mpc import Fitted, MpcProject, Rest
+from ..backends.c.project import CProject
+from ..runtime.mpc import Mpc
 from ..spec.load import one_line
 from ..spec.mpc import load_mpc
 from .equilibrium import equilibrium
@@ -31,6 +33,18 @@ def fitted(model: Model, file: str | os.PathLike[str]) -> Fitted:
     if out.said.cost.terminal.riccati:
         out.terminal = cost_to_go(model, out)
     return out
+
+
+def project(model: Model, file: str | os.PathLike[str] | None, *options: Any) -> CProject:
+    """The C of a model, with the controller of a file if there is one; ``options`` as :class:`CProject` takes them."""
+    if file is None:
+        return CProject(model.chain, model.version, *options)
+    return MpcProject(fitted(model, file), model.version, *options)
+
+
+def controller(model: Model, file: str | os.PathLike[str], **options: Any) -> Mpc:
+    """The implementation of :meth:`screwgen.Model.mpc`."""
+    return Mpc(model, fitted(model, file), **options)
 
 
 def cost_to_go(model: Model, f: Fitted) -> np.ndarray:

@@ -151,11 +151,6 @@ class Fitted:
         return out
 
 
-def project(fitted: Fitted | None, chain: Chain, version: str, *options: Any) -> CProject:
-    """The C of a robot, with a controller if there is one; ``options`` as :class:`CProject` takes them."""
-    return CProject(chain, version, *options) if fitted is None else MpcProject(fitted, version, *options)
-
-
 class MpcProject(CProject):
     """The files of a robot's C with a predictive controller."""
 

@@ -4,6 +4,7 @@
  *
  *   sample NUMBER BITS...   the torques and the tip's position, the bits of doubles
  *   figure NAME NUMBER      unsolved: samples without a solution; iterations: of the quadratic program, the most;
+ *                           active: constraints that can be active at once;
  *                           miss: nanometres between the tip and its goal at the end
  */
 #include <math.h>
@@ -117,6 +118,7 @@ static int run(void)
         const double off = (double)(output.tip_position[k] - options.reference[0].tip_position[k]);
         miss += off * off;
     }
+    printf("figure active %d\n", (int)(sizeof controller.qp_set / sizeof controller.qp_set[0]));
     printf("figure unsolved %d\n", unsolved);
     printf("figure iterations %d\n", iterations);
     printf("figure miss %ld\n", (long)(1e9 * sqrt(miss)));

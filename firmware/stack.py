@@ -97,9 +97,14 @@ def frames(build: Build) -> dict[str, int]:
     return out
 
 
-def worst_stacks(build: Build, program: Path, entries: list[str]) -> dict[str, int]:
-    """Bytes below the caller's stack pointer of each entry; raises where the calls do not bound them."""
-    known, of_model = functions(build, program), frames(build)
+def worst_stacks(
+    build: Build, program: Path, entries: list[str], turns: dict[str, int] | None = None
+) -> dict[str, int]:
+    """Bytes below the caller's stack pointer of each entry; raises where the calls do not bound them.
+
+    ``turns``: functions that call themselves, also through others, at most so many times.
+    """
+    known, of_model, turns = functions(build, program), frames(build), turns or {}
     places = {name: place for place, f in known.items() for name in f.names}
 
     def frame(f: Function) -> int:
@@ -109,11 +114,22 @@ def worst_stacks(build: Build, program: Path, entries: list[str]) -> dict[str, i
         return max(stated) if stated else f.taken
 
     @cache
-    def depth(place: int, path: tuple[int, ...] = ()) -> int:
-        f = known[place]
-        if place in path:
-            raise FirmwareError(f"{f.names[0]} calls itself: its stack has no bound")
-        return frame(f) + max((depth(c, (*path, place)) for c in f.calls if c in known), default=0)
+    def reached(place: int) -> frozenset[int]:
+        found, new = set(), set(known[place].calls)
+        while new := {c for c in new if c in known} - found:
+            found |= new
+            new = {c for place in new for c in known[place].calls}
+        return frozenset(found)
+
+    @cache
+    def depth(place: int) -> int:
+        """A function that calls itself is counted with all that call it back, each so many times as stated."""
+        cycle = {c for c in reached(place) if place in reached(c)} or {place}
+        count = [1] if place not in reached(place) else [turns[n] for c in cycle for n in known[c].names if n in turns]
+        if not count:
+            raise FirmwareError(f"{known[place].names[0]} calls itself: its stack has no bound")
+        further = {c for f in cycle for c in known[f].calls if c in known} - cycle
+        return max(count) * sum(frame(known[f]) for f in cycle) + max(map(depth, further), default=0)
 
     # What carries the precision in its symbol has it in float builds alone.
     return {entry: depth(places.get(entry) or places[f"{entry}_float"]) for entry in entries}

@@ -1,12 +1,15 @@
 /* image.c: the smallest firmware that uses the model; its sections are the table's flash and RAM.
  *
  * It calls the whole joint form: parameters, forward dynamics, every integrator. With -DDAE_FORM the DAE form as well,
- * with -DESTIMATOR_HEADER="ella_estimator.h" the Kalman filter.
+ * with -DESTIMATOR_HEADER="ella_estimator.h" the Kalman filter, with -DMPC_HEADER="ella_mpc.h" predictive control.
  * All memory of the model is static here, so that .bss is what a caller needs.
  */
 #include "model.h"
 #ifdef ESTIMATOR_HEADER
 #include ESTIMATOR_HEADER
+#endif
+#ifdef MPC_HEADER
+#include MPC_HEADER
 #endif
 
 static M(parameters) parameters;
@@ -23,6 +26,10 @@ static M(dae_work) dae_work;
 static M(estimator) estimator;
 static M(measurement) measurement;
 static M(estimator_work) estimator_work;
+#endif
+#ifdef MPC_HEADER
+static M(mpc) mpc;
+static M(mpc_options) mpc_options;
 #endif
 
 /* What a controller would set and read; volatile, so that nothing is computed at compile time. */
@@ -61,6 +68,18 @@ int main(void)
             break;
         case 36:
             (void)M(estimator_update)(&constants, &estimator, &input, &measurement, &estimator_work);
+            break;
+#endif
+#ifdef MPC_HEADER
+        case 37:
+            M(mpc_default)(&mpc_options);
+            (void)M(mpc_initialise)(&mpc, &mpc_options, &constants, &state, 0);
+            break;
+        case 38:
+            (void)M(mpc_prepare)(&mpc, &mpc_options, &constants);
+            break;
+        case 39:
+            (void)M(mpc_feedback)(&mpc, &mpc_options, &constants, &state, input.tau);
             break;
 #endif
         default:

@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "viewer"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = "--headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars".split()
-SHOT = "t=0.72&theme=light&show=drive"
+SHOT = "t=0.72&theme=light&show=drive&smooth"
 """What the picture shows: the part of the page's address behind the #."""
 
 

@@ -8,8 +8,9 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-import screwgen
 from demo import SET_POINTS, with_rotors
+
+import screwgen
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "viewer"

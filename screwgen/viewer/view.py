@@ -111,7 +111,7 @@ def _enlarged(model: Model, q: np.ndarray, shape: np.ndarray, rest: np.ndarray) 
     `TURN`, beyond which the arm would not move as the mode says."""
     small = field(model, q, shape)
     sizes = [
-        np.linalg.norm([np.linalg.norm(x.motion), *map(np.linalg.norm, x.turns.values())])
+        float(np.linalg.norm([np.linalg.norm(x.motion), *map(np.linalg.norm, x.turns.values())]))
         for x in (amplified(rest, small), small)
     ]
     R, moved = (model.numpy().tip_poses(x)[0] for x in (q, displaced(model, q, STEP * shape)))

@@ -1,7 +1,7 @@
 """ELLA, the paper's arm with modes that converge, from robot file to motion: derive, generate, compile, step, plot.
 
-Writes build/ella, build/ella.png and build/ella.html, in which the motion plays, and prints a short summary. The motion goes to the paper's set points under
-PD torques with gravity compensation; the gains are ours, the paper gives none.
+Writes build/ella, build/ella.png and build/ella.html, in which the motion plays, and prints a short summary. The motion
+goes to the paper's set points under PD torques with gravity compensation; the gains are ours, the paper gives none.
 """
 
 import re

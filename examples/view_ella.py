@@ -8,14 +8,15 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-import screwgen
 from demo import SET_POINTS, with_rotors
+
+import screwgen
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "build" / "viewer"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = "--headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars".split()
-SHOT = "t=0.72&theme=light&show=drive"
+SHOT = "t=0.72&theme=light&show=drive&smooth"
 """What the picture shows: the part of the page's address behind the #."""
 
 

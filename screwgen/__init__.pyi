@@ -50,6 +50,6 @@ from .studies.equilibrium import equilibrium as equilibrium
 from .studies.linear import LinearModel as LinearModel
 from .studies.modes import natural_frequencies as natural_frequencies
 from .studies.standard_data import write_sid as write_sid
+from .version import __version__ as __version__
 from .viewer.page import View as View
 from .viewer.view import view as view
-from .version import __version__ as __version__

@@ -30,7 +30,7 @@ def browser(tmp_path_factory):
 @pytest.fixture(scope="module")
 def ella():
     model = screwgen.derive(screwgen.load(ROOT / "examples" / "ella.toml"))
-    law = PD((400.0, 400.0, 120.0), (28.0, 28.0, 12.0), (-0.5, 0.7, 0.4), duration=0.3, q_start=(0.0,) * 3)
+    law = PD((400.0, 400.0, 120.0), (28.0, 28.0, 12.0), (-0.5, 0.7, 0.4), duration=0.8, q_start=(0.0,) * 3)
     robot = model.robot
     joints = [x.joint.model_copy(update={"armature": (0.2,) * len(x.joint.axes)}) for x in robot.links]
     links = [x.model_copy(update={"joint": j}) for x, j in zip(robot.links, joints, strict=True)]
@@ -91,7 +91,7 @@ def test_elbow_and_tip_are_drawn_where_they_are(browser, ella, tmp_path, factor)
     model, run = ella
     browser.resize(*LARGE)
     opened(browser, tmp_path, view(run))
-    browser.run(f"screwgen.play(false), screwgen.magnify({factor})")
+    browser.run(f"screwgen.play(false), screwgen.magnify({factor}), screwgen.look()")
     bends = 0.0
     for row in np.linspace(0, len(run.t) - 1, 10).round().astype(int):
         found = np.array([marked(browser, k, color, run.t[row]) for k, color in enumerate(COLORS)])

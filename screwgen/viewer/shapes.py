@@ -89,5 +89,6 @@ def _integral(values: np.ndarray, length: float) -> np.ndarray:
 
 def _from_file(key: LinkClass, places: np.ndarray) -> np.ndarray:
     """The same of a body from a file: its tip's, growing from the base as the deflection of a beam does."""
+    assert key.elastic is not None
     tip = key.elastic.tip
     return np.concatenate([tip.phi2, tip.psi2])[None] * (places**2)[:, None, None, None] / 2

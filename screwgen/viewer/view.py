@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import zipfile
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -73,8 +74,8 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         with np.load(path, allow_pickle=False) as data:
             if not isinstance(data, np.lib.npyio.NpzFile):
                 raise ValueError("it is one array")
-            arrays = {name: np.array(data[name], float) for name in ARRAYS}
-            names = {name: tuple(map(str, data[name])) for name in NAMES}
+            arrays: dict[str, Any] = {name: np.array(data[name], float) for name in ARRAYS}
+            names: dict[str, Any] = {name: tuple(map(str, data[name])) for name in NAMES}
             text = str(data["robot"]) if "robot" in data else None
             parameters = np.array(data["parameters"], float) if "parameters" in data else None
     except (OSError, ValueError, zipfile.BadZipFile) as error:
@@ -110,10 +111,10 @@ def _enlarged(model: Model, q: np.ndarray, shape: np.ndarray, rest: np.ndarray) 
     `TURN`, beyond which the arm would not move as the mode says."""
     small = field(model, q, shape)
     sizes = [
-        np.linalg.norm([np.linalg.norm(x.motion), *map(np.linalg.norm, x.turns.values())])
+        float(np.linalg.norm([np.linalg.norm(x.motion), *map(np.linalg.norm, x.turns.values())]))
         for x in (amplified(rest, small), small)
     ]
     R, moved = (model.numpy().tip_poses(x)[0] for x in (q, displaced(model, q, STEP * shape)))
-    turn = np.linalg.norm(moved - R, axis=(1, 2)).max() / np.sqrt(2) / STEP
+    turn = float(np.linalg.norm(moved - R, axis=(1, 2)).max()) / np.sqrt(2) / STEP
     factor = min(sizes[0] / max(sizes[1], 1e-300), TURN / max(turn, 1e-300))
     return factor * shape

@@ -21,7 +21,7 @@ void bend() {
   turn = mat3(1.0) + c1 * h + c2 * h * h;
 }`;
 
-/** Let a material's vertices follow the modes of a link; only the end of the tube keeps its colour if it marks it. */
+/** Let a material's vertices follow the modes of a link; if it marks the end of the tube, nothing else of it is drawn. */
 function bending(material, uniforms, lit, marks = false) {
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
@@ -30,7 +30,7 @@ function bending(material, uniforms, lit, marks = false) {
     shader.vertexShader = shader.vertexShader.replace("#include <begin_vertex>", `${lit ? "" : "bend();"} vec3 transformed = centre + turn * position;`);
     if (marks) {
       shader.fragmentShader = shader.fragmentShader.replace("#include <common>", "#include <common>\nvarying float along;");
-      shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", "if (along < 0.95) diffuseColor.rgb = vec3(0.0);");
+      shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", "if (along < 0.95) discard;");
     }
   };
   material.customProgramCacheKey = () => `bent ${lit} ${marks}`;
@@ -129,7 +129,7 @@ class Robot {
 
   paint(color, options = {}) {
     const ghostly = this.ghost ? { transparent: true, opacity: 0.34, depthWrite: false } : {};
-    const material = new THREE.MeshStandardMaterial({ roughness: 0.5, metalness: 0.12, ...ghostly, ...options });
+    const material = new THREE.MeshPhongMaterial({ shininess: 40, specular: 0x2c3036, ...ghostly, ...options });
     this.paints.push([material, color]);
     return material;
   }
@@ -153,7 +153,7 @@ class Robot {
     }
     for (const body of link.bodies) {
       const geometry = body.box ? new THREE.BoxGeometry(...body.box.map((x) => Math.max(x, 1e-3 * this.scene.size))) : new THREE.SphereGeometry(body.ball, 32, 20);
-      const mesh = new THREE.Mesh(geometry, this.paint("--metal", { roughness: 0.38, metalness: 0.25 }));
+      const mesh = new THREE.Mesh(geometry, this.paint("--metal"));
       mesh.position.set(...(body.tip ? body.at : plus(body.at, link.base)));
       if (body.turn) mesh.quaternion.set(...body.turn);
       (body.tip ? tip : frame).add(mesh);
@@ -167,7 +167,7 @@ class Robot {
     const slide = first && !first.turn;
     const shape = slide ? new THREE.BoxGeometry(2.2 * radius, 3 * radius, 2.2 * radius) : new THREE.CylinderGeometry(radius, radius, 3.2 * radius, 28);
     link.screws.slice(slide ? 0 : -1).slice(0, 1).forEach((screw) => {
-      const mesh = new THREE.Mesh(shape, this.paint("--dark-metal", { roughness: 0.45 }));
+      const mesh = new THREE.Mesh(shape, this.paint("--dark-metal"));
       mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), vector(screw.axis).normalize());
       mesh.position.set(...link.base);
       frame.add(mesh);

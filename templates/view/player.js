@@ -93,8 +93,13 @@ const trails = [robot, ghost].filter(Boolean).map((owner, k) => {
 });
 
 function retrace() {
+  if (!modes) frame = [low.clone(), high.clone()];
   trails.forEach((trail, k) => {
-    const { path, times } = travelled(trail.owner, k ? ghostly : motion(), state.magnified);
+    const { path, times, ...corners } = travelled(trail.owner, k ? ghostly : motion(), state.magnified);
+    if (!modes) {
+      frame[0].min(corners.low);
+      frame[1].max(corners.high);
+    }
     for (const line of [trail.whole, trail.done]) {
       line.geometry.attributes.position.array.set(path);
       line.geometry.attributes.position.needsUpdate = true;
@@ -107,7 +112,7 @@ function retrace() {
 // ---------------------------------------------------------------- arrows
 
 const KINDS = { force: ["Joint forces", "N", 1], moment: ["Joint moments", "N·m", 2], drive: ["Drives", "", 2] };
-const paints = Object.fromEntries(Object.keys(KINDS).map((kind) => [kind, new THREE.MeshStandardMaterial({ roughness: 0.6 })]));
+const paints = Object.fromEntries(Object.keys(KINDS).map((kind) => [kind, new THREE.MeshPhongMaterial({ shininess: 20 })]));
 const arrows = robot.scene.links.flatMap((link, i) => {
   const make = (kind, k, turn) => {
     const arrow = new Arrow(paints[kind], 0.0045 * robot.scene.size, kind === "force" || (kind === "drive" && !turn) ? 1 : 2);
@@ -146,10 +151,19 @@ function push(found, forces) {
 
 const camera = new THREE.PerspectiveCamera(32, 1, 0.01 * extent, 40 * extent);
 camera.up.set(0, 0, 1);
+/** Whether the processor draws: edges are then not smoothed, which takes half of its time. */
+function software() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context && context.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  if (context) context.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name) && !location.hash.includes("smooth");
+}
 let renderer = null;
 let controls = null;
+let frame = [low, high]; // what the camera looks at: the corners of the motion, as it is magnified
 try {
-  renderer = new THREE.WebGLRenderer({ canvas: find("space"), antialias: true, preserveDrawingBuffer: false });
+  renderer = new THREE.WebGLRenderer({ canvas: find("space"), antialias: !software(), preserveDrawingBuffer: false });
 } catch {
   find("failed").textContent = "This browser draws no WebGL; the curves below are shown all the same.";
   find("failed").hidden = false;
@@ -159,7 +173,9 @@ function look() {
   const box = find("stage").getBoundingClientRect();
   camera.aspect = box.width / Math.max(box.height, 1);
   const across = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(camera.aspect, 1));
-  const spread = high.clone().sub(low);
+  const [first, last] = frame;
+  const spread = last.clone().sub(first);
+  const middle = first.clone().add(last).multiplyScalar(0.5);
   const wide = spread.x > 2.2 * spread.y;
   const way = (spread.y > 2.2 * spread.x ? new THREE.Vector3(1, -0.42, 0.42) : new THREE.Vector3(wide ? 0.42 : 0.75, -1, 0.45)).normalize();
   const radius = Math.max(spread.length() / 2, 0.45 * robot.scene.size) * (camera.aspect > 1.4 ? 0.86 : 1.02);
@@ -361,7 +377,7 @@ document.addEventListener("keydown", (event) => {
 
 /** For tests and for scripts in the page: time, magnification, the camera, and the ends of links alone in plain colours. */
 window.screwgen = {
-  data, state, seek: (time) => { play(false); seek(time); draw(); }, play, magnify: (value) => { magnify(value); draw(); }, theme,
+  data, state, seek: (time) => { play(false); seek(time); draw(); }, play, look, magnify: (value) => { magnify(value); draw(); }, theme,
   show: (name, on) => { state.shown[name] = on; legend(); draw(); },
   /** Where a point of the inertial frame is drawn: pixels of the page. */
   project: (point) => {
@@ -384,14 +400,14 @@ window.screwgen = {
     const next = () => requestAnimationFrame(left-- ? next : done);
     next();
   }),
-  /** Draw nothing but a link's tube, black, and its end in a colour. */
+  /** Draw nothing but the end of a link's tube, in a colour. */
   mark: (link, color) => {
     state.marked = true;
     space.background = new THREE.Color(0);
     for (const kind of ["trail", "frames", "force", "moment", "drive", "floor", "ghost"]) state.shown[kind] = false;
     robot.group.traverse((mesh) => { if (mesh.isMesh) mesh.visible = false; });
     for (const mesh of robot.parts[link].bent) {
-      mesh.material = bending(new THREE.MeshBasicMaterial({ color }), robot.parts[link].uniforms, false, true);
+      mesh.material = bending(new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide }), robot.parts[link].uniforms, false, true);
       mesh.visible = true;
     }
     draw();

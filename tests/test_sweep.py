@@ -1,14 +1,11 @@
 """Rollouts on executors and sweeps into a store: equal bits, stopped and gone on with, refusals."""
 
-import subprocess
-import sys
-from concurrent.futures import CancelledError, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from helpers import ROOT, model_of
+from helpers import model_of
 
-import screwgen
 from screwgen import UsageError, rollout, sweep
 from screwgen.simulation.rollout import Rollout
 

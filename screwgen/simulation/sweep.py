@@ -92,10 +92,11 @@ def sweep(
 ) -> Sweep:
     """Roll out `count` scenarios in chunks and keep numbers of each in the file `store`, an ``.npy``.
 
-    ``draw(rng, n)`` gives the arguments `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n`
+    ``draw(rng, n)`` gives `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n`
     scenarios, as a mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is
-    kept, (n, ...), by default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its workers are
-    processes, `draw` and `keep` must be functions of a module, and each process derives and compiles the robot once.
+    kept, (n, ...), by default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its
+    workers are processes, `draw` and `keep` must be functions of a module; each process derives and
+    compiles the robot once.
     `progress` is told how many scenarios are done, and of how many. Memory holds some chunks, never all.
 
     Called again, with the same arguments, it does the chunks that are missing; a store of another robot or of other
@@ -161,7 +162,7 @@ def _digest(model: Model, draw: Draw, keep: Keep, options: dict, *numbers: int) 
 
 
 def _said(what: Any) -> str:
-    """What tells one sweep from another: numbers, robots by their files, functions by their source and what is bound."""
+    """What tells one sweep from another: numbers, robots, the source of functions and what is bound to them."""
     if hasattr(what, "robot"):
         return repr(what.robot)
     if isinstance(what, partial):

@@ -1,7 +1,7 @@
 """What an unknown payload does to an arm: 100,000 rollouts of ELLA, on all cores, into a file.
 
-The arm starts at rest, held against gravity with the payload of the file; the same torques swing it while the
-payload is another. Kept of every scenario is the error of the tip over time. Writes build/monte_carlo.npy and .png; a sweep that
+The arm starts at rest, held against gravity with the payload of the file; the same torques swing it while the payload
+is another. Kept of every scenario is the error of the tip over time. Writes build/monte_carlo.npy and .png; a sweep that
 was stopped goes on where it was. Some minutes; `--short`: 2,000 scenarios, seconds; `--workers N`: threads.
 """
 
@@ -51,7 +51,7 @@ def main() -> None:
         how = {"step": STEP, "steps": SAMPLES, "substeps": SUBSTEPS, "executor": threads, "progress": told}
         found = screwgen.sweep(model, draw, count, store, keep=error, **how)
     print(f"\n{count} scenarios in {time.perf_counter() - clock:.1f} s; {(~found.ok).sum()} stopped")
-    low, half, high = np.percentile(found.values[:, -1], (5, 50, 95))
+    low, half, high = 1e3 * np.percentile(found.values[:, -1], (5, 50, 95))
     print(
         f"tip error at the end: 5 % below {1e3 * low:.0f} mm, half below {1e3 * half:.0f}, 95 % below {1e3 * high:.0f}"
     )

@@ -92,11 +92,10 @@ def sweep(
 ) -> Sweep:
     """Roll out `count` scenarios in chunks and keep numbers of each in the file `store`, an ``.npy``.
 
-    ``draw(rng, n)`` gives `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n`
-    scenarios, as a mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is
-    kept, (n, ...), by default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its
-    workers are processes, `draw` and `keep` must be functions of a module; each process derives and
-    compiles the robot once.
+    ``draw(rng, n)`` gives `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n` scenarios, as a
+    mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is kept, (n, ...), by
+    default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its workers are
+    processes, `draw` and `keep` must be functions of a module; each process derives and compiles the robot once.
     `progress` is told how many scenarios are done, and of how many. Memory holds some chunks, never all.
 
     Called again, with the same arguments, it does the chunks that are missing; a store of another robot or of other

@@ -59,7 +59,7 @@ class Evaluator:
         """The inputs, and the names of those that are differentiated as the keys of a tree without leaves."""
         values = {name: x.value for name, x in inputs.items()}
         moving = {name: () for name, x in inputs.items() if x.perturbed}
-        return self._plain(values), (values, moving)
+        return self(values), (values, moving)  # what an outer derivative differentiates
 
     def _backward(self, kept, seeds) -> tuple[dict[str, Any]]:
         values, moving = kept

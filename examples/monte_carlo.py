@@ -1,7 +1,7 @@
 """What an unknown payload does to an arm: 100,000 rollouts of ELLA, on all cores, into a file.
 
-The arm starts at rest, held against gravity with the payload of the file; the same torques swing it while the payload
-is another. Kept of every scenario is the error of the tip over time. Writes build/monte_carlo.npy and .png; a sweep that
+The arm starts at rest, held against gravity with the payload of the file; the same torques swing it while the
+payload is another. Kept of every scenario is the error of the tip over time. Writes build/monte_carlo.npy and .png; a sweep that
 was stopped goes on where it was. Some minutes; `--short`: 2,000 scenarios, seconds; `--workers N`: threads.
 """
 
@@ -34,6 +34,8 @@ def main() -> None:
     count = 2000 if given.short else 100_000
     store = ROOT / "build" / f"monte_carlo{'_short' * given.short}.npy"
     store.parent.mkdir(exist_ok=True)
+    for old in store.parent.glob(f"{store.stem}.*") if given.short else ():
+        old.unlink()
     model = screwgen.derive(screwgen.load(ROOT / "examples" / "ella.toml"))
     start, tau = swing(model)
     p = np.array(model.parameter_values)
@@ -52,9 +54,7 @@ def main() -> None:
         found = screwgen.sweep(model, draw, count, store, keep=error, **how)
     print(f"\n{count} scenarios in {time.perf_counter() - clock:.1f} s; {(~found.ok).sum()} stopped")
     low, half, high = 1e3 * np.percentile(found.values[:, -1], (5, 50, 95))
-    print(
-        f"tip error at the end: 5 % below {1e3 * low:.0f} mm, half below {1e3 * half:.0f}, 95 % below {1e3 * high:.0f}"
-    )
+    print(f"tip error at the end: 5 % below {low:.1f} mm, half below {half:.0f}, 95 % below {high:.0f}")
     assert found.ok.all() and 0 < low < half < high
     store.with_suffix(".png").write_bytes(picture(found.values))
     print(f"build/{store.name}, build/{store.stem}.png")

@@ -100,6 +100,7 @@ def test_gradients_are_those_of_casadi(model):
         assert off(slope.ravel(), theirs) < 1e-10, name
 
 
+@pytest.mark.examples
 def test_second_gradients_and_forward_mode(model):
     """The Hessian of the energy, by the adjoint's adjoint and by single operations in forward mode."""
     x = state(model)

@@ -1,8 +1,8 @@
 """What an unknown payload does to an arm: 100,000 rollouts of ELLA, on all cores, into a file.
 
 The arm starts at rest, held against gravity with the payload of the file; the same torques swing it while the
-payload is another. Kept of every scenario is the error of the tip over time. Writes build/monte_carlo.npy and .png; a sweep that
-was stopped goes on where it was. Some minutes; `--short`: 2,000 scenarios, seconds; `--workers N`: threads.
+payload is another. Kept of every scenario is the error of the tip over time. Writes build/monte_carlo.npy and .png; a
+sweep that was stopped goes on where it was. Some minutes; `--short`: 2,000 scenarios, seconds; `--workers N`: threads.
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ def adjoint(program: Program, wanted: Collection[str], of: Collection[str]) -> P
     """
     program = only(program, of)
     tracer = Tracer()
-    given = {name: tracer.input(name, size) for name, size in program.inputs.items()}
+    given: dict[str, list[Value]] = {name: [*tracer.input(name, size)] for name, size in program.inputs.items()}
     sizes = {SEED + name: len(entries) for name, entries in program.outputs.items()}
     seeds = {name: tracer.input(name, size) for name, size in sizes.items()}
     outputs = inline(replace(program, guards=[], origins=[]), given, tracer)

@@ -116,7 +116,7 @@ def sweep(
     packed = None if isinstance(executor, ThreadPoolExecutor | None) else _packed(model, draw, keep, options)
     task = Task(_digest(model, draw, keep, options, count, chunk, seed), count, chunk, seed, packed)
     if packed is None:
-        _kept[task.digest] = (model, draw, keep, options)
+        _here[task.digest] = (model, draw, keep, options)
     target = Store(Path(store), task.digest, count, chunk)
     with target:
         if executor is None:
@@ -179,17 +179,19 @@ def _said(what: Any) -> str:
         return f"{what.__module__}.{what.__qualname__}{inner}"
 
 
-_kept: dict[str, tuple] = {}
-"""What tasks of this process need, by their digest."""
+_kept: dict[str, Any] = {}
+"""What a task that came packed needs, by its digest: that of the last one."""
+_here: dict[str, Any] = {}
+"""What tasks that share this process' memory need."""
 _lock = threading.Lock()
 
 
-def _unpacked(digest: str, packed: bytes | None) -> tuple:
+def _unpacked(digest: str, packed: bytes | None) -> Any:
     """What a task needs; a process keeps that of one, so that it derives and compiles a robot once."""
+    if packed is None:
+        return _here[digest]
     with _lock:
         if digest not in _kept:
-            if packed is None:
-                raise ScrewgenError("the executor has processes of its own; its work must be packed")
             _kept.clear()
             _kept[digest] = pickle.loads(packed)
         return _kept[digest]
@@ -219,7 +221,7 @@ def ready(model: Model, single: bool, integrator: str | Method) -> None:
 
 
 def _run(executor: Executor, task: Task, target: Store, progress: Callable[[int, int], object] | None) -> None:
-    validities = []
+    validities: list[Validity] = []
     done = sum(task.size(k) for k in target.done)
     missing = (k for k in range(task.chunks) if k not in target.done)
     for k, (values, status, validity) in completed(lambda k: executor.submit(work, task, k), missing, executor):
@@ -277,7 +279,7 @@ def in_chunks(model: Model, given: Mapping[str, np.ndarray], count: int, how: tu
     packed = None if isinstance(executor, ThreadPoolExecutor) else pickle.dumps(model)
     digest = hashlib.sha256(packed or str(id(model)).encode()).hexdigest()
     if packed is None:
-        _kept[digest] = model
+        _here[digest] = model
 
     def call(k: int) -> Future:
         rows = slice(k * CHUNK, min((k + 1) * CHUNK, count))

@@ -118,12 +118,15 @@ def sweep(
     if packed is None:
         _here[task.digest] = (model, draw, keep, options)
     target = Store(Path(store), task.digest, count, chunk)
-    with target:
-        if executor is None:
-            with ThreadPoolExecutor(1) as own:
-                _run(own, task, target, progress)
-        else:
-            _run(executor, task, target, progress)
+    try:
+        with target:
+            if executor is None:
+                with ThreadPoolExecutor(1) as own:
+                    _run(own, task, target, progress)
+            else:
+                _run(executor, task, target, progress)
+    finally:
+        _here.pop(task.digest, None)
     return Sweep(*target.result())
 
 
@@ -286,7 +289,10 @@ def in_chunks(model: Model, given: Mapping[str, np.ndarray], count: int, how: tu
         own = {name: a[rows] if len(a) > 1 else a for name, a in given.items()}
         return executor.submit(part, digest, packed, own, rows.stop - rows.start, how)
 
-    found = dict(completed(call, range(max(1, -(-count // CHUNK))), executor))
+    try:
+        found = dict(completed(call, range(max(1, -(-count // CHUNK))), executor))
+    finally:
+        _here.pop(digest, None)
     return joined([found[k] for k in sorted(found)])
 
 
@@ -300,10 +306,9 @@ def part(digest: str, packed: bytes | None, given: Mapping[str, np.ndarray], cou
 
 def joined(runs: list[Rollout]) -> Rollout:
     """Rollouts one behind the other."""
-    stacked = (
-        np.concatenate([getattr(run, name) for run in runs]) for name in ("q", "v", "status", "completed", "fault")
-    )
-    return Rollout(runs[0].t, *stacked, runs[0].links, merged([run.validity for run in runs]))
+    names = ("q", "v", "status", "completed", "fault")
+    stacked = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
+    return Rollout(t=runs[0].t, **stacked, links=runs[0].links, validity=merged([run.validity for run in runs]))
 
 
 def merged(validities: list[Validity]) -> Validity:

@@ -118,9 +118,9 @@ def picture(before, after, history) -> bytes:
     figure = canvas(9.0, 3.4)
     axes = figure.subplots(1, 3)
     t = H * np.arange(before[0].shape[1])
-    top = 1.05 * max(np.abs(np.array(run[0][..., :2]) - GOAL).max() for run in (before, after))
-    for axis, run, title in zip(axes, (before, after), ("First gains", "Tuned gains"), strict=False):
-        error = np.linalg.norm(np.array(run[0][..., :2]) - GOAL, axis=2)
+    errors = [np.linalg.norm(np.array(run[0][..., :2]) - GOAL, axis=2) for run in (before, after)]
+    top = 1.05 * max(error.max() for error in errors)
+    for axis, error, title in zip(axes[:2], errors, ("First gains", "Tuned gains"), strict=True):
         for low, high, shade in ((0, 100, 0.15), (10, 90, 0.3)):
             axis.fill_between(t, *np.percentile(error, (low, high), axis=0), color=PALETTE[0], alpha=shade, linewidth=0)
         axis.plot(t, np.median(error, axis=0), color=PALETTE[0])

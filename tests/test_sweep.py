@@ -1,14 +1,14 @@
 """Rollouts on executors and sweeps into a store: equal bits, stopped and gone on with, refusals."""
 
+import os
 import subprocess
 import sys
-from concurrent.futures import CancelledError, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
 from helpers import ROOT, model_of
 
-import screwgen
 from screwgen import UsageError, rollout, sweep
 from screwgen.simulation.rollout import Rollout
 
@@ -126,3 +126,24 @@ def test_processes(model, tmp_path):
         with pytest.raises(UsageError, match="cannot be sent"):
             sweep(model, lambda rng, n: drawn(rng, n), 20, tmp_path / "l.npy", **HOW, executor=pool)
     assert np.array_equal(there.values, sweep(model, drawn, 20, tmp_path / "t.npy", **HOW).values)
+
+
+@pytest.mark.examples
+def test_a_worker_of_dask_is_killed_midway(tmp_path):
+    pytest.importorskip("dask.distributed")
+    import dask_sweep
+
+    command = [sys.executable, str(ROOT / "tests" / "dask_sweep.py"), str(tmp_path / "dask.npy")]
+    env = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "tests"), *sys.path])}
+    done = subprocess.run(command, env=env, capture_output=True, text=True, timeout=300)
+    assert "complete True, killed 1 of 2" in done.stdout, done.stdout + done.stderr
+    here = sweep(model_of(dask_sweep.ARM), dask_sweep.drawn, dask_sweep.COUNT, tmp_path / "here.npy", **dask_sweep.HOW)
+    assert np.array_equal(np.load(tmp_path / "dask.npy"), here.values)
+
+
+@pytest.mark.examples
+def test_the_monte_carlo_example():
+    command = [sys.executable, str(ROOT / "examples" / "monte_carlo.py"), "--short"]
+    done = subprocess.run(command, env=os.environ | {"PYTHONPATH": str(ROOT)}, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "2000 scenarios in" in done.stdout

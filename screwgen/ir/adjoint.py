@@ -25,9 +25,10 @@ def adjoint(program: Program, wanted: Collection[str], of: Collection[str]) -> P
     program = only(program, of)
     tracer = Tracer()
     given = {name: tracer.input(name, size) for name, size in program.inputs.items()}
+    values: dict[str, list[Value]] = {name: [*nodes] for name, nodes in given.items()}
     sizes = {SEED + name: len(entries) for name, entries in program.outputs.items()}
     seeds = {name: tracer.input(name, size) for name, size in sizes.items()}
-    outputs = inline(replace(program, guards=[], origins=[]), given, tracer)
+    outputs = inline(replace(program, guards=[], origins=[]), values, tracer)
     sums: dict[int, Value] = {}
     for name, entries in outputs.items():
         for value, seed in zip(entries, seeds[SEED + name], strict=True):

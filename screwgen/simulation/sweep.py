@@ -92,10 +92,10 @@ def sweep(
 ) -> Sweep:
     """Roll out `count` scenarios in chunks and keep numbers of each in the file `store`, an ``.npy``.
 
-    ``draw(rng, n)`` gives the arguments `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n`
-    scenarios, as a mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is
-    kept, (n, ...), by default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its workers are
-    processes, `draw` and `keep` must be functions of a module, and each process derives and compiles the robot once.
+    ``draw(rng, n)`` gives `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n` scenarios, as a
+    mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is kept, (n, ...), by
+    default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its workers are
+    processes, `draw` and `keep` must be functions of a module; each process derives and compiles the robot once.
     `progress` is told how many scenarios are done, and of how many. Memory holds some chunks, never all.
 
     Called again, with the same arguments, it does the chunks that are missing; a store of another robot or of other
@@ -116,14 +116,17 @@ def sweep(
     packed = None if isinstance(executor, ThreadPoolExecutor | None) else _packed(model, draw, keep, options)
     task = Task(_digest(model, draw, keep, options, count, chunk, seed), count, chunk, seed, packed)
     if packed is None:
-        _kept[task.digest] = (model, draw, keep, options)
+        _here[task.digest] = (model, draw, keep, options)
     target = Store(Path(store), task.digest, count, chunk)
-    with target:
-        if executor is None:
-            with ThreadPoolExecutor(1) as own:
-                _run(own, task, target, progress)
-        else:
-            _run(executor, task, target, progress)
+    try:
+        with target:
+            if executor is None:
+                with ThreadPoolExecutor(1) as own:
+                    _run(own, task, target, progress)
+            else:
+                _run(executor, task, target, progress)
+    finally:
+        _here.pop(task.digest, None)
     return Sweep(*target.result())
 
 
@@ -161,7 +164,7 @@ def _digest(model: Model, draw: Draw, keep: Keep, options: dict, *numbers: int) 
 
 
 def _said(what: Any) -> str:
-    """What tells one sweep from another: numbers, robots by their files, functions by their source and what is bound."""
+    """What tells one sweep from another: numbers, robots, the source of functions and what is bound to them."""
     if hasattr(what, "robot"):
         return repr(what.robot)
     if isinstance(what, partial):
@@ -179,17 +182,19 @@ def _said(what: Any) -> str:
         return f"{what.__module__}.{what.__qualname__}{inner}"
 
 
-_kept: dict[str, tuple] = {}
-"""What tasks of this process need, by their digest."""
+_kept: dict[str, Any] = {}
+"""What a task that came packed needs, by its digest: that of the last one."""
+_here: dict[str, Any] = {}
+"""What tasks that share this process' memory need."""
 _lock = threading.Lock()
 
 
-def _unpacked(digest: str, packed: bytes | None) -> tuple:
+def _unpacked(digest: str, packed: bytes | None) -> Any:
     """What a task needs; a process keeps that of one, so that it derives and compiles a robot once."""
+    if packed is None:
+        return _here[digest]
     with _lock:
         if digest not in _kept:
-            if packed is None:
-                raise ScrewgenError("the executor has processes of its own; its work must be packed")
             _kept.clear()
             _kept[digest] = pickle.loads(packed)
         return _kept[digest]
@@ -219,7 +224,7 @@ def ready(model: Model, single: bool, integrator: str | Method) -> None:
 
 
 def _run(executor: Executor, task: Task, target: Store, progress: Callable[[int, int], object] | None) -> None:
-    validities = []
+    validities: list[Validity] = []
     done = sum(task.size(k) for k in target.done)
     missing = (k for k in range(task.chunks) if k not in target.done)
     for k, (values, status, validity) in completed(lambda k: executor.submit(work, task, k), missing, executor):
@@ -277,14 +282,17 @@ def in_chunks(model: Model, given: Mapping[str, np.ndarray], count: int, how: tu
     packed = None if isinstance(executor, ThreadPoolExecutor) else pickle.dumps(model)
     digest = hashlib.sha256(packed or str(id(model)).encode()).hexdigest()
     if packed is None:
-        _kept[digest] = model
+        _here[digest] = model
 
     def call(k: int) -> Future:
         rows = slice(k * CHUNK, min((k + 1) * CHUNK, count))
         own = {name: a[rows] if len(a) > 1 else a for name, a in given.items()}
         return executor.submit(part, digest, packed, own, rows.stop - rows.start, how)
 
-    found = dict(completed(call, range(max(1, -(-count // CHUNK))), executor))
+    try:
+        found = dict(completed(call, range(max(1, -(-count // CHUNK))), executor))
+    finally:
+        _here.pop(digest, None)
     return joined([found[k] for k in sorted(found)])
 
 
@@ -298,10 +306,9 @@ def part(digest: str, packed: bytes | None, given: Mapping[str, np.ndarray], cou
 
 def joined(runs: list[Rollout]) -> Rollout:
     """Rollouts one behind the other."""
-    stacked = (
-        np.concatenate([getattr(run, name) for run in runs]) for name in ("q", "v", "status", "completed", "fault")
-    )
-    return Rollout(runs[0].t, *stacked, runs[0].links, merged([run.validity for run in runs]))
+    names = ("q", "v", "status", "completed", "fault")
+    stacked = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
+    return Rollout(t=runs[0].t, **stacked, links=runs[0].links, validity=merged([run.validity for run in runs]))
 
 
 def merged(validities: list[Validity]) -> Validity:

@@ -37,13 +37,13 @@ STEP = "modal_midpoint"
 def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterable[Method]) -> Made:
     """The functions by name, each made when it is first asked for; see :meth:`screwgen.Model.jax`."""
     choice(precision, PRECISIONS, "there is no precision")
-    if precision == "double" and not jax.config.jax_enable_x64:
+    if precision == "double" and not jax.config.read("jax_enable_x64"):
         said = "call jax.config.update('jax_enable_x64', True) first, or give precision='single'"
         raise UsageError(f"JAX is set to single precision; {said}")
     own = Own(chain, PRECISIONS[precision], straight if forward_mode else Evaluator)
     found = with_built_in(methods)
-    steps = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
-    return Made(own.makers() | {"step": partial(own.step, found[STEP])} | steps)
+    steps: dict[str, Callable] = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
+    return Made({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
 
 
 class Own:

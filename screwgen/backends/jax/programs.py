@@ -59,7 +59,7 @@ class Evaluator:
         """The inputs, and the names of those that are differentiated as the keys of a tree without leaves."""
         values = {name: x.value for name, x in inputs.items()}
         moving = {name: () for name, x in inputs.items() if x.perturbed}
-        return self._plain(values), (values, moving)
+        return self(values), (values, moving)  # what an outer derivative differentiates
 
     def _backward(self, kept, seeds) -> tuple[dict[str, Any]]:
         values, moving = kept
@@ -145,7 +145,8 @@ def _run(table: Levels, real: Any, inputs) -> list:
         return lax.dynamic_update_slice_in_dim(registers, new, first + k * table.width, 0), None
 
     rows = (np.arange(len(table.kind), dtype=np.int32), table.kind, table.op, table.a, table.b)
-    registers, _ = lax.scan(row, registers, rows)
+    if len(table.kind):
+        registers, _ = lax.scan(row, registers, rows)
     pick = lambda places: registers[places]  # noqa: E731
     return [*(pick(places) for places in table.outputs.values()), pick(table.guards)]
 

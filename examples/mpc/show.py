@@ -138,7 +138,7 @@ def late(r: Results) -> Sheet:
 def moment(r: Results) -> Sheet:
     out = Sheet(1, 1, "Bending moment at the elbow in the plant", (6.4, 3.2))
     t = np.arange(len(r.wrench[0][2])) * STEP
-    names = ("MPC", "MPC with the bound in its file")
+    names = ("without the bound", "with the bound")
     curves = [(n, m, c, "-") for n, (_, _, m), c in zip(names, r.wrench, (ORANGE, BLUE), strict=True)]
     out.curves("with and without its bound", t, curves, COMPONENT, "N·m", bounds=(BOUND,))
     out.legend()

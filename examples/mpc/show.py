@@ -103,7 +103,7 @@ def latency(r: Results) -> Sheet:
         panel.plot(t, np.median(runs, axis=0), drawstyle="steps-mid", color=color, label=name)
     panel.set_ylim(bottom=0)
     panel = out.axes("share of samples below", xlabel="ms", ylabel="share")
-    curves = [("warm caches", times["sum"], BLUE, "-"), ("cold caches", r.latency["cold"].cpu["sum"], GREEN, "-")]
+    curves = [("warm caches", times["sum"], PURPLE, "-"), ("cold caches", r.latency["cold"].cpu["sum"], GREEN, "-")]
     for name, values, color, style in (*curves, (GHOST, np.array(r.ghost["solve_seconds"]), GREY, "-")):
         panel.plot(1e3 * np.sort(values), np.linspace(0, 1, len(values)), style, color=color, label=name)
     panel.axvline(1e3 * h, **LIMITS)

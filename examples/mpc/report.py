@@ -197,9 +197,9 @@ def bounded(out: Document, n: dict) -> None:
     out.text(
         f"No motor acts on the elbow's bending moment {w['component']}, so no torque limit bounds it.",
         "`examples/mpc/mpc_wrench.toml` has one line that does, a horizon of 0.24 s with blocks of torques, and the",
-        f"goal alone as its reference. The plant shall keep to {w['bound']:g} N·m; since it has modes that the model has",
-        f"not, the file says less. In the plant, by `forward_dynamics` in C each ms: at most **{inside:.1f} N·m, a margin",
-        f"of {w['margin']:.1f} N·m**; without that line {free:.1f} N·m. Settling (s):",
+        f"goal alone as its reference. The plant shall keep to {w['bound']:g} N·m; since it has modes that the model",
+        "has not, the file says less. In the plant, by `forward_dynamics` in C each ms: at most",
+        f"**{inside:.1f} N·m, a margin of {w['margin']:.1f} N·m**; without that line {free:.1f} N·m. Settling (s):",
     )
     names = {"bounded": "bounded moment", "free": "the same without the bound"}
     out.table(("controller", *MM), [(name, *map(seconds, w["settling"][k])) for k, name in names.items()])

@@ -57,9 +57,9 @@ def test_everything_is_written_and_the_report_shows_it(written):
 
 def test_every_sample_is_solved_in_time(results):
     """Processor time: the wall's depends on what else runs."""
-    assert results["solved"] and results["samples"] == 61
+    assert results["solved"] and results["samples"] == 91
     latency = results["latency"]
-    assert latency["samples"] == {"warm": 180, "cold": 180}
+    assert latency["samples"] == {"warm": 270, "cold": 270}
     for times in (latency["warm_cpu"], latency["cold_cpu"]):
         assert 0 < times["sum"]["median"] <= times["sum"]["p99"] <= times["sum"]["max"] < 20.0
     parts = latency["warm_cpu"]
@@ -72,7 +72,7 @@ def test_one_iteration_a_sample_settles_as_the_recorded_converged_ones(results):
 
 
 def test_without_a_plan_the_arm_comes_from_the_straight_posture_to_the_goal(results):
-    assert results["settling"]["cold"][2] < 1.0 and results["offset"]["cold"] < 0.005
+    assert results["settling"]["cold"][2] < 1.5 and results["offset"]["cold"] < 0.005
 
 
 def test_late_samples_leave_the_tip_settled_and_torques_limited(results):

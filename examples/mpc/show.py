@@ -103,7 +103,7 @@ def latency(r: Results) -> Sheet:
         panel.plot(t, np.median(runs, axis=0), drawstyle="steps-mid", color=color, label=name)
     panel.set_ylim(bottom=0)
     panel = out.axes("share of samples below", xlabel="ms", ylabel="share")
-    curves = [("warm caches", times["sum"], BLUE, "-"), ("cold caches", r.latency["cold"].cpu["sum"], GREEN, "-")]
+    curves = [("warm caches", times["sum"], PURPLE, "-"), ("cold caches", r.latency["cold"].cpu["sum"], GREEN, "-")]
     for name, values, color, style in (*curves, (GHOST, np.array(r.ghost["solve_seconds"]), GREY, "-")):
         panel.plot(1e3 * np.sort(values), np.linspace(0, 1, len(values)), style, color=color, label=name)
     panel.axvline(1e3 * h, **LIMITS)
@@ -138,7 +138,7 @@ def late(r: Results) -> Sheet:
 def moment(r: Results) -> Sheet:
     out = Sheet(1, 1, "Bending moment at the elbow in the plant", (6.4, 3.2))
     t = np.arange(len(r.wrench[0][2])) * STEP
-    names = ("MPC", "MPC with the bound in its file")
+    names = ("without the bound", "with the bound")
     curves = [(n, m, c, "-") for n, (_, _, m), c in zip(names, r.wrench, (ORANGE, BLUE), strict=True)]
     out.curves("with and without its bound", t, curves, COMPONENT, "N·m", bounds=(BOUND,))
     out.legend()

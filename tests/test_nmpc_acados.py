@@ -92,7 +92,11 @@ def test_without_blocks_the_generated_c_solves_the_same_problem_as_ipopt(monkeyp
     require_tool("cc")
     monkeypatch.setitem(generated.PATTERNS, "40", ((1, 40),))
     task = arm.Task(modes=2, N=40)
-    control, (x, tau), nq = generated.controller(task, "40"), task.rest(arm.GOAL + [0.3, -0.2, 0.2]), task.model.nq
+    control, (x, tau), nq = (
+        generated.controller(task, "40"),
+        task.rest(arm.GOAL + np.array([0.3, -0.2, 0.2])),
+        task.model.nq,
+    )
     control.initialise(x[:nq], x[nq:], tau)
     control.feedback(x[:nq], x[nq:])
     found = Judge(task.problem, *task.reference()).solve(x, control.states, control.torques)

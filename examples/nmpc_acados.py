@@ -1,5 +1,7 @@
 """Nonlinear model predictive control in real time with acados: ELLA, and the published arm with two flexible links.
 
+The published arm runs on the generated C of `model.mpc` as well, in the same loop.
+
     make acados                                  # once: acados from PyPI into build/acados
     python examples/nmpc_acados.py               # both tasks, some minutes; figures and numbers in build/nmpc_acados
     python examples/nmpc_acados.py --short       # less of both, without figures
@@ -20,7 +22,7 @@ from mpc.arms import Arms
 from mpc.loop import Controller
 from mpc.ocp import Form
 from mpc.task import BANDS, settling
-from with_acados import arm, show
+from with_acados import arm, generated, show
 from with_acados.ella import RealTime
 from with_acados.install import Missing, acados_template
 
@@ -133,11 +135,18 @@ def flexible_arm(short: bool, stage: Callable[[str], None]) -> tuple[dict, Calla
         runs.append(arm.closed_loop(task, arm.begun(task), arm.RicherPlant(task), 1.5))
     stage("flexible arm: beside IPOPT")
     judged = arm.judged(task, own, 150 if short else 20)
+    numbers = {"states": task.problem.export.x.numel(), "N": task.N}
+    numbers |= figures(task, runs, place) | {"beside_ipopt": judged}
+    patterns = [generated.CHOSEN] if short else list(generated.PATTERNS)
+    numbers["generated"] = {name: in_c(task, name, short, stage) for name in patterns}
+    return numbers, lambda: show.arm(*runs, place)
+
+
+def figures(task: arm.Task, runs: list[arm.Run], place) -> dict:
+    """Of closed loops on the model itself and, where it was run, on the richer plant."""
     rates = slice(task.model.nq, task.model.nq + 3)
     joined = lambda part: np.concatenate([getattr(run, part) for run in runs])  # noqa: E731
-    numbers = {
-        "states": task.problem.export.x.numel(),
-        "N": task.N,
+    return {
         "samples": len(joined("u")),
         "solved": all(run.failed == 0 for run in runs),
         "times_ms": times({part: joined(part) for part in ("preparation", "feedback")}),
@@ -146,9 +155,21 @@ def flexible_arm(short: bool, stage: Callable[[str], None]) -> tuple[dict, Calla
         "settling_s": [arm.settled(runs[-1], place, band) for band in (0.01, 0.005)],
         "peak_over_limit": float((np.abs(joined("u")) / arm.LIMIT).max()),
         "rate_over_bound": [float((np.abs(run.x[:, rates]) / arm.FASTEST).max()) for run in runs],
-        "beside_ipopt": judged,
     }
-    return numbers, lambda: show.arm(*runs, place)
+
+
+def in_c(task: arm.Task, pattern: str, short: bool, stage: Callable[[str], None]) -> dict:
+    """The same loops with the generated C, its torques constant over blocks."""
+    stage(f"flexible arm: generated C with {pattern} blocks")
+    place, chosen = task.reference()[1][-3:], pattern == generated.CHOSEN
+    own = generated.closed_loop(task, generated.controller(task, pattern), arm.SamePlant(task), 1.2 if short else 1.5)
+    runs = [own]
+    if chosen and not short:
+        richer = arm.RicherPlant(task)
+        runs.append(generated.closed_loop(task, generated.controller(task, pattern), richer, 1.5))
+    stage(f"flexible arm: generated C with {pattern} blocks beside IPOPT")
+    judged = arm.judged(task, own, 150 if short else 20 if chosen else 60)
+    return figures(task, runs, place) | {"beside_ipopt": judged}
 
 
 def summary(name: str, n: dict) -> None:
@@ -167,6 +188,8 @@ def summary(name: str, n: dict) -> None:
         print(f"{1e3 * max(off['tip']):.1f} mm")
         plants = zip(n["rate_over_bound"], ("the model itself", "a richer plant"), strict=False)
         print("  joint rates   of their bounds: " + ", ".join(f"{rate:.2f} on {plant}" for rate, plant in plants))
+    for pattern, inner in n.get("generated", {}).items():
+        summary(f"{name}, generated C with {pattern} blocks", inner)
 
 
 def shortfalls(name: str, n: dict) -> list[str]:
@@ -185,7 +208,9 @@ def shortfalls(name: str, n: dict) -> list[str]:
         claims["IPOPT converges"] = all(off["converged"])
         claims["torques are within a tenth of their limits of IPOPT's"] = max(off["torque"]) <= 0.1
         claims["joint rates keep to their bounds on the own model, but for a tenth"] = n["rate_over_bound"][0] <= 1.1
-    return [f"{name}: {claim}" for claim, holds in claims.items() if not holds]
+    missed = [f"{name}: {claim}" for claim, holds in claims.items() if not holds]
+    inner = n.get("generated", {}).items()
+    return missed + [m for pattern, found in inner for m in shortfalls(f"{name}, {pattern} blocks in C", found)]
 
 
 if __name__ == "__main__":

@@ -69,7 +69,8 @@ def functions(build: Build, program: Path) -> dict[int, Function]:
             place = int(head[1], 16)
             current = out.setdefault(place, Function([]))
         elif ":\t" in line:
-            current.calls |= {int(found, 16) for found in call.findall(line)} - {place}
+            own = set() if "\tbl\t" in line else {place}  # a branch to the beginning is a loop
+            current.calls |= {int(found, 16) for found in call.findall(line)} - own
             current.taken += taken(line)
             current.unbounded |= bool(UNBOUNDED.search(line))
             current.indirect |= bool(indirect.search(line))

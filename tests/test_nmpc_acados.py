@@ -16,8 +16,10 @@ import screwgen
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "examples"))
 
+from with_acados import arm, generated  # noqa: E402
 from with_acados.dynamics import discrete  # noqa: E402
 from with_acados.install import Missing, acados_template  # noqa: E402
+from with_acados.judge import Judge  # noqa: E402
 
 EXAMPLE = [sys.executable, str(ROOT / "examples" / "nmpc_acados.py")]
 ARM = ROOT / "examples" / "flexible_arm.toml"
@@ -76,8 +78,37 @@ def test_one_iteration_is_near_converged_ipopt(results):
 
 
 @pytest.mark.examples
+def test_the_generated_c_solves_the_published_arm_in_the_same_run(results):
+    (n,) = results["flexible_arm"]["generated"].values()
+    assert n["solved"] and n["samples"] == results["flexible_arm"]["samples"] == 240
+    assert n["settling_s"][0] <= 1.1 and n["peak_over_limit"] <= 1 + 1e-6 and n["rate_over_bound"][0] <= 1.01
+    off = n["beside_ipopt"]
+    assert all(off["converged"]) and len(off["torque"]) == 2 and max(off["torque"]) <= 0.1
+
+
+@pytest.mark.examples
+def test_without_blocks_the_generated_c_solves_the_same_problem_as_ipopt(monkeypatch):
+    """Forty intervals, each a block: converged torques and states from rest near the goal."""
+    require_tool("cc")
+    monkeypatch.setitem(generated.PATTERNS, "40", ((1, 40),))
+    task = arm.Task(modes=2, N=40)
+    control, (x, tau), nq = (
+        generated.controller(task, "40"),
+        task.rest(arm.GOAL + np.array([0.3, -0.2, 0.2])),
+        task.model.nq,
+    )
+    control.initialise(x[:nq], x[nq:], tau)
+    control.feedback(x[:nq], x[nq:])
+    found = Judge(task.problem, *task.reference()).solve(x, control.states, control.torques)
+    assert control.converged and found.converged
+    assert np.abs((control.torques - found.u) / arm.LIMIT).max() <= 1e-6
+    assert np.abs(control.states - found.x).max() <= 1e-5
+    assert np.abs(found.u[0] / arm.LIMIT).max() > 0.1
+
+
+@pytest.mark.examples
 def test_times_have_parts_and_a_sum(results):
-    for n in results.values():
+    for n in [*results.values(), *results["flexible_arm"]["generated"].values()]:
         t = n["times_ms"]
         assert t["sample"]["median"] > 0 and t["sample"]["max"] >= t["sample"]["p99"] >= t["sample"]["median"]
         assert t["sample"]["mean"] == pytest.approx(sum(part["mean"] for k, part in t.items() if k != "sample"))

@@ -36,7 +36,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = "index robot notebook firmware mpc realtime research modes elements urdf fmi models viewer".split()
+PAGES = "index robot notebook firmware mpc realtime research modes elements urdf fmi models viewer rollouts jax".split()
 GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES)
 
 FILES = ("toml", "json", "xml", "c")

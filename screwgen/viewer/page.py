@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..model import Model
 
 SUFFIXES = (".html",)
-PARTS = ("kinematics.js", "plots.js", "drawing.js", "player.js")
+PARTS = ("kinematics.js", "plots.js", "drawing.js", "player.js", "controls.js")
 """The page's own script, in this order."""
 FINE = 1e-4
 """How far a joint may be off, rad, or a displacement over the size of the robot."""

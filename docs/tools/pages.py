@@ -35,7 +35,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = ("index", "robot", "notebook", "firmware", "mpc", "research", "modes", "elements", "models")
+PAGES = ("index", "robot", "notebook", "firmware", "mpc", "research", "modes", "elements", "models", "rollouts", "jax")
 GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES)
 
 FILES = ("toml", "json", "c")

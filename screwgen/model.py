@@ -163,6 +163,7 @@ class Model:
     def jax(self, precision="double", forward_mode=False, methods: Sequence[Method] = ()) -> Mapping:
         """The functions on arrays of JAX by the names of :meth:`casadi`, pure and jitted; :mod:`.backends.jax`."""
         from .backends.jax import functions
+
         given = (self.chain, precision, forward_mode, tuple(methods))
         return self.once(("jax", given[1:]), partial(functions, *given))  # type: ignore[return-value]
 

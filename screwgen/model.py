@@ -150,8 +150,7 @@ class Model:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator.
 
         Each is made when it is first asked for.  ``step (q, v, tau, w_ext, p, dt) -> (q_next, v_next)`` is a step of
-        ``modal_midpoint``, ``step_<method>`` one of another method of :data:`screwgen.integrators.METHODS` or of
-        ``methods``.
+        ``modal_midpoint``, ``step_<method>`` one of :data:`screwgen.integrators.METHODS` or of ``methods``.
         ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
         ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
         """

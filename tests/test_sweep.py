@@ -60,7 +60,7 @@ def test_results_do_not_depend_on_the_executor(model, tmp_path):
 
 
 def test_rollouts_of_arrays_on_executors(model, monkeypatch):
-    monkeypatch.setattr("screwgen.simulation.sweep.CHUNK", 16)
+    monkeypatch.setattr("screwgen.simulation.chunks.CHUNK", 16)
     given = drawn(np.random.default_rng(0), 50) | {"step": 1e-3, "steps": 3}
     alone = rollout(model, **given)
     with ThreadPoolExecutor(2) as threads:

@@ -17,6 +17,7 @@ from ..integrators.methods import method_of
 from ..runtime.batch import OK, SINGULAR, compiled_batch
 from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
+from .chunks import in_chunks, merged
 from .loop import added
 from .rollout_validity import watched
 from .validity import Validity
@@ -114,9 +115,7 @@ def rollout(
     if executor is None:
         run = rolled(model, given, count, *how)
     else:
-        from .sweep import in_chunks
-
-        run = in_chunks(model, given, count, how, executor)
+        run = joined(in_chunks(rolled, model, given, count, how, executor))
     run.validity.warn(stacklevel=2)
     return run
 
@@ -151,6 +150,13 @@ def rolled(model, given, count, periods, step, substeps, method, threads, single
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)
     return Rollout(t, q, v, status, done // substeps, fault, links, watched(model, given, t, q, v))
+
+
+def joined(runs: list[Rollout]) -> Rollout:
+    """Rollouts one behind the other."""
+    names = ("q", "v", "status", "completed", "fault")
+    stacked = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
+    return Rollout(t=runs[0].t, **stacked, links=runs[0].links, validity=merged([run.validity for run in runs]))
 
 
 def _rows(values: np.ndarray, count: int, real) -> np.ndarray:

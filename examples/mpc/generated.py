@@ -40,7 +40,7 @@ def always_in_time(k: int) -> bool:
 
 
 class Generated(Controller):
-    """One real-time iteration in generated C for each sample, along the plan or, without one, towards the file's goal.
+    """One real-time iteration in generated C for each sample, along the plan or, without one, towards the goal.
 
     A late sample is one whose preparation is not done when the measurement comes.  Then `feedback` is called all the
     same: it returns the next torque of what was predicted and says BAD_ARGUMENT, and that moves on by an interval.
@@ -61,12 +61,12 @@ class Generated(Controller):
         return self.arms.model.mpc(self.file, parameters=self.dynamics.parameters(self.extra))
 
     def refer(self, t: float) -> np.ndarray:
-        """The references from time t on: states, torques and tips of the plan, or without one what they are."""
+        """The references from time t on: states, torques and tips of the plan, or without one the rest at the goal."""
         c, h, n = self.problem, self.form.h, self.arms.model.nq
-        for k, stage in enumerate(c.reference if self.plan else ()):
+        for k, stage in enumerate(c.reference):
             at = t + k * h
-            x = self.plan.states(at)
-            stage["q"][:], stage["v"][:], stage["tau"][:] = x[:n], x[n:], self.plan.torques(at, h)
+            x, tau = (self.plan.states(at), self.plan.torques(at, h)) if self.plan else self.ends[1]
+            stage["q"][:], stage["v"][:], stage["tau"][:] = x[:n], x[n:], tau
             stage["tip_position"][:] = np.array(self.dynamics.tip(x, self.extra)).ravel()
         return np.array([np.concatenate([np.ravel(part) for part in stage.values()]) for stage in c.reference])
 

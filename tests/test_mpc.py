@@ -164,6 +164,12 @@ def test_the_loop_reaches_the_goal(controllers):
     assert len(np.unique(run.tau[:, 0])) <= 101, "torques are held over a sample"
 
 
+def test_wrenches_may_be_the_only_soft_bounds(controllers):
+    c = controllers(PLAIN.replace("[bounds]", '[bounds]\nwrenches = [ { component = "b.tau_y", limit = 30.0 } ]'))
+    c.initialise(start(), np.zeros(6))
+    assert c.converged and c.inner["row"].shape == (6, 18)
+
+
 def test_a_heavier_payload(controllers):
     """The plan follows new parameters from the next preparation on."""
     c = controllers(PLAIN)

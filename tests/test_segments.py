@@ -19,11 +19,13 @@ from screwgen.algorithms.gauges import gauges
 from screwgen.backends.c.project import CProject
 from screwgen.cli.commands import evaluation
 from screwgen.plotting import mode_plot, plot
+from screwgen.plugins import plugins
 from screwgen.simulation import motion
 from screwgen.simulation.state import state_of
 from screwgen.spec.advice import advice
 from screwgen.studies.equilibrium import equilibrium
 from screwgen.studies.modes import mode_shapes, natural_frequencies
+from screwgen.target_files import latex_files
 
 sys.path.insert(0, str(ROOT / "docs" / "tools"))
 import limits
@@ -288,7 +290,7 @@ def test_damping_is_that_of_the_segments_and_advice_says_so():
 
 
 def test_documents_say_what_segments_are_once():
-    tex = divided(4)._latex_files()["arm.tex"].decode()
+    tex = latex_files(divided(4).robot, plugins())["arm.tex"].decode()
     assert "2 links of 5 segments" in tex and "4 segments" in tex and r"l_{0,i}/4" in tex
     assert tex.count(r"\mathbf{H}^*_i &=") <= 1 and "(72)" in tex
 

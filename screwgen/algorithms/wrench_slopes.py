@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
+from dataclasses import replace
 
 import numpy as np
 
@@ -85,4 +86,5 @@ def wrench_program(chain: Chain, constants="constants") -> Program:
         found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"], tracer.section)
         return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS}
 
-    return fuse(chain, "wrench_slopes", sizes, body, constants)
+    # The accelerations are of a state at which the forward dynamics found its guards to hold.
+    return replace(fuse(chain, "wrench_slopes", sizes, body, constants), guards=[], origins=[])

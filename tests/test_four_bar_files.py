@@ -5,13 +5,13 @@ import numpy as np
 import pytest
 from bad_robot_files import GOOD, refusal, refused
 from four_bar_robots import LINKAGE, START, boom, digger
-from helpers import QUICK, model_of
+from helpers import model_of
+from test_transmissions import estimated
 
-from screwgen import FourBar, RobotFileError, dump, load, simulate
+from screwgen import FourBar, RobotFileError, dump, load
 from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
 from screwgen.plugins import plugins
-from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.spec.four_bar import NUMBERS
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
 
@@ -106,15 +106,7 @@ def test_acados_has_torques_of_cranks():
 
 @pytest.mark.long
 def test_the_estimator_finds_a_posture_under_torques_of_cranks():
-    model, push = boom(), np.array([900.0, 12.0])
-    truth = simulate(model, 0.3, 1e-3, q0=START, controller=push)
-    estimator = CompiledEstimator(model, flags=QUICK)
-    noise = Noise(np.r_[1.0, 1.0, 0.1], 1e-12, encoder=1e-4, strain=2e-6, fibre=0.03)
-    estimator.start(START + 0.02, np.zeros(3), np.full(3, 0.05), np.full(3, 0.05), noise)
-    for q in truth.q[1:]:
-        estimator.predict(push, np.zeros((2, 6)), 1e-3)
-        estimator.update(push, np.zeros((2, 6)), encoder=q[:2])
-    assert np.allclose(estimator.state[0], truth.q[-1], atol=2e-4)
+    estimated(boom(), np.array([900.0, 12.0]), START)
 
 
 def test_documents_and_headers_say_what_a_torque_does():

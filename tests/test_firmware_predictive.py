@@ -10,8 +10,8 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "firmware"))
 
 import budget_table  # noqa: E402
-import control  # noqa: E402
 import cross  # noqa: E402
+import predictive  # noqa: E402
 import stack  # noqa: E402
 
 COUNTS = {"start": [50_000_000], "preparation": [4_000_000, 4_400_000], "feedback": [200_000, 100_000]}
@@ -43,23 +43,23 @@ FOUND = {
     ],
 )
 def test_what_the_controller_may_take_on_the_target(changed, said):
-    found = control.failures(control.Result(**FOUND | changed))
+    found = predictive.failures(predictive.Result(**FOUND | changed))
     assert len(found) == len(said) and all(a.startswith(b) for a, b in zip(found, said, strict=True)), found
 
 
 def test_the_clock_is_that_of_the_longest_sample():
-    result = control.Result(**FOUND)
+    result = predictive.Result(**FOUND)
     assert result.samples == [4_200_000, 4_500_000]
     assert result.clock(2.0) == pytest.approx(450.0)
-    assert "225 MHz at 1 cycles" in control.text(result)
+    assert "225 MHz at 1 cycles" in predictive.text(result)
 
 
 def test_recording_replaces_the_section_of_the_table(tmp_path, monkeypatch):
     monkeypatch.setattr(budget_table, "TABLE", tmp_path / "TABLE.md")
     budget_table.TABLE.write_text("# ELLA\n\nnotes\n")
-    control.record(control.Result(**FOUND))
+    predictive.record(predictive.Result(**FOUND))
     once = budget_table.TABLE.read_text()
-    control.record(control.Result(**FOUND | {"stack": 7_000}))
+    predictive.record(predictive.Result(**FOUND | {"stack": 7_000}))
     assert "| stack: worst | 6,000 B |" in once
     assert budget_table.TABLE.read_text() == once.replace("6,000 B", "7,000 B")
 
@@ -82,7 +82,7 @@ def test_a_recursion_is_counted_as_often_as_stated_and_refused_otherwise(tmp_pat
     """Both functions of the cycle; what a cycle calls is counted once."""
     require_tool("arm-none-eabi-gcc")
     (tmp_path / "a_main.c").write_text(RECURSIVE)
-    build = cross.Build(control.VARIANT, cross.Sources("a", tmp_path), tmp_path)
+    build = cross.Build(predictive.VARIANT, cross.Sources("a", tmp_path), tmp_path)
     options = ("-fstack-usage", "-ffreestanding", "-nostdlib", "-nostartfiles", "-Wl,-e,main")
     cross.run(build.compiler, *build.flags, "-c", "-fstack-usage", tmp_path / "a_main.c", "-o", tmp_path / "a_main.o")
     cross.run(build.compiler, *build.flags, *options, tmp_path / "a_main.o", "-o", tmp_path / "a.elf")
@@ -101,7 +101,7 @@ def test_on_the_cortex_m7():
     """In double under QEMU, as `make firmware` measures it."""
     for tool in ("cc", "arm-none-eabi-gcc", "qemu-system-arm"):
         require_tool(tool)
-    control.OUT.mkdir(exist_ok=True)
-    found = control.measure()
-    assert control.failures(found) == []
+    predictive.OUT.mkdir(exist_ok=True)
+    found = predictive.measure()
+    assert predictive.failures(found) == []
     assert 0 < found.painted <= found.stack and len(found.samples) == 59

@@ -1,8 +1,8 @@
 """What predictive control costs on a Cortex-M7: the generated controller in double under QEMU, in closed loop.
 
-python firmware/control.py [--record]
+python firmware/predictive.py [--record]
 
-Prints a table and writes build/firmware_control.csv. The exit status is 1 where a figure is past its limit, 2 where a
+Prints a table and writes build/firmware_predictive.csv. Exit status is 1 where a figure is past its limit, 2 where a
 tool is missing or a program fails. --record writes the table into TABLE.md.
 """
 
@@ -24,7 +24,7 @@ from screwgen.errors import ScrewgenError
 
 ROOT = HERE.parent
 OUT = ROOT / "build"
-WORK = OUT / "firmware_control"
+WORK = OUT / "firmware_predictive"
 VARIANT = Variant(TARGETS["m7"], "double", "fused", "runtime")
 PROGRAM, IMAGE, FILE = HERE / "target" / "control.c", HERE / "target" / "image.c", HERE / "mpc.toml"
 PERIOD, JOINTS = 0.02, 3
@@ -171,7 +171,7 @@ def write(r: Result) -> None:
     for name, numbers in (r.counts | {"sample": r.samples}).items():
         row |= {name: statistics.median(numbers), f"{name}_max": max(numbers)}
     row |= {"unsolved": r.unsolved, "iterations": r.iterations, "miss": r.miss, "apart": r.apart}
-    with (OUT / "firmware_control.csv").open("w", newline="", encoding="utf-8") as file:
+    with (OUT / "firmware_predictive.csv").open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, row, lineterminator="\n")
         writer.writeheader()
         writer.writerow(row)
@@ -193,7 +193,7 @@ def failures(r: Result) -> list[str]:
 
 def main(arguments: list[str]) -> int:
     if arguments not in ([], ["--record"]):
-        raise FirmwareError("control.py takes --record or nothing")
+        raise FirmwareError("predictive.py takes --record or nothing")
     OUT.mkdir(exist_ok=True)
     result = measure()
     print(text(result))

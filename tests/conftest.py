@@ -7,6 +7,7 @@ import signal
 import tempfile
 import threading
 from collections import Counter
+from typing import NoReturn
 
 import hypothesis.configuration
 import pytest
@@ -72,9 +73,14 @@ def require_tool(name: str) -> str:
     """The path of an outside tool. Where it is missing the test is skipped, or fails if REQUIRE_TOOLS=1."""
     path = shutil.which(name)
     if path is None:
-        refuse = pytest.fail if os.environ.get("REQUIRE_TOOLS") == "1" else pytest.skip
-        refuse(MISSING + name)
+        lacking(name)
     return path
+
+
+def lacking(name: str) -> NoReturn:
+    """Skips a test for want of a tool, which may have a reason behind it; fails it if REQUIRE_TOOLS=1."""
+    refuse = pytest.fail if os.environ.get("REQUIRE_TOOLS") == "1" else pytest.skip
+    refuse(MISSING + name)
 
 
 def missing_tools(reports) -> Counter:

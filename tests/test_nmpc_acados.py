@@ -9,7 +9,7 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import pytest
-from conftest import MISSING, require_tool
+from conftest import lacking, require_tool
 
 import screwgen
 
@@ -31,8 +31,7 @@ def require_acados() -> None:
     try:
         acados_template()
     except Missing as error:
-        refuse = pytest.fail if os.environ.get("REQUIRE_TOOLS") == "1" else pytest.skip
-        refuse(f"{MISSING}acados: {error}")
+        lacking(f"acados: {error}")
 
 
 def run(*arguments: str, **more: str) -> subprocess.CompletedProcess:

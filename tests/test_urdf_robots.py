@@ -3,13 +3,12 @@
 The package is an extra of its own, `robots`, since it has 400 MB of meshes: `make robots` installs it and runs this.
 """
 
-import os
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import MISSING
+from conftest import lacking
 from urdf_judge import Pair
 
 import screwgen
@@ -67,7 +66,7 @@ def path_of(name: str) -> Path:
     """The URDF of a robot. Where the package is missing the test is skipped, or fails if REQUIRE_TOOLS=1."""
     root = folder()
     if root is None:
-        (pytest.fail if os.environ.get("REQUIRE_TOOLS") == "1" else pytest.skip)(MISSING + PACKAGE)
+        lacking(PACKAGE)
     return root / f"{name}.urdf"
 
 

@@ -57,7 +57,7 @@ def mobility(J: np.ndarray, kinds: Kinds) -> Mobility:
     independent = np.setdiff1d(np.arange(J.shape[1]), chosen)
     N = np.zeros((J.shape[1], len(independent)))
     N[independent, np.arange(len(independent))] = 1.0
-    N[chosen] = -np.linalg.lstsq(J[:, chosen], J[:, independent])[0]
+    N[chosen] = -np.linalg.lstsq(J[:, chosen], J[:, independent], rcond=None)[0]
     for tiers, end in zip(kinds, ends, strict=True):  # what closes a gap does not need the kinds behind it
         same = np.isin(independent, [k for tier in tiers for k in tier])
         N[np.ix_(np.array(chosen[end:], int), np.flatnonzero(same))] = 0.0

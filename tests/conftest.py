@@ -14,6 +14,8 @@ import pytest
 from hypothesis import settings
 
 MISSING = "tool not installed: "
+NAMED = os.environ.get("CC")
+UNOPTIMISED = os.path.join(os.path.dirname(__file__), "tools", "cc")
 SLOWEST = (
     "ella_paper guides mpc demo bench do_mpc static_analysis firmware generated c_code latex_pages cli_paper".split()
 )
@@ -34,8 +36,27 @@ def pytest_configure():
     A job in the background of a shell ignores Ctrl-C, and so would all that it starts.
     """
     gc.set_threshold(100_000, 50, 50)
+    _compile_quickly()
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def _compile_quickly():
+    """Libraries of double precision that nobody optimises are compiled by tcc where it is installed.
+
+    It takes a twentieth of gcc's time. It folds constants with more digits, so tests that compare bits, or round to
+    single precision, give further flags. Folders, batches and FMUs are built by cc, with their own flags and warnings.
+    """
+    from screwgen.runtime import compiled, estimator, library, mpc
+
+    tcc = shutil.which("tcc")
+
+    def load(files, flags, compiler=None, cache=True):
+        quick = list(flags) == ["-O0"] and os.environ.get("CC", "cc") == "cc"
+        return library.load(files, flags, compiler or (tcc if quick else None), cache)
+
+    for module in (compiled, estimator, mpc) if tcc else ():
+        module.load = load
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -57,6 +78,12 @@ def _quick_models(request, monkeypatch):
     if "examples" not in request.keywords:
         flags = tuple(("-O0",) if given == ("-O2",) else given for given in Model.compile.__defaults__)
         monkeypatch.setattr(Model.compile, "__defaults__", flags)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    """What examples and guides compile is not optimised either, unless CC names a compiler."""
+    os.environ["CC"] = NAMED or (UNOPTIMISED if "examples" in item.keywords else "cc")
 
 
 def swept(cases, *kept) -> list:

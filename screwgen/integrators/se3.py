@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ..algorithms.exponential import Series, exponential
+from ..algorithms.exponential import Series, cross, exponential
 from ..ir.program import Program, Tracer
 
 
@@ -22,8 +22,7 @@ def algebra_rate(u: np.ndarray, V: np.ndarray) -> np.ndarray:
 
 def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """The Lie bracket of se(3), row by row, (25)."""
-    angular = np.cross(a[:, :3], b[:, :3])
-    return np.hstack([angular, np.cross(a[:, 3:], b[:, :3]) + np.cross(a[:, :3], b[:, 3:])])
+    return np.hstack([cross(a[:, :3], b[:, :3]), cross(a[:, 3:], b[:, :3]) + cross(a[:, :3], b[:, 3:])])
 
 
 class Space(Protocol):

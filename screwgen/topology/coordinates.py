@@ -203,7 +203,7 @@ class Coordinates:
         """Whether any joint moves its link along an axis."""
         return any(key.slides for key in self.keys)
 
-    @property
+    @cached_property
     def n_given(self) -> int:
         """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
         return self.nv - self.base_v if self.sprung else self.n_modes

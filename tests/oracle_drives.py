@@ -81,8 +81,7 @@ class Drives:
         x, out = ca.SX.sym("x", len(q)), np.zeros(len(q))
         slopes = ca.Function("f", [x], [ca.jacobian(self.lengths(x), x)])(q).full()
         out[self.driven] = tau
-        for k, (axis, _) in enumerate(self.cylinders):
-            out[axis] = 0.0
+        out[[axis for axis, _ in self.cylinders]] = 0.0
         for k, (axis, _) in enumerate(self.cylinders):
             out += slopes[k] * tau[axis]
         return out

@@ -114,10 +114,10 @@ def kept(s: Scope) -> Cranks:
 
 def of_axis(s: Scope, axis: int, q: Array, guarded: bool = True) -> tuple[Value, Value]:
     """``l'`` and ``l''`` of an axis with a transmission; ``guarded``: the program has no result out of its reach."""
-    kind = KINDS[s.key.drives[axis].transmission]
-    slope, curve, room = kind.relation(
-        s.tracer, q[axis], *(s.constant(f"drive_{name}_{axis + 1}") for name in kind.keys)
-    )
+    name = s.key.drives[axis].transmission
+    kind, constant = KINDS[name], lambda x: s.constant(f"drive_{x}_{axis + 1}")
+    more = {"elastic": True} if axis in s.key.loose and name != "cylinder" else {}
+    slope, curve, room = kind.relation(s.tracer, q[axis], *map(constant, kind.keys), **more)
     if guarded:
         s.tracer.guard(room)
     return slope, curve

@@ -101,8 +101,8 @@ class PD:
     Gains, limits and angles are those of the joints. Where these stand in the `q` and `v` of a robot a run says by
     `through`: behind a floating base; of an elastic drive the law measures the rotor's angle over the ratio in place of
     the joint's, and its torque acts on the rotor, less by the ratio. A cylinder is given the force that exerts the
-    torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m. Where its gear is
-    elastic the law measures the joint where the rotor would have it with a rigid gear, to first order in the stretch.
+    torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m. Behind an
+    elastic gear the law measures the joint where a rigid one would have it, to first order in the stretch.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -215,7 +215,7 @@ class PD:
 
 
 def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """How far the rotors behind elastic gears of transmissions are ahead of their joints (n_tau,) in `x`, `q` or `v`."""
+    """How far rotors behind elastic gears of transmissions are ahead of their joints (n_tau,) in `x`, `q` or `v`."""
     out, lever = np.zeros(chain.n_tau), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
     for joint, place in chain.loose.items():
         stretch = x[place + len(x) - chain.nv]

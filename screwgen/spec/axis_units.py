@@ -19,15 +19,15 @@ SLIDING = {
 
 CRANKED = {
     "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the cylinder"),
-    "joint.drives.stiffness": ("N/m", "stiffness of the gear along the cylinder"),
-    "joint.drives.damping": ("N·s/m", "damping of the gear along the cylinder"),
+    "joint.drives.stiffness": ("N/m", "stiffness of the gear along the travel of its transmission"),
+    "joint.drives.damping": ("N·s/m", "damping of the gear along the travel of its transmission"),
     **{field: SLIDING[field] for field in SLIDING if ".friction." in field},
 }
 """The same of an axis that a cylinder drives."""
 
 LINKED = {
     "joint.drives.ratio": ("1", "turns of the rotor per turn of the crank"),
-    "joint.drives.stiffness": ("N·m/rad", "stiffness of the gear at the crank"),
-    "joint.drives.damping": ("N·m·s/rad", "damping of the gear at the crank"),
+    "joint.drives.stiffness": ("N·m/rad", "stiffness of the gear along the travel of its transmission"),
+    "joint.drives.damping": ("N·m·s/rad", "damping of the gear along the travel of its transmission"),
 }
 """The same of an axis that a four-bar linkage drives."""

@@ -225,10 +225,7 @@ class Oracle:
         return np.zeros((6, self.n)) if w_ext is None else np.array(w_ext, dtype=float).reshape(self.n, 6).T
 
     def _force(self, tau, q) -> np.ndarray:
-        out = np.zeros(self.nv)
-        if tau is not None:
-            out[self.drives.driven] = self.drives.levers(q) * tau
-        return out
+        return np.zeros(self.nv) if tau is None else self.drives.applied(q, np.array(tau, float))
 
     def mass_matrix(self, q) -> np.ndarray:
         """M(q), (nv, nv): the momenta of unit velocities."""

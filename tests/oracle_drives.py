@@ -9,7 +9,8 @@ import numpy as np
 class Drives:
     """Inertia, stiffness, damping and dry friction that drives add to the coordinates, and where torques act.
 
-    `drives`: the table of each axis, in the order of q; rotors of elastic drives follow the joints in q.
+    `drives`: the table of each axis, in the order of q; rotors of elastic drives follow the joints in q. The elastic
+    gear of a transmission stands among them by how far the rotor's travel is ahead of the length (or crank's angle).
     Attributes: rotors (the axes with one), driven (tau's coordinates), inertia (nv,), K and D (nv, nv).
     """
 
@@ -23,6 +24,9 @@ class Drives:
             place = axis
             if "transmission" in drive:
                 self.driven.append(axis)
+                if axis in self.rotors:
+                    place = self.gear(len(drives), axis)
+                    self.K[place, place], self.D[place, place] = drive["stiffness"], drive.get("damping", 0.0)
                 continue
             if axis in self.rotors:
                 place = len(drives) + self.rotors.index(axis)
@@ -38,7 +42,18 @@ class Drives:
             self.driven.append(place)
 
     def lengths(self, q):
-        """The lengths of the cylinders, the distances of two eyes in the plane of the joint, and angles of cranks."""
+        """The lengths of the cylinders, the distances of two eyes in the plane of the joint, and angles of cranks.
+
+        Behind an elastic gear it is the rotor's travel, which is ahead of them.
+        """
+        ahead = [q[self.gear(len(self.driven), axis)] if axis in self.rotors else 0 for axis, _ in self.cylinders]
+        return self._lengths(q) + ca.vertcat(type(q)(0, 1), *ahead)
+
+    def gear(self, n_axes: int, axis: int) -> int:
+        """The place in q of the rotor or gear of an axis."""
+        return n_axes + self.rotors.index(axis)
+
+    def _lengths(self, q):
         out = []
         for axis, drive in self.cylinders:
             given = drive["transmission"]
@@ -61,12 +76,14 @@ class Drives:
         change = ca.jtimes(rate, ca.vertcat(q, v), ca.vertcat(v, a))
         return ca.jtimes(self.lengths(q), q, self._masses * change, True)
 
-    def levers(self, q) -> np.ndarray:
-        """(n_tau,): what torques are multiplied by at the numbers q."""
-        x, out = ca.SX.sym("x", len(q)), np.ones(len(self.driven))
+    def applied(self, q, tau) -> np.ndarray:
+        """(nv,): the generalised forces of torques (n_tau,) at the numbers q."""
+        x, out = ca.SX.sym("x", len(q)), np.zeros(len(q))
         slopes = ca.Function("f", [x], [ca.jacobian(self.lengths(x), x)])(q).full()
+        out[self.driven] = tau
+        out[[axis for axis, _ in self.cylinders]] = 0.0
         for k, (axis, _) in enumerate(self.cylinders):
-            out[axis] = slopes[k, axis]
+            out += slopes[k] * tau[axis]
         return out
 
     @property

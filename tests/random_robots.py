@@ -29,6 +29,7 @@ LIMITS = {
     "drives": 0.0,  # of a joint: gears with rotors, some of them elastic or with friction
     "stops": 0.0,  # of an axis: limits, most of them with stops
     "cylinders": 0.0,  # of a drive of an axis that turns: a cylinder in place of a gear
+    "gears": 0.0,  # of such a cylinder whose gear was drawn elastic: it stays so
     "linkages": 0.0,  # of a cylinder: a four-bar linkage in its place, drawn from a stream of its own
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
     "no_section_rotation": 0.15,
@@ -124,7 +125,7 @@ def random_joint(rng, limits: dict) -> dict:
         if any("rotor_inertia" in drive for drive in joint["drives"]):
             joint.pop("armature", None)
     if limits["cylinders"]:
-        with_cylinders(rng, joint, limits["cylinders"])
+        with_cylinders(rng, joint, limits["cylinders"], limits["gears"])
     if limits["linkages"]:
         replace_cylinders(joint, limits["linkages"])
     if count and limits["stops"]:
@@ -132,12 +133,16 @@ def random_joint(rng, limits: dict) -> dict:
     return joint
 
 
-def with_cylinders(rng, joint: dict, probability: float) -> None:
-    """Some axes that turn get a cylinder, whose rotor at the joint is about as heavy as an armature."""
+def with_cylinders(rng, joint: dict, probability: float, gears: float) -> None:
+    """Some axes that turn get a cylinder, whose rotor at the joint is about as heavy as an armature.
+
+    `gears`: the probability that an elastic gear stays elastic.
+    """
     drives = joint.get("drives", [{}] * len(joint["axes"]))
     for k, axis in enumerate(joint["axes"]):
         if not isinstance(axis, dict) and chance(rng, probability):
-            drive = {name: value for name, value in drives[k].items() if name not in ("stiffness", "damping")}
+            rigid = () if gears and chance(rng, gears) else ("stiffness", "damping")
+            drive = {name: value for name, value in drives[k].items() if name not in rigid}
             base = float(rng.uniform(0.3, 1.5))
             lever = {"base": base, "crank": base * float(rng.choice([rng.uniform(0.2, 0.8), rng.uniform(1.2, 2.0)]))}
             drive["transmission"] = lever | {"angle": float(rng.uniform(-np.pi, np.pi))}
@@ -177,9 +182,10 @@ def random_drive(rng) -> dict:
 
 
 def ratios(robot: dict) -> dict[int, float]:
-    """The ratio of every elastic drive, by its axis among all axes of the robot."""
+    """The ratio of every elastic drive, by its axis among all axes of the robot; of transmissions that of a stretch."""
     drives = [d for link in robot["links"] for d in link["joint"].get("drives", [{}] * len(link["joint"]["axes"]))]
-    return {axis: drive.get("ratio", 1.0) for axis, drive in enumerate(drives) if "stiffness" in drive}
+    ratio = lambda drive: 0.02 if "transmission" in drive else drive.get("ratio", 1.0)  # noqa: E731
+    return {axis: ratio(drive) for axis, drive in enumerate(drives) if "stiffness" in drive}
 
 
 def mixed(rng, axes: list, sliding: float) -> list:

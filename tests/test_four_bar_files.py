@@ -43,9 +43,9 @@ WRONG = [
     (f"transmission = {{ base = 0.4, {FINE} }}", f"{KEY}.base", "is stated beside four_bar"),
     (f"transmission = {{ {FINE} }}, ratio = 3.0", f"{UPPER}[0].ratio", "is stated without rotor_inertia"),
     (
-        f"transmission = {{ {FINE} }}, rotor_inertia = 1.0, stiffness = 1e6",
-        f"{UPPER}[0].stiffness",
-        "is stated beside transmission, whose gear is rigid; leave it out, or model the linkage by links and a loop",
+        f"transmission = {{ {FINE} }}, rotor_inertia = 1.0, damping = 9.0",
+        f"{UPPER}[0].damping",
+        "is stated without stiffness",
     ),
 ]
 

@@ -260,7 +260,7 @@ WRONG = [
     ('transmission = { crank = 0.3, base = 0.8, angle = "x" }', f"{KEY}.angle", 'is "x"'),
     ("transmission = { crank = 0.3, base = 0.8, angel = 1.0 }", f"{KEY}.angel", "did you mean angle?"),
     ('transmission = "cylinder"', KEY, "must be a table of crank, base, angle"),
-    (f"{TABLE}, rotor_inertia = 1.0, stiffness = 1e6", f"{UPPER}[0].stiffness", "is stated beside transmission"),
+    (f"{TABLE}, rotor_inertia = 1.0, stiffness = -1e6", f"{UPPER}[0].stiffness", "is -1000000.0; it must be > 0"),
     (f"{TABLE}, rotor_inertia = 1.0, damping = 9.0", f"{UPPER}[0].damping", "is stated without stiffness"),
     (f"{TABLE}, ratio = 3.0", f"{UPPER}[0].ratio", "is stated without rotor_inertia"),
 ]

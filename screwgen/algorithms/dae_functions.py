@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from ..errors import UsageError
 from ..ir.program import Value
 from ..spec.base import TWIST
 from ..spec.parameters import coordinate_names
@@ -138,8 +139,12 @@ class DaeFunctions(Functions):
     def kinematic_rates(self, x: Sequence, z: Sequence, tau: Sequence = ()) -> list:
         """``xdot`` when the accelerations are given: the differential equations of the DAE.
 
-        ``tau`` acts on the rotors of elastic drives; their accelerations are no unknowns.
+        ``tau`` acts on the rotors of elastic drives; their accelerations are no unknowns. Raises UsageError where
+        transmissions have elastic gears, whose accelerations need those of the joints.
         """
+        if self.chain.loose:
+            what = "has an elastic gear behind a transmission, for which the DAE has no differential equations"
+            raise UsageError(f"robot '{self.chain.robot.name}' {what}; use dae_dynamics, or the joint form")
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
         if self.chain.n_motors:
             moving = self._with_terms([a | {"qdot": b["qdot"]} for a, b in zip(self.unpack(x), links, strict=True)])

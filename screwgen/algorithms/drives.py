@@ -4,7 +4,8 @@ The rotor of an elastic drive has the angle ``theta``, inertia ``J_r`` and ratio
 damping ``d`` at the joint. With ``tau_J = k (theta/N - q) + d (thetadot/N - qdot)`` the equations are
 ``J_r thetaddot = tau - tau_J/N - friction`` for the rotor, whose energy is that of its own spin alone, and ``tau_J``
 takes the place of the torque in the joint's rows. The gear is a symmetric coupling of both coordinates, ``-k/N`` and
-``-d/N``; an implicit method adds ``m_gear = -(h d + h^2 k)/N`` to their inertia.
+``-d/N``; an implicit method adds ``m_gear = -(h d + h^2 k)/N`` to their inertia. The elastic gear of a transmission has
+a coordinate of another kind in the place of theta, see :mod:`.elastic_gears`.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 
 from ..ir.program import Array, Value
 from ..spec.link_class import DriveClass, LinkClass
+from . import elastic_gears as eg
 from . import matrices as mx
 from . import transmissions as tm
 from .axis_laws import stop_energy, stop_torque
@@ -45,11 +47,17 @@ def constant(s: Scope, name: str, axis: int) -> Value:
             return ratio * ratio * inertia
         case "joint_damping":
             own = read(name) if s.key.joint_damping else 0.0
-            return own + (d if drive.stiffness else 0.0 if drive.transmission else stated("viscous"))
+            return own + (0.0 if drive.transmission else d if drive.stiffness else stated("viscous"))
         case "joint_stiffness":
-            return (read(name) if s.key.stiffness else 0.0) + k
+            return (read(name) if s.key.stiffness else 0.0) + (0.0 if drive.transmission else k)
         case "spring":
             return read("joint_stiffness") if s.key.stiffness else 0.0
+        case "gear_damping" | "gear_stiffness" if drive.transmission:
+            return 0.0
+        case "rotor_inertia" if drive.transmission:
+            return ratio * ratio * inertia
+        case "rotor_damping" | "rotor_stiffness" if drive.transmission:
+            return d if name == "rotor_damping" else k
         case "rotor_inertia":
             return inertia
         case "coulomb":
@@ -110,9 +118,9 @@ def condense(s: Scope) -> tuple[Array, Array]:
     ``-f_q - m_gear / m_theta (tau - f_theta)``, and the inertia ``m_q - m_gear^2 / m_theta``.
     """
     inertia, force = own_inertia(s).copy(), own_force(s)
-    tau = mx.zeros(6) if s.key.free else s.read("tau")
+    effort = tau = mx.zeros(6) if s.key.free else s.read("tau")
     if s.key.cranked:
-        tau = tau * tm.kept(s).slope
+        tau = effort * tm.kept(s).slope
     if not s.key.motors:
         return inertia, tau - force
     m, f, coupling = s.read("m_theta"), s.read("f_theta"), s.read("m_gear")
@@ -120,6 +128,10 @@ def condense(s: Scope) -> tuple[Array, Array]:
     driving = np.where([axis in s.key.motors for axis in range(s.key.joints)], -force, tau - force)
     for k, axis in enumerate(s.key.motors):
         inverse = 1.0 / m[k]
+        if axis in s.key.loose:
+            found = eg.condensed(s, axis, effort[axis], m[k], f[k], inverse)
+            follows[k], alone[k], inertia[axis], driving[axis] = found
+            continue
         follows[k] = coupling[k] * inverse
         alone[k] = (tau[axis] - f[k]) * inverse
         inertia[axis] = inertia[axis] - coupling[k] * follows[k]
@@ -135,9 +147,12 @@ def accelerate_rotors(s: Scope, qddot: Array) -> None:
     s.write("thetaddot", [w[k] - W[k] * qddot[axis] for k, axis in enumerate(s.key.motors)])
 
 
-def rotor_forces(s: Scope) -> None:
-    """Inverse dynamics of the rotors; gears act through the forces alone."""
-    s.write("force_theta", s.read("m_theta") * s.read("thetaddot") + s.read("f_theta"))
+def rotor_forces(s: Scope, qddot: Array) -> None:
+    """Inverse dynamics of the rotors; gears act through the forces alone, but for those of transmissions."""
+    force = s.read("m_theta") * s.read("thetaddot") + s.read("f_theta")
+    if s.key.loose:
+        force = force + eg.carried_along(s, qddot)
+    s.write("force_theta", force)
 
 
 def rotor_accelerations(s: Scope) -> None:
@@ -161,6 +176,9 @@ def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
         tau, inertia = found.slope * tau - found.force, inertia + found.inertia
     of = lambda name, axis: s.constant(f"{name}_{axis + 1}")  # noqa: E731
     for k, axis in enumerate(s.key.motors):
+        if axis in s.key.loose:
+            tau[axis], inertia[axis] = eg.passed_on(s, axis, k, q), of("armature", axis) if s.key.weighted else 0.0
+            continue
         tau[axis] = -(of("gear_stiffness", axis) * s.read("theta")[k])
         if drive_of(s.key, axis).damping:
             tau[axis] = tau[axis] - of("gear_damping", axis) * s.read("thetadot")[k]
@@ -183,6 +201,9 @@ def drive_energies(s: Scope, q: Array, qdot: Array) -> tuple[Value, Value]:
     potential: Value = stop_energy(s, q)
     for k, axis in enumerate(s.key.motors):
         theta, thetadot = s.read("theta")[k], s.read("thetadot")[k]
+        if axis in s.key.loose:
+            potential = potential + s.constant(f"rotor_stiffness_{axis + 1}") * theta * theta
+            continue
         ratio = s.constant(f"drive_ratio_{axis + 1}") if drive_of(s.key, axis).ratio else 1.0
         wound = theta - ratio * q[axis]
         kinetic = kinetic + s.constant(f"rotor_inertia_{axis + 1}") * thetadot * thetadot

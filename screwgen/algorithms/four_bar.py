@@ -22,10 +22,16 @@ import math
 
 from ..ir.program import Tracer, Value
 
+IN_LINE = 0.05
+"""rad: so far before its dead centre a linkage ends behind an elastic gear, as the joint would run into it."""
 
-def slopes(s: int, t: Tracer, q: Value, ground, crank, coupler, rocker, angle) -> tuple[Value, Value, Value]:
+
+def slopes(
+    s: int, t: Tracer, q: Value, ground, crank, coupler, rocker, angle, elastic=False
+) -> tuple[Value, Value, Value]:
     """``psi'``, ``psi''``, and what must be > 0: ``sin^2 mu``, less the rounding, times ``4 c^2 k^2``.
 
+    ``elastic``: less ``sin^2 IN_LINE``, and the derivatives themselves are no numbers where that is negative.
     ``far = (c + k)^2 - D^2`` and ``near = D^2 - (c - k)^2`` lose no digits where the linkage folds flat.
     """
     half = 0.5 * (q + angle)
@@ -40,13 +46,14 @@ def slopes(s: int, t: Tracer, q: Value, ground, crank, coupler, rocker, angle) -
     far = (total - span) * (total + span) + area * (cosine * cosine)
     near = (gap - apart) * (gap + apart) + high
     room = far * near
-    H = t.call("sqrt", room)
+    spare = room - math.sin(IN_LINE) ** 2 * product * product if elastic else room
+    H = t.call("sqrt", spare) * t.call("sqrt", room / spare) if elastic else t.call("sqrt", room)
     along, aside = 0.5 * W / square, 0.5 * s * H / square
     b_x, b_y = along * d_x - aside * across, along * across + aside * d_x
     turn, inner = A_x * b_y - across * (b_x + ground), A_x * b_x + across * b_y
     slope = 2.0 * s * turn / H
     curve = 2.0 * s * (2.0 * slope * inner - (inner + ground * A_x) - 0.5 * (slope * slope) * W) / H
-    return slope, curve, room - 64.0 * t.epsilon() * product * product
+    return slope, curve, spare - 64.0 * t.epsilon() * product * product
 
 
 def turn(s: int, q: float, ground: float, crank: float, coupler: float, rocker: float, angle: float) -> float:

@@ -20,6 +20,7 @@ from ..topology.chain import Chain
 from ..topology.tree import BASE, TIP
 from . import matrices as mx
 from . import rows as rw
+from .elastic_gears import GEAR_SLOPES
 from .functions import Functions
 from .fused import fuse
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
@@ -85,6 +86,8 @@ def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change" + ", joint stiffness and damping added" * own):
             _own(f, i, link, out, own)
+    if f.chain.loose:
+        _gears(f.chain, links, out)
     if own and (f.chain.n_motors or f.chain.dry or f.chain.stops):
         with section("drives: rotors, gears and dry friction" + "; stops" * bool(f.chain.stops)):
             _drives(f, q, v, out)
@@ -113,7 +116,7 @@ def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] 
         *more,
         *(at_station(name, k) for name in PAIRS if name in OF_TIP for k in range(len(key.stations_at))),
     ]
-    names += ["crank_inertia"] * key.swung
+    names += ["crank_inertia"] * key.swung + list(GEAR_SLOPES) * bool(key.loose)
     shapes = {name: STORE[plain(name)].size_of(key) for name in names}
     return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
 
@@ -152,6 +155,19 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool
         J[eta, eta] = link[f"f_{modal}"] + stress
 
 
+def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> None:
+    """The rows and columns of the elastic gears of transmissions, but for their springs and dampers."""
+    state = [(i, k) for i, key in enumerate(chain.keys) for k in range(len(key.motors))]
+    for (i, k), joint, place in zip(state, chain.geared, range(chain.eta_v - chain.n_motors, chain.eta_v), strict=True):
+        if joint not in chain.loose:
+            continue
+        M, by_q, by_qdot, back, own = (links[i][name][k] for name in GEAR_SLOPES)
+        axis = chain.base_v + joint
+        out.M[place, axis] = out.M[axis, place] = M
+        out.f_q[place, axis], out.f_v[place, axis], out.f_v[axis, place] = by_q, by_qdot, back
+        out.f_v[place, place] = own
+
+
 def _drives(f: Functions, q, v, out: Slopes) -> None:
     """The rows and columns of rotors, and the slopes of dry friction and stops."""
     chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
@@ -164,8 +180,9 @@ def _drives(f: Functions, q, v, out: Slopes) -> None:
             rotor, joint = next(rotors)
             joint += chain.base_v
             for J, name in ((out.M, "M"), (out.f_q, "K"), (out.f_v, "D")):
-                J[rotor, rotor] = own[f"{name}_theta"][k]
-                J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
+                J[rotor, rotor] = J[rotor, rotor] + own[f"{name}_theta"][k]
+                if key.motors[k] not in key.loose:
+                    J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
         for slope in f.friction(i, state[i])["slope"]:
             place = next(dry) + chain.base_v
             out.f_v[place, place] = out.f_v[place, place] + slope

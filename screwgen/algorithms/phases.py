@@ -19,6 +19,7 @@ import numpy as np
 from ..ir.program import Array
 from . import matrices as mx
 from .drives import accelerate_rotors, condense, own_force, own_inertia, rotor_forces
+from .elastic_gears import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
@@ -266,9 +267,11 @@ def inverse_inward(s: Scope) -> None:
         modal = modal + turned + mx.multiply(station.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal)
     force = mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s)
+    if s.key.loose:
+        force = force + carrying_along(s)
     s.write("force", force[: s.key.joints])
     if s.key.motors:
-        rotor_forces(s)
+        rotor_forces(s, qddot)
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     if s.key.free:
         s.write("base_force", force)

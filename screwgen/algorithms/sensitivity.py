@@ -19,8 +19,8 @@ import numpy as np
 
 from ..ir.derivative import columns
 from ..ir.program import Array
+from . import elastic_gears
 from . import matrices as mx
-from . import transmissions
 from .given_motion import Motion, tip_motion_in_link, tip_point, tip_rotation
 from .joint_terms import joint_offset, joint_point, rotation
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
@@ -205,7 +205,7 @@ def joint_answers(s: Scope, carried: Load) -> None:
         w = mx.shift_wrench(-r_B, carried.wrench)
         turned = np.vstack([columns_cross(A, w[:3]) + columns_cross(T, w[3:]), columns_cross(A, w[3:])])
         F_q = mx.multiply(answer, u_q)
-        cranked_q, cranked_qdot = transmissions.answers(s)
+        cranked_q, cranked_qdot = elastic_gears.answers(s)
         later = mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
         s.write("w.f_q", mx.multiply(axes.T, F_q) + later + cranked_q)
         F_qdot = mx.multiply(answer, u_qdot)

@@ -7,6 +7,8 @@ the axis is the effort ``F`` along that travel, so the axis gets ``l' F``. A rot
 posture and rates alone and is explicit in every method. The travel of a cylinder is its length, that of a four-bar
 linkage the angle of its crank, whose torque is then the effort.
 
+Its gear may be elastic: :mod:`.elastic_gears`.
+
 A further transmission is a ``Kind`` in ``KINDS``, with its keys in ``spec/transmission.py``.
 """
 
@@ -21,7 +23,6 @@ import numpy as np
 
 from ..arguments import Numbers
 from ..errors import SingularError
-from ..ir.derivative import columns
 from ..ir.program import Array, Program, Tracer, Value
 from ..ir.replay import run
 from ..spec.four_bar import NUMBERS
@@ -85,29 +86,38 @@ def relation(kind: str) -> Program:
 
 @dataclass
 class Cranks:
-    """The transmissions of a joint's axes: l', inertia and force, (m,) each; an axis without one has 1, 0 and 0."""
+    """The transmissions of a joint's axes: l', inertia and force, (m,) each; an axis without one has 1, 0 and 0.
+
+    ``bias``: the force along the travel, of which ``force`` is ``l'`` times; stored where gears are elastic.
+    """
 
     slope: Array
     inertia: Array
     force: Array
+    bias: Array
 
     def keep(self, s: Scope) -> None:
         """Store it for later phases of the link."""
-        for name, values in vars(self).items():
-            s.keep(f"crank_{name}", values)
+        for name in _stored(s):
+            s.keep(f"crank_{name}", getattr(self, name))
+
+
+def _stored(s: Scope) -> tuple[str, ...]:
+    return ("slope", "inertia", "force", *["bias"] * bool(s.key.loose))
 
 
 def kept(s: Scope) -> Cranks:
     """What an earlier phase stored."""
-    return Cranks(*(s.kept(f"crank_{name}") for name in ("slope", "inertia", "force")))
+    found = {name: s.kept(f"crank_{name}") for name in _stored(s)}
+    return Cranks(**{"bias": mx.zeros(s.key.joints)} | found)
 
 
 def of_axis(s: Scope, axis: int, q: Array, guarded: bool = True) -> tuple[Value, Value]:
     """``l'`` and ``l''`` of an axis with a transmission; ``guarded``: the program has no result out of its reach."""
-    kind = KINDS[s.key.drives[axis].transmission]
-    slope, curve, room = kind.relation(
-        s.tracer, q[axis], *(s.constant(f"drive_{name}_{axis + 1}") for name in kind.keys)
-    )
+    name = s.key.drives[axis].transmission
+    kind, constant = KINDS[name], lambda x: s.constant(f"drive_{x}_{axis + 1}")
+    more = {"elastic": True} if axis in s.key.loose and name != "cylinder" else {}
+    slope, curve, room = kind.relation(s.tracer, q[axis], *map(constant, kind.keys), **more)
     if guarded:
         s.tracer.guard(room)
     return slope, curve
@@ -121,17 +131,25 @@ def slopes(s: Scope, q: Array) -> Array:
 def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
     """The transmissions of the joint's axes at a posture and at rates."""
     m = s.key.joints
-    out = Cranks(mx.array([1.0] * m), mx.zeros(m), mx.zeros(m))
+    out = Cranks(mx.array([1.0] * m), mx.zeros(m), mx.zeros(m), mx.zeros(m))
     for axis in s.key.cranked:
         slope, curve = of_axis(s, axis, q)
         rate = slope * qdot[axis]
+        if axis in s.key.loose and rubs(s, axis):
+            rate = rate + s.read("thetadot")[s.key.motors.index(axis)]
         force = _friction(s, axis, rate)
         if s.key.drives[axis].rotor_inertia:
             mass = s.constant(f"crank_inertia_{axis + 1}")
             out.inertia[axis] = mass * slope * slope
             force = force + mass * curve * qdot[axis] * qdot[axis]
-        out.slope[axis], out.force[axis] = slope, slope * force
+        out.slope[axis], out.force[axis], out.bias[axis] = slope, slope * force, force
     return out
+
+
+def rubs(s: Scope, axis: int) -> bool:
+    """Whether friction acts along the travel of an axis."""
+    drive = s.key.drives[axis]
+    return drive.coulomb or drive.viscous
 
 
 def _friction(s: Scope, axis: int, rate: Value) -> Value:
@@ -152,6 +170,8 @@ def kinetic(s: Scope, q: Array, qdot: Array) -> Value:
     for axis in s.key.cranked if s.key.swung else ():
         if s.key.drives[axis].rotor_inertia:
             rate = of_axis(s, axis, q, guarded=False)[0] * qdot[axis]
+            if axis in s.key.loose:
+                rate = rate + s.read("thetadot")[s.key.motors.index(axis)]
             total = total + s.constant(f"crank_inertia_{axis + 1}") * rate * rate
     return total
 
@@ -165,19 +185,6 @@ def store(s: Scope, q: Array, qdot: Array) -> None:
 def levers(s: Scope) -> None:
     """The travel per unit of each axis: what its effort is multiplied by."""
     s.write("levers", slopes(s, s.read("q")) if s.key.cranked else np.array([1.0] * s.key.joints, object))
-
-
-def answers(s: Scope) -> tuple[Array, Array]:
-    """The derivatives (m, m) of what the transmissions ask of the joint, less their efforts, with q and with qdot."""
-    m, q, qdot = s.key.joints, s.read("q"), s.read("qdot")
-    if not s.key.cranked:
-        return mx.zeros(m, m), mx.zeros(m, m)
-    found = cranks(s, q, qdot)
-    s.write("w.crank_inertia", found.inertia)
-    asked = found.inertia * s.read("qddot") + found.force - found.slope * s.read("tau")
-    both = (columns([asked[k] if k in s.key.cranked else 0.0 for k in range(m)], x) for x in (q, qdot))
-    with_q, with_qdot = (mx.array(x, (m, m)).T for x in both)
-    return with_q, with_qdot
 
 
 # ------------------------------------------------------------------------------------ of a robot, in numbers
@@ -210,14 +217,16 @@ def _unary(op: str, x: float) -> float:
     return -x if op == "neg" else getattr(math, op)(x)
 
 
-def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers) -> np.ndarray:
+def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers, actuated: bool = False) -> np.ndarray:
     """Torques of the joints (n_tau,) at ``q`` as the efforts that cause them: forces of cylinders, torques of cranks.
 
-    Raises SingularError where a transmission stands in a dead centre and would need an infinite effort.
+    ``actuated``: they are the generalised forces at ``chain.actuated``, which are efforts already where gears are
+    elastic. Raises SingularError where a transmission stands in a dead centre and would need an infinite effort.
     """
     if not chain.cranked:
         return torques
     slope = travels(chain, q, p)[1]
+    slope[list(chain.loose) if actuated else []] = 1.0
     for joint in chain.cranked:
         if abs(slope[joint]) < DEAD and torques[joint]:
             name = coordinate_names(chain.robot).q[chain.base_q + joint]

@@ -144,6 +144,8 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Joint angles", "q", "rad", _with(_with(q(".joint["), "goal", goals, turning), "ends", ends, turning)),
         Panel("Slides", "q", "m", _with(_with(q(".slide["), "goal", goals, ~turning), "ends", ends, ~turning)),
         Panel("Rotor angles", "θ", "rad", q(".theta[")),
+        Panel("Rotors ahead of their cranks", "e", "rad", q(".gear[")),
+        Panel("Rotors ahead of their cylinders", "e", "m", q(".stretch[")),
         Panel("Torques" if rotors else "Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
         Panel(forces, "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
         Panel("Bending in y", eta, "m", modes("bending_y")),

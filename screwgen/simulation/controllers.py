@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..algorithms.transmissions import efforts
+from ..algorithms.transmissions import DEAD, efforts, travels
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..spec.load import DEEP_KEY, one_line, syntax_error
@@ -101,7 +101,8 @@ class PD:
     Gains, limits and angles are those of the joints. Where these stand in the `q` and `v` of a robot a run says by
     `through`: behind a floating base; of an elastic drive the law measures the rotor's angle over the ratio in place of
     the joint's, and its torque acts on the rotor, less by the ratio. A cylinder is given the force that exerts the
-    torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m.
+    torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m. Behind an
+    elastic gear the law measures the joint where a rigid one would have it, to first order in the stretch.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -117,6 +118,7 @@ class PD:
     ahead: int = 0
     ratios: tuple[float, ...] | None = None
     efforts: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
+    ahead_of_joints: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
 
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
@@ -137,7 +139,8 @@ class PD:
 
     def starting_at(self, q: Numbers) -> PD:
         """The same law for a run that starts at `q` (nq,)."""
-        return replace(self, q_start=tuple(float(x) for x in self.measured(np.asarray(q, float), self.ahead)))
+        q = np.asarray(q, float)
+        return replace(self, q_start=tuple(float(x) for x in self.measured(q, self.ahead) + self._stretched(q, q)))
 
     def through(self, chain: Chain, p: Numbers) -> PD:
         """The same law for a robot's coordinates and through its elastic drives, at its parameters `p`.
@@ -149,7 +152,13 @@ class PD:
         ratios, ahead = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
         through = partial(_efforts, chain, p) if chain.cranked else None
         driven = tuple(chain.driven)
-        return replace(self, driven=driven, ahead=ahead, ratios=tuple(ratios.tolist()), efforts=through)
+        own = partial(_ahead, chain, p) if chain.loose else None
+        return replace(
+            self, driven=driven, ahead=ahead, ratios=tuple(ratios.tolist()), efforts=through, ahead_of_joints=own
+        )
+
+    def _stretched(self, q: np.ndarray, x: np.ndarray) -> np.ndarray | float:
+        return 0.0 if self.ahead_of_joints is None else self.ahead_of_joints(q, x)
 
     @property
     def _ratios(self) -> np.ndarray:
@@ -195,13 +204,23 @@ class PD:
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The torques, N·m, of slides forces, N, where they act."""
         (q_ref, v_ref), most = self.reference(t), self.bounds
-        there, rate = self.measured(q, self.ahead), self.measured(v)
+        there = self.measured(q, self.ahead) + self._stretched(q, q)
+        rate = self.measured(v) + self._stretched(q, v)
         tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self._ratios
         if self.efforts is not None:
             tau = self.efforts(tau, there)
         if self.gravity is not None:
             tau = tau + self.gravity(there)
         return tau if most is None else np.clip(tau, -most, most)
+
+
+def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """How far rotors behind elastic gears of transmissions are ahead of their joints (n_tau,) in `x`, `q` or `v`."""
+    out, lever = np.zeros(chain.n_tau), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
+    for joint, place in chain.loose.items():
+        stretch = x[place + len(x) - chain.nv]
+        out[joint] = stretch / lever[joint] if abs(lever[joint]) > DEAD else 0.0
+    return out
 
 
 def _efforts(chain: Chain, p: Numbers, torques: np.ndarray, q: np.ndarray) -> np.ndarray:

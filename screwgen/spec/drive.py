@@ -51,7 +51,8 @@ class Drive(Part):
     With `stiffness` the rotor's angle is a coordinate of its own and the torque acts on the rotor; `stiffness` and
     `damping` are those of the gear as seen at the joint. An empty table is no drive. With `transmission` a cylinder
     drives the axis, and the rotor turns by `ratio` (rad/m) per travel of it; with a ratio of 1 `rotor_inertia` is a
-    mass that moves with the rod, kg. Of a four-bar linkage `ratio` is turns of the rotor per turn of the crank.
+    mass that moves with the rod, kg. Of a four-bar linkage `ratio` is turns of the rotor per turn of the crank. The
+    gear is then between the rotor and the cylinder or crank; `stiffness` and `damping` are those along its travel.
     """
 
     ratio: Annotated[float, PlainValidator(within("ratio"))] | None = Field(
@@ -62,10 +63,12 @@ class Drive(Part):
         None, description="inertia of the rotor about its own axis, kg·m², > 0"
     )
     stiffness: Annotated[float, PlainValidator(within("gear stiffness"))] | None = Field(
-        None, description="stiffness of the gear at the joint, N·m/rad (of a slide N/m), > 0; without it it is rigid"
+        None,
+        description="stiffness of the gear at the joint, N·m/rad (of a slide N/m), along a cylinder, N/m, or at a "
+        "crank, > 0; without it it is rigid",
     )
     damping: Annotated[float, PlainValidator(within("damping"))] | None = Field(
-        None, description="damping of the gear at the joint, N·m·s/rad (of a slide N·s/m)"
+        None, description="damping of the gear where its stiffness is stated, N·m·s/rad (of slides, cylinders N·s/m)"
     )
     friction: Friction | None = Field(None, description="as { coulomb = …, viscous = …, velocity = … }")
     transmission: Transmission | None = Field(
@@ -97,10 +100,6 @@ class Drive(Part):
         if self.damping is not None and not self.elastic:
             what = "is stated without stiffness, and a rigid gear has none"
             raise refuse(f"{what}; use the joint's damping, or friction = {{ viscous = … }}", at=("damping",))
-        if self.transmission is not None and self.elastic:
-            what = "is stated beside transmission, whose gear is rigid"
-            part = "linkage" if self.transmission.four_bar else "cylinder"
-            raise refuse(f"{what}; leave it out, or model the {part} by links and a loop", at=("stiffness",))
         return self
 
 

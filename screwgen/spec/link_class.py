@@ -156,7 +156,7 @@ class LinkClass:
 
     @property
     def motors(self) -> tuple[int, ...]:
-        """The axes whose rotors have a coordinate of their own."""
+        """The axes whose rotors have a coordinate of their own, or with a transmission their gears."""
         return tuple(k for k, drive in enumerate(self.drives) if drive.stiffness)
 
     @property
@@ -168,6 +168,11 @@ class LinkClass:
     def cranked(self) -> tuple[int, ...]:
         """The axes whose drives have a transmission."""
         return tuple(k for k, drive in enumerate(self.drives) if drive.transmission)
+
+    @property
+    def loose(self) -> tuple[int, ...]:
+        """Those of them whose gear is elastic."""
+        return tuple(k for k in self.cranked if self.drives[k].stiffness)
 
     @property
     def weighted(self) -> bool:
@@ -182,20 +187,20 @@ class LinkClass:
     @property
     def braced(self) -> bool:
         """Whether springs act on the joint's axes."""
-        return self.stiffness or bool(self.motors)
+        return self.stiffness or len(self.motors) > len(self.loose)
 
     @property
     def damped(self) -> bool:
         """Whether viscous dampers act on the joint's axes."""
         return self.joint_damping or any(
-            d.damping if d.stiffness else d.viscous and not d.transmission for d in self.drives
+            not d.transmission and (d.damping if d.stiffness else d.viscous) for d in self.drives
         )
 
     @property
     def sprung(self) -> bool:
         """Whether springs, dampers, friction or stops act on the joint's axes."""
         dry = any(not self.drives[axis].stiffness for axis in self.rubbed)
-        return self.damped or self.braced or dry or bool(self.stops)
+        return self.damped or self.braced or dry or bool(self.stops) or bool(self.loose)
 
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
+from .axis_units import CRANKED, LINKED, SLIDING
 from .base import POSE, POSE_UNITS, TWIST
 from .drive import NO_FRICTION, Drive
 from .joint import Joint
@@ -120,32 +121,6 @@ FIELDS |= {  # of a section that is stated at stations
     for name in Section.model_fields
 }
 
-SLIDING = {
-    "joint.armature": ("kg", "drive's inertia seen along the joint axis"),
-    "joint.damping": ("N·s/m", "viscous damping along the joint axis"),
-    "joint.stiffness": ("N/m", "stiffness along the joint axis"),
-    "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the joint"),
-    "joint.drives.stiffness": ("N/m", "stiffness of the gear at the joint"),
-    "joint.drives.damping": ("N·s/m", "damping of the gear at the joint"),
-    "joint.drives.friction.coulomb": ("N", "dry friction"),
-    "joint.drives.friction.viscous": ("N·s/m", "viscous friction"),
-    "joint.drives.friction.velocity": ("m/s", "rate over which dry friction changes its sign"),
-    "joint.limits.lower": ("m", "least coordinate of the joint"),
-    "joint.limits.upper": ("m", "largest coordinate of the joint"),
-    "joint.limits.stiffness": ("N/m", "stiffness of the stops at the limits"),
-    "joint.limits.damping": ("N·s/m", "damping of the stops at the limits"),
-}
-"""Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has those."""
-
-CRANKED = {
-    "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the cylinder"),
-    **{field: SLIDING[field] for field in SLIDING if ".friction." in field},
-}
-"""The same of an axis that a cylinder drives."""
-
-LINKED = {"joint.drives.ratio": ("1", "turns of the rotor per turn of the crank")}
-"""The same of an axis that a four-bar linkage drives."""
-
 BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
 
 
@@ -178,7 +153,8 @@ def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
     units = {} if joint.screws[parameter.index[0]].turn else SLIDING
     if drive and drive.transmission:
         units = LINKED if drive.transmission.four_bar else CRANKED
-    if parameter.field not in units or (".friction." in parameter.field and drive and drive.elastic):
+    on_rotor = drive and drive.elastic and not drive.transmission
+    if parameter.field not in units or (".friction." in parameter.field and on_rotor):
         return parameter
     unit, description = units[parameter.field]
     return replace(parameter, unit=unit, description=description)
@@ -267,7 +243,8 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 
     A floating base comes first: `base.x` … `base.qz` (m, unit quaternion), `base.omega_x` … `base.v_z` (rad/s, m/s).
     q: `forearm.joint[0]` (rad) link by link, then the rotors' angles `forearm.theta[0]` (rad), with the number of
-    the axis, then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
+    the axis, or how far the rotor is ahead of the cylinder that it drives, `boom.stretch[0]` (m), or of the crank,
+    `boom.gear[0]` (rad), then `forearm.eta.bending_y[0]` (m, torsion: rad) link by link;
     v: `forearm.joint_rate[0]` and `forearm.eta_rate.bending_y[0]`; tau: `forearm.torque[0]` (N·m). Of an axis that
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
     drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N); of one
@@ -297,7 +274,9 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
     modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
-    axes, rotors = ("rad" if turns else "m" for turns in turning(robot)), ["rad"] * len(per_rotor(robot, "theta"))
+    drives = (drive for link in robot.links for drive in link.joint.drives or () if drive.elastic)
+    axes = ("rad" if turns else "m" for turns in turning(robot))
+    rotors = ["m" if drive.transmission and not drive.linked else "rad" for drive in drives]
     return [*POSE_UNITS * robot.floating, *axes, *rotors, *modal]
 
 
@@ -317,13 +296,18 @@ def _driven(robot: Robot) -> Iterator[tuple[Link, int, bool]]:
         drives = link.joint.drives or [Drive()] * len(link.joint.axes)
         for j, (screw, drive) in enumerate(zip(link.joint.screws, drives, strict=True)):
             pushed = drive.transmission is not None and drive.transmission.four_bar is None
-            yield link, j, drive.elastic or (screw.turn and not pushed)
+            yield link, j, not pushed and (drive.elastic or screw.turn)
 
 
 def per_rotor(robot: Robot, quantity: str) -> tuple[str, ...]:
-    """One name for each rotor with a coordinate of its own, link by link, with the number of its axis."""
+    """One name for each rotor with a coordinate of its own, link by link, with the number of its axis.
+
+    The elastic gear of a transmission is called `stretch` (of a cylinder, m) or `gear` (rad) in the place of `theta`.
+    """
     drives = ((link.name, j, drive) for link in robot.links for j, drive in enumerate(link.joint.drives or ()))
-    return tuple(f"{name}.{quantity}[{j}]" for name, j, drive in drives if drive.elastic)
+    kind = lambda drive: "theta" if drive.transmission is None else "gear" if drive.linked else "stretch"  # noqa: E731
+    called = ((f"{name}.{quantity.replace('theta', kind(drive))}[{j}]", drive) for name, j, drive in drives)
+    return tuple(name for name, drive in called if drive.elastic)
 
 
 def per_base(robot: Robot, names: Sequence[str]) -> tuple[str, ...]:

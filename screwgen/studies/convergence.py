@@ -32,7 +32,7 @@ from .modes import (
     without_rigid_motion,
 )
 from .steady import Steady, steady
-from .stiffness import relative, stiffness_matrix
+from .stiffness import on_gears, relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -81,10 +81,15 @@ def convergence(
     if loaded or rates is not None:
         loads = loaded_motion(model, q, rates, loaded, own, moving)
         motion = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
-        ritz = lambda basis: loaded_shapes(rich, motion, basis, free)[0].omega  # noqa: E731
+        T = np.eye(rich.nv) if free else on_gears(rich, motion.q, np.array(values))
+        ritz = lambda basis: loaded_shapes(rich, motion, T @ basis, free)[0].omega  # noqa: E731
     else:
-        T, at = relative(rich, values) if free else np.eye(rich.nv), _enriched(model, rich, q)
-        M, K = T.T @ rich.numpy(values).mass_matrix(at) @ T, stiffness_matrix(rich, values, relative=free)
+        at = _enriched(model, rich, q)
+        T, K = relative(rich, values) if free else np.eye(rich.nv), stiffness_matrix(rich, values, relative=free)
+        if rich.chain.loose and not free:
+            T = on_gears(rich, at, np.array(values))
+            K = T.T @ K @ T
+        M = T.T @ rich.numpy(values).mass_matrix(at) @ T
         J = jacobian(rich, at, values) @ T
         ritz = lambda basis: _at_rest(model, basis, M, K, J)  # noqa: E731
     frequencies = lambda directions: ritz(np.delete(_space(model, rich, directions), held, axis=1))  # noqa: E731

@@ -156,7 +156,7 @@ def closed_start(model: Model, p: np.ndarray, start: np.ndarray, hold: bool) -> 
 def _statics(model: Model, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
     """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
-    load[model.chain.driven], still[model.chain.driven] = tau, held
+    load[model.chain.actuated], still[model.chain.actuated] = tau, held
     return (Shut if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
@@ -176,7 +176,8 @@ def _rested(model: Model, p, tau, w_ext, held, start: np.ndarray) -> tuple[Stati
     own, rotors = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
     at_joints = tau / chain.at_rotors(np.ones(chain.n_tau), p)
     _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, rotors))
-    torques = np.where(held, b.force[: chain.n_tau], at_joints)
+    holding = efforts(chain, np.where(held, b.force[: chain.n_tau], 0.0), b.q[: chain.n_joints], p)
+    torques = np.where(held, holding, at_joints)
     q = np.concatenate([chain.relaxed(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])
     statics = _statics(model, p, np.where(held, 0.0, tau), w_ext, held)
     return statics, statics.at(wound(model, q, torques, p))
@@ -193,12 +194,12 @@ def rigid(robot: Robot) -> Robot:
 
 
 def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: np.ndarray) -> Equilibrium:
-    model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.driven
+    model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.actuated
     straight = np.append(b.q[:m], np.zeros(model.nq - m))
     with suppress(OpenLoopError):
         straight = closed_start(model, statics.p, straight, True)[0]
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
-    holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p)
+    holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p, actuated=True)
     stability, eigenvalues, loose = _stability(statics, b)
     return Equilibrium(
         q=b.q,

@@ -27,8 +27,8 @@ def hanging(model: Model, q: np.ndarray, p: np.ndarray) -> Steady:
     start, stated = closed_start(model, p, q, True)
     b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
     assert isinstance(b, ShutBalance)
-    torques = np.where(stated, b.force[model.chain.driven], 0.0)
-    tau = efforts(model.chain, torques, b.q[: model.n_joints], p)
+    torques = np.where(stated, b.force[model.chain.actuated], 0.0)
+    tau = efforts(model.chain, torques, b.q[: model.n_joints], p, actuated=True)
     return about(model, b.q, p, dict(zip(model.chain.closures, b.forces, strict=True)), tau)
 
 

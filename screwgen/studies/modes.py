@@ -15,7 +15,7 @@ from ..simulation.validity import Validity, Watch
 from .hanging import hanging
 from .linear import whole
 from .steady import Oscillations, Steady, oscillations, steady
-from .stiffness import pressed, relative, stiffness_matrix
+from .stiffness import on_gears, pressed, relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -95,7 +95,9 @@ def mode_shapes(
         return ModeShapes(np.zeros(0), np.zeros((model.nv, 0)), 0, nothing, np.zeros(0))
     if loaded or rates is not None:
         about = loaded_motion(model, q, rates, loaded, p, moving)
-        found, basis = loaded_shapes(model, about, np.eye(model.nv)[:, moving], len(moving) == model.nv)
+        free = len(moving) == model.nv
+        T = np.eye(model.nv) if free else on_gears(model, about.q, p)
+        found, basis = loaded_shapes(model, about, T[:, moving], free)
         frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
         return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
     out, frequencies, rigid = _at_rest(model, q, p, moving)
@@ -112,6 +114,9 @@ def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> 
     T, K = np.eye(model.nv), stiffness_matrix(model, p)
     if len(moving) == model.nv and model.chain.n_motors:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
+    elif model.chain.loose:
+        T = on_gears(model, q, p)
+        K = T.T @ K @ T
     K += np.diag(pressed(model, q, p))
     M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
     N = following((jacobian(model, q, p) @ T)[:, moving], np.diag(K))
@@ -188,7 +193,7 @@ def movable(model: Model, joints: str, q: np.ndarray, p: Numbers) -> np.ndarray:
     """The coordinates that may move: all, or those that no drive acts on and joints that follow loops."""
     if choice(joints, JOINTS, "joints: there is no") == "free":
         return np.arange(model.nv)
-    chain, driven = model.chain, np.array(model.chain.driven, int)
+    chain, driven = model.chain, np.array(model.chain.actuated, int)
     rotors = driven >= chain.eta_v - chain.n_motors
     return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | rotors])
 

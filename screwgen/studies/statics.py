@@ -13,7 +13,7 @@ from ..algorithms.transmissions import travels
 from ..errors import UsageError
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
-from .stiffness import stiffness, stiffness_matrix
+from .stiffness import on_gears, stiffness, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -82,6 +82,7 @@ class Statics:
         energy, force, slope, weight, wrench, tip = self._functions(q, self.w_ext)
         work, load, softening = self.driven(q)
         force, scale = force[:, 0], self.scales(q, force[:, 0], weight, load)
+        force, slope = self._on_gears(q, force, slope) if self.model.chain.loose else (force, slope)
         places = {"wrench": wrench.T, "tip": tip[:, 0], "moving": self.moving}
         return Balance(q, energy.item() - work, force - load, slope - softening, scale, **places)
 
@@ -89,14 +90,27 @@ class Statics:
         """The work of the torques up to `q`, their generalised forces (nq,), and the derivative of these with q.
 
         The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
+        Behind an elastic gear it acts on the rotor's travel, see :meth:`_on_gears`.
         """
         chain, m = self.model.chain, self.model.n_joints
         if not chain.cranked:
             return self.load @ q, self.load, 0.0
         along, load, slope = q.copy(), self.load.copy(), np.zeros(len(q))
         along[:m], lever, slope[:m] = travels(chain, q[:m], self.p)
+        along[list(chain.loose.values())] += along[list(chain.loose)]
         load[:m] *= lever
         return self.load @ along, load, np.diag(self.load * slope)
+
+    def _on_gears(self, q: np.ndarray, force: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Forces and stiffness with the travels of rotors in the place of how far these are ahead of transmissions.
+
+        So a drive that is held leaves its joint to move on the gear: `e = s - l(q)` with the travel s of the rotor.
+        """
+        chain, T = self.model.chain, on_gears(self.model, q, self.p)
+        own, bend = list(chain.loose), travels(chain, q[: self.model.n_joints], self.p)[2]
+        turned = T.T @ K @ T
+        turned[own, own] -= bend[own] * force[list(chain.loose.values())]
+        return T.T @ force, turned
 
     def _functions(self, q: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         return [np.array(x) for x in self.model.statics(q, w_ext.T, self.p)]

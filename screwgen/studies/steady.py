@@ -82,14 +82,14 @@ def steady(
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
-    tau = efforts(chain, force[chain.driven], q[: chain.n_joints], p)
+    tau = efforts(chain, force[chain.actuated], q[: chain.n_joints], p, actuated=True)
     if chain.cranked:
         M, K, C = numeric.slopes(q, v, None, None, tau)
     if v.any():
         further = q + FURTHER / np.max(np.abs(v)) * v
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    rigid = unresisted(K[:, :m], force[chain.driven], K[:, m:] @ q[m:])
+    rigid = unresisted(K[:, :m], force[chain.actuated], K[:, m:] @ q[m:])
     return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid, np.zeros((0, model.nv)), {})
 
 
@@ -115,16 +115,22 @@ def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.n
         if not np.isfinite(q).all():
             break
         if np.max(np.abs(step), initial=0.0) <= SETTLED * np.max(np.abs(q[modes]), initial=0.0):
-            return wound(model, q, numeric.inverse_dynamics(q, v, None, None), p)
+            joints = slice(chain.base_v, chain.base_v + chain.n_joints)
+            force = numeric.inverse_dynamics(q, v, None, None)[joints]
+            return wound(model, q, efforts(chain, force, q[: chain.n_joints], p) if chain.loose else force, p)
     raise UsageError("the links find no steady deflection under these rates and loads")
 
 
 def wound(model: Model, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """`q`, whose gears are without load, with rotors turned until their gears pass on `force` (nq,) at the joints."""
+    """`q`, whose gears are without load, with rotors turned until their gears pass on the `force` (n_joints,).
+
+    That is the torque at the joint, or the effort of its transmission.
+    """
     chain, out = model.chain, q.copy()
     gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
     rotors = slice(chain.eta_q - chain.n_motors, chain.eta_q)
-    out[rotors] = out[rotors] + force[chain.geared] / (np.array(gears, float) * np.array(chain.ratios(p), float))
+    ratios = np.array([ratio or 1.0 for ratio in chain.ratios(p)], float)
+    out[rotors] = out[rotors] + force[chain.geared] / (np.array(gears, float) * ratios)
     return out
 
 

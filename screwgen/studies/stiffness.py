@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..algorithms.transmissions import travels
 from ..arguments import Numbers
 
 if TYPE_CHECKING:
@@ -54,6 +55,19 @@ def relative(model: Model, p: Numbers) -> np.ndarray:
     chain, T = model.chain, np.eye(model.nv)
     rotors, joints = chain.eta_v - chain.n_motors + np.arange(chain.n_motors), np.array(chain.geared, int)
     T[rotors, chain.base_v + joints] = chain.ratios(p)
+    return T
+
+
+def on_gears(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
+    """T (nv, nv): rates at `q` (nq,) from those with the travels of rotors behind elastic gears of transmissions.
+
+    These stand in the place of how far the rotor is ahead, so a joint moves on its gear where they are zero.
+    """
+    chain, T = model.chain, np.eye(model.nv)
+    if chain.loose:
+        levers = travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
+        for joint, place in chain.loose.items():
+            T[place, chain.base_v + joint] = -levers[joint]
     return T
 
 

@@ -76,6 +76,7 @@ class Chain(Coordinates):
         said = f"the joint of link '{self.names[link]}' is singular in this posture"
         if any(self.q_offset[link] + axis in self.linked for axis in self.keys[link].cranked):
             said += ", or out of the reach of its four-bar linkage, which ends where crank and coupler are in line"
+            said += ", with an elastic gear 0.05 rad before that" * bool(self.keys[link].loose)
         return SingularError(said + self.caution)
 
     def singular_loops(self) -> SingularError:

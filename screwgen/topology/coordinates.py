@@ -143,17 +143,36 @@ class Coordinates:
 
     @cached_property
     def driven(self) -> list[int]:
-        """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor."""
+        """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor.
+
+        The effort of a transmission acts on the joint, times its lever, and besides on an elastic gear (`loose`).
+        """
+        return [self.base_v + k if k in self.loose else place for k, place in enumerate(self.actuated)]
+
+    @cached_property
+    def actuated(self) -> list[int]:
+        """The coordinate, as an index in `v`, that each drive holds if its joint is to move on its gear alone.
+
+        That of the rotor, or of the gear where a transmission drives the joint; else the joint's.
+        """
         out, first = [self.base_v + k for k in range(self.n_joints)], self.eta_v - self.n_motors
         for k, joint in enumerate(self.geared):
             out[joint] = first + k
         return out
 
+    @cached_property
+    def loose(self) -> dict[int, int]:
+        """The joint coordinates, as their numbers, that elastic gears of transmissions drive: the place of each gear's
+        coordinate in `v`."""
+        there = {self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.loose}
+        return {joint: place for joint, place in enumerate(self.actuated) if joint in there}
+
     def ratios(self, p: Any) -> list:
-        """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols."""
-        axes = [(self.parameter_labels[i], axis) for i, key in enumerate(self.keys) for axis in key.motors]
-        places = [labels.get(f"drive_ratio_{axis + 1}") for labels, axis in axes]
-        return [1.0 if place is None else p[place] for place in places]
+        """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols; of transmissions 0."""
+        axes = [(i, axis) for i, key in enumerate(self.keys) for axis in key.motors]
+        places = [self.parameter_labels[i].get(f"drive_ratio_{axis + 1}") for i, axis in axes]
+        stated = [1.0 if place is None else p[place] for place in places]
+        return [0.0 if axis in self.keys[i].loose else x for (i, axis), x in zip(axes, stated, strict=True)]
 
     def relaxed(self, q: Any, p: Any) -> np.ndarray:
         """Joint coordinates or rates (n_joints, ...), and those of the rotors that leave their gears without load."""
@@ -168,7 +187,7 @@ class Coordinates:
     def at_rotors(self, tau: Any, p: Any) -> np.ndarray:
         """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
         out = np.array(tau, float)
-        out[self.geared] /= np.array(self.ratios(p))
+        out[self.geared] /= np.array([ratio or 1.0 for ratio in self.ratios(p)])
         return out
 
     @cached_property

@@ -156,6 +156,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     ``inertia``: the number of entries of their inertia; ``coupled``: row and column, among all modes, of those below
     the diagonal of the modes' matrices; ``geared``: the joint coordinate of each rotor; ``dry``: the coordinates with
     dry friction; ``stops``: coordinate and side of each stop, ``ranges``: lower and upper stop of axes with both;
+    ``loose``: joint, number among the rotors and place in ``v`` of the elastic gears of transmissions;
     ``laws``: whether forces depend on the rates at a stage; ``inner``: the number of rotors and modes.
     """
     modes = zip(chain.eta_offset, chain.keys, strict=False)
@@ -172,6 +173,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
         "inner": "$$_NINNER" if chain.n_motors else "$$_NMODES",
         "geared": chain.geared,
         "driven": chain.driven,
+        "loose": [(joint, chain.geared.index(joint), place) for joint, place in chain.loose.items()],
         "dry": chain.dry,
         "stops": chain.stops,
         "ranges": [(k, k + 1) for k in range(len(chain.stops) - 1) if chain.stops[k][0] == chain.stops[k + 1][0]],

@@ -82,7 +82,7 @@ RUNS: dict[str, Run] = {
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
         frozenset({"force", "base_force", "force_theta", "force_eta"}),
         False,
-        zero=frozenset("qdot twist etadot w_ext f_q f_theta f_eta gravity".split()),
+        zero=frozenset("qdot twist thetadot etadot w_ext f_q f_theta f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
     ),
     "motion_of": _run(

@@ -6,7 +6,8 @@ from collections import defaultdict
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...spec.parameters import FIELDS, SLIDING, Parameter, parameters
+from ...spec.axis_units import SLIDING
+from ...spec.parameters import FIELDS, Parameter, parameters
 from ...spec.robot import Robot
 from ...spec.section import Section
 from ...topology.parameters import label

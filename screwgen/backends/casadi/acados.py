@@ -118,6 +118,8 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
     driven[chain.driven] = tau * functions["levers"](q, p) if chain.cranked else tau
+    for joint, place in chain.loose.items():
+        driven[place] = tau[joint]
     implicit = ca.vertcat(xdot[:nq] - rates, force - driven, rows)
     return {
         "x": x,

@@ -137,7 +137,8 @@ def scaling(chain: Chain) -> ca.Function:
 
     Each is what the energy E says, that of the stretched arm whose heaviest joint moves at 1 rad/s or 1 m/s: a mode
     bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle.  Joints turn by 1 rad or
-    slide by 1 m, and rotors with them.  E is 1 J where there are no joints.
+    slide by 1 m, and rotors with them; the gear of a transmission stretches as a mode bends.  E is 1 J where there are
+    no joints.
     """
     given, m, first = symbols(chain, "p"), chain.n_joints, chain.base_v
     inputs = symbols(chain, "q v vdot w_ext") | given
@@ -148,7 +149,10 @@ def scaling(chain: Chain) -> ca.Function:
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
     modes = ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given])
     ratios, tau = ca.vertcat(ca.SX(0, 1), *chain.ratios(given["p"])), twice * ca.SX.ones(m)
-    for ratio, joint in zip(chain.ratios(given["p"]), chain.geared, strict=True):
-        tau[joint] /= ratio
+    for k, (ratio, joint) in enumerate(zip(chain.ratios(given["p"]), chain.geared, strict=True)):
+        if joint in chain.loose:
+            ratios[k] = ca.sqrt(twice / stiffness[chain.n_given - chain.n_inner + k])
+        else:
+            tau[joint] /= ratio
     q = ca.vertcat(ca.SX.ones(chain.base_q + m), ratios, modes)
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=tau)

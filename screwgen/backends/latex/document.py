@@ -26,7 +26,7 @@ from .content import CITATION, Document, Item, Paragraph, Section, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
-from .symbols import CRANKED, DRIVEN, LINKED, SLIDING, STOPPED, entries
+from .symbols import CRANKED, DRIVEN, LINKED, LOOSE, SLIDING, STOPPED, entries
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """What a notebook shows of a link: the blocks by which the paper calls them."""
@@ -108,7 +108,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
     driven = [*(DRIVEN if any(key.drives for key in chain.keys) else ()), *(CRANKED if chain.pushed else ())]
-    driven += [*(LINKED if chain.linked else ()), *(STOPPED if chain.stops else ())]
+    driven += [*(LINKED if chain.linked else ()), *(LOOSE if chain.loose else ()), *(STOPPED if chain.stops else ())]
     named = [
         *(SLIDING if chain.slides else ()),
         *driven,
@@ -176,6 +176,10 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         drives=any(key.drives for key in chain.keys),
         cranked=bool(chain.pushed),
         linked=bool(chain.linked),
+        loose=bool(chain.loose),
+        travel="l" if chain.pushed else r"\psi",
+        applied="F" if chain.pushed else r"\tau_c",
+        pushed_and_linked=bool(chain.pushed and chain.linked),
         stops=bool(chain.stops),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",

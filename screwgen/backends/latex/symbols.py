@@ -86,6 +86,12 @@ LINKED: tuple[Named, ...] = (
 )
 """Symbols of robots with four-bar linkages that drive joints."""
 
+LOOSE: tuple[Named, ...] = (
+    (r"e", "travel by which a rotor behind an elastic gear is ahead, of linkages in rad", "m", "1", "-", STATE),
+    (r"F_g", "force of the gear along it, of linkages a torque; so are its k and d", "N", "1", "-", STATE),
+)
+"""Symbols of robots with transmissions whose gears are elastic."""
+
 STOPPED: tuple[Named, ...] = (
     (r"q_s", "limit of a joint axis, of slides in m", "rad", "1", "-", PARAMETER),
     (r"k_s, d_s", "stiffness and damping of its stop", "N*m/rad, N*m*s/rad", "1", "-", PARAMETER),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 
 import mpmath
@@ -117,12 +117,13 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     v, tau, p = draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
     wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
     turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
+    turned = _stretched(chain, functions, number, turned) if chain.loose else turned
     stops = zip(chain.stops, *([x for c in functions.constants for x in c.get(name, ())] for name in STOP), strict=True)
     for (joint, side), at, k, _ in list(stops)[number % 2 :: 2]:
         pressed = float(at + side * 20 / k)
         q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
-        tau[joint] = float(f"{tau[joint] / ratio:.6e}")
+        tau[joint] = float(f"{tau[joint] / (ratio or 1.0):.6e}")
     if chain.closures:
         near = nearly_closed(chain, pose + q + turned(q) + eta)[chain.base_q :]
         q, eta = near[:m], near[chain.eta_q - chain.base_q :]
@@ -132,6 +133,14 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
         "tau": tau,
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }
+
+
+def _stretched(chain: Chain, functions: Functions, number: int, turned: Callable) -> Callable:
+    """`turned` with the elastic gears of transmissions stretched by 20 N, or N·m, and rates of the same numbers."""
+    K = [float(k) for c in functions.constants for k in c.get("K_theta", ())]
+    own = [20.0 * _fraction(number, 9, j) / max(k, 400.0) for j, k in enumerate(K)]
+    loose = [joint in chain.loose for joint in chain.geared]
+    return lambda x: [float(f"{a:.6e}") if k else b for a, b, k in zip(own, turned(x), loose, strict=True)]
 
 
 def _unit(pose: list[float]) -> list[float]:

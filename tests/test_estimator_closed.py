@@ -270,7 +270,7 @@ def test_what_leads_astray_is_refused_and_changes_nothing():
     for f in (e, Estimator(robot)):
         f.start(*begin("bent"), 1e-2, 1e-1, Noise(1.0, 0.0, 1e-9))
         before = (*f.state, f.covariance)
-        with pytest.raises(SingularError, match="loops do not close|singular"):
+        with pytest.raises(SingularError, match=r"loops do not close|singular"):
             f.update(np.zeros(3), np.zeros((3, 6)), [np.nan, 90.0, np.nan])
         assert all(np.array_equal(a, b) for a, b in zip((*f.state, f.covariance), before, strict=True))
         with pytest.raises(UsageError, match=r"^base_rate: robot 'arm' has a fixed base; leave it out"):

@@ -72,8 +72,8 @@ class Noise:
     ``density_q``, ``density_v`` (nv): spectral densities of white noise on the rates of q and v, rad²/s and rad²/s³
     (modes and slides: m²/s, m²/s³).  ``encoder`` (n_joints, rad or m), ``strain`` (gauges), ``acceleration``
     (3, m/s²): standard deviations of a measurement.  ``fibre`` (gauges): distance of each gauge from the centreline, m,
-    on the side of positive y or z.  Of a floating base ``base_position`` (3, m), ``base_attitude`` (3, rad, about axes of
-    F_1) and ``base_rate`` (3, rad/s), and densities that belong to changes [turn; shift] of its pose, rad and m.
+    on the side of positive y or z.  Of a floating base ``base_position`` (3, m), ``base_attitude`` (3, rad, about axes
+    of F_1) and ``base_rate`` (3, rad/s), and densities that belong to changes [turn; shift] of its pose, rad and m.
     """
 
     density_v: np.ndarray | float

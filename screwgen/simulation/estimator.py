@@ -40,7 +40,7 @@ class Estimator:
     def __init__(self, model: Model, parameters: Given = None):
         chain, self.model = model.chain, model
         self._p = chain.parameters.vector(parameters)
-        self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p)
+        self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
         self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
         lengths = [model.parameter_names.index(f"{model.robot.links[g.link].name}.length") for g in self.gauges]
         self._lengths = np.array([self._p[k] for k in lengths])

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from ...algorithms import fused
 from ...algorithms.gauges import gauges
 from ...algorithms.tip_acceleration import tip_acceleration
-from ...algorithms import fused
 from ...topology.chain import Chain
 from .code import Place, literal, singular
 from .derivatives import LIMIT, check_size

@@ -152,7 +152,6 @@ def test_what_needs_a_fixed_base_says_so(satellite):
     calls = {
         "equilibrium": lambda: equilibrium(satellite),
         "table of modes under loads": lambda: natural_frequencies(satellite, loaded=True),
-        "estimator in C": lambda: satellite.c_files(estimator=True),
         "analysis": lambda: analyse(satellite),
         "spectrum": lambda: spectrum.step_map(satellite, q, v, 1e-3, "rk4"),
         "torque that holds it": lambda: Holding(satellite),

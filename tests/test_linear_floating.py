@@ -55,7 +55,7 @@ def satellite():
 
 def twist_matrix(x: np.ndarray) -> np.ndarray:
     """The matrix (4, 4) of a twist [angular; linear], whose exponential is a motion."""
-    return np.block([[np.cross(np.eye(3), x[:3]).T, x[3:, None]], [np.zeros((1, 4))]])
+    return np.block([[np.cross(np.eye(3), x[:3]), x[3:, None]], [np.zeros((1, 4))]])
 
 
 def test_the_linear_model_is_that_of_differences(satellite):
@@ -81,6 +81,9 @@ def test_the_linear_model_is_that_of_differences(satellite):
     rng, t = np.random.default_rng(5), 1e-4
     delta, twist = 1e-4 * rng.normal(size=6), 1e-4 * rng.normal(size=6)
     near = expm(twist_matrix(delta))
+    assert np.allclose(
+        twist_matrix(np.array([1.0, 2.0, 3.0, 0.0, 0.0, 0.0]))[:3, :3] @ np.array([4.0, 5.0, 6.0]), [-3.0, 6.0, -3.0]
+    )
     apart = expm(-t * twist_matrix(v[:6])) @ near @ expm(t * twist_matrix(v[:6] + twist)) - expm(twist_matrix(delta))
     rate = linear.A[:6] @ np.concatenate([delta, np.zeros(n - 6), twist, np.zeros(n - 6)])
     found = apart @ np.linalg.inv(near) / t

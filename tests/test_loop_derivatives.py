@@ -10,10 +10,9 @@ from helpers import EPS32, example, model_of, quick, relative
 from test_linear_loops import BALL, GEAR, linkage
 from test_loops import DRAWS, JOINTS, looped
 
-from screwgen import SingularError, UsageError
+from screwgen import SingularError
 from screwgen.algorithms import fused
 from screwgen.algorithms.functions import Functions
-from screwgen.backends.c import estimator
 from screwgen.backends.numpy.closing import moving
 from screwgen.ir.replay import run
 
@@ -110,10 +109,3 @@ def test_rows_that_depend_on_each_other_are_singular(bent):
         bent.numpy().derivatives(*rest, None)
     with pytest.raises(SingularError, match="link 'rocker' is singular"):
         quick(bent, derivatives=True).linearise(*rest, np.zeros((3, 6)))
-
-
-def test_the_estimator_is_refused(bent):
-    with pytest.raises(
-        UsageError, match="has loops, for which there is no estimator in C; filter with the derivatives"
-    ):
-        estimator.content(bent.chain, False, lambda name, k: None)

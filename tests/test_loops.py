@@ -15,8 +15,6 @@ from oracle_stations import named
 from screwgen import (
     OpenLoopError,
     SingularError,
-    UsageError,
-    analyse,
     assemble,
     dump,
     load,
@@ -306,11 +304,6 @@ def test_loops_of_which_nothing_can_move(four_bar):
 
 FAR = {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.5, 0.0, 0.0]}}}
 BALL = {"between": ["a.tip", "b.tip"], "joint": {"axes": ["x", "y", "z"]}}
-
-
-def test_the_analysis_refuses_loops(four_bar):
-    with pytest.raises(UsageError, match=r"^robot 'arm' has loops, for which there is no analysis; "):
-        analyse(four_bar)
 
 
 def test_a_robot_with_loops_is_written_and_read(tmp_path):

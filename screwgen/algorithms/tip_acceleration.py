@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..ir.derivative import columns
-from ..ir.program import Program, Value
+from ..ir.derivative import columns, tangents
+from ..ir.program import Node, Program, Value
 from ..topology.chain import Chain
 from . import given_motion
 from .functions import Functions
@@ -26,12 +26,24 @@ class Accelerometer(Functions):
 
 
 def tip_acceleration(chain: Chain, constants="constants") -> Program:
-    """``(q, v, vdot) -> (a, a_q, a_v, a_vdot)``: the derivatives (3, nq) column by column, each at the others held."""
+    """``(q, v, vdot) -> (a, a_q, a_v, a_vdot)``: the derivatives (3, nv) column by column, each at the others held.
+
+    Those with the pose of a floating base are along ``pose exp(delta)``.
+    """
 
     def body(f: Accelerometer, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
         a = f.tip_acceleration(x["q"], x["v"], x["vdot"])
-        slopes = {f"a_{n}": [s for column in columns(a, x[n]) for s in column] for n in ("q", "v", "vdot")}
-        return {"a": a} | slopes
+        slopes = {n: columns(a, x[n][chain.base_q :] if n == "q" else x[n]) for n in ("q", "v", "vdot")}
+        slopes["q"] = [tangents(a, change) for change in _changes(f, x["q"])] + slopes["q"]
+        return {"a": a} | {f"a_{n}": [s for column in found for s in column] for n, found in slopes.items()}
 
     sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv}
     return fuse(chain, "tip_acceleration", sizes, body, constants, Accelerometer)
+
+
+def _changes(f: Functions, q: Sequence[Value]) -> list[dict[Node, Value]]:
+    """What the entries of a floating base's pose change by with turns and shifts in its axes."""
+    first, nv = f.chain.base_q, f.chain.nv
+    units = [[float(i == k) for i in range(nv)] for k in range(f.chain.base_v)]
+    rates = (f.coordinate_rates(q, unit)[:first] for unit in units)
+    return [{x: r for x, r in zip(q, rate, strict=False) if isinstance(x, Node)} for rate in rates]

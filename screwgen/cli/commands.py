@@ -264,7 +264,7 @@ def run_analyse(
     """Print the report or the JSON, and draw the structure; of runs the limits of the model alone."""
     from ..simulation.controllers import read_controller
     from ..simulation.runs import check_output, outputs, suffix
-    from ..studies.analysis import SAMPLES, analyse, sample_states
+    from ..studies.analysis import SAMPLES, analyse, first_state, sample_states
     from ..studies.analysis.spectrum import check_step
 
     check_step(step)
@@ -276,7 +276,7 @@ def run_analyse(
     count = (0 if states else SAMPLES) if samples is None else samples
     model = derive(load_robot(robot, quiet))
     law = read_controller(controller, model) if controller is not None else None
-    given = {one_line(path): read_state(path, model) for path in states} or {"zero": _state(None, model)}
+    given = {one_line(path): read_state(path, model) for path in states} or first_state(model)
     for path, state in given.items():
         if law is not None and state.tau.any():
             raise UsageError(f"{path}: tau: is given beside --controller; leave one of them out")

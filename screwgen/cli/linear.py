@@ -194,16 +194,16 @@ FORCES = "torques and forces"
 
 def text(model: Model, e: Equilibrium) -> str:
     """The report."""
-    m = model.n_joints
+    joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
     coordinates, torques = ("joint coordinates", FORCES) if model.chain.sliding else WORDS
     torques = FORCES if model.chain.pushed else torques
     angles = coordinates + ", held" * e.held
     torques += " that hold them" if e.held else " given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
-    named = zip(model.q_names[:m], coordinate_units(model.robot), strict=False)
+    named = zip(model.q_names[joints], coordinate_units(model.robot)[joints], strict=True)
     told = dict.fromkeys(e.following, ", follows the loops") | dict.fromkeys(e.passive, ", on its spring")
     units = [unit + told.get(name, "") for name, unit in named]
-    lines += table(angles, model.q_names[:m], e.q[:m], units)
+    lines += table(angles, model.q_names[joints], e.q[joints], units)
     lines += table(torques, model.tau_names, e.tau, force_units(model.robot))
     lines += [f"{'tip in the inertial frame':29}" + heads(1)]
     lines += [f"{'  position, m':29}" + row(e.tip_position), f"{'  deflection, mm':29}" + row(1e3 * e.tip_deflection)]

@@ -25,6 +25,11 @@ def bracket(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.hstack([cross(a[:, :3], b[:, :3]), cross(a[:, 3:], b[:, :3]) + cross(a[:, :3], b[:, 3:])])
 
 
+def carried(V: np.ndarray) -> np.ndarray:
+    """(6, 6): by a change ``delta`` of a pose, ``pose exp(delta)``, its rate at the twist V (6,), ``-[V, delta]``."""
+    return -bracket(np.broadcast_to(V, (6, 6)), np.eye(6)).T
+
+
 class Space(Protocol):
     """The coordinates of a robot: a change ``u`` (nv,) of them, and its rate."""
 

@@ -19,18 +19,41 @@ from .memory import Block, pointer
 
 if TYPE_CHECKING:
     from ..model import Model
+    from ..topology.chain import Chain
 
 
-SENSORS = ("encoder", "strain", "acceleration")
+def sensors(chain: Chain) -> dict[str, tuple[int, int, int]]:
+    """How many values, flags and variances every measurement has."""
+    sizes = {"encoder": chain.n_tau, "strain": len(gauges(chain)), "acceleration": 3}
+    pose = {"base_position": (3, 3, 3), "base_attitude": (4, 1, 3), "base_rate": (3, 3, 3)} if chain.floating else {}
+    return {name: (size,) * 3 for name, size in sizes.items()} | pose
+
+
+def given_measurements(chain: Chain, given: Mapping[str, Any]) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """The values of every measurement, and which were made: what is None or NaN was not; raises UsageError."""
+    out, known = {}, sensors(chain)
+    if absent := [name for name, values in given.items() if values is not None and name not in known]:
+        raise UsageError(f"{absent[0]}: robot '{chain.robot.name}' has a fixed base; leave it out")
+    for name, (size, flags, _) in known.items():
+        values = np.full(size, np.nan) if given.get(name) is None else np.array(given[name], float)
+        if values.shape != (size,):
+            raise UsageError(f"{name}: shape {values.shape}, must be ({size},); give NaN for what was not measured")
+        made = ~np.isnan(values)
+        out[name] = values, made if flags == size else made.all(keepdims=True)
+    return out
 
 
 def _members(model: Model) -> dict[str, tuple[int, ...]]:
     """The members of a filter's memory that are read or written here, and their shapes."""
-    n, m, g = model.nq, model.n_joints, len(gauges(model.chain))
-    states = {f"{state}.{part}": (n,) for state in ("state", "deviation", "estimator.state") for part in "qv"}
-    sensors = dict(zip(SENSORS, (m, g, 3), strict=True))
-    places = ("estimator.{}_variance", "measurement.{}", "measurement.has_{}")
-    measured = {place.format(name): (size,) for name, size in sensors.items() for place in places}
+    n, m, g = model.nv, model.n_joints, len(gauges(model.chain))
+    states = {f"{state}.q": (model.nq,) for state in ("state", "estimator.state")} | {"deviation.q": (n,)}
+    states |= {f"{state}.v": (n,) for state in ("state", "deviation", "estimator.state")}
+    places = ("measurement.{}", "measurement.has_{}", "estimator.{}_variance")
+    measured = {
+        place.format(name): (size,)
+        for name, sizes in sensors(model.chain).items()
+        for place, size in zip(places, sizes, strict=True)
+    }
     noise = {"estimator.density_q": (n,), "estimator.density_v": (n,), "estimator.fibre": (g,)}
     inputs = {"input.tau": (m,), "input.w_ext": (model.n_links, 6)}
     return states | measured | noise | inputs | {"estimator.P": (2 * n, 2 * n)}
@@ -46,10 +69,11 @@ def _files(model: Model, binding: str) -> dict[str, str]:
 class Noise:
     """The noise model of a filter; a single number applies to all entries.
 
-    ``density_q``, ``density_v`` (nq): spectral densities of white noise on the rates of q and v, rad²/s and rad²/s³
+    ``density_q``, ``density_v`` (nv): spectral densities of white noise on the rates of q and v, rad²/s and rad²/s³
     (modes and slides: m²/s, m²/s³).  ``encoder`` (n_joints, rad or m), ``strain`` (gauges), ``acceleration``
     (3, m/s²): standard deviations of a measurement.  ``fibre`` (gauges): distance of each gauge from the centreline, m,
-    on the side of positive y or z.
+    on the side of positive y or z.  Of a floating base ``base_position`` (3, m), ``base_attitude`` (3, rad, about axes
+    of F_1) and ``base_rate`` (3, rad/s), and densities that belong to changes [turn; shift] of its pose, rad and m.
     """
 
     density_v: np.ndarray | float
@@ -58,6 +82,9 @@ class Noise:
     strain: np.ndarray | float = 0.0
     acceleration: np.ndarray | float = 0.0
     fibre: np.ndarray | float = 0.0
+    base_position: np.ndarray | float = 0.0
+    base_attitude: np.ndarray | float = 0.0
+    base_rate: np.ndarray | float = 0.0
 
 
 class CompiledEstimator:
@@ -89,7 +116,11 @@ class CompiledEstimator:
         self._at = {name: self._block.view(name, *shape, kind=kind(name)) for name, shape in members.items()}
 
     def start(self, q, v, deviation_q, deviation_v, noise: Noise) -> None:
-        """Begin at a state (nq, nq) with the standard deviations of its entries."""
+        """Begin at a state (nq, nv) with the standard deviations of its entries (nv, nv).
+
+        Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops close the tree
+        the state is closed, and what it leaves of the deviations is the covariance.
+        """
         self._write({"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v})
         p = np.append(self._p, 0.0).astype(self.real)
         self._check(self.library.shim_init(self._memory, pointer(p)))
@@ -97,7 +128,8 @@ class CompiledEstimator:
 
     def set(self, noise: Noise) -> None:
         """Change the noise model."""
-        self._write({f"estimator.{name}_variance": np.square(getattr(noise, name)) for name in SENSORS})
+        names = sensors(self.model.chain)
+        self._write({f"estimator.{name}_variance": np.square(getattr(noise, name)) for name in names})
         self._write({f"estimator.{name}": getattr(noise, name) for name in ("density_q", "density_v", "fibre")})
 
     def predict(self, tau, w_ext, dt: float) -> None:
@@ -105,30 +137,28 @@ class CompiledEstimator:
         self._input(tau, w_ext)
         self._check(self.library.shim_predict(self._memory, self._number(dt)))
 
-    def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None) -> None:
+    def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None, **base) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         ``encoder`` (n_joints) in rad or m, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in
-        tip-frame components, less free fall.
+        tip-frame components, less free fall.  Of a floating base also ``base_position`` (3), ``base_attitude`` (4: the
+        quaternion, of either sign) and ``base_rate`` (3), the angular velocity in axes of F_1.
         """
         self._input(tau, w_ext)
-        for name, given in zip(SENSORS, (encoder, strain, acceleration), strict=True):
-            size = len(self._at[f"measurement.{name}"])
-            values = np.full(size, np.nan) if given is None else np.array(given, float)
-            if values.shape != (size,):
-                raise UsageError(f"{name}: shape {values.shape}, must be ({size},); give NaN for what was not measured")
-            missing = np.isnan(values)
-            self._write({f"measurement.{name}": np.where(missing, 0.0, values), f"measurement.has_{name}": ~missing})
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
+        for name, (values, made) in given_measurements(self.model.chain, given).items():
+            self._write({f"measurement.{name}": np.nan_to_num(values, posinf=np.inf, neginf=-np.inf)})
+            self._write({f"measurement.has_{name}": made})
         self._check(self.library.shim_update(self._memory))
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
-        """The mean of q and of v, (nq,) each."""
+        """The mean of q (nq,) and of v (nv,)."""
         return self._at["estimator.state.q"].copy(), self._at["estimator.state.v"].copy()
 
     @property
     def covariance(self) -> np.ndarray:
-        """``P`` of [q; v], (2 nq, 2 nq)."""
+        """``P`` of [q; v], (2 nv, 2 nv); of the pose of a floating base that of a change [turn; shift]."""
         return self._at["estimator.P"].copy()
 
     @property
@@ -162,6 +192,7 @@ class CompiledEstimator:
         if status == 2 and self.fault >= 0:
             raise self.model.chain.singular(self.fault)
         if status == 2:
-            raise SingularError("the filter's covariance has lost its definiteness, or its step is too long")
+            loops = ", or its loops do not close" if self.model.chain.closures else ""
+            raise SingularError(f"the filter's covariance has lost its definiteness, or its step is too long{loops}")
         if status:
             raise ScrewgenError(f"the generated C reports: {STATUS[status]}")

@@ -18,6 +18,7 @@ from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity
 from ..spec.robot import Robot
+from .afloat import equilibrium_afloat
 from .linear import checked
 from .shut import Shut
 from .statics import Balance, NoEquilibriumError, Statics, search
@@ -107,7 +108,8 @@ def equilibrium(
     before others and those first in the file before later ones; the others follow.
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
     have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
-    then `stability` says so. `p`: parameter values. A :class:`ModelValidityWarning` says where a link is past the
+    then `stability` says so. A floating base is kept as in `q` and needs a robot without gravity: the others settle
+    relative to it. `p`: parameter values. A :class:`ModelValidityWarning` says where a link is past the
     bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
     NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
@@ -115,7 +117,8 @@ def equilibrium(
         choice(hold, ("all",), "hold: True, False or 'all'; there is no")
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
-    model.chain.needs_fixed("equilibrium", "fix the base to find the posture of its arms")
+    if model.chain.floating:
+        return equilibrium_afloat(model, q, tau, w_ext, hold, model.chain.parameters.vector(p))
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")

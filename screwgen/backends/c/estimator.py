@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from ...algorithms import fused
 from ...algorithms.gauges import gauges
 from ...algorithms.tip_acceleration import tip_acceleration
 from ...topology.chain import Chain
-from .code import Place, literal
+from .code import Place, literal, singular
 from .derivatives import LIMIT, check_size
 from .pieces import piece_place, pieces
 
@@ -20,18 +21,28 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
 
     Raises :class:`UsageError` if the code would be too long to compile.
     """
-    chain.needs_fixed_tree("estimator in C", "filter with the derivatives of its C")
     program = tip_acceleration(chain, "baked" if baked else "constants")
     check_size(chain, program.operation_count, LIMIT, "operations")
+    plain = not (chain.closures or chain.floating)
     own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}
     own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}
     return pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work")) | {
         "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
-        "per_prediction": 11 * chain.nq**3,
-        "per_entry": 6 * chain.nq**2,
+        "per_prediction": (11 if plain else 18) * chain.nv**3,
+        "per_entry": 6 * chain.nv**2,
         "gauges": [_gauge(chain, g) for g in gauges(chain)],
         "curvatures": _curvatures(chain),
+        "gaps": _gaps(chain, baked, place) if chain.closures else [],
+        "stabilisations": [literal(c.stabilisation) for c in chain.closures],
     }
+
+
+def _gaps(chain: Chain, baked: bool, place: Place) -> list:
+    """The functions that find the gaps of the loops, in one piece as they are short."""
+    placed = piece_place(chain, "work->kept", {"gap": lambda k: f"work->gap[{k}]"}, place)
+    body = lambda f, x: {"gap": f.gaps(x["q"], [0.0] * chain.nv)[0]}  # noqa: E731
+    program = fused.fuse(chain, "gaps", {"q": chain.nq}, body, "baked" if baked else "constants")
+    return pieces(program, placed, ("c", "state", "work"), program.operation_count, fail=singular)["pieces"]
 
 
 def _gauge(chain: Chain, gauge) -> dict:

@@ -7,18 +7,22 @@ is set beside step limits from the real spectrum.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...algorithms.transmissions import efforts
+from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...errors import SingularError, UsageError
+from ...simulation.mobility import loads_of_loops
 from ...simulation.state import State, state_of
 from ...spec.parameters import turning
 from ...spec.reduced import elastic, reach, sizes
 from ...spec.robot import Link
 from .findings import Findings, StateAnalysis
-from .regularity import LinkBlock, link_blocks, regularity, structure, with_projectors_alone
+from .regularity import LinkBlock, link_blocks, loops_of, regularity, structure, with_projectors_alone
+from .shut import Shut
 from .spectrum import Law, Linearised, Motion, check_step, motions, speed
 from .step_limits import StepLimit, paper_bound, step_limits
 from .text import report
@@ -27,6 +31,8 @@ if TYPE_CHECKING:
     from ...model import Model
 
 SAMPLES = 20
+TRIES = 4
+"""How many postures more are drawn for a state with closed loops."""
 SAG = 0.05
 """Random states bend a link by no more than this share of its length (torsion: this angle in rad)."""
 WEIGHT = 9.81
@@ -40,7 +46,7 @@ class Analysis(Findings):
         return report(self)
 
 
-FIXED = "analysis", "look at the robot with a fixed base and without loops"
+FIXED = "analysis", "look at the robot with a fixed base"
 
 # ------------------------------------------------------------------------------ the analysis
 
@@ -55,11 +61,13 @@ def analyse(
     """Rank, condition and definiteness of the assembled system, spectrum and step limits, at every one of `states`.
 
     A state is a `State`, or what `state_of` takes: q (nq,), or a dict of q, v, tau, w_ext; a mapping names them.
-    None: everything zero, and random ones, `sample_states`. `step` in s: for which growth is reported. With
-    a `controller(t, q, v)` its torques, held over each step, take the place of the states' and its gains enter the
-    spectrum. A singular posture is reported, not raised. Raises UsageError.
+    None: everything zero, or the closed posture nearest to it, and random ones, `sample_states`. `step` in s: for which
+    growth is reported. With a `controller(t, q, v)` its torques, held over each step, take the place of the states' and
+    its gains enter the spectrum. Of a robot with loops the spectrum is that of the coordinates which the loops leave
+    independent, and steps must bear the loops' stabilisation besides. A singular posture is reported, not raised.
+    Raises UsageError, also where a loop is open.
     """
-    model.chain.needs_fixed_tree(*FIXED)
+    model.chain.needs_fixed(*FIXED)
     check_step(step)
     given = _labelled(model, states, controller is None)
     if controller is not None and any(state.tau.any() for state in given.values()):
@@ -76,19 +84,21 @@ def analyse(
 
 def analyse_state(model: Model, label: str, state: State, step: float, controller: Law | None = None) -> StateAnalysis:
     """The analysis of one state."""
-    system = projectors = acceleration = None
+    system = projectors = acceleration = loops = None
     blocks: tuple[LinkBlock, ...] = ()
     found: tuple[Motion, ...] = ()
     limits: tuple[StepLimit, ...] = ()
     measures: tuple[tuple[float, ...], ...] = ()
     singular = ""
     try:
+        loops = loops_of(model, state.q) if model.chain.closures else None
         reference = model.numpy()
         M = reference.assemble(reference.dae_state(state.q, state.v), state.tau, state.w_ext)[0]
         system, projectors = regularity(M), regularity(with_projectors_alone(model, M), M)
         blocks = tuple(link_blocks(model, M))
         tau = state.tau if controller is None else None
-        motion = Linearised(model, state.q, state.v, tau, controller, state.w_ext)
+        kind = Shut if model.chain.closures else Linearised
+        motion = kind(model, state.q, state.v, tau, controller, state.w_ext)
         acceleration, found = float(np.abs(motion.vdot).max(initial=0.0)), tuple(motions(motion))
         limits = tuple(step_limits(motion, step))
         measures = _measures(model, state, controller)
@@ -98,8 +108,12 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
         singular = "the mass matrix is lost to rounding; masses or lengths differ by too many orders of magnitude"
     if system is not None and not system.regular and not singular:
         singular = f"M_sys has rank {system.rank} of {system.size}"
+    if loops is not None and not loops.regular and not singular:
+        singular = f"the rows of the loops have rank {loops.rank} of {loops.size}"
     turned = speed(model, state.v)
-    return StateAnalysis(label, singular, system, projectors, blocks, acceleration, turned, found, limits, measures)
+    return StateAnalysis(
+        label, singular, system, projectors, blocks, acceleration, turned, found, limits, measures, loops
+    )
 
 
 def _measures(model: Model, s: State, controller: Law | None) -> tuple[tuple[float, ...], ...]:
@@ -110,7 +124,7 @@ def _measures(model: Model, s: State, controller: Law | None) -> tuple[tuple[flo
 
 def _labelled(model: Model, states: Mapping[str, Any] | Sequence[Any] | None, hold: bool) -> dict[str, State]:
     if states is None:
-        return {"zero": state_of({}, model)} | sample_states(model, SAMPLES, 0, hold)
+        return first_state(model) | sample_states(model, SAMPLES, 0, hold)
     if not isinstance(states, Mapping):
         states = {f"state {k + 1}": state for k, state in enumerate(states)}
     if not states:
@@ -132,20 +146,39 @@ def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) ->
 
     A mode's deflection is within ±what the weight of the whole arm would cause, but no more than a small share of
     the link's length; its rate is that of a vibration of such a size. `hold`: the torques balance the joints in
-    the undeformed posture at rest; else they are zero.
+    the undeformed posture at rest; else they are zero. Loops are closed, the modes nearly as drawn, and rates keep
+    them so; there are fewer states than asked for where most searches for closed postures end with open loops.
     """
     model.chain.needs_fixed(*FIXED)
     rng, m, n = np.random.default_rng(seed), model.n_joints, model.n_links
     deflection, rate = modal_scale(model)
     most = np.where(turning(model.robot), 1.0, 1 / np.pi)
-    out = {}
-    for k in range(count):
+    out: dict[str, State] = {}
+    is_mode = np.arange(model.nq) >= model.chain.eta_q
+    for _ in range(count * (1 + TRIES * bool(model.chain.closures))):
+        if len(out) == count:
+            break
         whole = lambda x: model.chain.relaxed(x, model.parameter_values)  # noqa: E731
         drawn = model.chain.reached(most * rng.uniform(-np.pi, np.pi, m), np.pi)
         q = np.append(whole(drawn), deflection * rng.uniform(-1, 1, len(deflection)))
         v = np.append(whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate)))
-        out[f"sample {k + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
+        if model.chain.closures:
+            try:
+                q = closed(model.numpy(), np.where(is_mode, 0.0, q), is_mode) + np.where(is_mode, q, 0.0)
+                q = closed(model.numpy(), q)
+            except OpenLoopError:
+                continue
+            v = moving(model.numpy(), q, v)
+        out[f"sample {len(out) + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
     return out
+
+
+def first_state(model: Model) -> dict[str, State]:
+    """Everything zero, with loops at rest in the closed posture nearest to it, by name; raises OpenLoopError."""
+    still = state_of({}, model)
+    if not model.chain.closures:
+        return {"zero": still}
+    return {"closed": replace(still, q=closed(model.numpy(), still.q))}
 
 
 def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
@@ -177,6 +210,6 @@ def holding(model: Model, q: np.ndarray) -> np.ndarray:
     """Torques (n_tau,) where they act that carry the weight of the arm with undeformed links."""
     still = np.zeros(model.nq)
     straight = model.chain.filled(q[: model.n_joints], model.parameter_values)
-    force = model.numpy().bias(straight, still, np.zeros((model.n_links, 6)))[: model.n_joints]
     p = model.parameter_values
+    force = model.numpy().bias(straight, still, loads_of_loops(model, straight, p))[: model.n_joints]
     return efforts(model.chain, model.chain.at_rotors(force, p), q[: model.n_joints], p)

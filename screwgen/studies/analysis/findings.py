@@ -33,6 +33,8 @@ class StateAnalysis:
     limits: tuple[StepLimit, ...]
     measures: tuple[tuple[float, ...], ...] = ()
     """How far every link is from the limits of the model: `derive.validity.MEASURES`, link by link."""
+    loops: Regularity | None = None
+    """The matrix `J M⁻¹ Jᵀ` of the loops' rows, whose forces are unique where it is regular; None without loops."""
 
     @property
     def well_posed(self) -> bool:

@@ -20,6 +20,7 @@ from ...algorithms.signals import plain
 from ...ir.block import Binding
 from ...ir.lower import lower
 from ...ir.program import Tracer
+from ...simulation.mobility import jacobian
 from ...topology.tree import BASE
 
 if TYPE_CHECKING:
@@ -114,6 +115,12 @@ def regularity(M: np.ndarray, like: np.ndarray | None = None) -> Regularity:
     size = len(M)
     rank = int(np.sum(scaled > ROUNDING * size * EPSILON * scaled.max(initial=0.0)))
     return Regularity(size, rank, ratio(plain), float(plain[-1]), ratio(scaled), float(scaled[-1]))
+
+
+def loops_of(model: Model, q: np.ndarray) -> Regularity:
+    """That of `J M⁻¹ Jᵀ` of the loops' rows, which must be regular for their forces to be unique, at `q` (nq,)."""
+    J = jacobian(model, q, model.parameter_values)
+    return regularity(J @ np.linalg.solve(model.numpy().mass_matrix(q), J.T))
 
 
 def singular_values(M: np.ndarray) -> np.ndarray:

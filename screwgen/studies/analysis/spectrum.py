@@ -17,6 +17,7 @@ import numpy as np
 from ...arguments import Numbers
 from ...errors import SingularError, UsageError
 from ...integrators.methods import method_of
+from ...simulation import mobility
 from ...simulation.integrate import Dynamics, Evaluator
 from ...simulation.simulate import Inputs, coordinates, started
 from ...spec.parameters import turning
@@ -141,6 +142,16 @@ class Linearised:
         return out
 
     @property
+    def inertia(self) -> np.ndarray:
+        """That of the motions, `mass_matrix` where they are those of all coordinates."""
+        return self.mass_matrix
+
+    @property
+    def names(self) -> list[str]:
+        """The coordinates of the motions."""
+        return self.model.q_names
+
+    @property
     def turning(self) -> float:
         """How fast the joints turn at the state, rad/s: the norm of their rates."""
         return speed(self.model, self.v)
@@ -152,13 +163,17 @@ class Linearised:
 
     @property
     def jacobian(self) -> np.ndarray:
-        """`A` (2 nq, 2 nq) of `d/dt [δq; δv] = A [δq; δv]`."""
+        """`A` (2 nq, 2 nq) of `d/dt [δq; δv] = A [δq; δv]`; where loops are open it closes them."""
         return np.vstack([self.identity[1], self.explicit(*self.identity)])
 
     def step_map(self, method: str, step: float) -> np.ndarray:
         """The amplification matrix (2 nq, 2 nq) of a method over `step` seconds."""
         check_step(step)
         return np.vstack(method_of(method).step(self, self.identity[0], self.identity[1], step))
+
+    def closing_factors(self, method: str, step: float) -> np.ndarray:
+        """By what a step multiplies gaps of open loops; none without loops."""
+        return np.zeros(0)
 
     def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The accelerations of the motions `q`, `v` (nq, k); the torques are those of `identity`, held."""
@@ -188,12 +203,19 @@ class Linearised:
         return self._known[h]
 
     def _heavier(self, h: float) -> Slopes:
-        """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes."""
+        """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes.
+
+        Where loops close the tree `M_h a_h − Jᵀ λ = M a` with `J a_h = J a`.
+        """
         M = self.mass_matrix
         n = self.model.chain.n_given
         added, own = np.zeros_like(M), slice(self.model.nq - n, None)
         added[own, own] = self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
         factor = np.linalg.solve(M + added, M)
+        if self.model.chain.closures:
+            J = mobility.jacobian(self.model, self.q, self.p)
+            reach = np.linalg.solve(M + added, J.T)
+            factor += reach @ np.linalg.solve(J @ reach, J @ (np.eye(len(M)) - factor))
         return Slopes(*(factor @ slope for slope in self.slopes(0.0)))
 
     def _derivatives(self, h: float) -> Slopes:
@@ -261,9 +283,9 @@ def motions(motion: Linearised) -> list[Motion]:
         if abs(x) <= STILL * largest:
             x = 0j
         if x.imag >= 0:
-            u = vector[: motion.model.nq]
-            share = np.abs((u.conj() * (motion.mass_matrix @ u)).real)
-            found.append(_motion(complex(x), motion.model.q_names[int(share.argmax())]))
+            u = vector[: len(vector) // 2]
+            share = np.abs((u.conj() * (motion.inertia @ u)).real)
+            found.append(_motion(complex(x), motion.names[int(share.argmax())]))
     return sorted(found, key=lambda m: (m.kind != "falls", abs(m.eigenvalue)))
 
 

@@ -64,7 +64,7 @@ def step_limits(motion: Linearised, step: float) -> list[StepLimit]:
 def _limit(motion: Linearised, held: Held, method: str, step: float) -> StepLimit:
     limit = first_failure(held.steps, partial(held.bears, method))
     S = motion.step_map(method, step)
-    mu = np.linalg.eigvals(S)
+    mu = np.append(np.linalg.eigvals(S), motion.closing_factors(method, step))
     fastest = mu[np.abs(mu).argmax()] if len(mu) else 1.0
     moving = abs(exponents(np.array(fastest))) > held.noise(step)
     rate = float(np.log(abs(fastest))) / step if moving else 0.0
@@ -81,7 +81,7 @@ class Held:
         self.largest = float(np.abs(self.eigenvalues).max(initial=0.0))
         if self.largest > 0:
             omega = float(np.exp(np.log(np.maximum(np.abs(self.eigenvalues), STILL * self.largest)).mean()))
-        root = np.linalg.cholesky(motion.mass_matrix).T
+        root = np.linalg.cholesky(motion.inertia).T
         zero = np.zeros_like(root)
         self.scale = np.block([[omega * root, zero], [zero, root]])
         """Coordinates and rates in the root of energy, so that eigenvectors can be compared."""
@@ -101,6 +101,8 @@ class Held:
         S = self.motion.step_map(method, h)
         if not (len(S) and np.isfinite(S).all()):
             return not len(S)
+        if not (np.abs(self.motion.closing_factors(method, h)) < 1 + NOISE).all():
+            return False
         mu, vectors = np.linalg.eig(S)
         alike = np.abs(self.vectors.conj().T @ unit(self.scale @ vectors))
         own = self.eigenvalues[alike.argmax(axis=0)]

@@ -26,7 +26,7 @@ RESTLESS = 1e-6
 
 def report(a: Findings) -> str:
     """The whole report."""
-    parts = [_verdict(a), _systems(a), _blocks(a), _structure(a), *_spectra(a), _limits(a), *_validity(a)]
+    parts = [_verdict(a), _systems(a), _loops(a), _blocks(a), _structure(a), *_spectra(a), _limits(a), *_validity(a)]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -75,6 +75,24 @@ def _system(s: StateAnalysis) -> tuple[str, ...]:
     numbers = [f"{x:.1e}" for x in (r.condition, r.smallest, r.condition_scaled, r.smallest_scaled)]
     acceleration = "-" if s.acceleration is None else f"{s.acceleration:.1e}"
     return (f"{r.rank}/{r.size}", *numbers, str(s.projectors.size - s.projectors.rank), acceleration)
+
+
+def _loops(a: Findings) -> str:
+    """Of robots with loops their rows, and what the numbers above and below are those of."""
+    found = [s.loops for s in a.states if s.loops]
+    if not found:
+        return ""
+    worst, rows, all_ = max(x.condition_scaled for x in found), found[0].size, len(found)
+    bad = sum(not x.regular for x in found)
+    rank = f"depend on each other in {bad} of {_count(all_, 'state')}" if bad else "are independent in all"
+    left = a.coordinates - rows
+    text = (
+        f"Loops: their {_count(rows, 'row')} {rank}; condition of J M⁻¹ Jᵀ {worst:.1e} at worst, equilibrated."
+        f" {_count(left, 'coordinate')} of {a.coordinates} {'moves' if left == 1 else 'move'} independently: the"
+        " spectrum is theirs. M_sys and its blocks are those of the open tree. Steps must bear the loops'"
+        " stabilisation, which no method takes implicitly."
+    )
+    return _wrapped(text)
 
 
 def _blocks(a: Findings) -> str:

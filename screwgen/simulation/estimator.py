@@ -1,0 +1,258 @@
+"""The estimator in NumPy: an extended Kalman filter over q and v, for trees, loops and floating bases.
+
+It does what the generated C does, in the same order, and needs no compiler. The covariance is that of changes
+[δ; δv] (2 nv): of the pose of a floating base δ = [turn; shift] in its own axes, pose exp(δ). Where loops close the
+tree the mean is closed after every call, and the covariance is projected onto the motions that keep it closed.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..algorithms.gauges import gauges
+from ..algorithms.tip_acceleration import tip_acceleration
+from ..arguments import Given, Numbers, array
+from ..backends.numpy.numeric import EPSILON, function_of
+from ..errors import DivergedError, SingularError, UsageError
+from ..integrators.se3 import carried, unit
+from ..runtime.estimator import Noise, given_measurements, sensors
+from .integrate import JointStepper
+from .mobility import closing
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+ROUNDS, CHORDS, CLOSED = 2, 6, 1e4 * EPSILON
+"""Corrections with the same directions, and the gap, m or of cosines, at which loops are closed."""
+FIRM = 1.0
+"""The seconds over which springs and modes resist the closing of a loop, so that joints close it."""
+
+
+class Estimator:
+    """The same interface as :class:`..runtime.estimator.CompiledEstimator`.
+
+    ``parameters``: values in the order of ``model.parameter_names``, or by name. Raises UsageError, DivergedError,
+    SingularError; then the estimate is as it was.
+    """
+
+    def __init__(self, model: Model, parameters: Given = None):
+        chain, self.model = model.chain, model
+        self._p = chain.parameters.vector(parameters)
+        self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
+        self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
+        lengths = [model.parameter_names.index(f"{model.robot.links[g.link].name}.length") for g in self.gauges]
+        self._lengths = np.array([self._p[k] for k in lengths])
+        self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
+        self._own, self.noise, n = chain.closures, Noise(0.0), model.nv
+        self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
+
+    def start(self, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any, noise: Noise) -> None:
+        """Begin at a state (nq, nv) with the standard deviations of its entries (nv, nv).
+
+        Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops close the tree
+        the state is closed, and what it leaves of the deviations is the covariance.
+        """
+        n, chain = self.model.nv, self.model.chain
+        q, v = array(q, "q", (chain.nq,)), array(v, "v", (n,))
+        sizes = np.concatenate([np.broadcast_to(np.asarray(x, float), n) for x in (deviation_q, deviation_v)])
+        if not (np.isfinite(sizes).all() and (sizes >= 0).all()):
+            raise UsageError("a standard deviation is negative or no number; give numbers >= 0")
+        q, P = unit(q) if chain.floating else np.array(q, float), np.diag(sizes**2)
+        if chain.closures:
+            q, v, T = self._shut(q, v)
+            P = T @ self._conditioned(P) @ T.T
+        self.put(q, v, P)
+        self.set(noise)
+
+    def set(self, noise: Noise) -> None:
+        """Change the noise model."""
+        self.noise = noise
+
+    def put(self, q: Numbers, v: Numbers, P: Any) -> None:
+        """Set mean and covariance."""
+        self._q, self._v, self._P = np.array(q, float), np.array(v, float), np.array(P, float)
+
+    @property
+    def state(self) -> tuple[np.ndarray, np.ndarray]:
+        """The mean of q (nq,) and of v (nv,)."""
+        return self._q.copy(), self._v.copy()
+
+    @property
+    def covariance(self) -> np.ndarray:
+        """``P`` of [q; v], (2 nv, 2 nv)."""
+        return self._P.copy()
+
+    # ------------------------------------------------------------------------------ prediction
+
+    def predict(self, tau: Numbers, w_ext: Any, dt: float) -> None:
+        """Predict the state ``dt`` seconds later, with torques (n_tau,) and tip wrenches (n, 6) held."""
+        tau, w_ext = self._input(tau, w_ext)
+        if not (np.isfinite(dt) and dt > 0):
+            raise UsageError(f"the step is {dt:g} s; it must be a finite number > 0")
+        q, v = self._stepper.step(self._stepper.initial(self._q, self._v), tau, w_ext, dt)
+        Phi, G = self._transition(*self._middle(q, v, dt), tau, w_ext, dt)
+        n = self.model.nv
+        P = Phi @ self._P @ Phi.T + dt * G @ np.diag(self._full(self.noise.density_v, n)) @ G.T
+        P[np.arange(n), np.arange(n)] += dt * self._full(self.noise.density_q, n)
+        self._accept(q, v, P)
+
+    def _middle(self, q: np.ndarray, v: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
+        """The state in the middle of a step to q and v."""
+        rate, base = (self._v + v) / 2, self.model.chain.base_q
+        half = np.append(dt / 2 * rate[: self.model.chain.base_v], (q - self._q)[base:] / 2)
+        return self._moved(self._q, half), rate
+
+    def _transition(self, q, v, tau, w_ext, h: float) -> tuple[np.ndarray, np.ndarray]:
+        """The implicit midpoint rule of the motion linearised in the middle of a step, and its answer to noise."""
+        by_q, by_v, _ = self._numeric.derivatives(q, v, tau, w_ext)
+        n = self.model.nv
+        one, none = np.eye(n), np.zeros((n, n))
+        A = np.block([[none, one], [by_q, by_v]])
+        if self.model.chain.floating:
+            A[:6, :6] = carried(v[:6])
+        left = np.eye(2 * n) - h / 2 * A
+        solved = np.linalg.solve(left, np.hstack([np.eye(2 * n) + h / 2 * A, np.vstack([none, one])]))
+        return solved[:, : 2 * n], solved[:, 2 * n :]
+
+    # ------------------------------------------------------------------------------ update
+
+    def update(self, tau: Numbers, w_ext: Any, encoder=None, strain=None, acceleration=None, **base) -> None:
+        """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
+
+        As of :class:`..runtime.estimator.CompiledEstimator`.
+        """
+        tau, w_ext = self._input(tau, w_ext)
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
+        rows, left, variances = [], [], []
+        for name, (values, made) in given_measurements(self.model.chain, given).items():
+            if made.any():
+                if not np.isfinite(values[~np.isnan(values)]).all():
+                    raise UsageError(f"{name} is not finite; give NaN for what was not measured")
+                H, rest = getattr(self, f"_{name}")(values, tau, w_ext)
+                made = np.broadcast_to(made, len(H))
+                variance = self._full(getattr(self.noise, name), self._names[name][2]) ** 2
+                if not (variance[made] > 0).all():
+                    raise UsageError(f"noise: {name} has no standard deviation > 0; state it for what is measured")
+                rows.append(H[made])
+                left.append(rest[made])
+                variances.append(variance[made])
+        if rows:
+            dx, P = corrected(self._P, np.vstack(rows), np.concatenate(left), np.concatenate(variances))
+            n = self.model.nv
+            self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], P)
+
+    def _encoder(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        driven, chain = np.array(self.model.chain.driven, int), self.model.chain
+        return np.eye(2 * chain.nv)[driven], values - self._q[driven + chain.base_q - chain.base_v]
+
+    def _strain(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        chain = self.model.chain
+        H, fibre = np.zeros((len(self.gauges), 2 * chain.nv)), self._full(self.noise.fibre, len(self.gauges))
+        for row, gauge, d, length in zip(H, self.gauges, fibre, self._lengths, strict=True):
+            first = chain.eta_v + gauge.first
+            row[first : first + len(gauge.curvatures)] = -d * np.array(gauge.curvatures) / length**2
+        return H, values - H[:, chain.eta_v : chain.nv] @ self._q[chain.eta_q :]
+
+    def _acceleration(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        q, v, numeric = self._q, self._v, self._numeric
+        vdot = numeric.forward_dynamics(q, v, tau, w_ext)[0]
+        by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
+        given = {"q": q, "v": v, "vdot": vdot, "p": self._p}
+        found = function_of(self._felt)({name: list(given[name]) for name in self._felt.inputs}, EPSILON)[0]
+        of_q, of_v, of_vdot = (np.reshape(found[f"a_{x}"], (-1, 3)).T for x in ("q", "v", "vdot"))
+        return np.hstack([of_q + of_vdot @ by_q, of_v + of_vdot @ by_v]), values - found["a"]
+
+    def _base_position(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        H = np.zeros((3, 2 * self.model.nv))
+        H[:, 3:6] = self._numeric.link_pose(self._q)[0][0]
+        return H, values - self._q[:3]
+
+    def _base_attitude(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        """Twice the vector part of the quaternion that leads from the estimate to what was measured."""
+        if not values.any():
+            raise UsageError("base_attitude is zero; give a quaternion")
+        w, x, (w_m, *x_m) = self._q[3], self._q[4:7], values / np.linalg.norm(values)
+        part = w * np.array(x_m) - w_m * x - np.cross(x, x_m)
+        return np.eye(3, 2 * self.model.nv), 2 * np.copysign(1.0, w * w_m + x @ x_m) * part
+
+    def _base_rate(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+        n = self.model.nv
+        return np.eye(2 * n)[n : n + 3], values - self._v[:3]
+
+    # ------------------------------------------------------------------------------ loops
+
+    def _accept(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None:
+        """The new estimate, closed and of full symmetry, if it is finite."""
+        if self.model.chain.closures:
+            q, v, T = self._shut(q, v)
+            P = T @ P @ T.T
+        if not all(np.isfinite(x).all() for x in (q, v, P)):
+            raise DivergedError("the estimate is not finite; take a shorter step, or look at the measurements")
+        self.put(q, v, (P + P.T) / 2)
+
+    def _shut(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The closed state, and the projection (2 nv, 2 nv) of changes onto motions that keep it closed."""
+        J = J_q = reach = np.zeros(0)
+        for n in range(ROUNDS * CHORDS):
+            if n % CHORDS == 0:
+                J, J_q, reach = self._directions(q, v)
+            q = self._moved(q, -reach @ self._numeric.gaps(q, None)[0])
+        if not (np.abs(self._numeric.gaps(q, None)[0]) < CLOSED).all():
+            raise SingularError("the filter's loops do not close from where it leads; look at the measurements")
+        self._rows, n = (J, J_q), self.model.nv
+        keep = np.eye(n) - reach @ J
+        T = np.block([[keep, np.zeros((n, n))], [-reach @ J_q @ keep, keep]])
+        return q, v - reach @ (J @ v), T
+
+    def _directions(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """``J``, ``J_q`` of ``J v``, and what gaps take to close, by the inertia of a step of one second."""
+        chain, own = self.model.chain, self._stepper.dynamics.own
+        own = own.acting(own.of(q), own.of(v), FIRM, own.of(v))
+        M = self._numeric.mass_matrix(q)
+        at = slice(chain.nv - chain.n_given, None)
+        M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))
+        _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closures)), self._p))
+        answers = np.linalg.solve(M, J.T)
+        try:
+            return J, J_q, np.linalg.solve(J @ answers, answers.T).T
+        except np.linalg.LinAlgError:
+            raise chain.singular_loops() from None
+
+    def _conditioned(self, P: np.ndarray) -> np.ndarray:
+        """The covariance where it is known that the loops are closed, up to rounding."""
+        J, J_q = self._rows
+        for H in np.vstack([np.hstack([J, np.zeros_like(J)]), np.hstack([J_q, J])]):
+            size = H * H @ np.diag(P)
+            if size > 0:
+                P = corrected(P, H[None], np.zeros(1), np.array([EPSILON * size]))[1]
+        return P
+
+    # ------------------------------------------------------------------------------ arguments
+
+    def _moved(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+        moved = self._space.moved(q, change)
+        return unit(moved) if self.model.chain.floating else moved
+
+    def _input(self, tau: Numbers, w_ext: Any) -> tuple[np.ndarray, np.ndarray]:
+        return array(tau, "tau", (self.model.n_tau,)), array(w_ext, "w_ext", (self.model.n_links, 6))
+
+    @staticmethod
+    def _full(value: Any, size: int) -> np.ndarray:
+        return np.broadcast_to(np.asarray(value, float), (size,))
+
+
+def corrected(P: np.ndarray, H: np.ndarray, left: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The correction of the mean, and the covariance after it: one row after the other, by Joseph's form."""
+    dx, one = np.zeros(len(P)), np.eye(len(P))
+    for row, rest, R in zip(H, left, variance, strict=True):
+        b = P @ row
+        s = R + row @ b
+        if not s > R / 2:
+            raise SingularError("the filter's covariance has lost its definiteness")
+        K = b / s
+        dx = dx + K * (rest - row @ dx)
+        part = one - np.outer(K, row)
+        P = part @ P @ part.T + R * np.outer(K, K)
+    return dx, P

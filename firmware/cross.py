@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from targets import COMMON, HERE, WARNINGS, Variant
+from targets import COMMON, HERE, PACKAGES, WARNINGS, Target, Variant
+
+from screwgen import Model
 
 PROGRAMS = HERE / "target"
 CAREFUL = ("-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror")
@@ -26,6 +28,12 @@ def run(*command) -> str:
         said = [x for x in (done.stderr or done.stdout).strip().splitlines() if "error" in x.lower()] or [done.stderr]
         raise FirmwareError(f"{Path(str(command[0])).name} failed: {' | '.join(said[:3]).strip()}")
     return done.stdout + done.stderr
+
+
+def require(target: Target) -> None:
+    """Raises FirmwareError where this machine lacks tools of a target."""
+    if missing := ", ".join(target.missing):
+        raise FirmwareError(f"not installed: {missing}; on Debian: apt-get install {PACKAGES[target.name]}")
 
 
 @dataclass(frozen=True)
@@ -60,6 +68,14 @@ class Sources:
 
     def real(self, precision: str) -> list[str]:
         return [f"-D{self.name.upper()}_REAL_FLOAT"] if precision == "float" else []
+
+
+def generate(model: Model, folder: Path, parameters: str, layout: str, **options) -> Sources:
+    """The C of a model, written into the folder."""
+    for name, data in model.c_files(parameters, layout, **options).items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(data)
+    return Sources(model.robot.name, folder)
 
 
 @dataclass(frozen=True)
@@ -116,12 +132,12 @@ class Build:
         return self.link("check", self.sources.folder / "check.c", True)
 
 
-def host_program(sources: Sources, folder: Path) -> Path:
-    """The measuring program in double on this machine; its simulation is the reference."""
+def run_on_host(sources: Sources, folder: Path, program: Path, *options: str) -> str:
+    """What a program of the model prints on this machine, in double: the reference."""
     folder.mkdir(parents=True, exist_ok=True)
-    out = folder / "measure"
-    run("cc", *COMMON, "-O0", "-w", *sources.defines, PROGRAMS / "measure.c", *sources.parts, "-lm", "-o", out)
-    return out
+    out = folder / program.stem
+    run("cc", *COMMON, "-w", *sources.defines, *options, program, *sources.parts, "-lm", "-o", out)
+    return run(out)
 
 
 # ------------------------------------------------------------------------------------------- sizes

@@ -8,21 +8,17 @@ a tool is missing or a program fails.
 
 from __future__ import annotations
 
-import csv
-import sys
 from dataclasses import dataclass
 
-from cross import Build, FirmwareError, Sources, run, size_of
-from emulate import Counter, Findings, read_findings
-from stack import worst_stacks
-from targets import COMMON, HERE, PACKAGES, TARGETS, Variant
+from cross import Build, generate, require, run_on_host, size_of
+from emulate import Counter, read_findings
+from outcome import OUT, ROOT, beyond, ended, judged
+from stack import covered_stacks
+from targets import HERE, TARGETS, Variant
 
 import screwgen
-from screwgen.errors import ScrewgenError
 
-ROOT = HERE.parent
 EXAMPLE = ROOT / "examples" / "ella_paper.toml"
-OUT = ROOT / "build"
 WORK = OUT / "firmware_estimator"
 VARIANT = Variant(TARGETS["m4f"], "float", "fused", "runtime")
 PROGRAM, IMAGE = HERE / "target" / "estimate.c", HERE / "target" / "image.c"
@@ -55,39 +51,20 @@ class Result:
         return self.errors["filter"] / self.errors["open_loop"]
 
 
-def generate(model: screwgen.Model) -> Sources:
-    folder = WORK / "source"
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, data in model.c_files(VARIANT.parameters, VARIANT.layout, estimator=True).items():
-        (folder / name).write_bytes(data)
-    return Sources(model.robot.name, folder)
-
-
-def on_host(sources: Sources, define: str) -> Findings:
-    """The same program in double on this machine."""
-    program = WORK / "estimate"
-    run("cc", *COMMON, "-O0", "-w", *sources.defines, define, PROGRAM, *sources.parts, "-lm", "-o", program)
-    return read_findings(run(program))
-
-
 def measure() -> Result:
     """Compile for the target and for this machine, run both."""
-    target = VARIANT.target
-    if target.missing:
-        missing = ", ".join(target.missing)
-        raise FirmwareError(f"not installed: {missing}; on Debian: apt-get install {PACKAGES[target.name]}")
-    sources = generate(screwgen.derive(screwgen.load(EXAMPLE)))
+    require(VARIANT.target)
+    model = screwgen.derive(screwgen.load(EXAMPLE))
+    sources = generate(model, WORK / "source", VARIANT.parameters, VARIANT.layout, estimator=True)
     build = Build(VARIANT, sources, WORK / VARIANT.name)
     define = f'-DESTIMATOR_HEADER="{sources.name}_estimator.h"'
     alone, whole = size_of(build, build.image(False)), size_of(build, build.link("filter", IMAGE, False, define))
     program = build.link("estimate", PROGRAM, True, define)
     found = Counter(WORK / "counter").run(build, program)
-    stacks = worst_stacks(build, program, [f"{sources.name}_{call}" for call in found.stacks])
-    for call, painted in found.stacks.items():
-        if painted > stacks[f"{sources.name}_{call}"]:
-            raise FirmwareError(f"{call} used {painted} bytes of stack, more than its call graph")
+    stacks = covered_stacks(build, program, found.stacks)
     counts = {name: max(numbers) for name, numbers in found.counts.items()}
-    errors, host = ({n: 1e-9 * x for n, x in f.figures.items()} for f in (found, on_host(sources, define)))
+    reference = read_findings(run_on_host(sources, WORK, PROGRAM, "-O0", define))
+    errors, host = ({n: 1e-9 * x for n, x in f.figures.items()} for f in (found, reference))
     return Result(whole.flash, alone.flash, sum(found.sizes.values()), max(stacks.values()), counts, errors, host)
 
 
@@ -114,14 +91,11 @@ def text(r: Result) -> str:
     return "\n".join(f"{name:46} {value}".rstrip() for name, value in lines)
 
 
-def write(r: Result) -> None:
-    row = {"flash": r.flash, "flash_alone": r.flash_alone, "ram": r.ram, "stack": r.stack} | r.counts
+def columns(r: Result) -> dict[str, object]:
+    """The row of the CSV."""
+    row: dict[str, object] = {"flash": r.flash, "flash_alone": r.flash_alone, "ram": r.ram, "stack": r.stack} | r.counts
     row |= {f"error_{n}": f"{x:.3e}" for n, x in r.errors.items()}
-    row |= {f"error_{n}_on_host": f"{x:.3e}" for n, x in r.errors_on_host.items()}
-    with (OUT / "firmware_estimator.csv").open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, row, lineterminator="\n")
-        writer.writeheader()
-        writer.writerow(row)
+    return row | {f"error_{n}_on_host": f"{x:.3e}" for n, x in r.errors_on_host.items()}
 
 
 def failures(r: Result) -> list[str]:
@@ -134,22 +108,13 @@ def failures(r: Result) -> list[str]:
             out.append(f"{name}: the error in float is {error:.3e} m, in double {r.errors_on_host[name]:.3e} m")
     taken = {"stack": (r.stack, STACK), "RAM": (r.ram, RAM)}
     taken |= {"predict": (r.counts["predict"], PREDICT), "update": (r.counts["update"], UPDATE)}
-    return out + [f"{name}: {x:,}, the limit is {most:,}" for name, (x, most) in taken.items() if not 0 < x < most]
+    return out + beyond(taken)
 
 
 def main() -> int:
-    OUT.mkdir(exist_ok=True)
     result = measure()
-    print(text(result))
-    write(result)
-    wrong = failures(result)
-    print(*wrong, sep="\n", end="\n" if wrong else "")
-    return int(bool(wrong))
+    return judged(text(result), "firmware_estimator", columns(result), failures(result))
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except (FirmwareError, ScrewgenError) as error:
-        print(f"firmware: error: {error}", file=sys.stderr)
-        sys.exit(2)
+    ended(main)

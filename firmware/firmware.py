@@ -19,16 +19,14 @@ from pathlib import Path
 
 import budget_table as table
 from budget_table import Row
-from cross import Build, FirmwareError, Sources, host_program, run, size_of
+from cross import PROGRAMS, Build, FirmwareError, Sources, generate, require, run, run_on_host, size_of
 from emulate import Counter, Findings, read_findings, self_check
-from stack import worst_stacks
-from targets import LAYOUTS, PACKAGES, PARAMETERS, TARGETS, Target, Variant, variants
+from outcome import OUT, ROOT, ended
+from stack import covered_stacks
+from targets import LAYOUTS, PARAMETERS, TARGETS, Target, Variant, variants
 
 import screwgen
-from screwgen.errors import ScrewgenError
 
-ROOT = Path(__file__).resolve().parents[1]
-OUT = ROOT / "build"
 WORK = OUT / "firmware"
 EXAMPLE = ROOT / "examples" / "ella_paper.toml"
 NOTES = """\
@@ -39,17 +37,10 @@ over the states of the self-check. error: the largest in 1,000 steps of modal_im
 ella to second order until its mass matrix is indefinite, in 0.17 s."""
 
 
-def generate(model: screwgen.Model, place: Path) -> dict[tuple[str, str], Sources]:
+def generate_all(model: screwgen.Model, place: Path) -> dict[tuple[str, str], Sources]:
     """The C of the model in every layout and with both kinds of parameters."""
-    out = {}
-    for layout in LAYOUTS:
-        for parameters in PARAMETERS:
-            folder = place / f"{layout}_{parameters}"
-            folder.mkdir(parents=True, exist_ok=True)
-            for name, data in model.c_files(parameters, layout).items():
-                (folder / name).write_bytes(data)
-            out[layout, parameters] = Sources(model.robot.name, folder)
-    return out
+    kinds = [(layout, parameters) for layout in LAYOUTS for parameters in PARAMETERS]
+    return {(x, p): generate(model, place / f"{x}_{p}", p, x) for x, p in kinds}
 
 
 def errors(found: Findings, reference: Findings, model: screwgen.Model) -> dict[str, float]:
@@ -70,15 +61,10 @@ def errors(found: Findings, reference: Findings, model: screwgen.Model) -> dict[
 
 def stacks(build: Build, found: Findings) -> dict[str, int]:
     """The worst stack of both forms, from the call graph and from paint; the first must cover the second."""
-    program, name = build.folder / "measure.elf", build.sources.name
-    worst = worst_stacks(build, program, [f"{name}_{call}" for call in found.stacks])
-    for call, painted in found.stacks.items():
-        if painted > worst[f"{name}_{call}"]:
-            raise FirmwareError(f"{build.variant.name}: {call} used {painted} bytes of stack, more than its call graph")
-    out = {}
+    worst, out = covered_stacks(build, build.folder / "measure.elf", found.stacks), {}
     for form, dae in (("stack", False), ("stack_dae", True)):
         calls = [call for call in found.stacks if call.startswith("dae_") == dae]
-        out[form] = max(worst[f"{name}_{call}"] for call in calls)
+        out[form] = max(worst[call] for call in calls)
         out[f"{form}_painted"] = max(found.stacks[call] for call in calls)
     return out
 
@@ -112,8 +98,9 @@ def measure_all(wanted: Sequence[Variant], folder: Path, workers: int) -> list[R
         for arm, order in dict.fromkeys((v.arm, v.order) for v in wanted):
             robot = screwgen.load(folder / f"{arm}.toml")
             model = screwgen.derive(robot if order == 1 else robot.model_copy(update={"order": order}))
-            sources = generate(model, WORK / f"source_{arm}_{order}")
-            reference = read_findings(run(host_program(sources["fused", "runtime"], WORK / f"host_{arm}_{order}")))
+            sources = generate_all(model, WORK / f"source_{arm}_{order}")
+            place, program = WORK / f"host_{arm}_{order}", PROGRAMS / "measure.c"
+            reference = read_findings(run_on_host(sources["fused", "runtime"], place, program, "-O0"))
             for v in (v for v in wanted if (v.arm, v.order) == (arm, order)):
                 rows[v.name] = pool.submit(one, v, model, sources[v.layout, v.parameters], reference)
         try:
@@ -132,14 +119,11 @@ def chosen(given: str | None) -> list[Target]:
         if name not in TARGETS:
             raise FirmwareError(f"--targets: there is no '{name}'; choose from {', '.join(TARGETS)}")
         target = TARGETS[name]
-        if not target.missing:
-            out.append(target)
-        elif given or name != "rv32":
-            raise FirmwareError(
-                f"not installed: {', '.join(target.missing)}; on Debian: apt-get install {PACKAGES[name]}"
-            )
-        else:
+        if target.missing and not given and name == "rv32":
             print(f"left out {target.core}: not installed: {', '.join(target.missing)}", file=sys.stderr)
+        else:
+            require(target)
+            out.append(target)
     return out
 
 
@@ -201,8 +185,4 @@ def report(verdict: table.Verdict) -> int:
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except (FirmwareError, ScrewgenError) as error:
-        print(f"firmware: error: {error}", file=sys.stderr)
-        sys.exit(2)
+    ended(lambda: main(sys.argv[1:]))

@@ -8,22 +8,19 @@ tool is missing or a program fails. --record writes the table into TABLE.md.
 
 from __future__ import annotations
 
-import csv
 import statistics
 import sys
 from dataclasses import dataclass
 
 import budget_table
-from cross import Build, FirmwareError, Sources, run, size_of
+from cross import Build, FirmwareError, generate, require, run_on_host, size_of
 from emulate import Counter, Findings, read_findings
-from stack import worst_stacks
-from targets import COMMON, HERE, PACKAGES, TARGETS, Variant
+from outcome import OUT, ROOT, beyond, ended, judged
+from stack import covered_stacks
+from targets import HERE, TARGETS, Variant
 
 import screwgen
-from screwgen.errors import ScrewgenError
 
-ROOT = HERE.parent
-OUT = ROOT / "build"
 WORK = OUT / "firmware_predictive"
 VARIANT = Variant(TARGETS["m7"], "double", "fused", "runtime")
 PROGRAM, IMAGE, FILE = HERE / "target" / "control.c", HERE / "target" / "image.c", HERE / "mpc.toml"
@@ -81,21 +78,6 @@ def example() -> screwgen.Model:
     return screwgen.derive(robot.model_copy(update={"links": tuple(links)}))
 
 
-def generate(model: screwgen.Model) -> Sources:
-    folder = WORK / "source"
-    for name, data in model.c_files(VARIANT.parameters, VARIANT.layout, mpc=FILE).items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_bytes(data)
-    return Sources(model.robot.name, folder)
-
-
-def on_host(sources: Sources, defines: list[str]) -> Findings:
-    """The same program on this machine."""
-    program = WORK / "control"
-    run("cc", *COMMON, "-O1", "-w", *sources.defines, *defines, PROGRAM, *sources.parts, "-lm", "-o", program)
-    return read_findings(run(program))
-
-
 def apart(found: Findings, reference: Findings) -> float:
     """The largest difference of torques, N·m."""
     pairs = zip(found.samples, reference.samples, strict=True)
@@ -104,25 +86,20 @@ def apart(found: Findings, reference: Findings) -> float:
 
 def measure() -> Result:
     """Compile for the target and for this machine, run both."""
-    target = VARIANT.target
-    if target.missing:
-        missing = ", ".join(target.missing)
-        raise FirmwareError(f"not installed: {missing}; on Debian: apt-get install {PACKAGES[target.name]}")
-    sources = generate(example())
+    require(VARIANT.target)
+    sources = generate(example(), WORK / "source", VARIANT.parameters, VARIANT.layout, mpc=FILE)
     build = Build(VARIANT, sources, WORK / VARIANT.name)
     defines = [f'-DMPC_HEADER="{sources.name}_mpc.h"', "-DPAYLOAD=links[1].bodies[0].mass"]
     alone, whole = size_of(build, build.image(False)), size_of(build, build.link("mpc", IMAGE, False, *defines))
     program = build.link("control", PROGRAM, True, *defines)
     found = Counter(WORK / "counter").run(build, program)
     turns = {f"{sources.name}_daqp_remove_constraint": found.figures["active"]}
-    stacks = worst_stacks(build, program, [f"{sources.name}_{call}" for call in found.stacks], turns)
-    for call, painted in found.stacks.items():
-        if painted > stacks[f"{sources.name}_{call}"]:
-            raise FirmwareError(f"{call} used {painted} bytes of stack, more than its call graph")
+    stacks = covered_stacks(build, program, found.stacks, turns)
+    reference = read_findings(run_on_host(sources, WORK, PROGRAM, "-O1", *defines))
     figures, controller = found.figures, found.sizes["mpc"] + found.sizes["mpc_options"]
     return Result(
         whole.flash, alone.flash, whole.ram, controller, max(stacks.values()), max(found.stacks.values()), found.counts,
-        figures["unsolved"], figures["iterations"], 1e-9 * figures["miss"], apart(found, on_host(sources, defines)),
+        figures["unsolved"], figures["iterations"], 1e-9 * figures["miss"], apart(found, reference),
     )  # fmt: skip
 
 
@@ -166,15 +143,18 @@ def record(r: Result) -> None:
     budget_table.TABLE.write_text(f"{kept}\n\n{section}", encoding="utf-8")
 
 
-def write(r: Result) -> None:
-    row = {"flash": r.flash, "flash_alone": r.flash_alone, "ram": r.ram, "controller": r.controller, "stack": r.stack}
+def columns(r: Result) -> dict[str, object]:
+    """The row of the CSV."""
+    row: dict[str, object] = {
+        "flash": r.flash,
+        "flash_alone": r.flash_alone,
+        "ram": r.ram,
+        "controller": r.controller,
+        "stack": r.stack,
+    }
     for name, numbers in (r.counts | {"sample": r.samples}).items():
         row |= {name: statistics.median(numbers), f"{name}_max": max(numbers)}
-    row |= {"unsolved": r.unsolved, "iterations": r.iterations, "miss": r.miss, "apart": r.apart}
-    with (OUT / "firmware_predictive.csv").open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, row, lineterminator="\n")
-        writer.writeheader()
-        writer.writerow(row)
+    return row | {"unsolved": r.unsolved, "iterations": r.iterations, "miss": r.miss, "apart": r.apart}
 
 
 def failures(r: Result) -> list[str]:
@@ -188,26 +168,17 @@ def failures(r: Result) -> list[str]:
         out.append(f"torques on the target and on this machine are {r.apart:.1e} N·m apart, the limit is {APART:.0e}")
     taken = {"flash": (r.flash, FLASH), "RAM": (r.ram, RAM), "stack": (r.stack, STACK)}
     taken |= {"sample": (max(r.samples), SAMPLE)}
-    return out + [f"{name}: {x:,}, the limit is {most:,}" for name, (x, most) in taken.items() if not 0 < x < most]
+    return out + beyond(taken)
 
 
 def main(arguments: list[str]) -> int:
     if arguments not in ([], ["--record"]):
         raise FirmwareError("predictive.py takes --record or nothing")
-    OUT.mkdir(exist_ok=True)
     result = measure()
-    print(text(result))
-    write(result)
     if arguments:
         record(result)
-    wrong = failures(result)
-    print(*wrong, sep="\n", end="\n" if wrong else "")
-    return int(bool(wrong))
+    return judged(text(result), "firmware_predictive", columns(result), failures(result))
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except (FirmwareError, ScrewgenError) as error:
-        print(f"firmware: error: {error}", file=sys.stderr)
-        sys.exit(2)
+    ended(lambda: main(sys.argv[1:]))

@@ -98,6 +98,18 @@ def frames(build: Build) -> dict[str, int]:
     return out
 
 
+def covered_stacks(
+    build: Build, program: Path, painted: dict[str, int], turns: dict[str, int] | None = None
+) -> dict[str, int]:
+    """The worst stack of each call of the model; raises where more of it was found painted."""
+    name = build.sources.name
+    worst = worst_stacks(build, program, [f"{name}_{call}" for call in painted], turns)
+    for call, seen in painted.items():
+        if seen > worst[f"{name}_{call}"]:
+            raise FirmwareError(f"{build.variant.name}: {call} used {seen} bytes of stack, more than its call graph")
+    return {call: worst[f"{name}_{call}"] for call in painted}
+
+
 def worst_stacks(
     build: Build, program: Path, entries: list[str], turns: dict[str, int] | None = None
 ) -> dict[str, int]:

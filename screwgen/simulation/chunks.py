@@ -64,7 +64,7 @@ def completed(submit: Callable[[int], Future], numbers: Iterable[int], executor:
     running: dict[Future, int] = {}
     left = iter(numbers)
     lost: dict[int, int] = {}
-    ahead = AHEAD * (getattr(executor, "_max_workers", None) or os.cpu_count() or 1)
+    ahead = AHEAD * _workers(executor)
     try:
         while True:
             while len(running) < ahead and (k := next(left, None)) is not None:
@@ -83,6 +83,13 @@ def completed(submit: Callable[[int], Future], numbers: Iterable[int], executor:
     finally:
         for future in running:
             future.cancel()
+
+
+def _workers(executor: Executor) -> int:
+    """How many workers an executor has, where it says so; that of dask asks its client."""
+    client = getattr(executor, "_client", None)
+    count = sum(client.nthreads().values()) if client else getattr(executor, "_max_workers", None)
+    return count or os.cpu_count() or 1
 
 
 def _again(error: BaseException, tries: int) -> int:

@@ -1,7 +1,7 @@
 """Sweeps: rollouts of any number of scenarios in chunks, on any executor, into a file.
 
 A chunk draws its scenarios from a seed of its own, so results depend on neither the executor nor the number of its
-workers. Beside the ``.npy`` file a manifest lists the finished chunks: a sweep that was stopped goes on there.
+workers. Beside the store a manifest lists the finished chunks: a sweep that was stopped goes on there.
 """
 
 from __future__ import annotations
@@ -31,8 +31,12 @@ from .store import Store
 from .validity import Validity
 
 if TYPE_CHECKING:
+    import zarr
+
     from ..model import Model
 
+NUMBERS = "?bhilqBHILQefdFD"
+"""What may be kept: the types that every store holds."""
 ARGUMENTS = ("x0", "tau", "w_ext", "parameters")
 
 Draw = Callable[[np.random.Generator, int], Mapping[str, Any]]
@@ -41,9 +45,9 @@ Keep = Callable[[Rollout], np.ndarray]
 
 @dataclass(frozen=True, repr=False)
 class Sweep:
-    """The results of a sweep: ``values`` (count, ...), mapped from the file; ``status`` (count,) as of a rollout."""
+    """The results of a sweep: ``values`` (count, ...), an array on disk; ``status`` (count,) as of a rollout."""
 
-    values: np.ndarray
+    values: np.ndarray | zarr.Array
     status: np.ndarray
 
     @property
@@ -77,13 +81,13 @@ def sweep(
     single: bool = False,
     progress: Callable[[int, int], object] | None = None,
 ) -> Sweep:
-    """Roll out `count` scenarios in chunks and keep numbers of each in the file `store`, an ``.npy``.
+    """Roll out `count` scenarios in chunks and keep numbers of each in `store`, an ``.npy`` or ``.zarr``.
 
     ``draw(rng, n)`` gives `x0`, `tau`, `w_ext`, `parameters` of :func:`screwgen.rollout` for `n` scenarios, as a
-    mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is kept, (n, ...), by
-    default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its workers are
-    processes, `draw` and `keep` must be functions of a module; each process derives and compiles the robot once.
-    `progress` is told how many scenarios are done, and of how many. Memory holds some chunks, never all.
+    mapping; ``rng`` follows from `seed` and the chunk's number. ``keep(rollout)`` gives what is kept, (n, ...) of one
+    type, by default the last states. `executor`: any of ``concurrent.futures``; one thread by default. Where its
+    workers are processes, `draw` and `keep` must be functions of a module; each process derives and compiles the robot
+    once. `progress` is told how many scenarios are done, and of how many. Memory holds some chunks, never all.
 
     Called again, with the same arguments, it does the chunks that are missing; a store of another robot or of other
     arguments is refused. The bits are those of one machine; processors with other instructions may differ in the last
@@ -180,9 +184,11 @@ def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
     given, count, how = checked(model, **(dict.fromkeys(ARGUMENTS) | given), **options)
     run = rolled(model, given, count, *how)
     values = np.asarray(keep(run))
+    if values.dtype.char not in NUMBERS:
+        raise UsageError(f"keep gave {values.dtype}; it must give booleans, or numbers of double precision at most")
     if len(run.status) != n or values.shape[:1] != (n,):
         raise UsageError(f"draw gave {len(run.status)} scenarios, keep the shape {values.shape}; both must be of {n}")
-    return values, run.status.astype(np.uint8), run.validity
+    return values.astype(values.dtype.char, copy=False), run.status.astype(np.uint8), run.validity
 
 
 def _run(executor: Executor, task: Task, target: Store, progress: Callable[[int, int], object] | None) -> None:

@@ -23,7 +23,7 @@ import numpy as np
 from helpers import ROOT, quick, relative
 from step_judges import point
 
-from screwgen import Model, Robot, load
+from screwgen import Model, load
 from screwgen.integrators import METHODS
 
 ROBOTS = tuple(sorted(x.stem for x in (ROOT / "examples").glob("*.toml") if not x.stem.endswith("_law")))
@@ -39,8 +39,8 @@ STEP = "q v tau w_ext h p"
 H, COUNT = 2.0**-13, 3
 """The step, s, and how many make a motion."""
 HEAD = (
-    "| robot | nv | condition of M | values | steps | values, single | C, single | steps, single | C, single | gradient "
-    "| gradient of steps | compiled in |"
+    "| robot | nv | condition of M | values | steps | values, single | C, single | steps, single | C, single "
+    "| gradient | gradient of steps | compiled in |"
 )
 
 

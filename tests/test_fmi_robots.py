@@ -62,7 +62,7 @@ def test_units_of_every_sort(name, target):
 
 
 def test_the_wrench_about_a_free_axis_is_its_torque():
-    """Of the hinge of the platform, which states no armature: of all states and inputs its rate and its torque count."""
+    """Of the platform's hinge, which states no armature: of all states and inputs its rate and its torque count."""
     chain = model_of(example_dict("parallelogram")).chain
     about_y = response.sparsity(chain)["wrench"][6 * 1 + 1]
     assert about_y == [chain.nq + 1, chain.nq + chain.nv + 1]

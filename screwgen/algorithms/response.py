@@ -109,7 +109,7 @@ def _answers(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
 
 
 def _fold(f: Functions) -> None:
-    """Put the constants that depend on no parameter in place of inputs, such as the armature that a joint does not state.
+    """Put constants that depend on no parameter in place of inputs, such as the armature that a joint does not state.
 
     Without armature the wrench about the axis of a joint is the torque that acts there. The terms of which the
     elimination makes it then cancel as symbols, where numbers leave the rounding errors of large terms.

@@ -43,9 +43,8 @@ def main() -> None:
     model = screwgen.derive(screwgen.Robot.model_validate(ROBOT))
     starts, parameters = scenarios(model, count)
     moved = motions(model, starts, parameters, steps)
-    cost = jax.jit(jax.value_and_grad(lambda gains: costs(*moved(gains)).mean()))
-    found, history = tune(cost, jnp.array(FIRST), rounds)
-    before, after = (moved(jnp.array(gains)) for gains in (FIRST, found))
+    cost = jax.jit(jax.value_and_grad(lambda gains: costs(moved(gains)), has_aux=True))
+    found, history, before, after = tune(cost, jnp.array(FIRST), rounds)
     check(model, starts, parameters, after)
     print(f"gains {np.exp(FIRST).round(1)} -> {np.exp(found).round(1)}")
     print(f"mean cost {history[0]:.4f} -> {min(history):.4f}")
@@ -79,27 +78,29 @@ def motions(model, starts, parameters, steps: int):
 
         return jax.lax.scan(period, (q, jnp.zeros(model.nv)), None, length=steps)[1]
 
-    return jax.jit(lambda gains: jax.vmap(one, (None, 0, 0))(gains, starts, parameters))
+    return lambda gains: jax.vmap(one, (None, 0, 0))(gains, starts, parameters)
 
 
-def costs(q, tau) -> jnp.ndarray:
-    """The cost of every scenario (count,)."""
-    return H * (((q[..., :2] - GOAL) ** 2).sum(axis=(1, 2)) + EFFORT * (tau**2).sum(axis=(1, 2)))
+def costs(run) -> tuple[jnp.ndarray, tuple]:
+    """The mean cost of all scenarios, and the motions and torques of which it is made."""
+    q, tau = run
+    return H * (((q[..., :2] - GOAL) ** 2).sum(axis=(1, 2)) + EFFORT * (tau**2).sum(axis=(1, 2))).mean(), run
 
 
-def tune(cost, gains, rounds: int) -> tuple[np.ndarray, list[float]]:
-    """The best gains by Adam, and the costs."""
-    mean, square, history, best = 0.0, 0.0, [], (np.inf, gains)
+def tune(cost, gains, rounds: int) -> tuple[np.ndarray, list[float], tuple, tuple]:
+    """The best gains by Adam, the costs, and the runs with the first and with the best gains."""
+    mean, square, history, first, best = 0.0, 0.0, [], None, (np.inf, gains, None)
     for k in range(1, rounds + 1):
         clock = time.perf_counter()
-        value, slope = cost(gains)
+        (value, run), slope = cost(gains)
         history.append(float(value))
-        best = min(best, (float(value), gains), key=lambda pair: pair[0])
+        first = first or run
+        best = min(best, (float(value), gains, run), key=lambda found: found[0])
         size, spent = np.linalg.norm(slope), time.perf_counter() - clock
         print(f"iteration {k}: cost {value:.4f}, slope {size:.2e}, {spent:.1f} s")
         mean, square = 0.9 * mean + 0.1 * slope, 0.99 * square + 0.01 * slope**2
         gains = gains - 0.15 * (mean / (1 - 0.9**k)) / (jnp.sqrt(square / (1 - 0.99**k)) + 1e-12)
-    return np.array(best[1]), history
+    return np.array(best[1]), history, first, best[2]
 
 
 def check(model, starts, parameters, run) -> None:

@@ -2,6 +2,7 @@
 
 from functools import partial
 
+import mpmath
 import numpy as np
 import pytest
 from conftest import swept
@@ -11,8 +12,11 @@ from fmpy.validation import validate_fmu
 from helpers import arm, example_dict, example_file, link, model_of, quick, relative
 from test_fmi import responses, state_of
 
+from screwgen.algorithms import fused, response
 from screwgen.cli.main import main
 from screwgen.errors import UsageError
+from screwgen.ir.adjoint import only
+from screwgen.ir.replay import run
 
 FLAP = """
 name = "flap"
@@ -24,6 +28,13 @@ section = { rhoA = 1.0 }
 joint = { axes = ["y"] }
 """
 ROBOTS = ("ella", "elastic_joint", "space_arm", "parallelogram", "crane", "gantry")
+
+
+def away(unit: Unit) -> None:
+    """Random states and inputs, away from where the run begins."""
+    rng, scale = np.random.default_rng(0), [0.01 if ".eta" in x else 0.3 for x in unit.states]
+    unit.set(dict(zip(unit.states, unit.get(unit.states) + scale * rng.normal(size=len(scale)), strict=True)))
+    unit.set(dict(zip(unit.inputs, rng.normal(size=len(unit.inputs)), strict=True)))
 
 
 @pytest.mark.parametrize("name", swept(ROBOTS))
@@ -39,10 +50,8 @@ def test_units_of_every_sort(name, target):
         steps.step(k * 1e-3, 1e-3)
         q, v = c.step(q, v, None, None, 1e-3, "modal_implicit")
     assert [x.tobytes() for x in state_of(steps)] == [q.tobytes(), v.tobytes()]
-    unit, rng = Unit(target, "me", make).ready(), np.random.default_rng(0)
-    scale = [0.01 if ".eta" in x else 0.3 for x in unit.states]
-    unit.set(dict(zip(unit.states, unit.get(unit.states) + scale * rng.normal(size=len(scale)), strict=True)))
-    unit.set(dict(zip(unit.inputs, rng.normal(size=len(unit.inputs)), strict=True)))
+    unit = Unit(target, "me", make).ready()
+    away(unit)
     knowns, unknowns = unit.of(unit.states + unit.inputs), unit.of(unit.unknowns)
     expected = np.array(responses(model)(unit.get(unit.states + unit.inputs)))
     columns = [unit.fmu.getDirectionalDerivative(unknowns, [known], [1.0]) for known in knowns]
@@ -50,6 +59,48 @@ def test_units_of_every_sort(name, target):
     if target == "fmu3":
         rows = [unit.fmu.getAdjointDerivative([unknown], knowns, [1.0], len(knowns)) for unknown in unknowns]
         assert relative(rows, expected) < 1e-12
+
+
+def test_the_wrench_about_a_free_axis_is_its_torque():
+    """Of the platform's hinge, which states no armature: of all states and inputs its rate and its torque count."""
+    chain = model_of(example_dict("parallelogram")).chain
+    about_y = response.sparsity(chain)["wrench"][6 * 1 + 1]
+    assert about_y == [chain.nq + 1, chain.nq + chain.nv + 1]
+
+
+@pytest.mark.long
+def test_rows_that_cancel_against_fifty_digits():
+    """Rows of reactions in the parallelogram, each beside its own largest entry.
+
+    What the rod's foot bears about x is 1 where its terms are 1e6, so doubles keep eleven digits, those of CasADi too.
+    """
+    unit = Unit("fmu3", "me", MAKERS["parallelogram"]).ready()
+    away(unit)
+    model, point = unit.model, unit.get(unit.states + unit.inputs)
+    knowns, unknowns = unit.of(unit.states + unit.inputs), unit.of(model.wrench_names)
+    exact, first = wrench_slopes(model, point), unit.unknowns.index(model.wrench_names[0])
+    casadi = np.array(responses(model)(point))[first : first + len(exact)]
+    columns = [unit.fmu.getDirectionalDerivative(unknowns, [known], [1.0]) for known in knowns]
+    ours, theirs = ([relative(a, b) for a, b in zip(x, exact, strict=True)] for x in (np.transpose(columns), casadi))
+    hard = model.wrench_names.index("rod.tau_x")
+    assert max(np.delete(ours, hard)) < 1e-12
+    assert 1e-12 < ours[hard] < 1e-9 and 1e-12 < theirs[hard] < 1e-9 and np.abs(exact[hard]).max() < 2.0
+
+
+def wrench_slopes(model, point) -> np.ndarray:
+    """The derivatives of the joint wrenches with states and inputs, by central differences of 50 digits."""
+    program = only(fused.forward_dynamics(model.chain), ["wrench"])
+    ends = np.cumsum([model.nq, model.nv, model.n_tau])
+    with mpmath.workdps(50):
+        exact, h = (np.vectorize(mpmath.mpf, otypes=[object])(x) for x in (point, "1e-16"))
+        p = [mpmath.mpf(x) for x in model.parameter_values]
+
+        def at(x):
+            given = dict(zip(("q", "v", "tau", "w_ext"), map(list, np.split(x, ends)), strict=True)) | {"p": p}
+            return np.array(run(program, given, fused.precise)[0]["wrench"], dtype=object)
+
+        unit = np.eye(len(exact), dtype=int)
+        return np.transpose([(at(exact + h * e) - at(exact - h * e)) / (2 * h) for e in unit]).astype(float)
 
 
 MAKERS = {name: partial(example_dict, name) for name in (*ROBOTS, "crane_loop")}

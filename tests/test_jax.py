@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 import pytest
-from helpers import EPS, ROOT, example, model_of
+from helpers import EPS, ROOT, example, model_of, quick
 
 from screwgen import UsageError
 from screwgen.algorithms.fused import modal_dynamics
@@ -13,10 +13,13 @@ from screwgen.backends.numpy.python import compiled
 from screwgen.ir.adjoint import adjoint, only
 
 jax = pytest.importorskip("jax")
+from jax_table import state  # noqa: E402
+
 jnp = jax.numpy
 LINK = {"length": 0.5, "section": {"rhoA": 2.0, "EIz": 40.0, "rhoIp": 0.01}, "bodies": [{"at": "tip", "mass": 1.5}]}
 LINK |= {"modes": {"bending_y": 1}, "damping": {"ratio": 0.02}}
 ARM = {"name": "small", "gravity": [0.0, 0.0, -9.81], "links": [{"name": "a", "joint": {"axes": ["z", "y"]}, **LINK}]}
+WEIGHTS = np.arange(1.0, 100.0)
 NAMES = (
     "forward_dynamics",
     "inverse_dynamics",
@@ -26,6 +29,7 @@ NAMES = (
     "tip_pose",
     "tip_jacobian",
     "validity",
+    "levers",
 )
 
 
@@ -40,14 +44,6 @@ def model():
     return model_of(ARM)
 
 
-def state(model, seed=0) -> dict:
-    rng = np.random.default_rng(seed)
-    sizes = {"q": model.nq, "v": model.nv, "vdot": model.nv, "tau": model.n_tau}
-    out = {name: 0.3 * rng.normal(size=n) for name, n in sizes.items()}
-    out["q"][model.nq - model.chain.n_modes :] *= 0.02
-    return out | {"w_ext": rng.normal(size=(model.n_links, 6)), "p": np.array(model.parameter_values), "h": 1e-4}
-
-
 def off(a, b) -> float:
     a, b = np.asarray(a), np.asarray(b)
     return float(np.max(np.abs(a.reshape(b.shape) - b)) / np.max(np.abs(b)))
@@ -60,44 +56,71 @@ def casadi(model, name: str, x: dict) -> list[np.ndarray]:
 
 
 def asked(name: str) -> list[str]:
+    if name.startswith("step"):
+        return "q v tau w_ext h p".split()
     first = {"inverse_dynamics": "q v vdot w_ext p", "mass_matrix": "q p", "bias": "q v w_ext p", "energy": "q v p"}
-    return first.get(name, "q p" if name.startswith("tip") else "q v tau w_ext p").split()
+    return first.get(name, "q p" if name in ("tip_pose", "tip_jacobian", "levers") else "q v tau w_ext p").split()
+
+
+@pytest.fixture(scope="module")
+def digger():
+    """A cylinder, a four-bar linkage, dry friction, stops and two modes."""
+    return example("bucket")
+
+
+@pytest.fixture(scope="module")
+def found(digger):
+    """All functions, a step, and the gradients of a weighted sum of the accelerations, in one compilation."""
+    x = state(digger)
+
+    def everything(x):
+        f = digger.jax()
+
+        def weighted(*given):
+            out = f["forward_dynamics"](*given)
+            return WEIGHTS[: digger.nv] @ out[0], out
+
+        values = {name: f[name](*(x[k] for k in asked(name))) for name in (*NAMES[1:], "step_modal_midpoint")}
+        slope = jax.value_and_grad(weighted, argnums=range(5), has_aux=True)
+        (_, values[NAMES[0]]), slopes = slope(*(x[k] for k in asked("")))
+        return values, slopes
+
+    with jax.enable_x64(True):
+        return jax.jit(everything)(x)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_functions_are_those_of_casadi(model, name):
-    x = state(model)
-    found = model.jax()[name](*(x[k] for k in asked(name)))
-    for ours, theirs in zip(found if isinstance(found, tuple) else (found,), casadi(model, name, x), strict=True):
-        matrix = name in ("forward_dynamics", "validity") and theirs.shape[1:] == (model.n_links,)
-        assert off(ours, theirs.T if matrix and theirs.shape[0] in (4, 6) else theirs) < 1e-12
+def test_functions_are_those_of_casadi(digger, found, name):
+    ours = found[0][name]
+    theirs = casadi(digger, name, state(digger))
+    for a, b in zip(ours if isinstance(ours, tuple) else (ours,), theirs, strict=True):
+        matrix = name in ("forward_dynamics", "validity") and b.shape[1:] == (digger.n_links,)
+        assert off(a, b.T if matrix and b.shape[0] in (4, 6) else b) < 1e-12
 
 
-def test_steps_are_those_of_the_compiled_c(model):
-    x, c = state(model), model.compile()
-    for method in ("modal_midpoint", "rk4"):
-        found = model.jax()[f"step_{method}"](*(x[k] for k in "q v tau w_ext h p".split()))
-        run = c.step(x["q"], x["v"], x["tau"], x["w_ext"], x["h"], method)
-        assert max(map(off, found, run)) < 1e-12, method
-
-
-def test_single_precision(model):
-    x = state(model)
-    found = model.jax("single")["forward_dynamics"](*(x[k] for k in asked("")))
-    assert found[0].dtype == jnp.float32 and off(found[0], casadi(model, "forward_dynamics", x)[0]) < 1e-4
-
-
-def test_gradients_are_those_of_casadi(model):
+def test_gradients_are_those_of_casadi(digger, found):
     """Of a weighted sum of the accelerations with every input; `p` is where lengths and masses are."""
-    x, f, weights = state(model), model.casadi()["forward_dynamics"], np.arange(1.0, model.nv + 1)
+    x, f = state(digger), digger.casadi()["forward_dynamics"]
     names = asked("")
-    cost = lambda *given: weights @ model.jax()["forward_dynamics"](*given)[0]  # noqa: E731
-    ours = jax.jit(jax.grad(cost, argnums=range(len(names))))(*(x[k] for k in names))
     given = [x[k].T if k == "w_ext" else x[k] for k in names]
     jacobian = f.jacobian()(*given, *f(*given))
-    for k, (name, slope) in enumerate(zip(names, ours, strict=True)):
-        theirs = weights @ np.array(jacobian[k].full())
-        assert off(slope.ravel(), theirs) < 1e-10, name
+    for k, (name, slope) in enumerate(zip(names, found[1], strict=True)):
+        theirs = WEIGHTS[: digger.nv] @ np.array(jacobian[k].full())
+        assert off(slope.ravel(), theirs) < 1e-12, name
+
+
+def test_dynamics_and_a_step_are_those_of_the_c(digger, found):
+    x, c = state(digger), quick(digger)
+    given = [x[k] for k in asked("")][:4]
+    pairs = zip(found[0]["forward_dynamics"], c.forward_dynamics(*given), strict=True)
+    steps = zip(found[0]["step_modal_midpoint"], c.step(*given, x["h"], "modal_midpoint"), strict=True)
+    assert max(off(a, b) for a, b in (*pairs, *steps)) < 1e-12
+
+
+def test_single_precision(digger):
+    x = state(digger)
+    found = digger.jax("single")["forward_dynamics"](*(x[k] for k in asked("")))
+    assert found[0].dtype == jnp.float32 and off(found[0], casadi(digger, "forward_dynamics", x)[0]) < 1e-4
 
 
 @pytest.mark.examples
@@ -135,11 +158,14 @@ def test_a_singular_posture_is_nan_with_its_gradient():
     """A universal joint turned by a right angle, its first axis along the link that has no inertia about it."""
     links = [{"name": "a", "length": 1.0, "joint": {"axes": ["x", "y"]}, "bodies": [{"at": "tip", "mass": 1.0}]}]
     singular = model_of({"name": "gimbal", "gravity": [0.0, 0.0, -9.81], "links": links})
-    x = state(singular) | {"q": np.zeros(2)}
-    f = singular.jax()["forward_dynamics"]
-    given = [x[k] for k in asked("")]
-    assert np.isnan(f(*given)[0]).all() and np.isnan(jax.grad(lambda q: f(q, *given[1:])[0][0])(given[0])).any()
-    assert np.isnan(np.concatenate(singular.jax()["step_euler"](*given[:4], 1e-3, x["p"]))).all()
+    x, f = state(singular) | {"q": np.zeros(2)}, singular.jax()
+
+    def everything(q, v, tau, w_ext, p):
+        first = lambda q: f["forward_dynamics"](q, v, tau, w_ext, p)[0][0]  # noqa: E731
+        return *jax.value_and_grad(first)(q), *f["step_euler"](q, v, tau, w_ext, 1e-3, p)
+
+    vdot, slope, *end = jax.jit(everything)(*(x[k] for k in asked("")))
+    assert np.isnan(vdot) and np.isnan(slope).any() and np.isnan(np.concatenate(end)).all()
 
 
 def test_adjoints_of_every_operation_are_the_tangents(model):
@@ -176,33 +202,12 @@ def test_refusals(model):
         model_of(ARM).jax()
 
 
-def test_without_jax_there_is_one_line():
-    code = "import sys; sys.modules['jax'] = None; import screwgen as s; s.derive(s.load(sys.argv[1])).jax()"
-    file = str(ROOT / "examples" / "ella.toml")
-    done = subprocess.run([sys.executable, "-c", code, file], capture_output=True, text=True, cwd=ROOT)
-    assert done.returncode == 1 and "pip install 'screwgen[jax]'" in done.stderr.splitlines()[-1]
-
-
-@pytest.mark.examples
-@pytest.mark.parametrize(
-    "name", ["ella", "space_arm", "crane", "crane_loop", "elastic_joint", "gantry", "parallelogram"]
-)
-def test_examples_equal_the_c(name):
-    model = example(name)
-    x, c = state(model), model.compile()
-    if model.chain.floating:
-        x["q"][3:7] /= np.linalg.norm(x["q"][3:7])
-    given = [x[k] for k in asked("")]
-    bound = 1e-12 * max(1.0, np.linalg.cond(np.asarray(model.jax()["mass_matrix"](x["q"], x["p"]))) * 1e-3)
-    wanted = c.forward_dynamics(*given[:4])[0]
-    assert off(model.jax()["forward_dynamics"](*given)[0], wanted) < bound
-    assert (
-        off(
-            model.jax()["step_modal_midpoint"](*given[:4], 1e-4, x["p"])[1],
-            c.step(*given[:4], 1e-4, "modal_midpoint")[1],
-        )
-        < bound
-    )
+def test_without_jax_there_is_one_line(monkeypatch):
+    for name in [name for name in sys.modules if name.startswith("screwgen.backends.jax")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "jax", None)
+    with pytest.raises(UsageError, match=r"^JAX is not installed; pip install 'screwgen\[jax\]'$"):
+        model_of(ARM).jax()
 
 
 @pytest.mark.examples

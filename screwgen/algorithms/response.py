@@ -6,10 +6,12 @@ from collections.abc import Mapping, Sequence
 
 from ..bodies.markers import strains
 from ..ir.derivative import gradients, tangents
-from ..ir.program import Node, Program, Value
+from ..ir.program import Node, Program, Tracer, Value
+from ..ir.replay import inline
+from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from .functions import Functions
-from .fused import fuse
+from .fused import fuse, prepared
 
 Values = Mapping[str, Sequence[Value]]
 
@@ -91,6 +93,7 @@ def _given(chain: Chain, constants: str, *names: str) -> dict[str, int]:
 
 def _answers(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
     """All answers, those of :func:`observation` last."""
+    _fold(f)
     vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
     tips = f.poses(x["q"])[1]
     own = _observed(f, x)
@@ -103,6 +106,20 @@ def _answers(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         "strain": own["strain"],
         "energy": own["energy"],
     }
+
+
+def _fold(f: Functions) -> None:
+    """Put constants that depend on no parameter in place of inputs, such as the armature that a joint does not state.
+
+    Without armature the wrench about the axis of a joint is the torque that acts there. The terms of which the
+    elimination makes it then cancel as symbols, where numbers leave the rounding errors of large terms.
+    """
+    tracer = Tracer()
+    p = tracer.input("p", len(parameters(f.chain.robot)))
+    known = prepared(f.chain, p, lambda _, program, given: inline(program, given, tracer))
+    for own, fixed in zip(f.constants, known, strict=True):
+        for name in own.keys() & fixed.keys():
+            own[name] = [x if isinstance(k, Node) else k for x, k in zip(own[name], fixed[name], strict=True)]
 
 
 def _observed(f: Functions, x: Values) -> dict[str, Sequence[Value]]:

@@ -149,8 +149,8 @@ class Own:
 
     def _tip_jacobian(self, tip_pose: Callable, x: Values):
         """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
-        R, _ = tip_pose(x)
-        turning, moving = jax.jacrev(lambda q: tip_pose({**x, "q": q}))(x["q"])
+        pose = lambda q: (tip_pose({**x, "q": q}),) * 2  # noqa: E731
+        (turning, moving), (R, _) = jax.jacrev(pose, has_aux=True)(x["q"])
         units = jnp.eye(self.chain.nv, dtype=self.real)
         rates = jax.vmap(lambda v: self._coordinate_rates({**x, "v": v}), out_axes=1)(units)
         spin = jnp.einsum("ijk,kl,mj->iml", turning, rates, R)

@@ -1,0 +1,47 @@
+"""The JAX back end on the example robots: against the compiled C in double and single precision, and CasADi."""
+
+import pytest
+
+jax = pytest.importorskip("jax")
+
+from jax_table import INPUTS, ROBOTS, STEP, by_c, named, row, state, worst  # noqa: E402
+
+METHODS = ("modal_midpoint", "rk4")
+
+
+@pytest.fixture(autouse=True)
+def doubles():
+    with jax.enable_x64(True):
+        yield
+
+
+def off(model) -> float:
+    """The accelerations, the wrenches and two steps, in one compilation, beside the C."""
+    f, x = model.jax(), state(model)
+
+    def everything(x):
+        vdot, wrench = f["forward_dynamics"](*(x[k] for k in INPUTS))
+        ends = {name: f[f"step_{name}"](*(x[k] for k in STEP.split())) for name in METHODS}
+        steps = {f"{name} {k}": y for name, pair in ends.items() for k, y in zip("qv", pair, strict=True)}
+        return {"vdot": vdot, "wrench": wrench} | steps
+
+    found = jax.jit(everything)(x)
+    values, steps = by_c(model, x, methods=METHODS)
+    return worst(found, {k: v for k, v in (values | steps).items() if k in found})
+
+
+@pytest.mark.examples
+@pytest.mark.parametrize("name", ROBOTS)
+def test_every_example_is_that_of_the_c(name):
+    assert off(named(name)) < 1e-12
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", ROBOTS)
+def test_rows_of_the_table(name):
+    """In single precision 1e-4, or what the C in single precision has where a mass matrix leaves no such digits."""
+    found = row(name)
+    assert max(found.values, found.steps, found.gradient, found.motion) < 1e-12
+    assert found.values_single < max(1e-4, 1.5 * found.values_c_single)
+    assert found.steps_single < max(1e-4, 1.5 * found.steps_c_single)
+    assert found.seconds < 60

@@ -39,6 +39,7 @@ HOMES = {
     "studies.linear": ("LinearModel",),
     "studies.modes": ("natural_frequencies",),
     "studies.standard_data": ("write_sid",),
+    "viewer.frames": ("film",),
     "viewer.page": ("View",),
     "viewer.view": ("view",),
 }

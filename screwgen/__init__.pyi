@@ -51,5 +51,6 @@ from .studies.linear import LinearModel as LinearModel
 from .studies.modes import natural_frequencies as natural_frequencies
 from .studies.standard_data import write_sid as write_sid
 from .version import __version__ as __version__
+from .viewer.frames import film as film
 from .viewer.page import View as View
 from .viewer.view import view as view

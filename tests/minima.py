@@ -24,6 +24,7 @@ COMMANDS = (
     f"evaluate {ROBOT} --backend c",
     f"simulate {ROBOT} --duration 0.02 --step 1e-3 -o run.csv --plot run.png",
     f"simulate {ROBOT} --duration 0.005 --step 1e-3 -o run.npz --form dae",
+    "view run.npz -o run.html --frames run.gif --size 64x64",
     f"analyse {ROBOT} --samples 1 --plot structure.png",
     f"generate {ROBOT} -o out --batch --derivatives --estimator",
     f"latex {ROBOT} -o equations.html",

@@ -111,7 +111,6 @@ def test_refusals(tmp_path, capsys):
         ((tmp_path / "none.npz",), "none.npz: cannot be read as a run"),
         ((good, "--robot", ella), "is a run of another robot"),
         ((good, good, good), "there are 3 runs to view"),
-        ((good, "--frames", "run.gif"), "films are not written"),
     ]:
         error = refusal(capsys, "view", *arguments, "-o", page)
         assert said in error and error.count("\n") == 1

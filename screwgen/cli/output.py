@@ -60,4 +60,4 @@ def bar(what: str, total: int, quiet: bool) -> Iterator[Callable[[int, int], Non
 
     with Progress(console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task(what, total=total)
-        yield lambda done, _: progress.update(task, completed=done)
+        yield lambda done, whole: progress.update(task, completed=done, total=whole)

@@ -19,33 +19,56 @@ def view(
         typer.Argument(metavar="RUN...", help="run.npz; a second one is drawn as a ghost.", show_default=False),
     ],
     output: Annotated[
-        str, typer.Option("-o", "--output", metavar="FILE", help="The page, run.html.", show_default=False)
-    ],
+        str | None, typer.Option("-o", "--output", metavar="FILE", help="The page, run.html.", show_default=False)
+    ] = None,
     robot: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="The robot file of runs that do not hold their robot.", show_default=False),
     ] = None,
     frames: Annotated[
-        str | None, typer.Option(metavar="FILE", help="Not available: films are not written.", hidden=True)
+        str | None,
+        typer.Option(metavar="FILE", help="Write a film: run.gif, run.mp4, or a folder of .png.", show_default=False),
     ] = None,
+    fps: Annotated[float, typer.Option(help="Frames per second of the film.")] = 25.0,
+    size: Annotated[str, typer.Option(metavar="WxH", help="Pixels of the film.")] = "800x600",
+    speed: Annotated[float, typer.Option(help="Seconds of the run in a second of the film.")] = 1.0,
+    magnify: Annotated[float, typer.Option(help="Factor of the bending in the film.")] = 1.0,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
-    """Write one HTML file that plays runs: the arm as it bends, energy, tip and torques. It needs no network."""
+    """Write one HTML file that plays runs, the arm as it bends, energy, tip and torques; or a film of them."""
     from ..errors import UsageError
     from ..simulation.runs import check_output
     from ..viewer.page import SUFFIXES
     from ..viewer.view import MOST_RUNS, read_run
     from ..viewer.view import view as viewed
-    from .output import busy, load_robot, say
+    from .output import bar, busy, load_robot, say
 
     quiet = quiet or context.obj
-    if frames is not None:
-        raise UsageError("--frames: films are not written; record the page in a browser, or draw --plot of simulate")
+    if output is None and frames is None:
+        raise UsageError("there is nothing to write; name the page by -o run.html, or a film by --frames run.gif")
     if len(runs) > MOST_RUNS:
         raise UsageError(f"there are {len(runs)} runs to view; give one, or two to have the second as a ghost")
-    check_output(output, SUFFIXES)
+    if output is not None:
+        check_output(output, SUFFIXES)
     stated = None if robot is None else load_robot(robot, quiet)
-    with busy("drawing", quiet):
-        found = [read_run(path, stated) for path in runs]
-        viewed(*found, labels=[Path(path).name for path in runs]).save(output)
-    say(output, quiet)
+    found, labels = [read_run(path, stated) for path in runs], [Path(path).name for path in runs]
+    if frames is not None:
+        from ..viewer.frames import film, read_size
+
+        pixels = read_size(size)
+        with bar("drawing", 1, quiet) as progress:
+            film(
+                *found,
+                path=frames,
+                labels=labels,
+                fps=fps,
+                size=pixels,
+                speed=speed,
+                magnify=magnify,
+                progress=progress,
+            )
+        say(frames, quiet)
+    if output is not None:
+        with busy("drawing", quiet):
+            viewed(*found, labels=labels).save(output)
+        say(output, quiet)

@@ -34,10 +34,15 @@ def view(*runs: Run, robot: Robot | None = None, labels: Sequence[str] = ()) -> 
     `robot`: that of runs which do not know theirs, such as one read from a file of an older version; `labels`: what the
     runs are called. Raises UsageError.
     """
+    return run_page(modelled(runs, robot, labels))
+
+
+def modelled(runs: Sequence[Run], robot: Robot | None, labels: Sequence[str]) -> list[tuple[Run, Model, str]]:
+    """Each run with its model and what it is called; arguments as of `view`."""
     if not 1 <= len(runs) <= MOST_RUNS:
         raise UsageError(f"there are {len(runs)} runs to view; give one, or two to have the second as a ghost")
     names = [*labels, *(f"run {k + 1}" for k in range(len(labels), len(runs)))]
-    return run_page([(run, _model(run, robot, name), name) for run, name in zip(runs, names, strict=False)])
+    return [(run, _model(run, robot, name), name) for run, name in zip(runs, names, strict=False)]
 
 
 def _model(run: Run, robot: Robot | None, name: str) -> Model:

@@ -9,7 +9,7 @@ import sympy as sp
 from bad_robot_files import GOOD, refused
 from conftest import swept
 from four_bar_robots import LINKAGE
-from helpers import Case, arm, drawn, link, model_of, relative
+from helpers import Case, arm, drawn, link, model_of, quick, relative
 from judges import compiled, derivatives, numpy_and_casadi, solved_densely
 
 from screwgen import PD, Holding, SingularError, UsageError, dump, equilibrium, load, natural_frequencies, simulate
@@ -53,6 +53,17 @@ def test_derivatives_equal_automatic_ones(case):
 @pytest.mark.parametrize("seed", swept(SEEDS, 9303, 9305))
 def test_the_c_equals_the_oracle_in_both_forms(seed, layout):
     compiled(drawn_with_gears(seed), layout)
+
+
+def test_the_c_has_the_accelerations_and_the_rest_of_the_judges():
+    model = model_of(lift(k=2e5, damping=300.0, friction=FRICTION))
+    library, numeric, still = quick(model, layout="modular"), model.numpy(), np.zeros(3)
+    state = [0.2, 0.4, 1e-3], [0.3, -0.2, 0.01], [900.0, -300.0], None
+    for form in ("joint", "dae"):
+        assert relative(library.forward_dynamics(*state, form=form)[0], numeric.forward_dynamics(*state)[0]) < 1e-13
+    assert relative(library.mass_matrix(state[0]), numeric.mass_matrix(state[0])) < 1e-14
+    held = equilibrium(model, state[0][:2], hold=True)
+    assert np.abs(library.forward_dynamics(held.q, still, held.tau, None)[0]).max() < 1e-10
 
 
 # -------- a Lagrangian whose coordinates are the joint's angle and the rotor's

@@ -12,7 +12,7 @@ from floating_robots import SATELLITE, TAU, start
 from helpers import example, example_file, model_of, quick, relative
 from random_robots import to_toml
 
-from screwgen import PD, SingularError, UsageError, derive, equilibrium, simulate
+from screwgen import PD, SingularError, UsageError, derive, simulate
 from screwgen.cli.commands import evaluation
 from screwgen.errors import RobotFileError
 from screwgen.plotting import plot
@@ -150,7 +150,6 @@ def test_a_wrong_file_is_refused_in_one_line(change, said, tmp_path):
 def test_what_needs_a_fixed_base_says_so(satellite):
     q, v = start(satellite)
     calls = {
-        "equilibrium": lambda: equilibrium(satellite),
         "table of modes under loads": lambda: natural_frequencies(satellite, loaded=True),
         "analysis": lambda: analyse(satellite),
         "spectrum": lambda: spectrum.step_map(satellite, q, v, 1e-3, "rk4"),

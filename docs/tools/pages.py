@@ -36,8 +36,10 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = "index robot notebook firmware mpc realtime research modes elements urdf fmi models viewer rollouts jax".split()
-GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES)
+PAGES = (
+    "index robot notebook firmware estimator mpc realtime research modes elements urdf fmi models viewer rollouts jax"
+)
+GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES.split())
 
 FILES = ("toml", "json", "xml", "c")
 LANGUAGES = (*FILES, "bash", "python", "text", "math")

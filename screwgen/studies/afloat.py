@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -21,15 +22,19 @@ UNBALANCED = 1e-9
 
 
 def equilibrium_afloat(
-    model: Model, q: Numbers | None, tau: Numbers | None, w_ext: Any, hold: bool | str, p: np.ndarray
+    equilibrium: Callable[..., Equilibrium],
+    model: Model,
+    q: Numbers | None,
+    tau: Numbers | None,
+    w_ext: Any,
+    hold: bool | str,
+    p: np.ndarray,
 ) -> Equilibrium:
     """What `equilibrium` does where the base floats: the base is kept as given, the rest settles relative to it.
 
     Joints, gears, modes and loops act between links, so nothing pushes the base, and the search is that of the robot on
     a fixed base. `stability` is that of the posture relative to the base, whose own motion nothing resists.
     """
-    from .equilibrium import equilibrium
-
     if p[:3].any():
         said = f"robot '{model.robot.name}' has a floating base, which nothing holds against gravity"
         raise NoEquilibriumError(f"{said}; set gravity = [0.0, 0.0, 0.0], or fix the base to find its posture")
@@ -38,10 +43,10 @@ def equilibrium_afloat(
         given = checked(q, "q", m if np.size(q) == m else model.nq)
     start = whole(model.chain, given, p)
     fixed = model.once("fixed base", lambda: type(model)(model.robot.model_copy(update={"base": FIXED})))
-    if fixed.parameter_names != model.parameter_names:
-        raise AssertionError("a fixed base has other parameters")
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
-    found = equilibrium(fixed, start[model.chain.base_q :], tau, w_ext, hold, p)
+    found = equilibrium(
+        fixed, start[model.chain.base_q :], tau, w_ext, hold, dict(zip(model.parameter_names, p, strict=True))
+    )
     _balanced(model, found, w_ext)
     R, origin = model.numpy(p).link_pose(start)
     return replace(

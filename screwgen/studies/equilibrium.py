@@ -118,7 +118,7 @@ def equilibrium(
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
     if model.chain.floating:
-        return equilibrium_afloat(model, q, tau, w_ext, hold, model.chain.parameters.vector(p))
+        return equilibrium_afloat(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(p))
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")

@@ -58,13 +58,8 @@ class Chain(Coordinates):
         if self.floating:
             raise UsageError(f"robot '{self.robot.name}' has a floating base, for which there is no {what}; {instead}")
 
-    def needs_fixed_tree(self, what: str, instead: str) -> None:
-        """The same also where loops close the tree."""
-        self.needs_fixed(what, instead)
-        self.needs_tree(what, instead)
-
     def needs_tree(self, what: str, instead: str) -> None:
-        """The same of loops alone."""
+        """The same where loops close the tree."""
         if self.closures:
             raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 

@@ -28,7 +28,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}
     return pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work")) | {
         "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
-        "per_prediction": (11 if plain else 18) * chain.nv**3,
+        "per_prediction": (11 if plain else 17) * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
         "per_entry": 6 * chain.nv**2,
         "gauges": [_gauge(chain, g) for g in gauges(chain)],
         "curvatures": _curvatures(chain),

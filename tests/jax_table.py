@@ -7,7 +7,7 @@ inverse dynamics, mass matrix, energy and pose of the tip. Steps: one of every i
 the C in double; in single against the C in double at the same inputs, which are single precision numbers, with the C
 in single behind. M rounded: what the accelerations change by in double arithmetic, if the entries of the mass matrix
 alone are rounded to single. Gradients, in double against CasADi: of the accelerations with every input, and of a
-weighted end of three steps, with the CPU seconds that the latter took to trace and compile. About five minutes.
+weighted end of three steps. About five minutes.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ H, COUNT = 2.0**-13, 3
 """The step, s, and how many make a motion."""
 HEAD = (
     "| robot | nv | cond(M) | values | steps | values, single: JAX, C | steps, single: JAX, C "
-    "| M rounded | gradient | of three steps | made in |"
+    "| M rounded | gradient | of three steps |"
 )
 
 
@@ -67,7 +67,7 @@ class Row:
         singles = (self.values_single, self.values_c_single), (self.steps_single, self.steps_c_single)
         cells = [self.robot, str(self.nv), *(f"{x:.0e}" for x in (self.condition, self.values, self.steps))]
         cells += [f"{a:.1e}, {b:.1e}" for a, b in singles] + [f"{self.rounded:.1e}"]
-        cells += [f"{self.gradient:.0e}", f"{self.motion:.0e}", f"{self.seconds:.1f} s"]
+        cells += [f"{self.gradient:.0e}", f"{self.motion:.0e}"]
         return "| " + " | ".join(cells) + " |"
 
 

@@ -39,9 +39,9 @@ def test_every_example_is_that_of_the_c(name):
 @pytest.mark.long
 @pytest.mark.parametrize("name", ROBOTS)
 def test_rows_of_the_table(name):
-    """In single precision 1e-4, or what the C in single precision has where a mass matrix leaves no such digits."""
+    """In single precision 1e-4, or what rounding the mass matrix alone costs, and the C has as well."""
     found = row(name)
     assert max(found.values, found.steps, found.gradient, found.motion) < 1e-12
-    assert found.values_single < max(1e-4, 1.5 * found.values_c_single)
-    assert found.steps_single < max(1e-4, 1.5 * found.steps_c_single)
+    for ours, theirs in ((found.values_single, found.values_c_single), (found.steps_single, found.steps_c_single)):
+        assert ours < max(1e-4, min(1.5 * theirs, 3 * found.rounded))
     assert found.seconds < 60

@@ -13,6 +13,7 @@ from screwgen.errors import RobotFileError, UsageError
 from screwgen.viewer.film import Actor
 from screwgen.viewer.meshes import read_looks
 from screwgen.viewer.shapes import sections
+from screwgen.viewer.view import read_run
 
 pytest.importorskip("trimesh")
 
@@ -119,7 +120,7 @@ def test_refusals(arm, tmp_path, capsys, monkeypatch):
     foreign = text.replace("upper", "a").replace("fore", "b")
     (tmp_path / "foreign.urdf").write_text(foreign)
     with pytest.raises(UsageError, match="none of its links is one of 'dressed'"):
-        screwgen.view(screwgen.viewer.view.read_run(run), meshes=read_looks(tmp_path / "foreign.urdf"))
+        screwgen.view(read_run(run), meshes=read_looks(tmp_path / "foreign.urdf"))
     with pytest.raises(RobotFileError, match="there is no such file"):
         read_looks(tmp_path / "none.urdf")
     monkeypatch.setitem(sys.modules, "trimesh", None)

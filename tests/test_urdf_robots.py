@@ -108,6 +108,9 @@ def test_a_panda_with_a_flexible_link_vibrates_and_moves(tmp_path, monkeypatch, 
     Path("start.json").write_text('{"q": [0.0, 1.2, 0.0, -1.5, 0.0, 1.6, 0.0, 0.02]}')
     run = "simulate panda.toml --duration 0.05 --step 1e-3 --state start.json -o run.npz --quiet"
     assert main(run.split()) == 0
+    capsys.readouterr()
+    assert main(["view", "run.npz", "--meshes", str(urdf), "-o", "run.html"]) == 0
+    assert "triangles of 11 visuals" in (said := capsys.readouterr().err) and said.count("\n") == 2
     flexible = screwgen.derive(screwgen.load("panda.toml"))
     assert 40.0 < screwgen.natural_frequencies(flexible, np.zeros(flexible.nq))[0] < 80.0
     with np.load("run.npz") as run:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from browser import Browser
 from conftest import require_tool
+from dressed_arm import corners, dressed, posture, still
 from helpers import ROOT, arm, link, model_of
 
 import screwgen
@@ -138,6 +139,32 @@ def test_poses_are_those_of_the_model(browser, tmp_path, name):
             place = browser.run(f"screwgen.poses().map((x) => x.{key}.at)")
             _, expected = getattr(model.numpy(), poses)(magnified(model, q, factor))
             assert np.array(place) == pytest.approx(expected, abs=2e-5)
+    quiet(browser)
+
+
+@pytest.mark.parametrize("factor", [1, 4])
+def test_meshes_are_drawn_where_they_are(browser, tmp_path, factor):
+    """Boxes of four kinds of files, by the pixels that their corners span; that at the tip bends with its link."""
+    pytest.importorskip("trimesh")
+    (tmp_path / "arm_description").mkdir()
+    urdf, model = dressed(tmp_path / "arm_description")
+    q = posture(model, 0.02)
+    browser.resize(*LARGE)
+    with pytest.warns(screwgen.ImportNote, match="none.stl"):
+        opened(browser, tmp_path, view(still(model, q), meshes=urdf))
+    browser.run(f"screwgen.play(false), screwgen.magnify({factor}), screwgen.look(), screwgen.settled()")
+    assert "Meshes" in browser.run("document.getElementById('switches').textContent")
+    colors = browser.run("screwgen.data.scenes[0].meshes.map((x) => x.color)")
+    straight = corners(model, magnified(model, q, 0))
+    for color, expected in corners(model, magnified(model, q, factor)).items():
+        browser.run(f"screwgen.markMesh({colors.index(color)}, 'rgb(255, 0, 0)'), screwgen.settled()")
+        picture = browser.picture()
+        rows, columns = np.nonzero((picture[:, :, 0] > 120) & (picture[:, :, 1:] < 60).all(axis=2))
+        found = np.array([columns.min(), rows.min(), columns.max() + 1, rows.max() + 1])
+        flat = pixels(browser, expected)
+        assert np.abs(found - np.append(flat.min(axis=0), flat.max(axis=0))).max() < NEAR, color
+        assert np.linalg.norm(pixels(browser, straight[color]) - flat, axis=1).min() > (2 if factor == 1 else 15)
+    browser.resize(*SIZE)
     quiet(browser)
 
 

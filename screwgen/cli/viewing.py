@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+if TYPE_CHECKING:
+    from ..viewer.meshes import Looks
 
 ViewFile = Annotated[
     str | None, typer.Option(metavar="FILE", help="Also write a page that plays it, as .html.", show_default=False)
@@ -25,6 +28,10 @@ def view(
         str | None,
         typer.Option(metavar="FILE", help="The robot file of runs that do not hold their robot.", show_default=False),
     ] = None,
+    meshes: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="The URDF of the robot, whose visuals are drawn.", show_default=False),
+    ] = None,
     frames: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="Write a film: run.gif, run.mp4, or a folder of .png.", show_default=False),
@@ -41,7 +48,7 @@ def view(
     from ..viewer.page import SUFFIXES
     from ..viewer.view import MOST_RUNS, read_run
     from ..viewer.view import view as viewed
-    from .output import bar, busy, load_robot, say
+    from .output import bar, busy, load_robot, notes, say
 
     quiet = quiet or context.obj
     if output is None and frames is None:
@@ -51,6 +58,7 @@ def view(
     if output is not None:
         check_output(output, SUFFIXES)
     stated = None if robot is None else load_robot(robot, quiet)
+    looks = None if meshes is None else _looks(meshes, quiet)
     found, labels = [read_run(path, stated) for path in runs], [Path(path).name for path in runs]
     if frames is not None:
         from ..viewer.frames import film, read_size
@@ -65,10 +73,24 @@ def view(
                 size=pixels,
                 speed=speed,
                 magnify=magnify,
+                meshes=looks,
                 progress=progress,
             )
         say(frames, quiet)
     if output is not None:
         with busy("drawing", quiet):
-            viewed(*found, labels=labels).save(output)
+            viewed(*found, labels=labels, meshes=looks).save(output)
         say(output, quiet)
+        if looks:
+            notes(output, [f"{Path(output).stat().st_size / 1e6:.1f} MB"], quiet)
+
+
+def _looks(path: str, quiet: bool) -> Looks:
+    """The visuals of a URDF, with notes on stderr on how much they are and what cannot be read."""
+    from ..viewer.meshes import read_looks
+    from .output import busy, notes
+
+    with busy("reading meshes", quiet):
+        found = read_looks(path)
+    notes(path, [f"{found.triangles} triangles of {found.count} visuals", *found.notes], quiet)
+    return found

@@ -18,7 +18,7 @@ from ..spec.names import FILE_NAMES, KEYWORDS, MAX_LENGTH
 from ..spec.parents import WORLD
 from ..spec.values import quoted
 from .flexible import Shape, SideFile, shape_of
-from .rigid import HERE, Inertial, Pose, cleaned, nearest, possible, together, turned
+from .rigid import HERE, Inertial, Pose, cleaned, nearest, possible, together
 from .urdf import FIXED, FREE, SLIDING, Urdf, UrdfJoint
 
 MIMIC = ("refuse", "free", "weld")
@@ -130,7 +130,7 @@ class Tree:
                 self._visit(joint.child, new, HERE)
                 continue
             if self.options.mimic == "weld" and joint.mimic is not None:
-                placed = placed @ self._moved(joint)
+                placed = placed @ joint.mimicking
             if self._merge(joint.child, index, placed):
                 self._visit(joint.child, index, placed)
             else:
@@ -151,13 +151,6 @@ class Tree:
         said = {"free": "moves on its own", "weld": "is welded where the other joint is at 0"}[self.options.mimic]
         self.notes.append(f"joint '{joint.name}': its <mimic> is left out; it {said}")
         return self.options.mimic == "weld"
-
-    def _moved(self, joint: UrdfJoint) -> Pose:
-        """The motion of a joint that mimics one at 0."""
-        assert joint.mimic is not None
-        offset = joint.mimic.number("offset", "limit", "0")
-        axis = np.array(joint.axis) / np.linalg.norm(joint.axis)
-        return Pose(HERE.R, offset * axis) if joint.kind in SLIDING else Pose(turned(axis, offset), HERE.p)
 
     def _merge(self, link: str, index: int, placed: Pose) -> bool:
         """Add a welded link to the body of a node; not where it has keys of its own, or hangs between the ends."""

@@ -10,7 +10,7 @@ import numpy as np
 from ..spec.ranges import RANGES
 from ..spec.values import quoted, shown
 from .markup import Element, read_xml
-from .rigid import HERE, Inertial, Pose, pose
+from .rigid import HERE, Inertial, Pose, pose, turned
 
 FREE, FIXED = "floating", "fixed"
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
@@ -66,6 +66,13 @@ class UrdfJoint:
     def origin(self) -> Pose:
         """The joint frame in the frame of the parent link."""
         return pose(self.xyz, self.rpy)
+
+    @property
+    def mimicking(self) -> Pose:
+        """The motion of a joint that mimics one at 0; none of others."""
+        offset = self.mimic.number("offset", "limit", "0") if self.mimic is not None else 0.0
+        axis = np.array(self.axis) / np.linalg.norm(self.axis)
+        return Pose(HERE.R, offset * axis) if self.kind in SLIDING else Pose(turned(axis, offset), HERE.p)
 
 
 @dataclass

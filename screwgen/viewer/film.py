@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 from ..plotting.stage import Polygons, Stage, rgb
 from ..simulation.runs import Run
 from ..spec.load import one_line
+from .meshes import Looks, placed
 from .scene import scene
 from .solids import COLORS, Bend, Solid, solids
 
@@ -30,8 +31,8 @@ OPENING = np.radians(32.0)
 """The camera's angle of view, top to bottom."""
 FAINT = 0.3
 """How much of its colour a ghost has, over that of the paper."""
-PATH = 400
-"""Places of the tip along its path."""
+PATH, SURVEYED = 400, 16
+"""Places of the tip along its path, and postures whose meshes must be in the picture."""
 
 
 class Camera(NamedTuple):
@@ -56,14 +57,21 @@ class Camera(NamedTuple):
 
 
 class Actor:
-    """A run that is drawn, with its modes magnified."""
+    """A run that is drawn, with its modes magnified; `looks`: the visuals that it wears."""
 
-    def __init__(self, run: Run, model: Model, magnified: float):
+    def __init__(self, run: Run, model: Model, label: str, magnified: float, looks: Looks | None = None):
         self.run, self.model, self.magnified = run, model, magnified
         self.scene, self.numeric = scene(model, run.parameters), model.numpy(run.parameters)
         links = self.scene["links"]
         self.bends = [Bend(link) for link in links]
-        self.solids: list[tuple[int, Solid]] = [(i, x) for i in range(len(links)) for x in solids(self.scene, i)]
+        worn = placed(looks, model, self.scene, label) if looks else []
+        over = {links[i]["owner"] for i, _ in worn if i >= 0}
+        self.solids: list[tuple[int, Solid]] = [
+            (i, x)
+            for i, link in enumerate(links)
+            for x in solids(self.scene, i)
+            if not (any(k < 0 for k, _ in worn) if x.to == "world" else link["owner"] in over)
+        ] + worn
         self.colors = np.concatenate([np.tile(rgb(x.color), (len(x.faces), 1)) for _, x in self.solids])
         self.leaf = max(i for i, x in enumerate(links) if x["radius"] or x["bodies"] or i == 0)
 
@@ -95,8 +103,14 @@ class Actor:
 class Film:
     """Pictures of a run, and of a second one as its ghost, of `size` pixels."""
 
-    def __init__(self, runs: Sequence[tuple[Run, Model, str]], size: tuple[int, int], magnified: float = 1.0):
-        self.actors = [Actor(run, model, magnified) for run, model, _ in runs]
+    def __init__(
+        self,
+        runs: Sequence[tuple[Run, Model, str]],
+        size: tuple[int, int],
+        magnified: float = 1.0,
+        looks: Looks | None = None,
+    ):
+        self.actors = [Actor(*each, magnified, looks) for each in runs]
         self.start, self.end = min(run.t[0] for run, *_ in runs), max(run.t[-1] for run, *_ in runs)
         self.times = np.linspace(self.start, self.end, PATH)
         ends = [[actor.ends(q) for q in actor.at(self.times)] for actor in self.actors]
@@ -104,7 +118,10 @@ class Film:
         first, self.size = self.actors[0].scene, size
         down = np.array(first["gravity"])
         turn = _down(down / np.linalg.norm(down)) if down.any() else np.eye(3)
-        self.cloud = np.concatenate([np.reshape(x, (-1, 3)) for x in ends]) @ turn.T
+        clouds = [np.reshape(x, (-1, 3)) for x in ends]
+        if looks is not None:
+            clouds += [a.faces(q).reshape(-1, 3) for a in self.actors for q in a.at(self.times[:: PATH // SURVEYED])]
+        self.cloud = np.concatenate(clouds) @ turn.T
         self.camera = _camera(turn, self.cloud, first["size"], size)
         self._prepare(runs, magnified)
 

@@ -20,7 +20,8 @@ from ..simulation.runs import Run, check_output, outputs, suffix, unwritable
 from ..spec.load import one_line
 from ..spec.robot import Robot
 from .film import Film
-from .view import modelled
+from .meshes import Looks
+from .view import modelled, worn
 
 FILMS = (".gif", ".mp4")
 SIDES, RATES, SPEEDS, MAGNIFIED = (64, 4096), (0.1, 120.0), (1e-4, 1e4), (0.0, 1e4)
@@ -42,6 +43,7 @@ def film(
     size: tuple[int, int] = (800, 600),
     speed: float = 1.0,
     magnify: float = 1.0,
+    meshes: str | os.PathLike[str] | Looks | None = None,
     progress: Progress | None = None,
 ) -> int:
     """Write a run as a film, a second one as its ghost: a .gif, an .mp4, or a folder of .png; returns how many frames.
@@ -65,7 +67,7 @@ def film(
     first, last = min(run.t[0] for run in runs), max(run.t[-1] for run in runs)
     count = int(np.floor((last - first) / speed * fps * (1 + 1e-12))) + 1
     _refuse(kind, shown, fps, size, count)
-    drawn = Film(found, size, magnify)
+    drawn = Film(found, size, magnify, worn(meshes))
     times = first + np.arange(count) * speed / fps
     pictures = _counted((drawn.picture(float(t)) for t in times), count, progress)
     if kind == ".gif":

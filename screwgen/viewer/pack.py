@@ -19,7 +19,12 @@ POINTS = 1200
 
 def floats(values: np.ndarray) -> str:
     """Numbers in single precision, little endian."""
-    return b64encode(np.ascontiguousarray(values, "<f4").tobytes()).decode()
+    return b64(np.ascontiguousarray(values, "<f4"))
+
+
+def b64(values: np.ndarray) -> str:
+    """The bytes of an array."""
+    return b64encode(values.tobytes()).decode()
 
 
 def rounded(values: np.ndarray, tolerance: np.ndarray) -> dict[str, Any]:
@@ -31,9 +36,7 @@ def rounded(values: np.ndarray, tolerance: np.ndarray) -> dict[str, Any]:
     wide = span / (2**16 - 1) > tolerance
     step = np.where(span > 0, span / np.where(wide, 2**32 - 1, 2**16 - 1), 1.0)
     counts = np.rint((values - low) / step).T
-    data = [
-        b64encode(row.astype("<u4" if w else "<u2").tobytes()).decode() for row, w in zip(counts, wide, strict=True)
-    ]
+    data = [b64(row.astype("<u4" if w else "<u2")) for row, w in zip(counts, wide, strict=True)]
     return {"low": low.tolist(), "step": step.tolist(), "wide": wide.tolist(), "data": data}
 
 

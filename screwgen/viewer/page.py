@@ -14,6 +14,7 @@ import numpy as np
 from ..backends.templates import folder, markup, render
 from ..plotting.curves import NOTHING
 from ..simulation.runs import Run, check_output, outputs
+from .meshes import Looks, packed, placed
 from .pack import curve, kept, rounded
 from .scene import scene
 
@@ -114,8 +115,18 @@ def _joint(name: str) -> str:
     return link.replace("_", " ") + (f" {int(number) + 1}" if number and number != "0" else "")
 
 
-def run_page(runs: Sequence[tuple[Run, Model, str]]) -> View:
-    """The page of a run, and of a second one as its ghost; each with its model and what it is called."""
+def run_page(runs: Sequence[tuple[Run, Model, str]], looks: Looks | None = None) -> View:
+    """The page of a run, and of a second one as its ghost; each with its model and what it is called.
+
+    `looks`: the visuals that they wear.
+    """
     scenes = [scene(model, run.parameters) for run, model, _ in runs]
+    if looks is not None:
+        dressed = [placed(looks, model, x, label) for x, (_, model, label) in zip(scenes, runs, strict=True)]
+        for x, parts in zip(scenes, dressed, strict=True):
+            x["meshes"] = [packed(k, solid, scenes[0]["size"]) for k, solid in parts]
+        for x in scenes[1:]:
+            if x["meshes"] == scenes[0]["meshes"]:
+                x["meshes"] = "as the first"
     clips = [clip_of(run, model, k, label) for k, (run, model, label) in enumerate(runs)]
     return page(runs[0][1].robot.name, scenes, clips, 1 if len(runs) > 1 else None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 import zipfile
 from collections.abc import Sequence
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import RobotFileError, UsageError
+from ..interchange.load import ImportNote
 from ..model import Model, derive
 from ..plotting.mode_plot import STATIONS, STEP, amplified, displaced, field, meaning
 from ..simulation.motion import centrelines
@@ -17,6 +19,7 @@ from ..simulation.runs import ARRAYS, NAMES, Run
 from ..spec.load import loads, one_line
 from ..spec.robot import Robot
 from ..studies.modes import ModeShapes
+from .meshes import Looks, read_looks
 from .page import View, mode_clip, page, run_page
 from .scene import scene
 
@@ -28,13 +31,29 @@ TURN = 0.35
 """The largest turn of a tip in a mode, rad."""
 
 
-def view(*runs: Run, robot: Robot | None = None, labels: Sequence[str] = ()) -> View:
+def view(
+    *runs: Run,
+    robot: Robot | None = None,
+    labels: Sequence[str] = (),
+    meshes: str | os.PathLike[str] | Looks | None = None,
+) -> View:
     """The page of a run, in which a second one is a ghost: a View, to be saved or shown in a notebook.
 
     `robot`: that of runs which do not know theirs, such as one read from a file of an older version; `labels`: what the
-    runs are called. Raises UsageError.
+    runs are called; `meshes`: the URDF from which the robot came, whose visuals are then drawn in place of tubes; what
+    of it cannot be read is an ImportNote each. Raises UsageError, and RobotFileError for the URDF.
     """
-    return run_page(modelled(runs, robot, labels))
+    return run_page(modelled(runs, robot, labels), worn(meshes))
+
+
+def worn(meshes: str | os.PathLike[str] | Looks | None) -> Looks | None:
+    """The visuals of a URDF, with a warning for each that cannot be read."""
+    if meshes is None or isinstance(meshes, Looks):
+        return meshes
+    found = read_looks(meshes)
+    for note in found.notes:
+        warnings.warn(f"{found.file}: {note}", ImportNote, stacklevel=3)
+    return found
 
 
 def modelled(runs: Sequence[Run], robot: Robot | None, labels: Sequence[str]) -> list[tuple[Run, Model, str]]:

@@ -53,9 +53,9 @@ const panels = (motions[0].clip.panels || []).map((own) => {
   const other = ghostly && (ghostly.clip.panels || []).find((x) => x.title === own.title);
   return new Panel(find("panels"), other ? [own, other] : [own], end(), (t) => { play(false); seek(t); });
 });
-const SWITCHES = { trail: "Path of the tip", floor: "Floor", frames: "Frames of the links", force: "Joint forces", moment: "Joint moments", drive: "Torques of drives", ghost: "Ghost" };
+const SWITCHES = { trail: "Path of the tip", floor: "Floor", frames: "Frames of the links", force: "Joint forces", moment: "Joint moments", drive: "Torques of drives", ghost: "Ghost", meshes: "Meshes" };
 for (const [name, text] of Object.entries(SWITCHES)) {
-  if ((name in KINDS && !scales[name]) || (name === "ghost" && !ghost)) continue;
+  if ((name in KINDS && !scales[name]) || (name === "ghost" && !ghost) || (name === "meshes" && !robot.skins.length)) continue;
   const label = document.createElement("label");
   const box = Object.assign(document.createElement("input"), { type: "checkbox", name, checked: state.shown[name] });
   box.addEventListener("change", () => { state.shown[name] = box.checked; state.stale = true; legend(); });
@@ -101,6 +101,13 @@ document.addEventListener("keydown", (event) => {
 
 // ---------------------------------------------------------------- hooks, and the start
 
+function alone() {
+  state.marked = true;
+  space.background = new THREE.Color(0);
+  for (const kind of ["trail", "frames", "force", "moment", "drive", "floor", "ghost"]) state.shown[kind] = false;
+  robot.group.traverse((mesh) => { if (mesh.isMesh) mesh.visible = false; });
+}
+
 /** For tests and for scripts in the page: time, magnification, the camera, and the ends of links alone in plain colours. */
 window.screwgen = {
   data, state, seek: (time) => { play(false); seek(time); draw(); }, play, look, magnify: (value) => { magnify(value); draw(); }, theme,
@@ -128,14 +135,20 @@ window.screwgen = {
   }),
   /** Draw nothing but the end of a link's tube, in a colour. */
   mark: (link, color) => {
-    state.marked = true;
-    space.background = new THREE.Color(0);
-    for (const kind of ["trail", "frames", "force", "moment", "drive", "floor", "ghost"]) state.shown[kind] = false;
-    robot.group.traverse((mesh) => { if (mesh.isMesh) mesh.visible = false; });
+    alone();
     for (const mesh of robot.parts[link].bent) {
       mesh.material = bending(new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide }), robot.parts[link].uniforms, false, true);
       mesh.visible = true;
     }
+    draw();
+  },
+  /** Draw nothing but a mesh of a URDF, in a colour. */
+  markMesh: (k, color) => {
+    alone();
+    const mesh = robot.skins[k];
+    const paint = new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide });
+    mesh.material = mesh.bends ? bending(paint, mesh.bends, false, false, true) : paint;
+    mesh.visible = true;
     draw();
   },
 };

@@ -4,15 +4,18 @@ const AROUND = 24;
 const vector = (v) => new THREE.Vector3(...v);
 
 /** What the modes do to a vertex: the section's displacement and turn are summed up from the columns of its link. */
-const BENT = `
+const BENT = (between) => `
 uniform sampler2D shapes; uniform sampler2D modal; uniform vec3 base; uniform vec3 reach; uniform int count;
 attribute vec2 place; varying float along;
 vec3 centre; mat3 turn;
 void bend() {
-  vec3 u = vec3(0.0), v = vec3(0.0); int row = int(place.y + 0.5);
+  vec3 u = vec3(0.0), v = vec3(0.0); ${between ? "int row = int(place.y); float share = place.y - float(row); int next = share > 0.0 ? row + 1 : row;" : "int row = int(place.y + 0.5);"}
   for (int k = 0; k < count; k++) {
     float eta = texelFetch(modal, ivec2(k, 0), 0).r;
-    u += eta * texelFetch(shapes, ivec2(2 * k, row), 0).xyz; v += eta * texelFetch(shapes, ivec2(2 * k + 1, row), 0).xyz;
+    ${["u", "v"].map((x, n) => {
+    const at = (row) => `texelFetch(shapes, ivec2(2 * k + ${n}, ${row}), 0).xyz`;
+    return `${x} += eta * ${between ? `mix(${at("row")}, ${at("next")}, share)` : at("row")};`;
+  }).join(" ")}
   }
   centre = base + place.x * reach + u; along = place.x;
   float a = dot(v, v), c1 = 1.0, c2 = 0.5;
@@ -21,11 +24,12 @@ void bend() {
   turn = mat3(1.0) + c1 * h + c2 * h * h;
 }`;
 
-/** Let a material's vertices follow the modes of a link; if it marks the end of the tube, nothing else of it is drawn. */
-function bending(material, uniforms, lit, marks = false) {
+/** Let a material's vertices follow the modes of a link, also `between` the rows of its table; if it marks the end of the
+ * tube, nothing else of it is drawn. */
+function bending(material, uniforms, lit, marks = false, between = false) {
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
-    shader.vertexShader = shader.vertexShader.replace("#include <common>", `#include <common>${BENT}`);
+    shader.vertexShader = shader.vertexShader.replace("#include <common>", `#include <common>${BENT(between)}`);
     if (lit) shader.vertexShader = shader.vertexShader.replace("#include <beginnormal_vertex>", "bend(); vec3 objectNormal = turn * normal;");
     shader.vertexShader = shader.vertexShader.replace("#include <begin_vertex>", `${lit ? "" : "bend();"} vec3 transformed = centre + turn * position;`);
     if (marks) {
@@ -33,7 +37,7 @@ function bending(material, uniforms, lit, marks = false) {
       shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", "if (along < 0.95) discard;");
     }
   };
-  material.customProgramCacheKey = () => `bent ${lit} ${marks}`;
+  material.customProgramCacheKey = () => `bent ${lit} ${marks} ${between}`;
   return material;
 }
 
@@ -69,6 +73,28 @@ function tube(link, radius) {
   out.setAttribute("normal", new THREE.Float32BufferAttribute(normal, 3));
   out.setAttribute("place", new THREE.Float32BufferAttribute(place, 2));
   out.setIndex(index);
+  return out;
+}
+
+/** The surface of a mesh of a URDF; on a link that bends as offsets from its sections, as a tube. */
+function surface(mesh, link) {
+  const [x, y, z, rows] = mesh.columns;
+  const raw = bytes(mesh.index).buffer;
+  const out = new THREE.BufferGeometry();
+  const position = new Float32Array(3 * x.length);
+  const set = (k, p) => position.set(p, 3 * k);
+  const place = rows && Array.from(rows, (row) => {
+    const low = Math.min(Math.floor(row), link.rows - 2);
+    return link.places[low] + (row - low) * (link.places[low + 1] - link.places[low]);
+  });
+  x.forEach((_, k) => set(k, place ? plus(plus(link.base, times(place[k], link.reach)), [x[k], y[k], z[k]]) : [x[k], y[k], z[k]]));
+  out.setAttribute("position", new THREE.Float32BufferAttribute(position, 3));
+  out.setIndex(new THREE.BufferAttribute(mesh.wide ? new Uint32Array(raw) : new Uint16Array(raw), 1));
+  out.computeVertexNormals();
+  if (!place) return out;
+  x.forEach((_, k) => set(k, [x[k], y[k], z[k]]));
+  out.getAttribute("position").array.set(position);
+  out.setAttribute("place", new THREE.Float32BufferAttribute(place.flatMap((s, k) => [s, rows[k]]), 2));
   return out;
 }
 
@@ -123,8 +149,32 @@ class Robot {
     this.thin = Math.max(0.006 * scene.size, Math.min(...scene.links.map((x) => x.radius || Infinity)));
     this.parts = scene.links.map((link) => this.part(link));
     this.feet = scene.links.filter((x) => x.parent < 0 && !x.free).map((link) => this.foot(link));
-    this.frames = [];
+    [this.plain, this.worn] = [new Set(), new Set()]; // what meshes stand for, and the parts that have some
+    this.skins = (scene.meshes || []).map((mesh) => this.skin(mesh));
     this.repaint();
+  }
+
+  /** A mesh of a URDF, in place of the tube, the joints and the bodies of its link. */
+  skin(mesh) {
+    const part = this.parts[mesh.link];
+    const paint = this.paint(mesh.color, { shininess: 25 });
+    const bends = mesh.table.data.length > 3;
+    const out = new THREE.Mesh(surface(mesh, part && part.link), bends ? bending(paint, part.uniforms, true, false, true) : paint);
+    if (bends) out.bends = part.uniforms;
+    out.frustumCulled = !bends;
+    const owner = part && part.link.owner;
+    const over = this.parts.filter((x) => part && x.link.owner === owner);
+    for (const x of over) this.worn.add(x);
+    for (const x of part ? over.flatMap((y) => y.solids) : this.feet) this.plain.add(x);
+    (part ? part.frame : this.group).add(out);
+    return out;
+  }
+
+  /** Show meshes, or what they stand for. */
+  wear(on) {
+    for (const mesh of this.skins) mesh.visible = on;
+    for (const mesh of this.plain) mesh.visible = !on;
+    for (const part of this.worn) part.covered = on;
   }
 
   paint(color, options = {}) {
@@ -138,12 +188,13 @@ class Robot {
     const frame = new THREE.Group();
     const tip = new THREE.Group();
     this.group.add(frame, tip);
-    const out = { link, frame, tip, uniforms: uniformsOf(link), bent: [] };
+    const out = { link, frame, tip, uniforms: uniformsOf(link), bent: [], solids: [] };
     if (link.radius && norm(link.reach) > 1e-9) {
       const geometry = tube(link, link.radius);
       const skin = new THREE.Mesh(geometry, bending(this.paint(`--c${link.owner % 8}`), out.uniforms, true));
       skin.frustumCulled = false;
       frame.add(skin);
+      skin.bends = out.uniforms;
       out.bent.push(skin);
     }
     if (!link.welded) this.joint(link, frame);
@@ -158,6 +209,8 @@ class Robot {
       if (body.turn) mesh.quaternion.set(...body.turn);
       (body.tip ? tip : frame).add(mesh);
     }
+    out.solids = [...frame.children, ...tip.children];
+    out.covered = false;
     return out;
   }
 
@@ -186,7 +239,10 @@ class Robot {
   }
 
   repaint() {
-    for (const [material, color] of this.paints) material.color.set(css(color));
+    for (const [material, color] of this.paints) {
+      if (!color.startsWith("#")) material.color.set(css(color));
+      else material.color.set(color).multiplyScalar(0.8); // white, too, leaves room for the light
+    }
   }
 
   /** Put everything where it is at the coordinates `q`, with the modes magnified. */
@@ -204,7 +260,7 @@ class Robot {
       if (part.rail) {
         const way = plus(plus(frame.at, turned(frame.turn, part.link.base)), times(-1, joint.at));
         const long = norm(way);
-        part.rail.visible = long > 1e-6;
+        part.rail.visible = long > 1e-6 && !part.covered;
         part.rail.position.set(...joint.at);
         if (part.rail.visible) part.rail.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), vector(times(1 / long, way)));
         part.rail.scale.set(0.6 * this.thin, Math.max(long, 1e-6), 0.6 * this.thin);
@@ -261,10 +317,10 @@ class Shadows {
     this.group = new THREE.Group();
     const [x, y, z] = light.toArray();
     this.flat = new THREE.Matrix4().set(1, 0, -x / z, (x / z) * height, 0, 1, -y / z, (y / z) * height, 0, 0, 0, height, 0, 0, 0, 1);
-    const bent = new Map(robot.parts.flatMap((part) => part.bent.map((mesh) => [mesh, part.uniforms])));
     robot.group.traverse((mesh) => {
       if (!mesh.isMesh) return;
-      const material = bent.has(mesh) ? bending(new THREE.MeshBasicMaterial(), bent.get(mesh), false) : this.material;
+      const between = robot.skins.includes(mesh);
+      const material = mesh.bends ? bending(new THREE.MeshBasicMaterial(), mesh.bends, false, false, between) : this.material;
       const twin = new THREE.Mesh(mesh.geometry, material);
       [twin.matrixAutoUpdate, twin.frustumCulled, twin.renderOrder] = [false, false, -1];
       this.pairs.push([mesh, twin]);

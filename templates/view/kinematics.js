@@ -44,6 +44,15 @@ function unpacked(scene) {
     link.shape = floats(link.columns);
     link.rows = link.places.length;
     link.count = link.modes + link.pairs.length / 2;
+    link.corners = [];
+  }
+  scene.corners = [];
+  for (const mesh of scene.meshes || []) {
+    mesh.columns = columns(mesh.table);
+    if (mesh.columns.length > 3) continue; // it bends along the centreline
+    const ends = mesh.columns.map((x) => [x.reduce((a, b) => Math.min(a, b)), x.reduce((a, b) => Math.max(a, b))]);
+    const corners = mesh.link < 0 ? scene.corners : scene.links[mesh.link].corners;
+    for (let k = 0; k < 8; k++) corners.push([ends[0][k & 1], ends[1][(k >> 1) & 1], ends[2][k >> 2]]);
   }
   return scene;
 }

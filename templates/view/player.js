@@ -2,13 +2,14 @@
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const find = (id) => document.getElementById(id);
+for (const scene of data.scenes) if (scene.meshes === "as the first") scene.meshes = data.scenes[0].meshes;
 const scenes = data.scenes.map(unpacked);
 const motions = data.clips.map((clip) => new Motion(clip));
 const modes = data.kind === "modes";
 const ghostly = data.ghost === null ? null : motions[data.ghost];
 const state = {
   clip: 0, time: 0, playing: true, speed: 1, magnified: 1, loop: true,
-  shown: { trail: true, frames: false, force: false, moment: false, drive: false, floor: true, ghost: true },
+  shown: { trail: true, frames: false, force: false, moment: false, drive: false, floor: true, ghost: true, meshes: true },
 };
 const motion = () => motions[state.clip];
 const end = () => Math.max(motion().end, ghostly && !modes ? ghostly.end : 0) || 1;
@@ -39,7 +40,7 @@ robot.triads = robot.parts.map((part) => {
   return out;
 });
 
-/** The places of all tips over a motion, in the axes of the page; the last link's as a path. */
+/** The places of all tips and of rigid meshes over a motion, in the axes of the page; the last link's as a path. */
 const MOST = 1500;
 function travelled(robot, motion, magnified) {
   const count = Math.min(motion.t.length, MOST);
@@ -48,17 +49,21 @@ function travelled(robot, motion, magnified) {
   const leaf = robot.scene.links.findLastIndex((link) => link.radius > 0 || link.bodies.length);
   const times = [];
   const at = new THREE.Vector3();
+  const include = (p) => {
+    at.set(...p).applyQuaternion(world.quaternion);
+    low.min(at);
+    high.max(at);
+  };
+  robot.scene.corners.forEach(include);
   for (let k = 0; k < count; k++) {
     const row = count > 1 ? Math.round((k * (motion.t.length - 1)) / (count - 1)) : 0;
     const found = poses(robot.scene, motion.q.map((x) => x[row]), magnified);
     times.push(motion.t[row]);
     path.set(found[leaf].tip.at, 3 * k);
-    for (const { frame, tip } of found)
-      for (const p of [frame.at, tip.at]) {
-        at.set(...p).applyQuaternion(world.quaternion);
-        low.min(at);
-        high.max(at);
-      }
+    found.forEach(({ frame, tip }, i) => {
+      for (const p of [frame.at, tip.at]) include(p);
+      for (const p of robot.scene.links[i].corners) include(behind(frame, pose(p, ORIGIN.turn)).at);
+    });
   }
   return { path, times, low, high };
 }
@@ -203,6 +208,7 @@ function resize() {
 let found = [];
 function draw() {
   const now = motion().at(modes ? state.time : Math.min(state.time, motion().end));
+  if (!state.marked) for (const owner of [robot, ghost]) owner?.wear(state.shown.meshes);
   found = robot.pose(now.q, state.magnified);
   if (ghost) ghost.pose(ghostly.at(Math.min(state.time, ghostly.end)).q, state.magnified);
   push(found, now.forces);

@@ -55,7 +55,8 @@ def satellite():
 
 def twist_matrix(x: np.ndarray) -> np.ndarray:
     """The matrix (4, 4) of a twist [angular; linear], whose exponential is a motion."""
-    return np.block([[np.cross(np.eye(3), x[:3]).T, x[3:, None]], [np.zeros((1, 4))]])
+    a, b, c = x[:3]
+    return np.block([[np.array([[0, -c, b], [c, 0, -a], [-b, a, 0]]), x[3:, None]], [np.zeros((1, 4))]])
 
 
 def test_the_linear_model_is_that_of_differences(satellite):

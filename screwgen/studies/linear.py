@@ -13,6 +13,7 @@ from ..arguments import Given, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
+from ..reduction.invariants import hat
 from ..simulation.mobility import by_drive, check_closed, closing, mobility
 from ..spec.load import one_line
 from ..spec.modes import DIRECTIONS
@@ -237,11 +238,6 @@ def carried(chain: Chain, v: np.ndarray) -> np.ndarray:
         omega, speed = hat(v[:3]), hat(v[3:6])
         out[:6, :6] = -np.block([[omega, np.zeros((3, 3))], [speed, omega]])
     return out
-
-
-def hat(a: np.ndarray) -> np.ndarray:
-    """The matrix of the cross product with `a` (3,)."""
-    return np.cross(np.eye(3), a).T
 
 
 # ------------------------------------------------------------------------------ names

@@ -17,6 +17,7 @@ from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..simulation.validity import Validity
 from .linear import checked
+from .stiffness import gear_stiffness
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -122,9 +123,9 @@ def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.n
 def wound(model: Model, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.ndarray:
     """`q`, whose gears are without load, with rotors turned until their gears pass on `force` (nq,) at the joints."""
     chain, out = model.chain, q.copy()
-    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
+    gears = np.array(gear_stiffness(model, p), float)
     rotors = slice(chain.eta_q - chain.n_motors, chain.eta_q)
-    out[rotors] = out[rotors] + force[chain.geared] / (np.array(gears, float) * np.array(chain.ratios(p), float))
+    out[rotors] = out[rotors] + force[chain.geared] / (gears * np.array(chain.ratios(p), float))
     return out
 
 

@@ -4,6 +4,8 @@ import numpy as np
 from helpers import Case, casadi_forward, quick, relative
 from test_dynamics import check, dae_errors
 
+from screwgen import Model
+
 
 def numpy_and_casadi(case: Case) -> None:
     """Forward dynamics and energy in both forms against the oracle."""
@@ -52,3 +54,29 @@ def derivatives(case: Case) -> None:
     J = f.jacobian()(q, v, tau, w_ext.T, p, 0, 0)
     for found, expected in zip(case.model.numpy().derivatives(*case.inputs), J[:3], strict=True):
         assert relative(found, expected.full()) < 10 * case.tolerance
+
+
+def differences(model: Model, q, v, tau, w_ext, tolerance=1e-6) -> None:
+    """The closed form against central differences."""
+    numeric, h = model.numpy(), 1e-6
+    vdot = lambda q, v: numeric.forward_dynamics(q, v, tau, w_ext)[0]  # noqa: E731
+    by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
+    for found, change in (
+        (by_q, lambda e: vdot(q + e, v) - vdot(q - e, v)),
+        (by_v, lambda e: vdot(q, v + e) - vdot(q, v - e)),
+    ):
+        expected = np.array([change(h * e) / (2 * h) for e in np.eye(len(q))]).T
+        assert np.allclose(found, expected, rtol=0, atol=tolerance * abs(expected).max())
+
+
+def numpy_forms(case: Case) -> None:
+    """Both forms in NumPy against the oracle."""
+    for form in (case.model.numpy().forward_dynamics, case.model.numpy().dae_forward_dynamics):
+        assert max(case.oracle.errors(case.state, *form(*case.inputs)).values()) <= case.tolerance
+
+
+def c_forms(case: Case, layout: str) -> None:
+    """Both forms of the generated C against the oracle."""
+    for form in ("joint", "dae"):
+        found = quick(case.model, layout=layout).forward_dynamics(*case.inputs, form)
+        assert max(case.oracle.errors(case.state, *found).values()) < case.tolerance

@@ -9,6 +9,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 from conftest import require_tool, swept
+from divided import state
 from helpers import casadi_forward, model_of, quick, relative
 from oracle import Oracle
 
@@ -66,14 +67,6 @@ def by_hand() -> dict:
     return robot(TORSO, first, second, *parts, TOOL)
 
 
-def state(model, seed: int = 3) -> tuple:
-    """q, v, tau and w_ext of a moderate motion."""
-    rng, m, r = np.random.default_rng(seed), model.n_joints, model.nq - model.n_joints
-    q = np.append(rng.uniform(-1, 1, m), rng.uniform(-2e-3, 2e-3, r))
-    v = np.append(rng.uniform(-1, 1, m), rng.uniform(-0.05, 0.05, r))
-    return q, v, rng.uniform(-5, 5, m), rng.uniform(-5, 5, (model.n_links, 6))
-
-
 @cache
 def with_body():
     """The same, whose tool is a rod from a file of standard input data, and bears a probe."""
@@ -88,7 +81,7 @@ def with_body():
 
 def test_segments_of_a_tree_against_the_oracle():
     model, oracle = model_of(split()), Oracle(by_hand())
-    given = state(model)
+    given = state(model, 3, angle=1.0)
     expected = oracle.forward_dynamics(*given)
     numeric = model.numpy()
     for found in (
@@ -103,7 +96,7 @@ def test_segments_of_a_tree_against_the_oracle():
 @pytest.mark.parametrize("layout", swept(["fused", "modular"], "modular"))
 def test_a_body_from_a_file_among_them_in_c(layout):
     model = with_body()
-    given = state(model)
+    given = state(model, 3, angle=1.0)
     expected = model.numpy().forward_dynamics(*given)
     compiled = quick(model, layout=layout, derivatives=True)
     for form in ("joint", "dae"):

@@ -1,12 +1,11 @@
 """Four-bar linkages in robot files: wrong tables, names, units and documents, and what else users see of them."""
 
-import casadi as ca
 import numpy as np
 import pytest
 from bad_robot_files import GOOD, refusal, refused
 from four_bar_robots import LINKAGE, START, boom, digger
 from helpers import model_of
-from test_transmissions import estimated
+from transmitted import acados_agrees, estimated
 
 from screwgen import FourBar, RobotFileError, dump, load
 from screwgen.backends.c.project import CProject
@@ -96,12 +95,7 @@ def test_names_units_parameters_and_round_trips(tmp_path):
 
 
 def test_acados_has_torques_of_cranks():
-    export, model = boom().acados(), boom()
-    f = ca.Function("f", [export.x, export.xdot, export.u, export.p], [export.f_impl_expr, export.f_expl_expr])
-    x, u = np.linspace(-0.1, 0.1, 2 * model.nq), [800.0, 20.0]
-    rates = f(x, 0 * x, u, model.parameter_values)[1]
-    assert export.u_labels == ("boom.force[0]", "bucket.torque[0]")
-    assert np.abs(f(x, rates, u, model.parameter_values)[0].full()).max() < 1e-9
+    acados_agrees(boom(), ("boom.force[0]", "bucket.torque[0]"), [800.0, 20.0])
 
 
 @pytest.mark.long

@@ -8,9 +8,10 @@ import pytest
 import random_robots as rr
 from conftest import swept
 from four_bar_robots import LINKAGE, START, alone, boom, digger, looped
-from helpers import Case, arm, drawn, link, model_of, quick, quick_batch, relative
+from helpers import Case, arm, drawn, link, model_of, quick
 from judges import compiled, derivatives, numpy_and_casadi, solved_densely
 from oracle_drives import crank_angle
+from transmitted import GAINS, gains_through_levers, held_posture, postures_under, power, same_motion
 
 from screwgen import (
     PD,
@@ -20,7 +21,6 @@ from screwgen import (
     SingularError,
     equilibrium,
     natural_frequencies,
-    rollout,
     simulate,
 )
 from screwgen.algorithms.transmissions import travels
@@ -159,39 +159,17 @@ def test_a_linkage_equals_its_true_loop_where_crank_and_coupler_have_no_mass(ass
 @pytest.mark.long
 def test_the_power_of_a_crank_is_its_torque_times_its_rate():
     model = model_of(digger(friction=None))
-    run = simulate(model, 0.4, 1e-4, q0=START[:2], controller=lambda t, q, v: (900.0, 25 + 10 * np.sin(9 * t)))
-    turns = np.array([travels(model.chain, q, model.parameter_values)[0] for q in run.q])
-    work = np.sum((run.tau[1:] + run.tau[:-1]) / 2 * np.diff(turns, axis=0))
-    gained = run.energy.sum(axis=1)[-1] - run.energy.sum(axis=1)[0]
-    assert abs(work) > 20 and work == pytest.approx(gained, rel=2e-4)
+    power(model, START[:2], lambda t, q, v: (900.0, 25 + 10 * np.sin(9 * t)))
 
 
 @pytest.mark.parametrize("integrator", swept(["rk4", "modal_midpoint"], "rk4"))
 def test_forms_back_ends_and_batches_make_the_same_motion(integrator):
-    model, tau = boom(), np.array([900.0, 15.0])
-    given = dict(q0=START, integrator=integrator, controller=tau)
-    joint, numpy = (simulate(model, 0.02, 1e-3, backend=x, **given) for x in ("c", "numpy"))
-    assert np.allclose(joint.q, numpy.q, rtol=0, atol=1e-12)
-    dae = simulate(model, 0.02, 1e-3, form="dae", **given)
-    assert np.allclose(dae.q[-1], joint.q[-1], rtol=0, atol=1e-7)
-    if integrator == "rk4":
-        quick_batch(model)
-        states, push = np.tile(np.r_[START, 0 * START], (2, 1)), np.tile(tau, (2, 20, 1))
-        batch = rollout(model, states, push, step=1e-3, integrator=integrator)
-        assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11)
+    same_motion(boom(), START, np.array([900.0, 15.0]), integrator)
 
 
 def test_an_equilibrium_states_the_torque_at_the_crank_and_finds_postures_under_it():
-    model = boom()
-    held = equilibrium(model, START[:2], hold=True)
-    assert relative(model.numpy().forward_dynamics(held.q, 0 * held.q, held.tau, None)[0], 0 * held.q) < 1e-9
-    torques = model.numpy().inverse_dynamics(held.q, None, None, None)[:2]
-    assert np.allclose(held.tau * model.numpy().levers(held.q), torques) and abs(held.tau[1]) > 5
-    linkage = alone(1.3, "open")
-    model = model_of(linkage)
-    force = equilibrium(model, [0.3], hold=True).tau
-    free = equilibrium(model, [0.33], tau=force)
-    assert abs(model.numpy().forward_dynamics(free.q, [0], force, None)[0][0]) < 1e-8
+    assert abs(held_posture(boom(), START[:2])[1]) > 5
+    postures_under(model_of(alone(1.3, "open")), 0.3, [0.33])
 
 
 def test_free_joints_vibrate_on_the_torque_that_holds_them():
@@ -207,11 +185,8 @@ def test_free_joints_vibrate_on_the_torque_that_holds_them():
 
 def test_a_law_gives_the_crank_the_torque_of_its_gains():
     model = boom()
-    law = PD((4e3, 1e3), (4e2, 90.0), START[:2] + 0.2, gravity=Holding(model), tau_max=(9e3, 40.0), duration=0.3)
-    q = START + np.array([0.02, -0.01, 0.0])
-    free = PD((4e3, 1e3), (4e2, 90.0), START[:2]).through(model.chain, model.parameter_values)
-    expected = np.array([-4e3 * 0.02, 1e3 * 0.01]) / model.numpy().levers(q)
-    assert np.allclose(free(0.0, q, 0 * q), expected)
+    law = PD(*GAINS, START[:2] + 0.2, gravity=Holding(model), tau_max=(9e3, 40.0), duration=0.3)
+    gains_through_levers(model, START)
     run = simulate(model, 0.6, 2e-3, q0=START, controller=law)
     assert np.abs(run.tau[:, 1]).max() == 40.0 and np.isfinite(run.q).all()
     titles = [axes.get_title(loc="left") for axes in plot.figure(run, model, law).axes]

@@ -3,6 +3,7 @@
 import tomllib
 from functools import cache
 
+import judges
 import numpy as np
 import pytest
 import random_robots as rr
@@ -90,11 +91,7 @@ def test_random_trees_equal_the_oracle_in_all_forms(seed):
 
 @pytest.mark.parametrize("layout", ["fused", "modular"])
 def test_compiled_c_equals_the_oracle_in_both_forms(layout):
-    case = random_case(1)
-    compiled = quick(case.model, layout=layout)
-    for form in ("joint", "dae"):
-        errors = case.oracle.errors(case.state, *compiled.forward_dynamics(*case.inputs, form))
-        assert max(errors.values()) < case.tolerance
+    judges.c_forms(random_case(1), layout)
 
 
 @pytest.mark.parametrize("seed", swept(range(8), 2))
@@ -115,17 +112,9 @@ def test_rigid_trees_equal_pinocchio(seed):
 
 
 def test_derivatives_are_those_of_differences(branched):
-    rng, h, numeric = np.random.default_rng(5), 1e-6, branched.numpy()
+    rng = np.random.default_rng(5)
     q, v, tau = 0.05 * rng.normal(size=branched.nq), rng.normal(size=branched.nq), rng.normal(size=5)
-    w_ext = rng.normal(size=(5, 6))
-    vdot = lambda q, v: numeric.forward_dynamics(q, v, tau, w_ext)[0]  # noqa: E731
-    by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
-    for found, change in (
-        (by_q, lambda e: vdot(q + e, v) - vdot(q - e, v)),
-        (by_v, lambda e: vdot(q, v + e) - vdot(q, v - e)),
-    ):
-        expected = np.array([change(h * e) / (2 * h) for e in np.eye(len(q))]).T
-        assert np.allclose(found, expected, rtol=0, atol=1e-6 * abs(expected).max())
+    judges.differences(branched, q, v, tau, rng.normal(size=(5, 6)))
 
 
 def test_where_segments_meet_a_link_is_carried_by_a_tip():

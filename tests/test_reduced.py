@@ -45,10 +45,7 @@ def test_bodies_are_of_both_orders_and_some_tips_have_axes_of_their_own():
 
 @every
 def test_numpy_in_both_forms(seed):
-    case = mixed(seed)
-    numeric = case.model.numpy()
-    for form in (numeric.forward_dynamics, numeric.dae_forward_dynamics):
-        assert max(case.oracle.errors(case.state, *form(*case.inputs)).values()) <= case.tolerance
+    judges.numpy_forms(mixed(seed))
 
 
 @every

@@ -2,22 +2,30 @@
 
 from functools import cache
 
-import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
 from bad_robot_files import GOOD, refusal, refused
 from conftest import swept
-from helpers import QUICK, Case, arm, drawn, example, link, model_of, quick_batch, relative
+from helpers import Case, arm, drawn, example, link, model_of, relative
 from judges import compiled, derivatives, numpy_and_casadi, solved_densely
+from transmitted import (
+    GAINS,
+    acados_agrees,
+    estimated,
+    gains_through_levers,
+    held_posture,
+    postures_under,
+    power,
+    same_motion,
+)
 
-from screwgen import PD, Holding, SingularError, dump, equilibrium, load, natural_frequencies, rollout, simulate
+from screwgen import PD, Holding, SingularError, dump, equilibrium, load, natural_frequencies, simulate
 from screwgen.algorithms.transmissions import efforts, travels
 from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
 from screwgen.plotting import plot
 from screwgen.plugins import plugins
-from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.controllers import read_pd
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
 
@@ -129,39 +137,18 @@ START = np.array([0.2, 0.4, 0.0])
 
 def test_the_power_of_a_cylinder_is_its_force_times_the_rate_of_its_length():
     model = model_of(lift(friction=None))
-    run = simulate(model, 0.4, 1e-4, q0=START[:2], controller=lambda t, q, v: (900 + 400 * np.sin(9 * t), -300.0))
-    lengths = np.array([travels(model.chain, q, model.parameter_values)[0] for q in run.q])
-    work = np.sum((run.tau[1:] + run.tau[:-1]) / 2 * np.diff(lengths, axis=0))
-    gained = run.energy.sum(axis=1)[-1] - run.energy.sum(axis=1)[0]
-    assert abs(work) > 20 and work == pytest.approx(gained, rel=2e-4)
+    power(model, START[:2], lambda t, q, v: (900 + 400 * np.sin(9 * t), -300.0))
 
 
 @pytest.mark.parametrize("integrator", ["rk4", "modal_midpoint"])
 def test_forms_back_ends_and_batches_make_the_same_motion(integrator):
-    model, tau = boom(), np.array([900.0, -300.0])
-    given = dict(q0=START, integrator=integrator, controller=tau)
-    joint, numpy = (simulate(model, 0.02, 1e-3, backend=x, **given) for x in ("c", "numpy"))
-    assert np.allclose(joint.q, numpy.q, rtol=0, atol=1e-12)
-    dae = simulate(model, 0.02, 1e-3, form="dae", **given)
-    assert np.allclose(dae.q[-1], joint.q[-1], rtol=0, atol=1e-7)
-    if integrator == "rk4":
-        quick_batch(model)
-        batch = rollout(
-            model, np.tile(np.r_[START, 0 * START], (2, 1)), np.tile(tau, (2, 20, 1)), step=1e-3, integrator=integrator
-        )
-        assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11)
+    same_motion(boom(), START, np.array([900.0, -300.0]), integrator)
 
 
 def test_an_equilibrium_states_the_forces_of_cylinders_and_finds_postures_under_them():
-    model = boom()
-    held = equilibrium(model, START[:2], hold=True)
-    assert relative(model.numpy().forward_dynamics(held.q, 0 * held.q, held.tau, None)[0], 0 * held.q) < 1e-9
-    torques = model.numpy().inverse_dynamics(held.q, None, None, None)[:2]
-    assert np.allclose(held.tau * model.numpy().levers(held.q), torques) and np.abs(held.tau).min() > 20
+    assert np.abs(held_posture(boom(), START[:2])).min() > 20
     alone = model_of({**lift(), "links": lift()["links"][:1]})
-    force = equilibrium(alone, [0.3], hold=True).tau
-    free = [equilibrium(alone, [q], tau=force) for q in (0.29, 0.5)]
-    assert all(abs(alone.numpy().forward_dynamics(x.q, [0], force, None)[0][0]) < 1e-8 for x in free)
+    force = postures_under(alone, 0.3, (0.29, 0.5))
     slope = [alone.numpy().forward_dynamics([0.3 + d], [0], force, None)[0][0] for d in (-1e-5, 1e-5)]
     assert (equilibrium(alone, [0.3], tau=force).stability == "stable") == (slope[1] < slope[0])
 
@@ -193,13 +180,10 @@ def test_free_joints_vibrate_on_the_forces_that_hold_them():
 
 def test_a_law_gives_cylinders_the_forces_of_its_torques():
     model = boom()
-    law = PD((4e3, 1e3), (4e2, 90.0), START[:2] + 0.2, gravity=Holding(model), tau_max=(900.0, 1e4), duration=0.3)
+    law = PD(*GAINS, START[:2] + 0.2, gravity=Holding(model), tau_max=(900.0, 1e4), duration=0.3)
     ready = law.through(model.chain, model.parameter_values).starting_at(START)
     assert not ready.plain and np.allclose(ready.bounds, (900.0, 1e4))
-    q = START + np.array([0.02, -0.01, 0.0])
-    free = PD((4e3, 1e3), (4e2, 90.0), START[:2]).through(model.chain, model.parameter_values)
-    expected = np.array([-4e3 * 0.02, 1e3 * 0.01]) / model.numpy().levers(q)
-    assert np.allclose(free(0.0, q, 0 * q), expected)
+    gains_through_levers(model, START)
     run = simulate(model, 0.6, 2e-3, q0=START, controller=law, integrator="modal_midpoint")
     assert np.abs(run.tau[:, 0]).max() == 900.0 and np.abs(run.q[-1, :2] - START[:2] - 0.2).max() < 0.3
     titles = [axes.get_title(loc="left") for axes in plot.figure(run, model, law).axes]
@@ -300,25 +284,7 @@ def test_names_units_parameters_and_round_trips(tmp_path):
 
 
 def test_acados_has_forces_of_cylinders():
-    model = boom()
-    export = model.acados()
-    f = ca.Function("f", [export.x, export.xdot, export.u, export.p], [export.f_impl_expr, export.f_expl_expr])
-    x, u = np.linspace(-0.1, 0.1, 2 * model.nq), [800.0, -300.0]
-    rates = f(x, 0 * x, u, model.parameter_values)[1]
-    assert export.u_labels == ("boom.force[0]", "jib.force[0]")
-    assert np.abs(f(x, rates, u, model.parameter_values)[0].full()).max() < 1e-9
-
-
-def estimated(model, push, start):
-    """The filter finds the posture of a run under efforts of drives, from a wrong start."""
-    truth = simulate(model, 0.3, 1e-3, q0=start, controller=push)
-    estimator = CompiledEstimator(model, flags=QUICK)
-    noise = Noise(np.r_[1.0, 1.0, 0.1], 1e-12, encoder=1e-4, strain=2e-6, fibre=0.03)
-    estimator.start(start + 0.02, np.zeros(3), np.full(3, 0.05), np.full(3, 0.05), noise)
-    for q in truth.q[1:]:
-        estimator.predict(push, np.zeros((2, 6)), 1e-3)
-        estimator.update(push, np.zeros((2, 6)), encoder=q[:2])
-    assert np.allclose(estimator.state[0], truth.q[-1], atol=2e-4)
+    acados_agrees(boom(), ("boom.force[0]", "jib.force[0]"), [800.0, -300.0])
 
 
 @pytest.mark.long

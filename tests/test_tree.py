@@ -3,10 +3,11 @@
 import tomllib
 from functools import cache
 
+import judges
 import numpy as np
 import pytest
 from conftest import swept
-from helpers import Case, casadi_forward, drawn, model_of, quick, quick_batch
+from helpers import Case, casadi_forward, drawn, model_of, quick_batch
 from matplotlib.text import Text
 
 from screwgen import Robot, UsageError, derive, equilibrium, rollout, simulate
@@ -136,24 +137,13 @@ def test_the_assembled_system_has_the_wrenches_and_accelerations_of_the_joint_fo
 
 @pytest.mark.parametrize("layout", ["fused", "modular"])
 def test_compiled_c_equals_the_oracle_in_both_forms(layout):
-    tree = random_tree(1)
-    compiled = quick(tree.model, layout=layout)
-    for form in ("joint", "dae"):
-        errors = tree.oracle.errors(tree.state, *compiled.forward_dynamics(*tree.inputs, form))
-        assert max(errors.values()) < tree.tolerance
+    judges.c_forms(random_tree(1), layout)
 
 
 def test_derivatives_are_those_of_differences(forked):
-    rng, h, numeric = np.random.default_rng(5), 1e-6, forked.numpy()
+    rng = np.random.default_rng(5)
     q, v, tau = 0.05 * rng.normal(size=forked.nq), rng.normal(size=forked.nq), rng.normal(size=3)
-    vdot = lambda q, v: numeric.forward_dynamics(q, v, tau, np.zeros((3, 6)))[0]  # noqa: E731
-    by_q, by_v, _ = numeric.derivatives(q, v, tau, np.zeros((3, 6)))
-    for found, change in (
-        (by_q, lambda e: vdot(q + e, v) - vdot(q - e, v)),
-        (by_v, lambda e: vdot(q, v + e) - vdot(q, v - e)),
-    ):
-        expected = np.array([change(h * e) / (2 * h) for e in np.eye(len(q))]).T
-        assert np.allclose(found, expected, rtol=0, atol=1e-6 * abs(expected).max())
+    judges.differences(forked, q, v, tau, np.zeros((3, 6)))
 
 
 # -------- the robot file, and what users see

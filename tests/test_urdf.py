@@ -9,6 +9,7 @@ import pinocchio as pin
 import pytest
 from conftest import swept
 from random_urdfs import random_urdf
+from scipy.spatial.transform import Rotation
 from urdf_judge import Pair
 
 import screwgen
@@ -252,6 +253,11 @@ def test_mimic_is_refused_or_left_out_as_asked(file):
     welded = import_urdf(path, None, Options(mimic="weld")).robot.links
     assert len(welded) == 2 and welded[1].bodies[0].mass == 4.0
     assert welded[1].bodies[0].com == pytest.approx((0.1, 0.1, 0.25))
+    turning = mimic.replace('"prismatic"', '"revolute"')
+    path = file(ARM.replace("</robot>", f'<link name="thumb">{BODY}</link>{turning}</robot>'))
+    (turned,) = import_urdf(path, None, Options(mimic="weld")).robot.links[1].bodies
+    place = Rotation.from_rotvec([0, 0.2, 0]).apply([0.1, 0, 0]) + [0, 0, 0.5]
+    assert turned.com == pytest.approx((np.array([0.1, 0, 0]) + place) / 2)
     with pytest.raises(UsageError, match="mimic: there is no 'hold'"):
         import_urdf(path, None, Options(mimic="hold"))
 

@@ -45,10 +45,7 @@ def test_most_robots_vary_and_have_coupled_modes():
 
 @every
 def test_numpy_in_both_forms(seed):
-    case = varied(seed)
-    numeric = case.model.numpy()
-    for form in (numeric.forward_dynamics, numeric.dae_forward_dynamics):
-        assert max(case.oracle.errors(case.state, *form(*case.inputs)).values()) <= case.tolerance
+    judges.numpy_forms(varied(seed))
 
 
 @every

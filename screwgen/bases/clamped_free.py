@@ -20,7 +20,6 @@ FAMILY = Family(
     r" - \sigma_k(\sinh\lambda_k s - \sin\lambda_k s),\quad "
     r"\sigma_k = \frac{\sinh\lambda_k - \sin\lambda_k}{\cosh\lambda_k + \cos\lambda_k}",
     condition=r"\cos\lambda_k\cosh\lambda_k = -1",
-    eigenvalue_symbol=r"\lambda_k",
     order=2,
 )
 

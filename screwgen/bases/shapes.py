@@ -33,8 +33,6 @@ class Family:
     r"""LaTeX equation of the k-th function, \psi_k(s) = ..."""
     condition: str
     """LaTeX equation that fixes the eigenvalues."""
-    eigenvalue_symbol: str
-    """LaTeX symbol of the k-th eigenvalue."""
     order: int
     """Order of the derivative that stores energy: 2 in bending (curvature), 1 in stretching and torsion."""
     changes: bool = False
@@ -51,7 +49,7 @@ class Shapes:
     formulas: tuple[str, ...]
     """LaTeX right-hand side of each psi_k(s) with its numbers rounded to seven digits, for documents."""
     eigenvalues: tuple[float, ...]
-    """The numbers called `family.eigenvalue_symbol`."""
+    """The numbers that `family.condition` fixes."""
     integral: tuple[float, ...]
     """Integral of psi_k over [0, 1]."""
     moment: tuple[float, ...]

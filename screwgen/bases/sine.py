@@ -13,7 +13,6 @@ FAMILY = Family(
     title="clamped-free rod modes",
     formula=r"\psi_k(s) = \sqrt{2}\,\sin\lambda_k s",
     condition=r"\lambda_k = (2k-1)\,\frac{\pi}{2}",
-    eigenvalue_symbol=r"\lambda_k",
     order=1,
 )
 

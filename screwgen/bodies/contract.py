@@ -14,7 +14,6 @@ from ..algebra.expression import Expression, Symbol
 from ..ir.block import Block
 from .moments import Moments
 
-FRAME = "F_i"
 Moments6 = tuple[Expression, Expression, Expression]
 """Mass (kg), first moment (3, 1) (kg·m) and second moment ``∫ r r^T dm`` (3, 3) (kg·m²) about one point, in F_i."""
 

@@ -120,7 +120,7 @@ class LinkBlock(Block):
         rho, udot, r = self.rho, self.udot, self.key.modes
         displaced, rate = self.body.displaced(self.eta, self.etadot)
         self.S = self.step("S", self.S_0 + displaced)
-        self.Sdot = self.step("Sdot", rate)
+        self.step("Sdot", rate)
         self._name_moment("S", (rho,))
         self._name_moment("Sdot", (udot,))
         self.step("L", self.integral(rho @ self.body.phi_row) if r else zeros(3, 0))

@@ -7,7 +7,6 @@ import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -16,7 +15,7 @@ import numpy as np
 from ..errors import SingularError, StoppedError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
-from ..simulation.state import State, read_state, state_of
+from ..simulation.state import State, state_in
 from ..spec.load import one_line
 from .output import bar, busy, load_robot, say
 
@@ -98,7 +97,7 @@ def run_simulate(
             check_output(path, (end,))
     steps = step_count(duration, step)
     model = derive(load_robot(robot, quiet))
-    start = _state(state, model)
+    start = state_in(state, model)
     torque = read_controller(controller, model) if controller is not None else start.tau
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
@@ -139,21 +138,9 @@ def _stoppable() -> Iterator[None]:
         raise StoppedError(str(stop)) from None
 
 
-def _state(path: str | None, model: Model) -> State:
-    return state_of({}, model) if path is None else read_state(path, model)
-
-
 # ------------------------------------------------------------------------------ evaluate
 
 Evaluation = tuple[np.ndarray, np.ndarray]
-
-
-def _numpy_joint(model: Model, s: State) -> Evaluation:
-    return model.numpy().forward_dynamics(s.q, s.v, s.tau, s.w_ext)
-
-
-def _numpy_dae(model: Model, s: State) -> Evaluation:
-    return model.numpy().dae_forward_dynamics(s.q, s.v, s.tau, s.w_ext)
 
 
 def _casadi_joint(model: Model, s: State) -> Evaluation:
@@ -174,17 +161,13 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
     return np.array(vdot)[:, 0], np.array(wrench).T
 
 
-def _c(model: Model, s: State, form: str) -> Evaluation:
-    return model.compile().forward_dynamics(s.q, s.v, s.tau, s.w_ext, form=form)
-
-
 EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
-    ("numpy", "joint"): _numpy_joint,
-    ("numpy", "dae"): _numpy_dae,
+    ("numpy", "joint"): lambda model, s: model.numpy().forward_dynamics(*s),
+    ("numpy", "dae"): lambda model, s: model.numpy().dae_forward_dynamics(*s),
     ("casadi", "joint"): _casadi_joint,
     ("casadi", "dae"): _casadi_dae,
-    ("c", "joint"): partial(_c, form="joint"),
-    ("c", "dae"): partial(_c, form="dae"),
+    ("c", "joint"): lambda model, s: model.compile().forward_dynamics(*s, form="joint"),
+    ("c", "dae"): lambda model, s: model.compile().forward_dynamics(*s, form="dae"),
 }
 """Accelerations (nq,) and joint wrenches (n, 6) by backend and form."""
 
@@ -197,8 +180,6 @@ def run_evaluate(robot: str, state: str | None, backend: str, form: str, formula
     check_choice("--formulation", formulation, formulations())
     check_choice("--backend", backend, BACKENDS)
     check_choice("--form", form, FORMS)
-    if (backend, form) not in EVALUATIONS:
-        raise UsageError(f"--backend {backend} does not evaluate --form {form}; choose another")
     if formulation != CONSISTENT and (backend, form) != ("numpy", "joint"):
         raise UsageError(
             f"--formulation {formulation} is evaluated by NumPy in the joint form; leave out --backend and --form"
@@ -206,7 +187,7 @@ def run_evaluate(robot: str, state: str | None, backend: str, form: str, formula
     loaded = load_robot(robot)
     if formulation == CONSISTENT:
         model = derive(loaded)
-        found = evaluation(model, _state(state, model), backend, form)
+        found = evaluation(model, state_in(state, model), backend, form)
     else:
         found = _formulated(cast("Formulation", derive(loaded, formulation)), state)
     print(json_format.dumps(found, allow_nan=False))
@@ -214,8 +195,8 @@ def run_evaluate(robot: str, state: str | None, backend: str, form: str, formula
 
 def _formulated(other: Formulation, state: str | None) -> dict:
     """An evaluation in another formulation: its dynamics, and the rest as derived."""
-    s = _state(state, other.model)
-    vdot, wrench = other.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    s = state_in(state, other.model)
+    vdot, wrench = other.forward_dynamics(*s)
     dynamics = {"vdot": (vdot + 0.0).tolist(), "wrench": (wrench[other.model.chain.firsts] + 0.0).tolist()}
     return evaluation(other.model, s) | dynamics | other.record()
 
@@ -226,15 +207,15 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
     Raises SingularError: NumPy's dynamics, which knows the joint, comes first.
     """
     reference = model.numpy()
-    reference.forward_dynamics(s.q, s.v, s.tau, s.w_ext)
+    reference.forward_dynamics(*s)
     vdot, wrench = EVALUATIONS[backend, form](model, s)
     if not (np.isfinite(vdot).all() and np.isfinite(wrench).all()):
         raise SingularError(f"the backend '{backend}' gives no finite accelerations in this state")
-    valid = model.validity(s.q, s.v, s.tau, s.w_ext)
+    valid = model.validity(*s)
     valid.warn()
     R, position = reference.tip_pose(s.q)
     kinetic, potential = reference.energy(s.q, s.v)
-    loops = reference.loop_wrenches(s.q, s.v, s.tau, s.w_ext) if model.chain.closures else None
+    loops = reference.loop_wrenches(*s) if model.chain.closures else None
     return {
         "vdot": (np.ravel(vdot) + 0.0).tolist(),
         "wrench": (np.reshape(wrench, (model.n_links, 6))[model.chain.firsts] + 0.0).tolist(),
@@ -276,7 +257,7 @@ def run_analyse(
     count = (0 if states else SAMPLES) if samples is None else samples
     model = derive(load_robot(robot, quiet))
     law = read_controller(controller, model) if controller is not None else None
-    given = {one_line(path): read_state(path, model) for path in states} or first_state(model)
+    given = {one_line(path): state_in(path, model) for path in states} or first_state(model)
     for path, state in given.items():
         if law is not None and state.tau.any():
             raise UsageError(f"{path}: tau: is given beside --controller; leave one of them out")

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import UsageError
 from ..model import Model, derive
-from ..simulation.state import State, read_state, refusals, state_of
+from ..simulation.state import refusals, state_in
 from ..spec.load import one_line
 from ..spec.parameters import coordinate_units, force_units
 from ..spec.ranges import within
@@ -20,11 +20,6 @@ if TYPE_CHECKING:
     from ..studies.convergence import Convergence
     from ..studies.equilibrium import Equilibrium
     from ..studies.modes import ModeShapes
-
-
-def state_in(path: str | None, model: Model) -> State:
-    """The state in a file, all zero without."""
-    return state_of({}, model) if path is None else read_state(path, model)
 
 
 def run_modes(
@@ -136,11 +131,9 @@ def run_equilibrium(
     given = state_in(state, model)
     if given.v.any():
         raise UsageError(f"{one_line(str(state))}: v: an arm at rest has none; leave it out")
-    angles, loads = (
-        ("joint coordinates", "joint forces")
-        if model.chain.sliding
-        else ("joint angles in rad", "joint torques in N·m")
-    )
+    sliding = model.chain.sliding
+    angles = "joint coordinates" if sliding else "joint angles in rad"
+    loads = "joint forces" if sliding else "joint torques in N·m"
     start = given.q if q is None else numbers("q", q, model.n_joints, angles)
     torques = given.tau if tau is None else numbers("tau", tau, model.n_joints, loads)
     if hold and (tau is not None or given.tau.any()):

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..reduction.invariants import hat
 from ..spec.physics import some_body_has
 
 NOTHING = 1e-15
@@ -68,8 +69,7 @@ def pose(xyz: Sequence[float], rpy: Sequence[float]) -> Pose:
 
 def turned(axis: Sequence[float], angle: float) -> np.ndarray:
     """The rotation (3, 3) about an axis by an angle, rad."""
-    u = np.array(axis) / np.linalg.norm(axis)
-    K = np.cross(np.eye(3), u).T
+    K = hat(np.array(axis) / np.linalg.norm(axis))
     return np.eye(3) + sin(angle) * K + (1 - cos(angle)) * K @ K
 
 
@@ -100,7 +100,7 @@ class Inertial:
 
     def about_origin(self) -> np.ndarray:
         """(6, 6): the inertia of twists [ω; v] of the frame's origin."""
-        c = np.cross(np.eye(3), self.com).T
+        c = hat(self.com)
         return np.block([[self.tensor - self.mass * c @ c, self.mass * c], [-self.mass * c, self.mass * np.eye(3)]])
 
     def table(self, at: str = "base") -> dict:
@@ -122,7 +122,7 @@ def together(parts: Sequence[Inertial]) -> Inertial:
     com = sum((part.mass * part.com for part in parts), np.zeros(3)) / (mass or 1.0)
     tensor = np.zeros((3, 3))
     for part in parts:
-        d = np.cross(np.eye(3), part.com - com).T
+        d = hat(part.com - com)
         tensor += part.tensor - part.mass * d @ d
     return _without_rounding(Inertial(mass, com, (tensor + tensor.T) / 2), parts)
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..reduction.invariants import hat
 from ..spec.axes import GENERIC
 from .rigid import Pose, turned
 
@@ -29,7 +30,7 @@ def subspace(axis) -> np.ndarray:
 
 def adjoint(T: Pose) -> np.ndarray:
     """(6, 6): twists [ω; v] of a frame at T from those of the frame in which T is stated."""
-    p = np.cross(np.eye(3), T.p).T
+    p = hat(T.p)
     return np.block([[T.R.T, np.zeros((3, 3))], [-T.R.T @ p, T.R.T]])
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..backends.numpy.numeric import Numeric
 from ..errors import UsageError
+from ..reduction.invariants import hat
 from ..spec.base import FLOATING
 from ..spec.joint import Joint
 from ..spec.markers import carried_at
@@ -113,7 +114,7 @@ class _Writer:
         M = self._inertia(link)
         mass = float(np.trace(M[3:, 3:]) / 3)
         com = np.array([M[2, 4], M[0, 5], M[1, 3]]) / mass if mass else np.zeros(3)
-        c = np.cross(np.eye(3), com).T
+        c = hat(com)
         J = M[:3, :3] + mass * c @ c
         J = np.where(np.abs(J) > MASSLESS * np.abs(M[:3, :3]).max(initial=0.0), J, 0.0)
         if mass or J.any():

@@ -51,13 +51,8 @@ class Differentiated(Memory):
         Of a floating base those with q are with a change δ (6,) = [turn; shift] of its pose in its own axes,
         ``pose exp(δ)``.  Needs ``derivatives=True``.  Without joint coordinates the last has no columns.
         """
-        self._needs_derivatives()
         nv, m = self.chain.nv, self.chain.n_tau
-        arrays = [np.zeros(shape, self.real) for shape in (nv, (nv, nv), (nv, nv), (nv, m))]
-        with self._lock:
-            self._set(q, v, tau, w_ext)
-            self.check(self.library.shim_linearise(self.memory, self._scratch["linearise"], *map(pointer, arrays)))
-        return tuple(arrays)
+        return self._differentiated("linearise", (nv, (nv, nv), (nv, nv), (nv, m)), (q, v, tau, w_ext))
 
     def step_derivatives(
         self, q, v, tau, w_ext, dt: float, method: str | Method = "modal_midpoint"
@@ -69,13 +64,9 @@ class Differentiated(Memory):
         and before the step.  Needs ``derivatives=True``.
         """
         self._needs_derivatives()
-        c, number, dt = self.chain, self.number(method), self._real(seconds(dt, "dt"))
-        arrays = [np.zeros(n, self.real) for n in (c.nq, c.nv, (2 * c.nv, 2 * c.nv), (2 * c.nv, c.n_tau))]
-        with self._lock:
-            self._set(q, v, tau, w_ext)
-            own, call = self._scratch["step_derivatives"], self.library.shim_step_derivatives
-            self.check(call(self.memory, own, number, dt, *map(pointer, arrays)))
-        return tuple(arrays)
+        c, step = self.chain, (self.number(method), self._real(seconds(dt, "dt")))
+        shapes = c.nq, c.nv, (2 * c.nv, 2 * c.nv), (2 * c.nv, c.n_tau)
+        return self._differentiated("step_derivatives", shapes, (q, v, tau, w_ext), *step)
 
     def linearise_wrenches(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
         """The joint wrenches (n, 6) and their derivatives with q, v (n, 6, nv) and tau (n, 6, n_tau), vdot following.
@@ -86,11 +77,17 @@ class Differentiated(Memory):
         c = self.chain
         if why := self.project.context["derivatives"]["wrenches"]["missing"]:
             raise UsageError(f"there is no C of the derivatives of the wrenches: {why}; use CasADi's")
-        arrays = [np.zeros((c.n, 6, *k), self.real) for k in ((), (c.nv,), (c.nv,), (c.n_tau,))]
+        shapes = [(c.n, 6, *k) for k in ((), (c.nv,), (c.nv,), (c.n_tau,))]
+        return self._differentiated("linearise_wrenches", shapes, (q, v, tau, w_ext))
+
+    def _differentiated(self, name: str, shapes, given: tuple, *more) -> tuple[Array, Array, Array, Array]:
+        """What a function of the library writes into new arrays of these shapes, at a state and inputs."""
+        self._needs_derivatives()
+        arrays = [np.zeros(shape, self.real) for shape in shapes]
         with self._lock:
-            self._set(q, v, tau, w_ext)
-            own, call = self._scratch["linearise_wrenches"], self.library.shim_linearise_wrenches
-            self.check(call(self.memory, own, *map(pointer, arrays)))
+            self._set(*given)
+            call = getattr(self.library, f"shim_{name}")
+            self.check(call(self.memory, self._scratch[name], *more, *map(pointer, arrays)))
         return tuple(arrays)
 
     def _needs_derivatives(self) -> None:

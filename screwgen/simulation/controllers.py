@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -14,7 +13,7 @@ import numpy as np
 from ..algorithms.transmissions import DEAD, efforts, travels
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
-from ..spec.load import DEEP_KEY, one_line, syntax_error
+from ..spec.load import one_line, parse
 from ..spec.messages import unknown
 from ..spec.ranges import within
 from ..spec.values import array, refuse, shown
@@ -235,7 +234,7 @@ def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
     angles. Raises UsageError, `<file>: <key>: <fault>; <what is allowed>`.
     """
     file = one_line(os.fsdecode(path))
-    data = _toml(read_text(path, "a TOML file"), file)
+    data = parse(read_text(path, "a TOML file"), file, UsageError, "a gains file has no such depth")
     with refusals(file):
         for key in data:
             if key not in KEYS:
@@ -285,19 +284,6 @@ def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
     """One number for each joint, of the unit and the range of a key."""
     check = within("q" if key.startswith("q_") else key)
     return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, UNITS['q_des'])}", check))
-
-
-def _toml(text: str, file: str) -> dict[str, Any]:
-    try:
-        if DEEP_KEY.search(text):
-            raise RecursionError
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise UsageError(f"{file}: {syntax_error(str(error), text)}") from None
-    except RecursionError:
-        raise UsageError(f"{file}: is nested too deeply; a gains file has no such depth") from None
-    except ValueError as error:
-        raise UsageError(f"{file}: a value cannot be read ({one_line(str(error))}); use TOML 1.0") from None
 
 
 CONTROLLERS = {"pd": read_pd}

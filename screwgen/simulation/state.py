@@ -40,6 +40,14 @@ class State:
     tau: np.ndarray
     w_ext: np.ndarray
 
+    def __iter__(self) -> Iterator[np.ndarray]:
+        return iter((self.q, self.v, self.tau, self.w_ext))
+
+
+def state_in(path: str | None, model: Model) -> State:
+    """The state in a file, all zero without."""
+    return state_of({}, model) if path is None else read_state(path, model)
+
 
 def read_state(path: str | os.PathLike[str], model: Model) -> State:
     """The state in the JSON file at `path`: `{"q": […], "v": […], "tau": […], "w_ext": [[6 numbers] per link]}`.

@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from ..errors import RobotFileError, UsageError
+from ..errors import RobotFileError, ScrewgenError, UsageError
 from ..files import NotRegularError, open_regular
 from .axes import LETTERS
 from .messages import explain, first_error, key_path, link_label, reason
@@ -85,24 +85,20 @@ def decode(content: bytes, file: str) -> str:
         raise RobotFileError(f"{file}: line {line}: is not UTF-8 text; save it as TOML in UTF-8") from None
 
 
-def parse(text: str, file: str) -> dict[str, Any]:
-    """The tables and values of a TOML text."""
-    if DEEP_KEY.search(text):
-        raise too_deep(file)
+def parse(
+    text: str, file: str, fault: type[ScrewgenError] = RobotFileError, depth: str = "a robot file needs five levels"
+) -> dict[str, Any]:
+    """The tables and values of a TOML text; raises `fault`, where tables nest too deeply with the remedy `depth`."""
     try:
+        if DEEP_KEY.search(text):
+            raise RecursionError
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise RobotFileError(f"{file}: {syntax_error(str(error), text)}") from None
+        raise fault(f"{file}: {syntax_error(str(error), text)}") from None
     except RecursionError:
-        raise too_deep(file) from None
+        raise fault(f"{file}: is nested too deeply; {depth}") from None
     except ValueError as error:  # an integer of thousands of digits, a date such as 2024-02-31
-        reason = one_line(str(error))
-        raise RobotFileError(f"{file}: a value cannot be read ({reason}); use TOML 1.0") from None
-
-
-def too_deep(file: str) -> RobotFileError:
-    """The error for tables in tables in tables."""
-    return RobotFileError(f"{file}: is nested too deeply; a robot file needs five levels")
+        raise fault(f"{file}: a value cannot be read ({one_line(str(error))}); use TOML 1.0") from None
 
 
 def syntax_error(message: str, text: str) -> str:

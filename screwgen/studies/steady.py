@@ -17,6 +17,7 @@ from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..simulation.validity import Validity
 from .linear import checked
+from .stiffness import gear_stiffness
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -127,10 +128,10 @@ def wound(model: Model, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.n
     That is the torque at the joint, or the effort of its transmission.
     """
     chain, out = model.chain, q.copy()
-    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
+    gears = np.array(gear_stiffness(model, p), float)
     rotors = slice(chain.eta_q - chain.n_motors, chain.eta_q)
     ratios = np.array([ratio or 1.0 for ratio in chain.ratios(p)], float)
-    out[rotors] = out[rotors] + force[chain.geared] / (np.array(gears, float) * ratios)
+    out[rotors] = out[rotors] + force[chain.geared] / (gears * ratios)
     return out
 
 

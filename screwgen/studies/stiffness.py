@@ -29,13 +29,18 @@ def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
     return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_motors, *modal], float)
 
 
+def gear_stiffness(model: Model, p: Numbers | None = None) -> list[float]:
+    """The stiffness of each elastic gear at its joint, N·m/rad, of slides N/m."""
+    return [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
+
+
 def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
     """The stiffness (nv, nv) of joint springs and gears (N·m/rad) and modes (N/m, torsion: N·m/rad).
 
     `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
     """
     K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_motors
-    gears = [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
+    gears = gear_stiffness(model, p)
     ratios = model.chain.ratios(model.parameter_values if p is None else p)
     joints = (model.chain.base_v + joint for joint in model.chain.geared)
     for rotor, (joint, k, ratio) in enumerate(zip(joints, gears, ratios, strict=True), first):

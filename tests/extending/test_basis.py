@@ -28,7 +28,6 @@ def monomials(count: int, order: int) -> Shapes:
             title="Ritz modes of monomials",
             formula=r"\psi_k(s) = \sum_j Q_{jk}\,s^{j}",
             condition=r"\int_0^1\psi_k\,\psi_l\,ds = \delta_{kl}",
-            eigenvalue_symbol=r"\Lambda_k",
             order=order,
             changes=True,
         )

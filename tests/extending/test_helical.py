@@ -3,6 +3,7 @@
 import tomllib
 from functools import cache, partial
 
+import judges
 import numpy as np
 import pytest
 import random_robots as rr
@@ -74,16 +75,7 @@ def test_the_assembled_system_of_the_dae_form_has_the_same_solution(case):
 
 
 def test_derivatives_are_those_of_differences(case):
-    q, v, tau, w_ext = case.inputs
-    numeric, h = case.model.numpy(), 1e-6
-    vdot = lambda q, v: numeric.forward_dynamics(q, v, tau, w_ext)[0]  # noqa: E731
-    by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
-    for found, change in (
-        (by_q, lambda e: vdot(q + e, v) - vdot(q - e, v)),
-        (by_v, lambda e: vdot(q, v + e) - vdot(q, v - e)),
-    ):
-        expected = np.array([change(h * e) / (2 * h) for e in np.eye(len(q))]).T
-        assert np.allclose(found, expected, rtol=0, atol=3e-6 * abs(expected).max())
+    judges.differences(case.model, *case.inputs, tolerance=3e-6)
 
 
 def test_casadi_and_c_compute_the_same(case):

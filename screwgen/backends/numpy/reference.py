@@ -39,18 +39,12 @@ def cases(chain: Chain, count: int) -> list[Case]:
     return found
 
 
-def rounding_error(chain: Chain, case: Case, bits: int) -> float:
+def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
     """How far arithmetic of so many bits is from a case's results: each part over its own largest entry.
 
-    Infinite where rounding makes the posture singular.
-    """
-    return rounding_errors(chain, case, bits)[0]
-
-
-def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
-    """The same, and that of the joint wrenches by inverse dynamics from the rounded accelerations.
-
-    The second is larger where inertial forces that are large beside the wrenches cancel, as in many welded links.
+    Infinite where rounding makes the posture singular. The second is that of the joint wrenches by inverse dynamics
+    from the rounded accelerations; it is larger where inertial forces that are large beside the wrenches cancel, as in
+    many welded links.
     """
     try:
         return _rounding_errors(chain, case, bits)

@@ -180,7 +180,7 @@ def _link_block(model: Model, M: np.ndarray, i: int) -> LinkBlock:
     size = float(np.abs(block).max())
     symmetric = (block + block.T) / 2
     plain = np.linalg.eigvalsh(symmetric)
-    root = np.sqrt(np.where(np.diag(symmetric) > 0, np.diag(symmetric), 1.0))
+    root = np.sqrt(_positive(np.diag(symmetric)))
     scaled, vectors = np.linalg.eigh(symmetric / np.outer(root, root))
     definite = bool(scaled[0] > len(places) * EPSILON * scaled[-1])
     name = chain.names[i]
@@ -218,7 +218,7 @@ def rank_M_star(model: Model, i: int) -> int:
     }
     entries = lower(block, given, ("M_star",), Tracer())["M_star"]
     M_star = np.asarray(entries).astype(float).reshape(6, 6)
-    root = np.sqrt(np.where(np.diag(M_star) > 0, np.diag(M_star), 1.0))
+    root = np.sqrt(_positive(np.diag(M_star)))
     return int(np.linalg.matrix_rank(M_star / np.outer(root, root)))
 
 

@@ -1,0 +1,81 @@
+"""What drives through cylinders and through linkages are held against alike."""
+
+import casadi as ca
+import numpy as np
+import pytest
+from helpers import QUICK, quick_batch, relative
+
+from screwgen import PD, Model, equilibrium, rollout, simulate
+from screwgen.algorithms.transmissions import travels
+from screwgen.runtime.estimator import CompiledEstimator, Noise
+
+GAINS = (4e3, 1e3), (4e2, 90.0)
+
+
+def power(model: Model, start: np.ndarray, controller) -> None:
+    """The work of the inputs along their travels is the gain of energy."""
+    run = simulate(model, 0.4, 1e-4, q0=start, controller=controller)
+    ways = np.array([travels(model.chain, q, model.parameter_values)[0] for q in run.q])
+    work = np.sum((run.tau[1:] + run.tau[:-1]) / 2 * np.diff(ways, axis=0))
+    gained = run.energy.sum(axis=1)[-1] - run.energy.sum(axis=1)[0]
+    assert abs(work) > 20 and work == pytest.approx(gained, rel=2e-4)
+
+
+def same_motion(model: Model, start: np.ndarray, tau: np.ndarray, integrator: str) -> None:
+    """Both back ends, both forms, and a batch."""
+    given = dict(q0=start, integrator=integrator, controller=tau)
+    joint, numpy = (simulate(model, 0.02, 1e-3, backend=x, **given) for x in ("c", "numpy"))
+    assert np.allclose(joint.q, numpy.q, rtol=0, atol=1e-12)
+    dae = simulate(model, 0.02, 1e-3, form="dae", **given)
+    assert np.allclose(dae.q[-1], joint.q[-1], rtol=0, atol=1e-7)
+    if integrator == "rk4":
+        quick_batch(model)
+        states, push = np.tile(np.r_[start, 0 * start], (2, 1)), np.tile(tau, (2, 20, 1))
+        batch = rollout(model, states, push, step=1e-3, integrator=integrator)
+        assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11)
+
+
+def held_posture(model: Model, q: np.ndarray) -> np.ndarray:
+    """The inputs that hold a posture: no acceleration, and by their levers the torques of the joints."""
+    held, numeric = equilibrium(model, q, hold=True), model.numpy()
+    assert relative(numeric.forward_dynamics(held.q, 0 * held.q, held.tau, None)[0], 0 * held.q) < 1e-9
+    torques = numeric.inverse_dynamics(held.q, None, None, None)[: len(q)]
+    assert np.allclose(held.tau * numeric.levers(held.q), torques)
+    return held.tau
+
+
+def postures_under(model: Model, held: float, starts) -> np.ndarray:
+    """The input that holds a posture of one joint; under it postures at rest are found from others."""
+    force = equilibrium(model, [held], hold=True).tau
+    for x in (equilibrium(model, [q], tau=force) for q in starts):
+        assert abs(model.numpy().forward_dynamics(x.q, [0], force, None)[0][0]) < 1e-8
+    return force
+
+
+def gains_through_levers(model: Model, start: np.ndarray) -> None:
+    """A law's torques at the joints, over the levers."""
+    q = start + np.array([0.02, -0.01, 0.0])
+    free = PD(*GAINS, start[:2]).through(model.chain, model.parameter_values)
+    expected = np.array([-4e3 * 0.02, 1e3 * 0.01]) / model.numpy().levers(q)
+    assert np.allclose(free(0.0, q, 0 * q), expected)
+
+
+def estimated(model: Model, push: np.ndarray, start: np.ndarray) -> None:
+    """The filter finds the posture of a run under efforts of drives, from a wrong start."""
+    truth = simulate(model, 0.3, 1e-3, q0=start, controller=push)
+    estimator = CompiledEstimator(model, flags=QUICK)
+    noise = Noise(np.r_[1.0, 1.0, 0.1], 1e-12, encoder=1e-4, strain=2e-6, fibre=0.03)
+    estimator.start(start + 0.02, np.zeros(3), np.full(3, 0.05), np.full(3, 0.05), noise)
+    for q in truth.q[1:]:
+        estimator.predict(push, np.zeros((2, 6)), 1e-3)
+        estimator.update(push, np.zeros((2, 6)), encoder=q[:2])
+    assert np.allclose(estimator.state[0], truth.q[-1], atol=2e-4)
+
+
+def acados_agrees(model: Model, labels: tuple[str, ...], u: list[float]) -> None:
+    """The export's inputs, and that its implicit and explicit forms are one."""
+    export, x = model.acados(), np.linspace(-0.1, 0.1, 2 * model.nq)
+    f = ca.Function("f", [export.x, export.xdot, export.u, export.p], [export.f_impl_expr, export.f_expl_expr])
+    rates = f(x, 0 * x, u, model.parameter_values)[1]
+    assert export.u_labels == labels
+    assert np.abs(f(x, rates, u, model.parameter_values)[0].full()).max() < 1e-9

@@ -53,8 +53,9 @@ def test_torques_and_loads_in_balance_bend_it():
         equilibrium(pair, w_ext=push * [[0.0], [1.0], [0.0]])
 
 
+@pytest.mark.long
 def test_a_loop_on_a_floating_base():
-    """With elastic gears: the torque 0.5 N·m at one joint winds its gear; the others carry it through the loop."""
+    """With elastic gears: held joints, and what follows the loop."""
     model = model_of(dual_arm.dual_arm())
     q = dual_arm.start(model)[0]
     rest = equilibrium(model, q, hold=True)

@@ -256,7 +256,7 @@ def test_mimic_is_refused_or_left_out_as_asked(file):
     turning = mimic.replace('"prismatic"', '"revolute"')
     path = file(ARM.replace("</robot>", f'<link name="thumb">{BODY}</link>{turning}</robot>'))
     (turned,) = import_urdf(path, None, Options(mimic="weld")).robot.links[1].bodies
-    place = np.add(Rotation.from_rotvec([0, 0.2, 0]).apply([0.1, 0, 0]), [0, 0, 0.5])
+    place = np.array([0, 0, 0.5]) + Rotation.from_rotvec([0, 0.2, 0]).apply([0.1, 0, 0])
     assert turned.com == pytest.approx((np.array([0.1, 0, 0]) + place) / 2)
     with pytest.raises(UsageError, match="mimic: there is no 'hold'"):
         import_urdf(path, None, Options(mimic="hold"))

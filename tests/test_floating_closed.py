@@ -6,6 +6,7 @@ from functools import cache
 import casadi as ca
 import numpy as np
 import pytest
+from batch_c import STRICT
 from conftest import require_tool, swept
 from dual_arm import dual_arm, start, torques
 from floating_robots import SATELLITE, TAU, momentum
@@ -21,6 +22,7 @@ from screwgen.backends.numpy.closing import moving
 from screwgen.backends.numpy.dae_step import space_of
 from screwgen.integrators import METHODS
 from screwgen.runtime.batch import CompiledBatch
+from screwgen.runtime.compiled import Compiled
 from screwgen.simulation.dae import DaeStepper
 from screwgen.studies.assemble import redundant
 
@@ -266,7 +268,7 @@ def test_a_batch_has_the_bits_of_the_compiled_steps(robot):
     x = np.tile(np.append(q, v), (5, 1))
     x[:, model.nq :] *= np.linspace(0.2, 1.0, 5)[:, None]
     x[1, 3:7] *= 1.0005
-    tau, library = 0.1 * torques(model), quick(model, layout="fused")
+    tau, library = 0.1 * torques(model), Compiled(model, "fused", flags=STRICT, cache=True)
     quick_batch(model)
     for method in METHODS:
         found = rollout(model, x, tau, step=1e-4, steps=3, substeps=2, integrator=method)
@@ -282,7 +284,7 @@ def test_a_batch_has_the_bits_of_the_compiled_steps(robot):
 def test_a_batch_of_one_lane_and_in_single_precision():
     model = model_of(SATELLITE)
     q, v = (a[:, None] for a in flying(model))
-    flags = ("-O0", "-ffp-contract=off", "-DSATELLITE_LANE_BYTES=0")
+    flags = (*STRICT, "-DSATELLITE_LANE_BYTES=0")
     ends = []
     for single in (False, True):
         b = CompiledBatch(model, single, flags)
@@ -291,7 +293,7 @@ def test_a_batch_of_one_lane_and_in_single_precision():
         status, *_ = b.run(*paths, *inputs, b.constants(np.atleast_2d(model.parameter_values)), 1e-3, 5, "rk4", 1)
         assert not status.any()
         ends.append(np.concatenate([path[1, :, 0] for path in paths]))
-    step = quick(model, layout="fused").step(q[:, 0], v[:, 0], None, None, 1e-3, "rk4", 5)
+    step = Compiled(model, "fused", flags=STRICT, cache=True).step(q[:, 0], v[:, 0], None, None, 1e-3, "rk4", 5)
     assert np.array_equal(ends[0], np.concatenate(step)) and relative(ends[1], ends[0]) < 1e-4
 
 

@@ -41,7 +41,8 @@ nmpc-acados: acados
 test: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
 
-# The examples in their short forms with their assertions, and every block of the guides, as users run them.
+# The examples in their short forms with their assertions, and every block of the guides; what they compile is not
+# optimised.
 examples: $(READY)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'examples and not long' $(ARGS)
 

@@ -1,12 +1,14 @@
 """What all tests share: outside tools, the summary of what they kept from running, and hypothesis' manners."""
 
 import gc
+import importlib
 import os
 import shutil
 import signal
 import tempfile
 import threading
 from collections import Counter
+from types import ModuleType
 from typing import NoReturn
 
 import hypothesis.configuration
@@ -71,7 +73,7 @@ def _frozen():
 
 @pytest.fixture(autouse=True)
 def _quick_models(request, monkeypatch):
-    """What tests and the commands that they call compile is not optimised, unless they give flags or run examples.
+    """What tests and the commands that they call compile is not optimised, unless they give flags.
 
     Optimising takes ten times as long as compiling. Programs that tests start have the product's flags.
     """
@@ -84,7 +86,7 @@ def _quick_models(request, monkeypatch):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item):
-    """What examples and guides compile is not optimised either, unless CC names a compiler."""
+    """Examples and guides keep the product's flags, to which `tests/tools/cc` adds -O0, unless CC names a compiler."""
     os.environ["CC"] = NAMED or (UNOPTIMISED if "examples" in item.keywords else "cc")
 
 
@@ -108,8 +110,17 @@ def require_tool(name: str) -> str:
 
 def lacking(name: str) -> NoReturn:
     """Skips a test for want of a tool, which may have a reason behind it; fails it if REQUIRE_TOOLS=1."""
-    refuse = pytest.fail if os.environ.get("REQUIRE_TOOLS") == "1" else pytest.skip
-    refuse(MISSING + name)
+    if os.environ.get("REQUIRE_TOOLS") == "1":
+        pytest.fail(MISSING + name)
+    pytest.skip(MISSING + name, allow_module_level=True)
+
+
+def package(name: str) -> ModuleType:
+    """A package of the extras. Where it is missing the test, or the module that asks, is skipped as `lacking` says."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        lacking(name)
 
 
 def missing_tools(reports) -> Counter:

@@ -47,6 +47,14 @@ def test_random_robots_agree_with_the_oracle(seed):
     )
 
 
+def test_optimised_code_agrees_with_the_oracle_in_both_forms():
+    case = drawn(12, 2, max_modes=2)
+    c, expected = case.model.compile(flags=("-O2",)), case.oracle.forward_dynamics(*case.inputs)
+    for form in ("joint", "dae"):
+        for found, wanted in zip(c.forward_dynamics(*case.inputs, form=form), expected, strict=True):
+            assert relative(found, wanted) < case.tolerance
+
+
 def test_energy_of_other_parameters():
     """Spin and lengths are constants that the energy alone reads: they follow the parameters too."""
     case = drawn(12, 2, max_modes=2)

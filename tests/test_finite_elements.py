@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 import scipy.sparse as sparse
+from conftest import package
 from helpers import ROOT, model_of
 from scipy.sparse.linalg import eigsh, splu
 
@@ -20,7 +21,7 @@ PARTS = ("data", "indices", "indptr", "shape")
 @pytest.fixture(scope="module")
 def beam() -> Mesh:
     """A solid beam, 1 m long, 40 mm by 30 mm, of quadratic hexahedra."""
-    skfem = pytest.importorskip("skfem")
+    skfem = package("skfem")
     from skfem.helpers import dot
     from skfem.models.elasticity import lame_parameters, linear_elasticity
 
@@ -231,7 +232,7 @@ def test_a_text_is_no_npz(tmp_path):
 
 
 def test_the_example_compares_solid_reduced_body_and_rod(monkeypatch, capsys, tmp_path):
-    pytest.importorskip("skfem")
+    package("skfem")
     monkeypatch.syspath_prepend(str(ROOT / "examples"))
     bracket = importlib.import_module("bracket")
     monkeypatch.setattr(bracket, "FOLDER", tmp_path)

@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 import pytest
+from conftest import package
 from helpers import EPS, ROOT, example, model_of, quick
 
 from screwgen import UsageError
@@ -12,7 +13,7 @@ from screwgen.algorithms.fused import modal_dynamics
 from screwgen.backends.numpy.python import compiled
 from screwgen.ir.adjoint import adjoint, only
 
-jax = pytest.importorskip("jax")
+jax = package("jax")
 from jax_table import state  # noqa: E402
 
 jnp = jax.numpy

@@ -1,8 +1,9 @@
 """The JAX back end on the example robots: against the compiled C in double and single precision, and CasADi."""
 
 import pytest
+from conftest import package
 
-jax = pytest.importorskip("jax")
+jax = package("jax")
 
 from jax_table import INPUTS, ROBOTS, STEP, by_c, named, row, state, worst  # noqa: E402
 

@@ -5,11 +5,10 @@ import subprocess
 import sys
 import sysconfig
 from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
-from importlib.util import find_spec
 
 import numpy as np
 import pytest
-from conftest import require_tool
+from conftest import package, require_tool
 from helpers import ROOT, model_of
 
 from screwgen import UsageError, rollout, sweep
@@ -51,8 +50,11 @@ class Losing:
         return out
 
 
-WITH_ZARR = pytest.mark.skipif(find_spec("zarr") is None, reason="zarr is not installed")
-FORMATS = pytest.mark.parametrize("format", ["npy", pytest.param("zarr", marks=WITH_ZARR)])
+@pytest.fixture(params=["npy", "zarr"])
+def format(request) -> str:
+    if request.param == "zarr":
+        package("zarr")
+    return request.param
 
 
 def bits(values) -> bytes:
@@ -84,7 +86,7 @@ def test_rollouts_of_arrays_on_executors(model, monkeypatch):
 
 
 def test_a_zarr_store_opens_as_any_other(model, tmp_path):
-    zarr = pytest.importorskip("zarr")
+    zarr = package("zarr")
     found = sweep(model, unlucky, 50, tmp_path / "s.zarr", **HOW, keep=marked, executor=Losing())
     there = zarr.open_group(tmp_path / "s.zarr", mode="r")
     assert there["values"].chunks == (8, 4) and there["values"].dtype == np.float32
@@ -103,7 +105,6 @@ def marked(run) -> np.ndarray:
     return np.where(run.x[:, -1] > 0.5, np.float32(-0.0), run.x[:, -1].astype(np.float32))
 
 
-@FORMATS
 def test_a_stopped_sweep_goes_on(model, tmp_path, format):
     whole, seen, store = sweep(model, drawn, 50, tmp_path / "whole.npy", **HOW), [], tmp_path / f"part.{format}"
 
@@ -122,7 +123,6 @@ def test_a_stopped_sweep_goes_on(model, tmp_path, format):
     sweep(model, drawn, 50, store, **HOW, progress=lambda *_: pytest.fail("all chunks were done"))
 
 
-@FORMATS
 def test_a_sweep_that_was_stopped_before_its_first_chunk_was_listed(model, tmp_path, format):
     store, manifest = tmp_path / f"part.{format}", tmp_path / MANIFESTS[format]
     whole = bits(sweep(model, drawn, 20, store, **HOW).values)
@@ -130,7 +130,20 @@ def test_a_sweep_that_was_stopped_before_its_first_chunk_was_listed(model, tmp_p
     assert bits(sweep(model, drawn, 20, store, **HOW).values) == whole
 
 
-@FORMATS
+def test_a_store_that_lost_a_chunk_is_refused(model, tmp_path):
+    package("zarr")
+    store = tmp_path / "part.zarr"
+    sweep(model, drawn, 50, store, **HOW)
+    (store / "status" / "c" / "2").unlink()
+    with pytest.raises(UsageError, match="lacks chunks that its manifest lists"):
+        sweep(model, drawn, 50, store, **HOW)
+
+
+def test_a_sweep_that_was_stopped_before_it_made_its_tables(model, tmp_path, format):
+    (tmp_path / MANIFESTS[format]).touch()
+    assert sweep(model, drawn, 10, tmp_path / f"part.{format}", **HOW).ok.all()
+
+
 def test_stores_of_something_else_are_refused(model, tmp_path, format):
     store = tmp_path / f"part.{format}"
     sweep(model, drawn, 10, store, **HOW)
@@ -147,7 +160,6 @@ def test_stores_of_something_else_are_refused(model, tmp_path, format):
         sweep(model, drawn, 10, store, **HOW)
 
 
-@FORMATS
 def test_rows_of_other_types_are_refused(model, tmp_path, format):
     """The file would hold them as numbers of the first type."""
     seen = []
@@ -171,6 +183,7 @@ def test_without_zarr(model, tmp_path, monkeypatch):
     ("change", "said"),
     [
         ({"store": "x.txt"}, "must end in .npy or .zarr"),
+        ({"store": "none/x.npy"}, "there is no folder"),
         ({"count": 0}, "count is 0"),
         ({"chunk": 0}, "chunk is 0"),
         ({"draw": lambda rng, n: {"tau": np.zeros(1)}}, "missing is 'x0'"),
@@ -204,7 +217,7 @@ def started(*command) -> subprocess.CompletedProcess:
 
 @pytest.mark.examples
 def test_a_worker_of_dask_is_killed_midway(tmp_path):
-    pytest.importorskip("dask.distributed")
+    package("dask.distributed")
     import dask_sweep
 
     done = started(sys.executable, ROOT / "tests" / "dask_sweep.py", tmp_path / "dask.npy")
@@ -216,8 +229,8 @@ def test_a_worker_of_dask_is_killed_midway(tmp_path):
 @pytest.mark.examples
 def test_a_worker_of_mpi_is_killed_midway(tmp_path):
     """MPI ends the whole job; the next one makes what is missing."""
-    pytest.importorskip("mpi4py")
-    zarr = pytest.importorskip("zarr")
+    package("mpi4py")
+    zarr = package("zarr")
     import mpi_sweep
 
     mpiexec = require_tool(os.path.join(sysconfig.get_path("scripts"), "mpiexec"))

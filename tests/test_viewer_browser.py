@@ -5,7 +5,7 @@ import time
 import numpy as np
 import pytest
 from browser import Browser
-from conftest import require_tool
+from conftest import package, require_tool
 from dressed_arm import corners, dressed, posture, still
 from helpers import ROOT, arm, link, model_of
 
@@ -145,7 +145,7 @@ def test_poses_are_those_of_the_model(browser, tmp_path, name):
 @pytest.mark.parametrize("factor", [1, 4])
 def test_meshes_are_drawn_where_they_are(browser, tmp_path, factor):
     """Boxes of four kinds of files, by the pixels that their corners span; that at the tip bends with its link."""
-    pytest.importorskip("trimesh")
+    package("trimesh")
     (tmp_path / "arm_description").mkdir()
     urdf, model = dressed(tmp_path / "arm_description")
     q = posture(model, 0.02)

@@ -4,6 +4,7 @@ import sys
 
 import numpy as np
 import pytest
+from conftest import package
 from dressed_arm import LENGTH, corners, dressed, posture, still
 from scipy.spatial.transform import Rotation
 
@@ -15,7 +16,7 @@ from screwgen.viewer.meshes import read_looks
 from screwgen.viewer.shapes import sections
 from screwgen.viewer.view import read_run
 
-pytest.importorskip("trimesh")
+package("trimesh")
 
 
 @pytest.fixture(scope="module")

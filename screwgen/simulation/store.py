@@ -27,6 +27,9 @@ class Rows(Protocol):
     def open(self) -> None:
         """Open the tables of a stopped sweep for writing."""
 
+    def complete(self, chunks: int) -> bool:
+        """Whether the open tables may hold so many chunks; a file that was lost holds none."""
+
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         """The rows of chunk k; they are in the file when this returns."""
 
@@ -60,6 +63,9 @@ class Npy:
         for path, rows in zip(self.paths, self.result(), strict=True):
             self._files.append((open(path, "r+b"), rows.offset))  # noqa: SIM115
 
+    def complete(self, chunks: int) -> bool:
+        return True  # a file that is too short is not mapped
+
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         for (file, start), rows in zip(self._files, (values, status), strict=True):
             file.seek(start + k * self._chunk * rows[:1].nbytes)
@@ -91,6 +97,8 @@ class Store:
     def __init__(self, path: Path, digest: str, count: int, chunk: int):
         if path.suffix not in FORMATS:
             raise UsageError(f"store '{path}': its name must end in {' or '.join(FORMATS)}")
+        if not path.parent.is_dir():
+            raise UsageError(f"store '{path}': there is no folder '{path.parent}'; make it first")
         self.path, self.count = path, count
         self.rows = FORMATS[path.suffix](path, count, chunk)
         self.manifest = self.rows.manifest
@@ -100,11 +108,12 @@ class Store:
         self._list: BinaryIO | None = None
 
     def __enter__(self) -> Store:
-        if not os.path.lexists(self.manifest):
+        if not os.path.lexists(self.manifest) or self._stopped_at_once():
             if taken := [p for p in self.rows.paths if os.path.lexists(p)]:
                 raise UsageError(
                     f"'{taken[0]}' exists and is no sweep that was stopped; remove it or name another store"
                 )
+            self.manifest.unlink(missing_ok=True)
             return self
         try:
             with open_regular(self.manifest) as file:
@@ -137,12 +146,19 @@ class Store:
                 raise UsageError(f"{said}; remove it and its manifest")
         self._like = tables[0]
         self.rows.open()
+        if not self.rows.complete(len(self.done)):
+            raise UsageError(f"'{self.path}' lacks chunks that its manifest lists; remove both to start again")
+
+    def _stopped_at_once(self) -> bool:
+        """Whether the manifest is empty: the sweep was stopped before it made its tables."""
+        return self.manifest.is_file() and not self.manifest.stat().st_size
 
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         """The rows of chunk k, like those of every other."""
         if self._list is None:
             self._list = create(self.manifest, self.manifest)
             self._list.write(f"{self.header}\n".encode())
+            self._list.flush()
         if self._like is None:
             self.rows.create(values, status)
             self._like = values

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from pathlib import Path
 from typing import Any
@@ -9,6 +10,10 @@ from typing import Any
 import numpy as np
 
 from ..errors import UsageError
+
+
+MISSING = {"values": 0, "status": 255}
+"""What is read where a chunk was not written; no status of a scenario is 255."""
 
 
 class Zarr:
@@ -35,6 +40,7 @@ class Zarr:
                 chunks=(self._chunk, *rows.shape[1:]),
                 dtype=rows.dtype,
                 dimension_names=["scenario", *(f"axis_{i}" for i in range(1, rows.ndim))],
+                fill_value=MISSING[name],
                 config={"write_empty_chunks": True},
             )
             self._arrays.append(array)
@@ -42,6 +48,9 @@ class Zarr:
     def open(self) -> None:
         group = self._zarr.open_group(self.paths[0], mode="r+")
         self._arrays = [group["values"], group["status"]]
+
+    def complete(self, chunks: int) -> bool:
+        return all(array.nchunks_initialized >= chunks for array in self._arrays)
 
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         start = k * self._chunk
@@ -52,8 +61,10 @@ class Zarr:
         self._arrays.clear()
 
     def remove(self) -> None:
-        if self.paths[0].exists():
+        if self.paths[0].is_dir():
             shutil.rmtree(self.paths[0])
+        elif os.path.lexists(self.paths[0]):
+            raise UsageError(f"store '{self.paths[0]}' is no folder; remove it or name another store")
 
     def result(self) -> tuple[Any, np.ndarray]:
         group = self._zarr.open_group(self.paths[0], mode="r")

@@ -128,6 +128,11 @@ def test_folder_of_pictures(bent, tmp_path, capsys):
         assert picture.size == (120, 80)
     assert main(given) == 2 and "is no empty folder" in capsys.readouterr().err
     assert sorted(os.listdir(tmp_path)) == ["film", "run.npz"]
+    empty = tmp_path / "empty"
+    empty.mkdir(mode=0o700)
+    before = empty.stat()
+    assert main([*given[:3], str(empty), *given[4:]]) == 0 and len(os.listdir(empty)) == 4
+    assert (empty.stat().st_ino, empty.stat().st_mode) == (before.st_ino, before.st_mode)
 
 
 def test_refusals(bent, tmp_path, capsys, monkeypatch):
@@ -143,6 +148,10 @@ def test_refusals(bent, tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("PATH", str(none))
     for arguments, said in [
         ((), "there is nothing to write"),
+        (("-o", "x.html", "--speed", "2"), "--speed: is of films; add --frames run.gif"),
+        (("--frames", ""), "'' is no name of a film"),
+        (("--frames", ".gif"), "'.gif' is no name of a film"),
+        (("--frames", "x." + 300 * "x" + "/y"), "cannot be written"),
         (("--frames", "x.avi"), "must end in .gif or .mp4, or have none: a folder"),
         (("--frames", "x.mp4"), "needs ffmpeg, which is not there; install it, or write a .gif"),
         (("--frames", "no/x.gif"), "its folder does not exist"),

@@ -1,5 +1,6 @@
 """Visuals of URDFs on robots that came from them: where they are, what is said of those that cannot be read."""
 
+import dataclasses
 import sys
 
 import numpy as np
@@ -89,6 +90,14 @@ def test_what_cannot_be_read_is_said(arm, tmp_path, capsys):
     assert html.count('"color":"#0000ff"') == 1
 
 
+def test_colours_of_a_visual_are_those_of_its_name_elsewhere(arm):
+    urdf, _ = arm
+    other = urdf.with_name("other.urdf")
+    other.write_text(urdf.read_text().replace('<material name="named"/>', '<material name="m0 0 1"/>'))
+    colors = [{part.color for part in read_looks(path).parts if part.link == "upper"} for path in (urdf, other)]
+    assert colors == [{"#00ffff", "#ff0000"}, {"#0000ff", "#ff0000"}]
+
+
 def test_meshes_are_found_by_the_package_path(arm, tmp_path, monkeypatch):
     """Where they do not lie above the URDF."""
     urdf, _ = arm
@@ -110,6 +119,8 @@ def test_refusals(arm, tmp_path, capsys, monkeypatch):
         ('<sphere radius=".06"/>', "<cone/>", "link 'stand': geometry: must have one of <mesh>"),
         ('rgba="0 1 1 1"', 'rgba="0 2 1 1"', "each of the four must be from 0 to 1"),
         ('<sphere radius=".06"/>', '<sphere radius="-"/>', "must be a number"),
+        ('<sphere radius=".06"/>', '<sphere radius="0"/>', "lengths must be > 0"),
+        (f'size=".04 .04 {LENGTH}"', 'size="40 40 800"', "a visual is 1e+03 times as long as the link"),
     ]:
         other = tmp_path / "other.urdf"
         other.write_text(text.replace(old, new))
@@ -118,6 +129,9 @@ def test_refusals(arm, tmp_path, capsys, monkeypatch):
         assert error.count("\n") == bool(said) and (not said or (said in error and "other.urdf" in error))
         assert page.exists() == (not said)
         page.unlink(missing_ok=True)
+    longer = {"parameters": model.chain.parameters.vector({"upper.length": 0.9})}
+    with pytest.raises(UsageError, match=r"'fore' of run 1 is .* m away"):
+        screwgen.view(dataclasses.replace(read_run(run), **longer), meshes=read_looks(urdf))
     foreign = text.replace("upper", "a").replace("fore", "b")
     (tmp_path / "foreign.urdf").write_text(foreign)
     with pytest.raises(UsageError, match="none of its links is one of 'dressed'"):

@@ -36,10 +36,10 @@ def view(
         str | None,
         typer.Option(metavar="FILE", help="Write a film: run.gif, run.mp4, or a folder of .png.", show_default=False),
     ] = None,
-    fps: Annotated[float, typer.Option(help="Frames per second of the film.")] = 25.0,
-    size: Annotated[str, typer.Option(metavar="WxH", help="Pixels of the film.")] = "800x600",
-    speed: Annotated[float, typer.Option(help="Seconds of the run in a second of the film.")] = 1.0,
-    magnify: Annotated[float, typer.Option(help="Factor of the bending in the film.")] = 1.0,
+    fps: Annotated[float | None, typer.Option(help="Frames per second of the film; 25.")] = None,
+    size: Annotated[str | None, typer.Option(metavar="WxH", help="Pixels of the film; 800x600.")] = None,
+    speed: Annotated[float | None, typer.Option(help="Seconds of the run in a second of the film; 1.")] = None,
+    magnify: Annotated[float | None, typer.Option(help="Factor of the bending in the film; 1.")] = None,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Write one HTML file that plays runs, the arm as it bends, energy, tip and torques; or a film of them."""
@@ -53,6 +53,11 @@ def view(
     quiet = quiet or context.obj
     if output is None and frames is None:
         raise UsageError("there is nothing to write; name the page by -o run.html, or a film by --frames run.gif")
+    of_films = {"fps": fps, "size": size, "speed": speed, "magnify": magnify}
+    options = {name: value for name, value in of_films.items() if value is not None}
+    if options and frames is None:
+        name = next(iter(options))
+        raise UsageError(f"--{name}: is of films; add --frames run.gif, or leave it out")
     if len(runs) > MOST_RUNS:
         raise UsageError(f"there are {len(runs)} runs to view; give one, or two to have the second as a ghost")
     if output is not None:
@@ -63,16 +68,14 @@ def view(
     if frames is not None:
         from ..viewer.frames import film, read_size
 
-        pixels = read_size(size)
+        if size is not None:
+            options["size"] = read_size(size)
         with bar("drawing", 1, quiet) as progress:
             film(
                 *found,
                 path=frames,
                 labels=labels,
-                fps=fps,
-                size=pixels,
-                speed=speed,
-                magnify=magnify,
+                **options,
                 meshes=looks,
                 progress=progress,
             )

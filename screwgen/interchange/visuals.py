@@ -31,7 +31,7 @@ class Visual(NamedTuple):
 
 def visuals(urdf: Urdf) -> Iterator[Visual]:
     """Each visual that can be seen. Raises RobotFileError."""
-    named = {x.string("name"): x for x in urdf.element.all("material") if x.attributes.get("name")}
+    named = _named(urdf)
     for link in urdf.links.values():
         for element in link.element.all("visual"):
             geometry = element.needed("geometry", 'state <geometry><mesh filename="…"/></geometry>')
@@ -46,6 +46,16 @@ def visuals(urdf: Urdf) -> Iterator[Visual]:
             color = _color(element.only("material"), named)
             if color is None or color[3] > 0:
                 yield Visual(link.name, at, shapes[0], None if color is None else _hex(color))
+
+
+def _named(urdf: Urdf) -> dict[str, Element]:
+    """The materials with a name and a colour, the first of each name: those of the robot, then those of visuals."""
+    seen = [visual for link in urdf.links.values() for visual in link.element.all("visual")]
+    named: dict[str, Element] = {}
+    for material in (x for parent in (urdf.element, *seen) for x in parent.all("material")):
+        if (name := material.attributes.get("name")) and material.only("color") is not None:
+            named.setdefault(name, material)
+    return named
 
 
 def _color(material: Element | None, named: dict[str, Element]) -> list[float] | None:

@@ -11,7 +11,6 @@ import numpy as np
 
 from ..errors import UsageError
 
-
 MISSING = {"values": 0, "status": 255}
 """What is read where a chunk was not written; no status of a scenario is 255."""
 

@@ -64,7 +64,7 @@ class Actor:
         self.scene, self.numeric = scene(model, run.parameters), model.numpy(run.parameters)
         links = self.scene["links"]
         self.bends = [Bend(link) for link in links]
-        worn = placed(looks, model, self.scene, label) if looks else []
+        worn = placed(looks, model, self.scene, label, run.parameters) if looks else []
         over = {links[i]["owner"] for i, _ in worn if i >= 0}
         self.solids: list[tuple[int, Solid]] = [
             (i, x)
@@ -118,10 +118,13 @@ class Film:
         first, self.size = self.actors[0].scene, size
         down = np.array(first["gravity"])
         turn = _down(down / np.linalg.norm(down)) if down.any() else np.eye(3)
-        clouds = [np.reshape(x, (-1, 3)) for x in ends]
+        clouds = [np.reshape(x, (-1, 3)) @ turn.T for x in ends]
         if looks is not None:
-            clouds += [a.faces(q).reshape(-1, 3) for a in self.actors for q in a.at(self.times[:: PATH // SURVEYED])]
-        self.cloud = np.concatenate(clouds) @ turn.T
+            worn = (
+                a.faces(q).reshape(-1, 3) @ turn.T for a in self.actors for q in a.at(self.times[:: PATH // SURVEYED])
+            )
+            clouds += [np.array([x.min(axis=0), x.max(axis=0)]) for x in worn]
+        self.cloud = np.concatenate(clouds)
         self.camera = _camera(turn, self.cloud, first["size"], size)
         self._prepare(runs, magnified)
 

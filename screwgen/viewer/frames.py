@@ -59,6 +59,8 @@ def film(
     for side in size:
         if not SIDES[0] <= side <= SIDES[1]:
             raise UsageError(f"size: is {size[0]}x{size[1]}; both must be from {SIDES[0]} to {SIDES[1]} pixels")
+    if not shown or os.path.basename(shown).lower() in FILMS:
+        raise UsageError(f"'{shown}' is no name of a film; name one such as run.gif, or a folder")
     if kind in FILMS:
         check_output(path, FILMS)
     elif kind:
@@ -154,15 +156,24 @@ def _mp4(made: Path, pictures: Iterator[np.ndarray], fps: float, size: tuple[int
 
 
 def _folder(target: Path, pictures: Iterator[np.ndarray], shown: str) -> None:
-    """A folder 0001.png, 0002.png, …; a new one, or one that is empty."""
-    if target.exists() and (not target.is_dir() or any(target.iterdir())):
-        raise UsageError(f"{shown}: is there, and is no empty folder; name a new one")
-    part = target.with_name(f".{target.name[:40]}.{secrets.token_hex(4)}.part")
+    """A folder 0001.png, 0002.png, …; a new one, or one that is empty, which then stays the same folder."""
+    try:
+        there = target.exists()
+        if there and (not target.is_dir() or any(target.iterdir())):
+            raise UsageError(f"{shown}: is there, and is no empty folder; name a new one")
+    except OSError as error:
+        raise unwritable(shown, error) from None
+    part = (target if there else target.parent) / f".{secrets.token_hex(8)}.part"
     try:
         part.mkdir()
         for k, picture in enumerate(pictures):
             Image.fromarray(picture).save(part / f"{k + 1:04}.png")
-        os.replace(part, target)
+        if not there:
+            os.replace(part, target)
+            return
+        for picture in sorted(part.iterdir()):
+            os.replace(picture, target / picture.name)
+        part.rmdir()
     except OSError as error:
         raise unwritable(shown, error) from None
     finally:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from ..interchange.tree import identifiers
 from ..interchange.urdf import Urdf, read_urdf
 from ..interchange.visuals import Visual, at_zero, located, visuals
 from ..spec.load import one_line, read
+from ..spec.values import quoted
 from .pack import b64, rounded
 from .solids import METAL, Solid
 
@@ -95,15 +97,22 @@ def _surfaces(trimesh, visual: Visual, file: str, notes: list[str]) -> Iterator[
 
 def _meshes(trimesh, visual: Visual, file: str, notes: list[str]) -> list[tuple[Any, str]]:
     shape = visual.shape
-    if shape.tag == "box":
-        return [(trimesh.creation.box(shape.numbers("size", 3, "position")), METAL)]
-    if shape.tag == "sphere":
-        return [(trimesh.creation.icosphere(3, shape.number("radius", "position")), METAL)]
-    if shape.tag == "cylinder":
-        radius, length = (shape.number(key, "position") for key in ("radius", "length"))
-        return [(trimesh.creation.cylinder(radius, length, sections=40), METAL)]
+    if shape.tag != "mesh":
+        make, keys = {
+            "box": (trimesh.creation.box, ("size",)),
+            "sphere": (partial(trimesh.creation.icosphere, 3), ("radius",)),
+            "cylinder": (partial(trimesh.creation.cylinder, sections=40), ("radius", "length")),
+        }[shape.tag]
+        given = {key: shape.numbers(key, 3 if key == "size" else 1, "position") for key in keys}
+        for key, numbers in given.items():
+            if min(numbers) <= 0:
+                raise shape.fault(f"is {quoted(shape.attributes[key])}; lengths must be > 0", key)
+        return [(make(*(x if len(x) > 1 else x[0] for x in given.values())), METAL)]
     name, scale = shape.string("filename"), shape.numbers("scale", 3, "position", "1 1 1")
-    path = located(name, file)
+    try:
+        path = located(name, file)
+    except OSError:  # as of a name that is too long
+        path = None
     if path is None:
         notes.append(f"link '{visual.link}': there is no file {one_line(name)}; it is drawn without")
         return []
@@ -135,16 +144,20 @@ def _color(mesh) -> str:
     return "#" + "".join(f"{int(x):02x}" for x in color[:3])
 
 
-def placed(looks: Looks, model: Model, scene: dict[str, Any], label: str) -> list[tuple[int, Solid]]:
+def placed(
+    looks: Looks, model: Model, scene: dict[str, Any], label: str, p: np.ndarray | None = None
+) -> list[tuple[int, Solid]]:
     """Each surface with the number of the link of `scene` to which it is fixed, -1: the world; triangles alone.
+
+    `p`: values of the model's parameters as `scene` has them, those of the file by default.
 
     Raises UsageError where the robot's links at zero are not where the URDF has them.
     """
     names, links = identifiers(looks.urdf.links), [link.name for link in model.robot.links]
     held = {link for link, name in names.items() if name not in links}
     zero = at_zero(looks.urdf, held)
-    R, r = model.numpy().link_pose(model.chain.home)
-    _refuse_another(looks, model, scene, {names[link]: x.p for link, x in zero.items()}, label)
+    R, r = poses = model.numpy(p).link_pose(model.chain.home)
+    _refuse_another(looks, model, scene, {names[link]: x.p for link, x in zero.items()}, label, poses)
     carrier = {joint.child: joint.parent for joint in looks.urdf.joints.values()}
     out: dict[tuple[int, str], list] = {}
     for part in looks.parts:
@@ -155,12 +168,19 @@ def placed(looks: Looks, model: Model, scene: dict[str, Any], label: str) -> lis
         if owner is None:
             out.setdefault((-1, part.color), []).append((points, part.triangles, np.empty(0)))
             continue
-        for k, own, triangles in _segments(points, part.triangles, model, links.index(names[owner]), scene):
+        i = links.index(names[owner])
+        link = scene["links"][model.chain.firsts[i]]
+        whole = (points, part.triangles)
+        if link["modes"] and any(link["reach"]):
+            whole = _cut(*whole, LONGEST * float(np.linalg.norm(link["reach"])), f"{looks.file}: link '{owner}'")
+        for k, own, triangles in _segments(*whole, model, i, scene, poses):
             out.setdefault((k, part.color), []).append(_fixed((own - r[k]) @ R[k], triangles, scene["links"][k]))
     return [(k, _together(parts, color, k)) for (k, color), parts in out.items()]
 
 
-def _refuse_another(looks: Looks, model: Model, scene: dict, zero: dict[str, np.ndarray], label: str) -> None:
+def _refuse_another(
+    looks: Looks, model: Model, scene: dict, zero: dict[str, np.ndarray], label: str, poses: tuple
+) -> None:
     first, known = model.robot.links[0], [i for i, x in enumerate(model.robot.links) if x.name in zero]
     remedy = "name the URDF from which it came"
     if not known:
@@ -169,7 +189,7 @@ def _refuse_another(looks: Looks, model: Model, scene: dict, zero: dict[str, np.
         raise UsageError(
             f"{looks.file}: '{first.name}' of {label} floats and has a length; meshes of such are not drawn"
         )
-    R, r = model.numpy().link_pose(model.chain.home)
+    R, r = poses
     for i in known:
         k, name = model.chain.firsts[i], model.robot.links[i].name
         away = float(np.linalg.norm(r[k] + R[k] @ scene["links"][k]["base"] - zero[name]))
@@ -178,21 +198,27 @@ def _refuse_another(looks: Looks, model: Model, scene: dict, zero: dict[str, np.
             raise UsageError(f"{looks.file}: {what}; {remedy}")
 
 
-def _segments(points, triangles, model: Model, link: int, scene: dict) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
-    """The points and triangles of each segment of a link, by where along it the triangles' middles are.
-
-    Of a link with modes none of their edges is long.
-    """
+def _cut(points: np.ndarray, triangles: np.ndarray, longest: float, shown: str) -> tuple[np.ndarray, np.ndarray]:
+    """A surface whose edges are at most `longest`, m, so that it can bend; raises UsageError where these are many."""
     import trimesh
 
+    edges = np.linalg.norm(points[triangles] - points[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
+    if (4.0 ** np.ceil(np.log2(np.maximum(edges / longest, 1.0)))).sum() > MOST_TRIANGLES:
+        size = np.ptp(points, axis=0).max() / (longest / LONGEST)
+        raise UsageError(f"{shown}: a visual is {size:.3g} times as long as the link; state the scale of its mesh")
+    return trimesh.remesh.subdivide_to_size(points, triangles, longest, max_iter=30)
+
+
+def _segments(
+    points, triangles, model: Model, link: int, scene: dict, poses: tuple
+) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
+    """The points and triangles of each segment of a link, by where along it the triangles' middles are."""
     first, last = model.chain.firsts[link], model.chain.lasts[link]
     own, end = scene["links"][first], scene["links"][last]
-    if own["modes"] and (length := float(np.linalg.norm(own["reach"]))):
-        points, triangles = trimesh.remesh.subdivide_to_size(points, triangles, LONGEST * length, max_iter=30)
     if first == last:
         yield first, points, triangles
         return
-    R, r = model.numpy().link_pose(model.chain.home)
+    R, r = poses
     start = r[first] + R[first] @ own["base"]
     way = r[last] + R[last] @ np.add(end["base"], end["reach"]) - start
     s = (points[triangles].mean(axis=1) - start) @ way / (way @ way)
@@ -223,7 +249,7 @@ def _together(parts: list[tuple], color: str, k: int) -> Solid:
 def packed(link: int, solid: Solid, size: float) -> dict[str, Any]:
     """A surface for the page; `size`: that of the robot, m."""
     table = np.column_stack([solid.points, solid.rows]) if len(solid.rows) else solid.points
-    wide = len(solid.points) > 2**16
+    wide = len(solid.points) >= 2**16  # the index 65535 would end a strip of triangles
     index = np.ascontiguousarray(solid.faces[:, :3], "<u4" if wide else "<u2")
     tolerance = np.array([FINE * size] * 3 + [1e-3])[: table.shape[1]]
     return {

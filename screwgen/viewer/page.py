@@ -122,7 +122,9 @@ def run_page(runs: Sequence[tuple[Run, Model, str]], looks: Looks | None = None)
     """
     scenes = [scene(model, run.parameters) for run, model, _ in runs]
     if looks is not None:
-        dressed = [placed(looks, model, x, label) for x, (_, model, label) in zip(scenes, runs, strict=True)]
+        dressed = [
+            placed(looks, model, x, label, run.parameters) for x, (run, model, label) in zip(scenes, runs, strict=True)
+        ]
         for x, parts in zip(scenes, dressed, strict=True):
             x["meshes"] = [packed(k, solid, scenes[0]["size"]) for k, solid in parts]
         for x in scenes[1:]:

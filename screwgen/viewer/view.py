@@ -84,6 +84,8 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
             raise UsageError(f"{one_line(name)}: {key} has the shape {found.shape}; it must be (samples, *{shape})")
         if not np.isfinite(found).all():
             raise UsageError(f"{one_line(name)}: {key} holds numbers that are not finite; simulate again")
+    if (np.diff(run.t) < 0).any():
+        raise UsageError(f"{one_line(name)}: t falls; times must rise")
     if run.parameters is not None and len(run.parameters) != len(model.parameter_values):
         raise UsageError(
             f"{one_line(name)}: has {len(run.parameters)} parameters, '{own.name}' {len(model.parameter_values)}"

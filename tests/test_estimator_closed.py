@@ -130,6 +130,36 @@ def test_in_float(name):
 # ------------------------------------------------------------------------------ a tree that moves alike
 
 
+def test_a_start_at_open_rates_has_the_covariance_of_closed_ones():
+    """Rows of the closure by differences: the rates of the gaps are linear in v."""
+    robot = model("bent")
+    e, n = Estimator(robot), robot.nv
+    e.start(begin("bent")[0], 5.0 * np.eye(n)[0], 0.1, 0.5, Noise(1.0))
+    (q, v), P, gaps = e.state, e.covariance, robot.numpy().gaps
+    rates = lambda q: gaps(q, v)[1]  # noqa: E731
+    J = np.column_stack([gaps(q, one)[1] for one in np.eye(n)])
+    J_q = np.column_stack([(rates(q + one) - rates(q - one)) / 2e-6 for one in 1e-6 * np.eye(n)])
+    assert np.max(np.abs(J @ v)) < 1e-12 and np.max(np.abs(J @ P[:n])) < 1e-14
+    assert np.max(np.abs(np.hstack([J_q, J]) @ P)) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"deviation_q": -1.0}, "deviation_q: must be a number >= 0, or 16 of them"),
+        ({"deviation_v": np.ones(3)}, "deviation_v: must be"),
+        ({"noise": Noise(-1.0)}, "density_v: must be"),
+        ({"q": np.zeros(17)}, "the quaternion of the base is zero"),
+    ],
+)
+def test_starts_that_are_none_are_refused(change, said):
+    robot = model("satellite")
+    q, v = begin("satellite")
+    given = {"q": q, "v": v, "deviation_q": 0.1, "deviation_v": 0.1, "noise": Noise(1.0)} | change
+    with pytest.raises(UsageError, match=said):
+        Estimator(robot).start(**given)
+
+
 def alike(h: float, count: int) -> float:
     """The parallelogram's filter against that of one bar, whose one encoder is worth the three: in deviations."""
     shut, bar = parallelogram(20.0), one_bar()
@@ -281,7 +311,7 @@ def test_what_leads_astray_is_refused_and_changes_nothing():
         with pytest.raises(UsageError, match=r"^strain: shape \(3,\), must be \(2,\)"):
             f.update(np.zeros(3), np.zeros((3, 6)), strain=np.zeros(3))
     f = Estimator(robot)
-    with pytest.raises(UsageError, match="standard deviation is negative"):
+    with pytest.raises(UsageError, match="deviation_q: must be a number >= 0"):
         f.start(*begin("bent"), -1.0, 1.0, Noise(1.0))
     f.start(*begin("bent"), 1e-2, 1e-1, Noise(1.0))
     with pytest.raises(UsageError, match="encoder has no standard deviation"):

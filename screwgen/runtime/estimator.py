@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..algorithms.gauges import Gauge, gauges
-from ..arguments import array
+from ..arguments import array, real_numbers
 from ..errors import ScrewgenError, SingularError, UsageError
 from .compiled import LeanProject
 from .differentiated import STATUS
@@ -35,12 +35,34 @@ def given_measurements(chain: Chain, given: Mapping[str, Any]) -> dict[str, tupl
     if absent := [name for name, values in given.items() if values is not None and name not in known]:
         raise UsageError(f"{absent[0]}: robot '{chain.robot.name}' has a fixed base; leave it out")
     for name, (size, flags, _) in known.items():
-        values = np.full(size, np.nan) if given.get(name) is None else np.array(given[name], float)
+        try:
+            values = np.full(size, np.nan) if given.get(name) is None else np.array(given[name], float)
+        except (TypeError, ValueError):
+            raise UsageError(f"{name} is not an array of numbers; give {size} numbers") from None
         if values.shape != (size,):
             raise UsageError(f"{name}: shape {values.shape}, must be ({size},); give NaN for what was not measured")
+        if name == "base_attitude" and np.isfinite(values).all() and values.any():
+            values = values / np.max(np.abs(values))  # its direction counts; the squares of large numbers are infinite
         made = ~np.isnan(values)
         out[name] = values, made if flags == size else made.all(keepdims=True)
     return out
+
+
+def spread(values: Any, name: str, size: int) -> np.ndarray:
+    """Deviations or densities (size,), of which one number stands for all; raises UsageError where any is negative."""
+    given = real_numbers(values)
+    if given is None or given.shape not in ((), (1,), (size,)) or not (np.isfinite(given) & (given >= 0)).all():
+        raise UsageError(f"{name}: must be a number >= 0, or {size} of them")
+    return np.broadcast_to(given, size)
+
+
+def check_noise(chain: Chain, noise: Noise) -> None:
+    """Raises UsageError where a density or a deviation is negative or no number, or the number of them is wrong."""
+    sizes = {"density_q": chain.nv, "density_v": chain.nv} | {
+        name: size for name, (_, _, size) in sensors(chain).items()
+    }
+    for name, size in sizes.items():
+        spread(getattr(noise, name), name, size)
 
 
 def _members(model: Model) -> dict[str, tuple[int, ...]]:
@@ -119,7 +141,7 @@ class CompiledEstimator:
         """Begin at a state (nq, nv) with the standard deviations of its entries (nv, nv).
 
         Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops close the tree
-        the state is closed, and what it leaves of the deviations is the covariance.
+        the state is closed, and the covariance is that of the deviations under the condition that the loops are closed.
         """
         self._write({"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v})
         p = np.append(self._p, 0.0).astype(self.real)
@@ -128,6 +150,7 @@ class CompiledEstimator:
 
     def set(self, noise: Noise) -> None:
         """Change the noise model."""
+        check_noise(self.model.chain, noise)
         names = sensors(self.model.chain)
         self._write({f"estimator.{name}_variance": np.square(getattr(noise, name)) for name in names})
         self._write({f"estimator.{name}": getattr(noise, name) for name in ("density_q", "density_v", "fibre")})
@@ -137,7 +160,17 @@ class CompiledEstimator:
         self._input(tau, w_ext)
         self._check(self.library.shim_predict(self._memory, self._number(dt)))
 
-    def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None, **base) -> None:
+    def update(
+        self,
+        tau,
+        w_ext,
+        encoder=None,
+        strain=None,
+        acceleration=None,
+        base_position=None,
+        base_attitude=None,
+        base_rate=None,
+    ) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         ``encoder`` (n_joints) in rad or m, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in
@@ -145,7 +178,8 @@ class CompiledEstimator:
         quaternion, of either sign) and ``base_rate`` (3), the angular velocity in axes of F_1.
         """
         self._input(tau, w_ext)
-        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration}
+        given |= {"base_position": base_position, "base_attitude": base_attitude, "base_rate": base_rate}
         for name, (values, made) in given_measurements(self.model.chain, given).items():
             self._write({f"measurement.{name}": np.nan_to_num(values, posinf=np.inf, neginf=-np.inf)})
             self._write({f"measurement.has_{name}": made})

@@ -17,7 +17,7 @@ from ..arguments import Given, Numbers, array
 from ..backends.numpy.numeric import EPSILON, function_of
 from ..errors import DivergedError, SingularError, UsageError
 from ..integrators.se3 import carried, unit
-from ..runtime.estimator import Noise, given_measurements, sensors
+from ..runtime.estimator import Noise, check_noise, given_measurements, sensors, spread
 from .integrate import JointStepper
 from .mobility import closing
 
@@ -52,22 +52,26 @@ class Estimator:
         """Begin at a state (nq, nv) with the standard deviations of its entries (nv, nv).
 
         Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops close the tree
-        the state is closed, and what it leaves of the deviations is the covariance.
+        the state is closed, and the covariance is that of the deviations under the condition that the loops are closed.
         """
         n, chain = self.model.nv, self.model.chain
         q, v = array(q, "q", (chain.nq,)), array(v, "v", (n,))
-        sizes = np.concatenate([np.broadcast_to(np.asarray(x, float), n) for x in (deviation_q, deviation_v)])
-        if not (np.isfinite(sizes).all() and (sizes >= 0).all()):
-            raise UsageError("a standard deviation is negative or no number; give numbers >= 0")
+        sizes = np.concatenate(
+            [spread(x, name, n) for name, x in (("deviation_q", deviation_q), ("deviation_v", deviation_v))]
+        )
+        if chain.floating and not q[3:7].any():
+            raise UsageError("q: the quaternion of the base is zero; give [1, 0, 0, 0] for no turn")
         q, P = unit(q) if chain.floating else np.array(q, float), np.diag(sizes**2)
         if chain.closures:
-            q, v, T = self._shut(q, v)
+            q, v, _ = self._shut(q, v)
+            q, v, T = self._shut(q, v)  # the projection is that at closed rates
             P = T @ self._conditioned(P) @ T.T
         self.put(q, v, P)
         self.set(noise)
 
     def set(self, noise: Noise) -> None:
         """Change the noise model."""
+        check_noise(self.model.chain, noise)
         self.noise = noise
 
     def put(self, q: Numbers, v: Numbers, P: Any) -> None:
@@ -118,13 +122,24 @@ class Estimator:
 
     # ------------------------------------------------------------------------------ update
 
-    def update(self, tau: Numbers, w_ext: Any, encoder=None, strain=None, acceleration=None, **base) -> None:
+    def update(
+        self,
+        tau: Numbers,
+        w_ext: Any,
+        encoder=None,
+        strain=None,
+        acceleration=None,
+        base_position=None,
+        base_attitude=None,
+        base_rate=None,
+    ) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         As of :class:`..runtime.estimator.CompiledEstimator`.
         """
         tau, w_ext = self._input(tau, w_ext)
-        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration}
+        given |= {"base_position": base_position, "base_attitude": base_attitude, "base_rate": base_rate}
         rows, left, variances = [], [], []
         for name, (values, made) in given_measurements(self.model.chain, given).items():
             if made.any():

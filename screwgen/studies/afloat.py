@@ -1,4 +1,4 @@
-"""Rest of robots with floating bases: without weight they rest as they do on a fixed base, wherever this is."""
+"""Rest of robots with floating bases: without gravity the posture is that on a fixed base, at any pose of the base."""
 
 from __future__ import annotations
 

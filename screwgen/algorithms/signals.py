@@ -183,7 +183,7 @@ STORE = {
     "joint_W": Signal(("m", 6), "-, 1/m", F_I, "factor W in qddot = L^-T (w - W delta), delta of the parent"),
     "joint_w": Signal(("m",), "rad/s^2", "-", "term w in qddot = L^-T (w - W delta)"),
     "rotor_W": Signal(("t",), "-", "-", "factor W in thetaddot = w - W qddot"),
-    "rotor_w": Signal(("t",), "rad/s^2", "-", "term w in thetaddot = w - W qddot"),
+    "rotor_w": Signal(("t",), "rad/s^2", "-", "term w in thetaddot = w - W qddot; of the gear of a cylinder in m/s^2"),
     "crank_slope": Signal(("m",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
     "crank_inertia": Signal(("m",), "kg*m^2", "-", "inertia of each axis that moves with its cylinder"),
     "crank_force": Signal(("m",), "N*m", "-", "friction of each cylinder and what the change of its lever costs"),

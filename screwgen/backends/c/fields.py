@@ -70,7 +70,7 @@ def drives(chain: Chain) -> bool:
 
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
 ROTORS = {
-    "eta": "rad, m: angles of the rotors, then modal coordinates",
+    "eta": "rad, m: coordinates of the rotors or their gears, then modal ones",
     "etadot": "rad/s, m/s: their rates",
     "etaddot": "rad/s^2, m/s^2: their accelerations",
 }
@@ -134,7 +134,7 @@ def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Constant]:
 
 
 def _constant_comment(signal: Constant | None) -> str:
-    return f"{signal.unit}: {signal.meaning}" if signal else "of the joint, as stated"
+    return f"{signal.unit}: {signal.meaning}" if signal else "SI units: of the joint, or of its drive behind the gear"
 
 
 def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -53,7 +53,7 @@ def view(
     quiet = quiet or context.obj
     if output is None and frames is None:
         raise UsageError("there is nothing to write; name the page by -o run.html, or a film by --frames run.gif")
-    of_films = {"fps": fps, "size": size, "speed": speed, "magnify": magnify}
+    of_films: dict[str, Any] = {"fps": fps, "size": size, "speed": speed, "magnify": magnify}
     options = {name: value for name, value in of_films.items() if value is not None}
     if options and frames is None:
         name = next(iter(options))

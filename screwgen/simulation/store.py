@@ -27,8 +27,8 @@ class Rows(Protocol):
     def open(self) -> None:
         """Open the tables of a stopped sweep for writing."""
 
-    def complete(self, chunks: int) -> bool:
-        """Whether the open tables may hold so many chunks; a file that was lost holds none."""
+    def complete(self, chunks: set[int]) -> bool:
+        """Whether the open tables hold these chunks; a file that was lost holds none."""
 
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         """The rows of chunk k; they are in the file when this returns."""
@@ -63,7 +63,7 @@ class Npy:
         for path, rows in zip(self.paths, self.result(), strict=True):
             self._files.append((open(path, "r+b"), rows.offset))  # noqa: SIM115
 
-    def complete(self, chunks: int) -> bool:
+    def complete(self, chunks: set[int]) -> bool:
         return True  # a file that is too short is not mapped
 
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
@@ -146,7 +146,7 @@ class Store:
                 raise UsageError(f"{said}; remove it and its manifest")
         self._like = tables[0]
         self.rows.open()
-        if not self.rows.complete(len(self.done)):
+        if not self.rows.complete(self.done):
             raise UsageError(f"'{self.path}' lacks chunks that its manifest lists; remove both to start again")
 
     def _stopped_at_once(self) -> bool:

@@ -48,8 +48,9 @@ class Zarr:
         group = self._zarr.open_group(self.paths[0], mode="r+")
         self._arrays = [group["values"], group["status"]]
 
-    def complete(self, chunks: int) -> bool:
-        return all(array.nchunks_initialized >= chunks for array in self._arrays)
+    def complete(self, chunks: set[int]) -> bool:
+        folders = [(self.paths[0] / array.basename / "c", (0,) * (array.ndim - 1)) for array in self._arrays]
+        return all(folder.joinpath(str(k), *map(str, rest)).is_file() for folder, rest in folders for k in chunks)
 
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         start = k * self._chunk

@@ -171,8 +171,8 @@ def _folder(target: Path, pictures: Iterator[np.ndarray], shown: str) -> None:
         if not there:
             os.replace(part, target)
             return
-        for picture in sorted(part.iterdir()):
-            os.replace(picture, target / picture.name)
+        for file in sorted(part.iterdir()):
+            os.replace(file, target / file.name)
         part.rmdir()
     except OSError as error:
         raise unwritable(shown, error) from None

@@ -308,6 +308,8 @@ def test_what_leads_astray_is_refused_and_changes_nothing():
         assert all(np.array_equal(a, b) for a, b in zip((*f.state, f.covariance), before, strict=True))
         with pytest.raises(UsageError, match=r"^base_rate: robot 'arm' has a fixed base; leave it out"):
             f.update(np.zeros(3), np.zeros((3, 6)), base_rate=np.zeros(3))
+        with pytest.raises(UsageError, match=r"^encodr: is no measurement; choose of encoder, strain, acceleration$"):
+            f.update(np.zeros(3), np.zeros((3, 6)), encodr=None)
         with pytest.raises(UsageError, match=r"^strain: shape \(3,\), must be \(2,\)"):
             f.update(np.zeros(3), np.zeros((3, 6)), strain=np.zeros(3))
     f = Estimator(robot)

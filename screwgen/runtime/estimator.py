@@ -22,18 +22,22 @@ if TYPE_CHECKING:
     from ..topology.chain import Chain
 
 
+BASE = {"base_position": (3, 3, 3), "base_attitude": (4, 1, 3), "base_rate": (3, 3, 3)}
+"""The measurements of a floating base, with sizes as of `sensors`."""
+
+
 def sensors(chain: Chain) -> dict[str, tuple[int, int, int]]:
     """How many values, flags and variances every measurement has."""
     sizes = {"encoder": chain.n_tau, "strain": len(gauges(chain)), "acceleration": 3}
-    pose = {"base_position": (3, 3, 3), "base_attitude": (4, 1, 3), "base_rate": (3, 3, 3)} if chain.floating else {}
-    return {name: (size,) * 3 for name, size in sizes.items()} | pose
+    return {name: (size,) * 3 for name, size in sizes.items()} | (BASE if chain.floating else {})
 
 
 def given_measurements(chain: Chain, given: Mapping[str, Any]) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """The values of every measurement, and which were made: what is None or NaN was not; raises UsageError."""
     out, known = {}, sensors(chain)
-    if absent := [name for name, values in given.items() if values is not None and name not in known]:
-        raise UsageError(f"{absent[0]}: robot '{chain.robot.name}' has a fixed base; leave it out")
+    for name in given.keys() - known.keys():
+        said = f"robot '{chain.robot.name}' has a fixed base; leave it out"
+        raise UsageError(f"{name}: {said if name in BASE else 'is no measurement; choose of ' + ', '.join(known)}")
     for name, (size, flags, _) in known.items():
         try:
             values = np.full(size, np.nan) if given.get(name) is None else np.array(given[name], float)
@@ -160,17 +164,7 @@ class CompiledEstimator:
         self._input(tau, w_ext)
         self._check(self.library.shim_predict(self._memory, self._number(dt)))
 
-    def update(
-        self,
-        tau,
-        w_ext,
-        encoder=None,
-        strain=None,
-        acceleration=None,
-        base_position=None,
-        base_attitude=None,
-        base_rate=None,
-    ) -> None:
+    def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None, **base) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         ``encoder`` (n_joints) in rad or m, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in
@@ -178,8 +172,7 @@ class CompiledEstimator:
         quaternion, of either sign) and ``base_rate`` (3), the angular velocity in axes of F_1.
         """
         self._input(tau, w_ext)
-        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration}
-        given |= {"base_position": base_position, "base_attitude": base_attitude, "base_rate": base_rate}
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
         for name, (values, made) in given_measurements(self.model.chain, given).items():
             self._write({f"measurement.{name}": np.nan_to_num(values, posinf=np.inf, neginf=-np.inf)})
             self._write({f"measurement.has_{name}": made})

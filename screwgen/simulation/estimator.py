@@ -122,25 +122,14 @@ class Estimator:
 
     # ------------------------------------------------------------------------------ update
 
-    def update(
-        self,
-        tau: Numbers,
-        w_ext: Any,
-        encoder=None,
-        strain=None,
-        acceleration=None,
-        base_position=None,
-        base_attitude=None,
-        base_rate=None,
-    ) -> None:
+    def update(self, tau: Numbers, w_ext: Any, encoder=None, strain=None, acceleration=None, **base: Any) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         As of :class:`..runtime.estimator.CompiledEstimator`.
         """
         tau, w_ext = self._input(tau, w_ext)
-        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration}
-        given |= {"base_position": base_position, "base_attitude": base_attitude, "base_rate": base_rate}
         rows, left, variances = [], [], []
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
         for name, (values, made) in given_measurements(self.model.chain, given).items():
             if made.any():
                 if not np.isfinite(values[~np.isnan(values)]).all():

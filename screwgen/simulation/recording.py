@@ -81,18 +81,27 @@ Walk = Callable[[Task, "Table"], None]
 """A way to make a run."""
 
 
+def check_size(model: Model, samples: int) -> None:
+    """Refuse a run of more samples than memory should hold; raises UsageError."""
+    if (size := 8 * samples * sum(_widths(model).values())) > MAX_BYTES:
+        raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
+
+
+def _widths(model: Model) -> dict[str, int]:
+    """How many numbers each quantity has in one sample."""
+    widths = {"t": 1, "q": model.nq, "v": model.nv, "tau": model.n_tau}
+    return widths | {"wrench": 6 * model.n_links, "tip_position": 3, "energy": 2}
+
+
 class Table:
     """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, energy."""
 
     def __init__(self, model: Model, times: np.ndarray, p: np.ndarray):
         self.model, self.times, self.p = model, times, p
-        widths = {"t": 1, "q": model.nq, "v": model.nv, "tau": model.n_tau}
-        widths |= {"wrench": 6 * model.n_links, "tip_position": 3, "energy": 2}
+        widths = _widths(model)
         ends = np.cumsum(list(widths.values()))
         self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}
         self.width = int(ends[-1])
-        if (size := 8 * len(times) * self.width) > MAX_BYTES:
-            raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
         self.rows = np.empty((len(times), self.width))
         self.watch, self.hits = Watch(model.chain.names), Hits(model, p)
         self.store: Store | None = None
@@ -247,8 +256,3 @@ def npy_header(dtype: np.dtype, count: int) -> bytes:
     what = {"descr": npy.dtype_to_descr(dtype), "fortran_order": False, "shape": (count,)}
     npy.write_array_header_1_0(header, what)
     return header.getvalue()
-
-
-def sample_times(times: np.ndarray, every: int) -> np.ndarray:
-    """The times of every `every`-th step, and the last."""
-    return np.append(times[:-1][::every], times[-1])

@@ -20,7 +20,7 @@ from .dae import DaeStepper
 from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, left
 from .mobility import check_closed
-from .recording import WATCH, Recorder, Table, Task, Walk, sample_times, stored
+from .recording import WATCH, Recorder, Table, Task, Walk, check_size, stored
 from .runs import FORMATS, Run, check_output
 from .validity import ModelLeftError
 
@@ -90,6 +90,7 @@ def simulate(
     if store is not None:
         check_output(store, FORMATS)
     every = whole(every, "every", 1)
+    check_size(model, -(-steps // every) + 1)
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model, p), coordinates(v0, "v0", model, p)
     check_loops(model, p, q0, v0)
@@ -97,7 +98,7 @@ def simulate(
     if isinstance(law, PD):
         hits.warn_goals(model, p, law.set_points)
     given = Inputs(model, law, w_ext)
-    table = Table(model, sample_times(time_grid(duration, step), every), p)
+    table = Table(model, time_grid(duration, step, every), p)
     diverged = False
     try:
         with stored(table, store):
@@ -194,9 +195,9 @@ def step_count(duration: float, step: float) -> int:
     return nearest if whole else math.ceil(duration / step)
 
 
-def time_grid(duration: float, step: float) -> np.ndarray:
-    """The sample times 0, step, 2 step, …, duration (steps + 1,); raises UsageError."""
-    return np.append(step * np.arange(step_count(duration, step)), float(duration))
+def time_grid(duration: float, step: float, every=1) -> np.ndarray:
+    """The times of every `every`-th step from 0 on, and `duration`; raises UsageError."""
+    return np.append(step * np.arange(0, step_count(duration, step), every), float(duration))
 
 
 def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | None = None) -> np.ndarray:

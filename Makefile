@@ -10,6 +10,8 @@ BENCH = .venv-bench
 MINIMA = .venv-minima
 ROBOTS = $(VENV)/.robots
 WORKERS ?= 2
+# Puts packages into the environment $(1): by pip, or by uv where UV gives its command, in a sixth of the time.
+install = $(if $(UV),VIRTUAL_ENV=$(1) $(UV) pip,$(1)/bin/python -m pip --disable-pip-version-check) install --quiet
 QUIET = -q -p no:cacheprovider
 # Compiled Python is kept, but not beside its sources. Without it each process compiles sympy again, for seconds.
 unexport PYTHONDONTWRITEBYTECODE
@@ -139,19 +141,19 @@ generated: $(READY)
 $(READY): pyproject.toml constraints.txt
 	@echo "making $(VENV), once: about a minute"
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
+	$(call install,$(VENV)) --constraint constraints.txt --editable '.[test]'
 	touch $@
 
 $(ROBOTS): $(READY)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[robots]'
+	$(call install,$(VENV)) --constraint constraints.txt --editable '.[robots]'
 	touch $@
 
 $(BENCH)/.ready: pyproject.toml constraints.txt bench/requirements.txt
 	@echo "making $(BENCH), once: about a minute"
 	$(PYTHON) -m venv $(BENCH)
-	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
+	$(call install,$(BENCH)) --constraint constraints.txt --editable '.[test]'
 	@grep -v '^#' bench/requirements.txt | while read -r package; do \
-	    $(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt "$$package" || \
+	    $(call install,$(BENCH)) --constraint constraints.txt "$$package" || \
 	    echo "bench: $$package could not be installed; the rows that need it will be missing"; \
 	done
 	touch $@
@@ -160,7 +162,7 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 	@echo "making $(MINIMA), once: about a minute"
 	$(PYTHON) -m venv $(MINIMA)
 	$(PYTHON) tests/minima.py --list >$(MINIMA)/minima.txt
-	$(MINIMA)/bin/python -m pip install --quiet --disable-pip-version-check --constraint $(MINIMA)/minima.txt --editable .
+	$(call install,$(MINIMA)) --constraint $(MINIMA)/minima.txt --editable .
 	touch $@
 
 clean:

@@ -5,6 +5,7 @@ import json
 import os
 import re
 import sys
+import warnings
 from pathlib import Path
 
 import pytest
@@ -67,6 +68,14 @@ def test_warnings_for_users_take_one_line(process, capsys, monkeypatch, tmp_path
     assert process(io.TextIOWrapper(io.BytesIO()), *short) == 0
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith("screwgen: warning: the run goes on in NumPy: the C compiler")
+
+
+def test_deprecations_of_packages_are_none_of_the_users(capsys):
+    """Some packages derive them from `UserWarning` too."""
+    with cli_process.warnings_as_lines():
+        warnings.warn(type("Old", (UserWarning, DeprecationWarning), {})("use another"), stacklevel=1)
+        warnings.warn("the link bends", UserWarning, stacklevel=1)
+    assert capsys.readouterr().err == "screwgen: warning: the link bends\n"
 
 
 @pytest.mark.parametrize(

@@ -44,7 +44,7 @@ def _open_streams() -> None:
 
 @contextmanager
 def warnings_as_lines() -> Iterator[None]:
-    """Show warnings for users on one line, as errors are."""
+    """Show warnings for users on one line, as errors are; deprecations are told to the packages that they concern."""
     with warnings.catch_warnings():
         default = warnings.showwarning
 
@@ -55,6 +55,7 @@ def warnings_as_lines() -> Iterator[None]:
                 default(message, category, *place, **more)
 
         warnings.simplefilter("always", UserWarning)
+        warnings.simplefilter("ignore", DeprecationWarning)  # some packages' are warnings for users as well
         warnings.showwarning = show
         yield
 

@@ -12,6 +12,7 @@ from conftest import require_tool
 from dense_filter import DenseFilter
 from helpers import QUICK, model_of
 from scipy.spatial.transform import Rotation
+from sensors import felt, measured
 from test_analyse_loops import one_bar, parallelogram
 from test_c_code import WARNINGS
 from test_linear_loops import BALL, GEAR, linkage
@@ -60,23 +61,6 @@ def deviation(robot) -> np.ndarray:
     return np.where(rigid(robot), 1e-2, 1e-4)
 
 
-def measured(e: Estimator, q, v, tau, w_ext, rng, noise: Noise, accelerometer=True) -> dict:
-    """What the sensors say in a state, with their noise: values from the rows of a filter that is there."""
-    e.put(q, v, e.covariance)
-    e.set(noise)
-    chain, z = e.model.chain, {}
-    felt = (("acceleration", 3),) * accelerometer
-    for name, size in (("encoder", chain.n_tau), ("strain", len(e.gauges)), *felt):
-        exact = -getattr(e, f"_{name}")(np.zeros(size), tau, w_ext)[1]
-        z[name] = exact + getattr(noise, name) * rng.normal(size=size)
-    if chain.floating:
-        turn = Rotation.from_rotvec(noise.base_attitude * rng.normal(size=3))
-        attitude = (Rotation.from_quat(q[3:7], scalar_first=True) * turn).as_quat(scalar_first=True)
-        z |= {"base_position": q[:3] + noise.base_position * rng.normal(size=3), "base_attitude": -attitude}
-        z["base_rate"] = v[:3] + noise.base_rate * rng.normal(size=3)
-    return z
-
-
 # ------------------------------------------------------------------------------ the same in both languages
 
 
@@ -91,12 +75,12 @@ def test_numpy_and_c_are_the_same_and_stay_closed(name):
     for e in filters:
         e.start(*begin(name), deviation(robot), 10 * deviation(robot), noise)
     tau = 0.1 * robot.chain.at_rotors(rng.normal(size=robot.n_tau), robot.parameter_values)
-    w_ext, judge = 0.1 * rng.normal(size=(robot.n_links, 6)), Estimator(robot)
+    w_ext = 0.1 * rng.normal(size=(robot.n_links, 6))
     for k in range(10):
         for e in filters:
             e.predict(tau, w_ext, 2e-3)
         if k % 2 == 0:
-            z = measured(judge, *filters[1].state, tau, w_ext, rng, noise)
+            z = measured(robot, *filters[1].state, tau, w_ext, rng, noise)
             z = {key: np.where(rng.uniform(size=np.shape(x)) < 0.8, x, np.nan) for key, x in z.items()}
             for e in filters:
                 e.update(tau, w_ext, **z)
@@ -225,18 +209,15 @@ def test_the_transition_is_that_of_the_step_up_to_its_order():
 def test_the_rows_of_measurements_are_differences():
     """Of the accelerometer with values of another program: the inertial acceleration of the linear model's outputs."""
     robot, (q, v), rng = model("satellite"), begin("satellite"), np.random.default_rng(2)
-    tau, w_ext, e = np.array(floating_robots.TAU), 0.2 * rng.normal(size=(4, 6)), Estimator(robot)
-
-    def felt(q, v) -> np.ndarray:
-        a = robot.linearise(q, v, tau, w_ext, outputs=["tip_acceleration"]).y
-        return robot.numpy().tip_pose(q)[0].T @ (a - HEAVY["gravity"])
-
+    given = tau, w_ext = np.array(floating_robots.TAU), 0.2 * rng.normal(size=(4, 6))
+    e = Estimator(robot)
     e.put(q, v, np.eye(32))
-    H, left = e._acceleration(felt(q, v), tau, w_ext)
+    H, left = e._acceleration(felt(robot, q, v, *given), *given)
     assert np.max(np.abs(left)) < 1e-12
     for _ in range(3):
         d = rng.normal(size=32)
-        slope = (felt(*changed(robot, q, v, 1e-5 * d)) - felt(*changed(robot, q, v, -1e-5 * d))) / 2e-5
+        ahead, behind = (felt(robot, *changed(robot, q, v, x * d), *given) for x in (1e-5, -1e-5))
+        slope = (ahead - behind) / 2e-5
         assert np.allclose(H @ d, slope, rtol=0, atol=1e-7 * np.max(np.abs(H @ d)))
     turn, z = Rotation.from_quat(q[3:7], scalar_first=True), np.array([1e-4, -2e-4, 3e-4])
     far = (turn * Rotation.from_rotvec(z)).as_quat(scalar_first=True)
@@ -272,7 +253,7 @@ def test_errors_are_as_large_as_the_covariance_says(name):
             q, v = stepper.step(stepper.initial(q, v), tau, w_ext, h)
             q, v = settled(eye, q, v + np.sqrt(h * noise.density_v) * rng.normal(size=n))
             e.predict(tau, w_ext, h)
-            e.update(tau, w_ext, **measured(eye, q, v, tau, w_ext, rng, noise, k % 10 == 0))
+            e.update(tau, w_ext, **measured(robot, q, v, tau, w_ext, rng, noise, k % 10 == 0))
             if k in sizes:
                 error = apart(robot, e.state, (q, v))[free]
                 sizes[k].append(error @ np.linalg.solve(e.covariance[np.ix_(free, free)], error))

@@ -2,6 +2,7 @@
 
 import json
 import os
+import platform
 import subprocess
 import sys
 from importlib import metadata
@@ -14,6 +15,7 @@ from fmi_units import written
 from helpers import example_dict, quick, relative
 
 H, COUNT = 1e-3, 100
+BUILT = sys.platform == "linux" and platform.machine() == "x86_64"
 START = {"upper_arm.joint[0]": 0.3, "forearm.joint[0]": -0.4, "forearm.joint_rate[0]": 0.5}
 CHANGED = {"gravity[2]": -1.6, "forearm.bodies[0].mass": 2.4}
 TORQUES = {"upper_arm.torque[0]": 2.0, "forearm.torque[0]": -1.0}
@@ -39,6 +41,7 @@ def by_ecos(path, **task) -> list[float]:
     return json.loads(done.stdout.splitlines()[-1])
 
 
+@pytest.mark.skipif(not BUILT, reason="the extra 'test' has ecospy on Linux x86_64 alone")
 @pytest.mark.examples
 @pytest.mark.parametrize("target", ("fmu2", "fmu3"))
 def test_ella_in_ecos_is_ella_in_c(target):

@@ -40,7 +40,12 @@ def test_every_example_is_that_of_the_c(name):
 @pytest.mark.long
 @pytest.mark.parametrize("name", ROBOTS)
 def test_rows_of_the_table(name):
-    """In single precision 1e-4, or what rounding the mass matrix alone costs, and the C has as well."""
+    """Errors relative to the largest entry. In double: values and steps beside the C, gradients beside CasADi's.
+
+    In single, values and steps beside the C in double: below 1e-4, or 1.5 times the C's own error in single where that
+    is larger, then also below 3 times what rounding the mass matrix to single changes the accelerations by. Tracing and
+    compiling the gradient of a motion takes less than a minute of CPU time.
+    """
     found = row(name)
     assert max(found.values, found.steps, found.gradient, found.motion) < 1e-12
     for ours, theirs in ((found.values_single, found.values_c_single), (found.steps_single, found.steps_c_single)):

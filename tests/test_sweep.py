@@ -140,8 +140,19 @@ def test_a_store_that_lost_a_chunk_is_refused(model, tmp_path):
 
 
 def test_a_sweep_that_was_stopped_before_it_made_its_tables(model, tmp_path, format):
-    (tmp_path / MANIFESTS[format]).touch()
-    assert sweep(model, drawn, 10, tmp_path / f"part.{format}", **HOW).ok.all()
+    """Its manifest is empty, or ends within its header, or with it and without the newline."""
+    store, manifest = tmp_path / f"part.{format}", tmp_path / MANIFESTS[format]
+    sweep(model, drawn, 10, store, **HOW)
+    header = manifest.read_bytes().splitlines()[0]
+    for k, kept in enumerate((b"", header[:1], header[:-1], header)):
+        folder = tmp_path / str(k)
+        folder.mkdir()
+        (folder / MANIFESTS[format]).write_bytes(kept)
+        assert sweep(model, drawn, 10, folder / f"part.{format}", **HOW).ok.all()
+    manifest.write_bytes(header)
+    with pytest.raises(UsageError, match="no sweep that was stopped"):
+        sweep(model, drawn, 10, store, **HOW)
+    assert manifest.read_bytes() == header
 
 
 def test_stores_of_something_else_are_refused(model, tmp_path, format):

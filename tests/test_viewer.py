@@ -2,6 +2,7 @@
 
 import json
 import re
+from base64 import b64decode
 
 import numpy as np
 import pytest
@@ -11,7 +12,9 @@ from scipy.spatial.transform import Rotation
 import screwgen
 from screwgen.cli.main import main
 from screwgen.viewer import pack
+from screwgen.viewer.meshes import packed
 from screwgen.viewer.shapes import sections
+from screwgen.viewer.solids import Solid
 from screwgen.viewer.view import read_run, view
 
 MODES = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
@@ -53,6 +56,15 @@ def test_numbers_are_within_their_bounds():
     block = pack.rounded(values, tolerance)
     assert block["wide"] == [False, True, False]
     assert (np.array(block["step"])[:2] / 2 <= tolerance[:2]).all()
+
+
+@pytest.mark.parametrize(("count", "wide"), [(65_535, False), (65_536, True), (65_537, True)])
+def test_indices_are_as_wide_as_they_must_be(count, wide):
+    """The index 65535 of 16 bits would end a strip of triangles."""
+    points, faces = np.zeros((count, 3)), np.array([[0, 1, count - 1, count - 1]])
+    block = packed(0, Solid(points, faces, "#000000", "frame", np.empty(0)), 1.0)
+    index = np.frombuffer(b64decode(block["index"]), "<u4" if wide else "<u2")
+    assert block["wide"] == wide and index.tolist() == [0, 1, count - 1]
 
 
 def run_of(model, duration=0.05):
@@ -98,6 +110,7 @@ def test_refusals(tmp_path, capsys):
         arrays = dict(data)
     np.savez(tmp_path / "old.npz", **{k: x for k, x in arrays.items() if k not in ("robot", "parameters")})
     np.savez(tmp_path / "bad.npz", **arrays | {"q": np.full_like(arrays["q"], np.nan)})
+    np.savez(tmp_path / "falls.npz", **arrays | {"t": arrays["t"][::-1]})
     np.savez(tmp_path / "cut.npz", **arrays | {"wrench": arrays["wrench"][:-1]})
     np.savez(tmp_path / "text.npz", **arrays | {"robot": np.array("name = ")})
     (tmp_path / "none.npz").write_text("nothing")
@@ -106,6 +119,7 @@ def test_refusals(tmp_path, capsys):
     for arguments, said in [
         ((tmp_path / "old.npz",), "old.npz: does not know its robot; name the robot's file by --robot"),
         ((tmp_path / "bad.npz",), "bad.npz: q holds numbers that are not finite"),
+        ((tmp_path / "falls.npz",), "falls.npz: t falls; times must rise"),
         ((tmp_path / "cut.npz",), "cut.npz: wrench has the shape"),
         ((tmp_path / "text.npz",), "name the robot's file by --robot"),
         ((tmp_path / "none.npz",), "none.npz: cannot be read as a run"),

@@ -117,7 +117,7 @@ def test_any_robot_is_drawn(name):
     assert len(np.unique(drawn.picture(0.5).reshape(-1, 3), axis=0)) > 50
 
 
-def test_folder_of_pictures(bent, tmp_path, capsys):
+def test_folder_of_pictures(bent, tmp_path, capsys, monkeypatch):
     """By the command; the pictures are numbered, and no folder that holds something is touched."""
     _, run = bent
     run.save(tmp_path / "run.npz")
@@ -130,7 +130,17 @@ def test_folder_of_pictures(bent, tmp_path, capsys):
     assert sorted(os.listdir(tmp_path)) == ["film", "run.npz"]
     empty = tmp_path / "empty"
     empty.mkdir(mode=0o700)
-    before = empty.stat()
+    before, replace = empty.stat(), os.replace
+
+    def failing(path, to):
+        if path.name == "0003.png":
+            raise OSError("the disk is gone")
+        replace(path, to)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "replace", failing)
+        assert main([*given[:3], str(empty), *given[4:]]) == 2 and "the disk is gone" in capsys.readouterr().err
+    assert not os.listdir(empty)
     assert main([*given[:3], str(empty), *given[4:]]) == 0 and len(os.listdir(empty)) == 4
     assert (empty.stat().st_ino, empty.stat().st_mode) == (before.st_ino, before.st_mode)
 

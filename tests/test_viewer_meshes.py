@@ -85,6 +85,11 @@ def test_what_cannot_be_read_is_said(arm, tmp_path, capsys):
     assert said.out == f"{page}\n" and "triangles of 6 visuals" in said.err and " MB" in said.err
     assert "link 'fore': there is no file package://nowhere/none.stl; it is drawn without" in said.err
     assert "broken.stl cannot be read" in said.err and said.err.count("\n") == 4
+    line = "solid s facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 2 0 0 endloop endfacet endsolid"
+    (urdf.parent / "meshes" / "broken.stl").write_text(line.replace(" ver", "\nver").replace(" end", "\nend"))
+    other.write_text(text.replace("package://nowhere/none.stl", 300 * "x" + ".stl"))
+    assert sum("xxx.stl; it is drawn without" in x for x in read_looks(other).notes) == 1
+    assert sum("it holds no triangles that have an area" in x for x in read_looks(other).notes) == 1
     with pytest.warns(screwgen.ImportNote, match="there is no file"):
         html = screwgen.view(still(model, posture(model)), meshes=urdf).html
     assert html.count('"color":"#0000ff"') == 1
@@ -120,6 +125,7 @@ def test_refusals(arm, tmp_path, capsys, monkeypatch):
         ('rgba="0 1 1 1"', 'rgba="0 2 1 1"', "each of the four must be from 0 to 1"),
         ('<sphere radius=".06"/>', '<sphere radius="-"/>', "must be a number"),
         ('<sphere radius=".06"/>', '<sphere radius="0"/>', "lengths must be > 0"),
+        ('scale=".5 .5 .5"', 'scale=".5 0 .5"', 'mesh scale: is ".5 0 .5"; factors must not be 0'),
         (f'size=".04 .04 {LENGTH}"', 'size="40 40 800"', "a visual is 1e+03 times as long as the link"),
     ]:
         other = tmp_path / "other.urdf"

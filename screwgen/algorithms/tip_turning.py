@@ -68,7 +68,7 @@ def _rates_of_J(s: Scope, t: dict[str, Array], thetaddot: Array) -> tuple[Array,
     """First and second time derivative of ``J_l = 1 + c2 hat(theta) + c3 hat(theta)^2``."""
     c3, c4, c5, c6, c7 = _stumpff(s, t)
     d2, d3 = c4 - 0.5 * c3, 1.5 * c5 - 0.5 * c4
-    d4, d5 = stumpff_slope(4, c5, c6, c7), stumpff_slope(5, c5, c6, c7)
+    d4, d5 = stumpff_slope(4, c5, c6), stumpff_slope(5, c6, c7)
     theta, thetadot, xdot = t["theta"], t["thetadot"], t["xdot"].item()
     c2, c2dot, c3dot = t["c2"].item(), t["c2dot"].item(), t["c3dot"].item()
     xddot = 2.0 * (mx.dot(thetadot, thetadot) + mx.dot(theta, thetaddot))

@@ -100,14 +100,15 @@ def _unary(node: Node, a: Node, da: Value) -> Value:
         return call("cos", a) * da
     if node.op == "cos":
         return -(call("sin", a) * da)
-    if node.op in ("c4", "c5"):
-        return stumpff_slope(int(node.op[1]), call("c5", a), call("c6", a), call("c7", a)) * da
+    if node.op.startswith("c") and node.op[1:].isdigit():
+        k = int(node.op[1:])
+        return stumpff_slope(k, call(f"c{k + 1}", a), call(f"c{k + 2}", a)) * da
     raise TypeError(f"no derivative of {node.op}")
 
 
-def stumpff_slope(order: int, c5: Value, c6: Value, c7: Value) -> Value:
-    """``c_k' = (k c_(k+2) - c_(k+1)) / 2`` for k = 4 and 5."""
-    return 2.0 * c6 - 0.5 * c5 if order == 4 else 2.5 * c7 - 0.5 * c6
+def stumpff_slope(k: int, following: Value, second: Value) -> Value:
+    """``c_k' = (k c_(k+2) - c_(k+1)) / 2``."""
+    return 0.5 * k * second - 0.5 * following
 
 
 def _zero(value: Value) -> bool:

@@ -108,18 +108,15 @@ class Store:
         self._list: BinaryIO | None = None
 
     def __enter__(self) -> Store:
-        if not os.path.lexists(self.manifest) or self._stopped_at_once():
+        text = self._manifest()
+        if self.header.startswith(text):  # its writing was cut off, and it is written before the tables are made
             if taken := [p for p in self.rows.paths if os.path.lexists(p)]:
                 raise UsageError(
                     f"'{taken[0]}' exists and is no sweep that was stopped; remove it or name another store"
                 )
             self.manifest.unlink(missing_ok=True)
             return self
-        try:
-            with open_regular(self.manifest) as file:
-                header, *lines = file.read().decode("ascii", "replace").split("\n")
-        except OSError as error:
-            raise UsageError(f"'{self.manifest}' cannot be read: {error}") from None
+        header, *lines = text.split("\n")
         if header != self.header:
             said = "is the store of another robot, other arguments or another version"
             raise UsageError(f"'{self.path}' {said}; remove '{self.manifest}' with it, or name another store")
@@ -149,9 +146,15 @@ class Store:
         if not self.rows.complete(self.done):
             raise UsageError(f"'{self.path}' lacks chunks that its manifest lists; remove both to start again")
 
-    def _stopped_at_once(self) -> bool:
-        """Whether the manifest is empty: the sweep was stopped before it made its tables."""
-        return self.manifest.is_file() and not self.manifest.stat().st_size
+    def _manifest(self) -> str:
+        """The text of the manifest, empty where there is none."""
+        if not os.path.lexists(self.manifest):
+            return ""
+        try:
+            with open_regular(self.manifest) as file:
+                return file.read().decode("ascii", "replace")
+        except OSError as error:
+            raise UsageError(f"'{self.manifest}' cannot be read: {error}") from None
 
     def write(self, k: int, values: np.ndarray, status: np.ndarray) -> None:
         """The rows of chunk k, like those of every other."""

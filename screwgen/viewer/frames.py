@@ -171,9 +171,14 @@ def _folder(target: Path, pictures: Iterator[np.ndarray], shown: str) -> None:
         if not there:
             os.replace(part, target)
             return
-        for file in sorted(part.iterdir()):
-            os.replace(file, target / file.name)
-        part.rmdir()
+        names = sorted(os.listdir(part))
+        try:
+            for name in names:
+                os.replace(part / name, target / name)
+        except BaseException:
+            for name in names:
+                (target / name).unlink(missing_ok=True)
+            raise
     except OSError as error:
         raise unwritable(shown, error) from None
     finally:

@@ -109,6 +109,8 @@ def _meshes(trimesh, visual: Visual, file: str, notes: list[str]) -> list[tuple[
                 raise shape.fault(f"is {quoted(shape.attributes[key])}; lengths must be > 0", key)
         return [(make(*(x if len(x) > 1 else x[0] for x in given.values())), METAL)]
     name, scale = shape.string("filename"), shape.numbers("scale", 3, "position", "1 1 1")
+    if 0 in scale:
+        raise shape.fault(f"is {quoted(shape.attributes['scale'])}; factors must not be 0", "scale")
     try:
         path = located(name, file)
     except OSError:  # as of a name that is too long
@@ -126,9 +128,9 @@ def _meshes(trimesh, visual: Visual, file: str, notes: list[str]) -> list[tuple[
             if isinstance(mesh, trimesh.Trimesh) and len(mesh.faces):
                 mesh.apply_transform(np.diag([*scale, 1.0]) @ np.diag([unit] * 3 + [1.0]) @ transform)
                 out.append((mesh, _color(mesh)))
-        if out and np.isfinite([mesh.bounds for mesh, _ in out]).all():
+        if np.isfinite([mesh.bounds for mesh, _ in out]).all() and any(mesh.area > 0 for mesh, _ in out):
             return out
-        reason = "it holds no triangles"
+        reason = "it holds no triangles that have an area"
     except Exception as error:
         reason = one_line(str(error)) or type(error).__name__
     notes.append(f"link '{visual.link}': {one_line(str(path))} cannot be read ({reason}); it is drawn without")

@@ -11,7 +11,6 @@ import numpy as np
 from ...algorithms.gauges import gauges
 from ...algorithms.tip_terms import tip_terms
 from ...errors import UsageError
-from ...integrators.method import Method
 from ...spec.mpc import VARIABLES, Between, Mpc
 from ...topology.chain import Chain
 from ..templates import folder
@@ -152,21 +151,12 @@ class Fitted:
 
 
 class MpcProject(CProject):
-    """The files of a robot's C with a predictive controller."""
+    """The files of a robot's C with a predictive controller, and with derivatives in any case."""
 
-    def __init__(
-        self,
-        fitted: Fitted,
-        version: str,
-        binding="runtime",
-        layout="auto",
-        batch=False,
-        derivatives=True,
-        estimator=False,
-        methods: Sequence[Method] = (),
-    ):
-        super().__init__(fitted.chain, version, binding, layout, batch, True, estimator, methods)
-        self.fitted = fitted
+    def __init__(self, fitted: Fitted, version: str, *options: Any):
+        """``options``: as :class:`CProject` takes them."""
+        super().__init__(fitted.chain, version, *options)
+        self.fitted, self.with_derivatives = fitted, True
 
     @property
     def library(self) -> dict[str, str]:

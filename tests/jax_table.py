@@ -3,11 +3,11 @@
     python tests/jax_table.py [ROBOT]...
 
 Every number is the largest difference of any entry, over the largest entry of what is compared. Values: forward and
-inverse dynamics, mass matrix, energy and pose of the tip. Steps: one of every integrator. Both in double against
-the C in double; in single against the C in double at the same inputs, which are single precision numbers, with the C
-in single behind. M rounded: what the accelerations change by in double arithmetic, if the entries of the mass matrix
-alone are rounded to single. Gradients, in double against CasADi: of the accelerations with every input, and of a
-weighted end of three steps. About five minutes.
+inverse dynamics, mass matrix, energy and pose of the tip. Steps: one of every integrator. Both against the C of the
+same precision, in single at inputs that are single precision numbers. C, single: what the C in single is off the C
+in double there, values and steps. M rounded: what the accelerations change by in double arithmetic, if the entries of
+the mass matrix alone are rounded to single. Gradients, in double against CasADi: of the accelerations with every
+input, and of a weighted end of three steps. About five minutes.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ STEP = "q v tau w_ext h p"
 H, COUNT = 2.0**-13, 3
 """The step, s, and how many make a motion."""
 HEAD = (
-    "| robot | nv | cond(M) | values | steps | values, single: JAX, C | steps, single: JAX, C "
-    "| M rounded | gradient | of three steps |"
+    "| robot | nv | cond(M) | values | steps | values, single | steps, single | C, single | M rounded "
+    "| gradient | of three steps |"
 )
 
 
@@ -52,21 +52,21 @@ class Row:
     robot: str
     nv: int
     condition: float
-    rounded: float
     values: float
     steps: float
     values_single: float
-    values_c_single: float
     steps_single: float
-    steps_c_single: float
+    c_values_single: float
+    c_steps_single: float
+    rounded: float
     gradient: float
     motion: float
     seconds: float
 
     def __str__(self) -> str:
-        singles = (self.values_single, self.values_c_single), (self.steps_single, self.steps_c_single)
         cells = [self.robot, str(self.nv), *(f"{x:.0e}" for x in (self.condition, self.values, self.steps))]
-        cells += [f"{a:.1e}, {b:.1e}" for a, b in singles] + [f"{self.rounded:.1e}"]
+        cells += [f"{x:.0e}" for x in (self.values_single, self.steps_single)]
+        cells += [f"{self.c_values_single:.1e}, {self.c_steps_single:.1e}", f"{self.rounded:.1e}"]
         cells += [f"{self.gradient:.0e}", f"{self.motion:.0e}"]
         return "| " + " | ".join(cells) + " |"
 
@@ -166,17 +166,14 @@ def _by_casadi(model, weights) -> ca.Function:
 def row(name: str) -> Row:
     model = named(name)
     x, rounded = state(model), state(model, rounded=True)
-    c, ours = by_c(model, x), by_jax(model, x)
-    reference = by_c(model, rounded)
-    single = by_jax(model, rounded, "single"), by_c(model, rounded, single=True)
-    errors = [worst(a[k], reference[k]) for k in (0, 1) for a in single]
+    c, reference, single = by_c(model, x), by_c(model, rounded), by_c(model, rounded, single=True)
+    pairs = (by_jax(model, x), c), (by_jax(model, rounded, "single"), single), (single, reference)
     return Row(
         name,
         model.nv,
         float(np.linalg.cond(c[0]["M"])),
+        *(worst(a, b) for found, expected in pairs for a, b in zip(found, expected, strict=True)),
         rounded_inertia(reference[0]),
-        *(worst(a, b) for a, b in zip(ours, c, strict=True)),
-        *errors,
         gradient(model, x),
         *motion_gradient(model, x),
     )

@@ -15,6 +15,8 @@ from oracle_stations import named
 from screwgen import (
     OpenLoopError,
     SingularError,
+    UsageError,
+    analyse,
     assemble,
     dump,
     load,
@@ -300,6 +302,28 @@ def test_loops_of_which_nothing_can_move(four_bar):
     welded = link("a", 0.3, []), link("b", 0.3, [], parent="world")
     model = model_of(arm(*welded) | {"loops": [{"between": ["a.tip", "b.tip"], "joint": {"axes": []}}]})
     assert model.chain.closures == () and not model.numpy().forward_dynamics([], [], [], None)[0].size
+
+
+def test_what_closes_to_first_order_alone_is_refused():
+    """Two bars in line between hinges; a beam between hinges that does not stretch, which its modes shorten."""
+    hinge = {"between": ["b.tip", "wall.base"], "joint": {"axes": ["y"]}}
+    two = arm(link("a", 0.5, "y"), link("b", 0.5, "y"), wall(1.0)) | {"loops": [hinge]}
+    beam = link("b", 2.0, "y", modes={"bending_z": 2}, section={"EIy": 56.0, "EA": 4e7}, order=2)
+    bent = arm(beam, wall(2.0)) | {"loops": [hinge]}
+    for robot in (two, bent):
+        with pytest.raises(UsageError, match=r"distance along x: opens by .* m in a motion"):
+            model_of(robot)
+    beam["modes"]["axial"] = 1
+    model = model_of(bent)
+    assert len(model.chain.closures) == 2
+    said = analyse(model, [{}]).text()
+    assert "wall: has no mass" in said and "nan" not in said
+
+
+def wall(x: float) -> dict:
+    """A frame of the world at x, for hinges."""
+    joint = {"axes": [], "mount": {"xyz": [x, 0.0, 0.0]}}
+    return {"name": "wall", "parent": "world", "joint": joint, "bodies": [{"at": "base", "mass": 0.0}]}
 
 
 FAR = {"parent": "world", "joint": {"axes": ["y"], "mount": {"xyz": [0.5, 0.0, 0.0]}}}

@@ -11,6 +11,7 @@ import numpy as np
 from ...arguments import Numbers
 from ...errors import ScrewgenError, UsageError
 from ...joints.constraints import Distance
+from ...spec.parameters import turning
 from ...topology.chain import Chain
 from ...topology.loops import Closure
 from .numeric import Numeric
@@ -29,6 +30,8 @@ RANK = 1e-7
 SEEDS = 3
 SPREAD = 0.6
 """rad or m: how far the random postures spread from which the search for a closed one begins."""
+STROLL, BEND = 0.1, 0.02
+"""How far a motion goes that must keep closed what follows from other rows: joints, rad or lengths; modes, lengths."""
 
 
 class OpenLoopError(ScrewgenError):
@@ -122,42 +125,64 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
     A planar loop in space, for one, has three rows that its joints satisfy by themselves. Judged at postures of
     straight links with closed loops, by the one that allows the most rows; where none is found, of bent links; else at
     postures without pattern. Where a search ends with open loops is no place to judge: rows depend on each other there.
-    Raises UsageError where a row that is left out stays open although those that remain are closed.
+    Raises UsageError where a row that is left out stays open although those that remain are closed, or opens when the
+    robot moves on from where all are closed.
     """
     numeric, rng = Numeric(chain), np.random.default_rng(0)
     starts, joints = np.tile(np.array(chain.home), (SEEDS, 1)), slice(chain.base_q, chain.eta_q)
     starts[1:, joints] = SPREAD * rng.standard_normal((SEEDS, joints.stop - joints.start))[1:]
     chosen: list[list[int]] = []
+    places: list[np.ndarray] = []
     anywhere = [_independent(jacobian(numeric, start)) for start in starts]
     most = max(map(len, anywhere))
     for held in (_modes(chain), None):
         for start in starts:
             if not chosen or len(chosen[-1]) < most:  # closed loops have no more independent rows than open ones
                 with suppress(OpenLoopError):
-                    chosen.append(_independent(jacobian(numeric, closed(numeric, start, held, hasty=True))))
+                    places.append(closed(numeric, start, held, hasty=True))
+                    chosen.append(_independent(jacobian(numeric, places[-1])))
         if chosen:
             break
-    met = bool(chosen)
-    chosen = chosen or anywhere
-    rows = tuple(chain.closures[k] for k in max(chosen, key=len))
-    if not met:
-        _refuse_apart(numeric, rows, starts)
+    best = max(chosen or anywhere, key=len)
+    rows = tuple(chain.closures[k] for k in best)
+    if not chosen:
+        said = "stays open by {} wherever the other rows are closed; move a mount so that both ends meet"
+        _refuse_apart(numeric, rows, starts, _modes(chain), said)
+    elif len(rows) < len(chain.closures):
+        said = "opens by {} in a motion that keeps the other rows closed, from which it follows only at first; "
+        said += "give links axial modes, or a joint that lets the loop move"
+        _refuse_apart(numeric, rows, _farther(numeric, places[chosen.index(best)], best, rng), None, said)
     return rows
 
 
-def _refuse_apart(numeric: Numeric, rows: tuple[Closure, ...], starts: np.ndarray) -> None:
-    """Refuse loops that no motion closes: where the independent `rows` are closed another row stays open."""
+def _farther(numeric: Numeric, q: np.ndarray, rows: list[int], rng: np.random.Generator) -> np.ndarray:
+    """Postures (SEEDS, nq) some way from `q` along motions that at first keep the `rows` closed."""
+    chain, own = numeric.chain, slice(numeric.chain.base_v, None)
+    size = float(np.max(np.abs(numeric.tip_poses(q)[1] - numeric.link_pose(q)[1]), initial=0.0)) or 1.0
+    reach = np.where(_modes(chain), BEND * size, STROLL)[chain.base_q :]
+    reach[: chain.n_joints] *= np.where(turning(chain.robot), 1.0, size)
+    slopes = jacobian(numeric, q)[rows][:, own] * reach
+    steps = rng.standard_normal((SEEDS, len(reach)))
+    steps -= steps @ np.linalg.pinv(slopes, rcond=1e-10) @ slopes
+    out = np.tile(q, (SEEDS, 1))
+    out[:, chain.base_q :] += reach * steps / np.max(np.abs(steps), axis=1, initial=1e-3, keepdims=True)
+    return out
+
+
+def _refuse_apart(
+    numeric: Numeric, rows: tuple[Closure, ...], starts: np.ndarray, held: np.ndarray | None, said: str
+) -> None:
+    """Refuse loops of which another row is open where the independent `rows` are closed, near any of `starts`."""
     part = copy(numeric.chain)
     part.closures = rows
     for start in starts:
         with suppress(OpenLoopError):
-            gap = np.abs(numeric.gaps(closed(Numeric(part), start, _modes(part), hasty=True), None)[0])
+            gap = np.abs(numeric.gaps(closed(Numeric(part), start, held, hasty=True), None)[0])
             worst = int(np.argmax(gap))
             if gap[worst] > APART:
                 row, name = numeric.chain.closures[worst], numeric.chain.robot.name
                 size = f"{gap[worst]:.3g}{' m' if isinstance(row.row, Distance) else ', as a cosine'}"
-                what = f"{row.text}: stays open by {size} wherever the other rows are closed"
-                raise UsageError(f"robot '{name}': {what}; move a mount so that both ends meet")
+                raise UsageError(f"robot '{name}': {row.text}: {said.format(size)}")
 
 
 def _modes(chain: Chain) -> np.ndarray:

@@ -183,7 +183,10 @@ def _link_block(model: Model, M: np.ndarray, i: int) -> LinkBlock:
     root = np.sqrt(_positive(np.diag(symmetric)))
     scaled, vectors = np.linalg.eigh(symmetric / np.outer(root, root))
     definite = bool(scaled[0] > len(places) * EPSILON * scaled[-1])
-    name = chain.names[i]
+    name, loose = chain.names[i], ""
+    if not definite:
+        names = [model.dae_names["z"][k] for k in places]
+        loose = null_direction(name, vectors[:, 0] / root, names) if size else f"{name}: has no mass"
     return LinkBlock(
         name,
         float(plain[0]),
@@ -191,8 +194,8 @@ def _link_block(model: Model, M: np.ndarray, i: int) -> LinkBlock:
         float(scaled[0]),
         float(scaled[-1]),
         definite,
-        "" if definite else null_direction(name, vectors[:, 0] / root, [model.dae_names["z"][k] for k in places]),
-        float(np.abs(block - block.T).max() / size),
+        loose,
+        float(np.abs(block - block.T).max() / (size or 1.0)),
         rank_M_star(model, i),
     )
 

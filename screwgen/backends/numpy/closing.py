@@ -173,16 +173,16 @@ def _refuse_apart(
     numeric: Numeric, rows: tuple[Closure, ...], starts: np.ndarray, held: np.ndarray | None, said: str
 ) -> None:
     """Refuse loops of which another row is open where the independent `rows` are closed, near any of `starts`."""
-    part = copy(numeric.chain)
+    part, gaps = copy(numeric.chain), np.zeros(len(numeric.chain.closures))
     part.closures = rows
     for start in starts:
         with suppress(OpenLoopError):
-            gap = np.abs(numeric.gaps(closed(Numeric(part), start, held, hasty=True), None)[0])
-            worst = int(np.argmax(gap))
-            if gap[worst] > APART:
-                row, name = numeric.chain.closures[worst], numeric.chain.robot.name
-                size = f"{gap[worst]:.3g}{' m' if isinstance(row.row, Distance) else ', as a cosine'}"
-                raise UsageError(f"robot '{name}': {row.text}: {said.format(size)}")
+            gaps = np.maximum(gaps, np.abs(numeric.gaps(closed(Numeric(part), start, held, hasty=True), None)[0]))
+    worst = int(np.argmax(gaps))
+    if gaps[worst] > APART:
+        row, name = numeric.chain.closures[worst], numeric.chain.robot.name
+        size = f"{gaps[worst]:.3g}{' m' if isinstance(row.row, Distance) else ', as a cosine'}"
+        raise UsageError(f"robot '{name}': {row.text}: {said.format(size)}")
 
 
 def _modes(chain: Chain) -> np.ndarray:

@@ -16,15 +16,10 @@ def register(app: typer.Typer, epilog: str) -> None:
 
 def import_(
     context: typer.Context,
-    urdf: Annotated[str, typer.Argument(metavar="URDF", help="The URDF.", show_default=False)],
-    output: Annotated[
-        str, typer.Option("-o", "--output", metavar="FILE", help="The robot file, robot.toml.", show_default=False)
-    ],
+    urdf: Annotated[str, typer.Argument(metavar="URDF", help="The URDF.")],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The robot file, robot.toml.")],
     flexible: Annotated[
-        str | None,
-        typer.Option(
-            metavar="FILE", help="Which links are flexible: TOML with keys of a robot file.", show_default=False
-        ),
+        str | None, typer.Option(metavar="FILE", help="Which links are flexible: TOML with keys of a robot file.")
     ] = None,
     keep_fixed: Annotated[
         bool, typer.Option("--keep-fixed", help="Keep fixed joints as welded links, instead of merging them.")
@@ -36,8 +31,7 @@ def import_(
         str, typer.Option(metavar="HOW", help="Joints that mimic others: refuse, free (move on their own) or weld.")
     ] = "refuse",
     tip: Annotated[
-        str | None,
-        typer.Option(metavar="LINK", help="The link that comes last, though it be fixed: the tip.", show_default=False),
+        str | None, typer.Option(metavar="LINK", help="The link that comes last, though it be fixed: the tip.")
     ] = None,
     nearest_inertia: Annotated[
         bool, typer.Option("--nearest-inertia", help="Replace inertias that no body has by the nearest that one has.")
@@ -61,10 +55,8 @@ def import_(
 
 def export(
     context: typer.Context,
-    robot: Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.", show_default=False)],
-    output: Annotated[
-        str, typer.Option("-o", "--output", metavar="FILE", help="The URDF, robot.urdf.", show_default=False)
-    ],
+    robot: Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The URDF, robot.urdf.")],
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes and no summary.")] = False,
 ) -> None:
     """Write a robot as a URDF of rigid links, for viewers and other tools; what it leaves out is said on stderr."""

@@ -26,11 +26,10 @@ EPILOG = (
 )
 app = typer.Typer(name="screwgen", rich_markup_mode=None, pretty_exceptions_enable=False, epilog=EPILOG)
 
-RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.", show_default=False)]
+RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
 StateFile = Annotated[
-    str | None,
-    typer.Option("--state", metavar="FILE", help="JSON of q, v, tau, w_ext; zero where left out.", show_default=False),
+    str | None, typer.Option("--state", metavar="FILE", help="JSON of q, v, tau, w_ext; zero where left out.")
 ]
 Form = Annotated[str, typer.Option(metavar="NAME", help="joint or dae.")]
 Json = Annotated[bool, typer.Option("--json", help="Print the numbers as JSON.")]
@@ -60,15 +59,11 @@ def screwgen(
 def generate(
     context: typer.Context,
     robot: RobotFile,
-    output: Annotated[
-        str, typer.Option("-o", "--output", metavar="DIR", help="The folder to write.", show_default=False)
-    ],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="DIR", help="The folder to write.")],
     target: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="NAME",
-            help="c, casadi, latex, fmu2 or fmu3; may be given again. The first three, if not given.",
-            show_default=False,
+            metavar="NAME", help="c, casadi, latex, fmu2 or fmu3; may be given again. The first three, if not given."
         ),
     ] = None,
     parameters: Annotated[
@@ -93,15 +88,13 @@ def generate(
         ),
     ] = False,
     mpc: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.", show_default=False),
+        str | None, typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.")
     ] = None,
     functions: Annotated[
         list[str] | None,
         typer.Option(
             metavar="NAME",
             help="A CasADi function to save, or all; may be given again. Without: dynamics, energy and poses.",
-            show_default=False,
         ),
     ] = None,
     quiet: Quiet = False,
@@ -120,35 +113,25 @@ def generate(
 def simulate(
     context: typer.Context,
     robot: RobotFile,
-    duration: Annotated[float, typer.Option(metavar="S", help="How long, in seconds.", show_default=False)],
-    step: Annotated[
-        float,
-        typer.Option(metavar="S", help="The time step in seconds; the last may be shorter.", show_default=False),
-    ],
-    output: Annotated[
-        str, typer.Option("-o", "--output", metavar="FILE", help="run.npz or run.csv.", show_default=False)
-    ],
+    duration: Annotated[float, typer.Option(metavar="S", help="How long, in seconds.")],
+    step: Annotated[float, typer.Option(metavar="S", help="The time step in seconds; the last may be shorter.")],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="run.npz or run.csv.")],
     state: StateFile = None,
     controller: Annotated[
         str | None,
         typer.Option(
             metavar="KIND:FILE",
             help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. Without: the state's tau.",
-            show_default=False,
         ),
     ] = None,
     form: Form = "joint",
     integrator: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME",
-            help="Joint form: euler, semi_implicit, modal_implicit, modal_midpoint (its default), rk4.",
-            show_default=False,
+            metavar="NAME", help="Joint form: euler, semi_implicit, modal_implicit, modal_midpoint (its default), rk4."
         ),
     ] = None,
-    plot: Annotated[
-        str | None, typer.Option(metavar="FILE", help="Also draw the run, as .png.", show_default=False)
-    ] = None,
+    plot: Annotated[str | None, typer.Option(metavar="FILE", help="Also draw the run, as .png.")] = None,
     view: ViewFile = None,
     every: Annotated[int, typer.Option(metavar="N", min=1, help="Store every N-th step, and the end.")] = 1,
     keep: Annotated[
@@ -185,21 +168,15 @@ def evaluate(
 def modes(
     robot: RobotFile,
     posture: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="A state file, of which q is read; zero without.", show_default=False),
+        str | None, typer.Option(metavar="FILE", help="A state file, of which q is read; zero without.")
     ] = None,
     joints: Annotated[str, typer.Option(metavar="HOW", help="locked, springs and all, or free.")] = "locked",
     rates: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NUMBERS", help="Joint rates, rad/s or m/s, of an arm that turns steadily.", show_default=False
-        ),
+        str | None, typer.Option(metavar="NUMBERS", help="Joint rates, rad/s or m/s, of an arm that turns steadily.")
     ] = None,
     loaded: Annotated[bool, typer.Option("--loaded", help="Under gravity: bent by it, stiffened or softened.")] = False,
     json: Annotated[bool, typer.Option("--json", help='Print {"frequencies_hz": […], …}.')] = False,
-    plot: Annotated[
-        str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.", show_default=False)
-    ] = None,
+    plot: Annotated[str | None, typer.Option(metavar="FILE", help="Draw the mode shapes, as .png.")] = None,
     view: ViewFile = None,
 ) -> None:
     """Print the natural frequencies in Hz, and how far one more mode would move them: at rest without gravity, or
@@ -218,14 +195,10 @@ def equilibrium(
         typer.Option(
             metavar="NUMBERS",
             help="Joint angles, rad (slides: m), as 0.1,-0.2: those held, or where the search starts. Zero without.",
-            show_default=False,
         ),
     ] = None,
     tau: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NUMBERS", help="Joint torques that act, N·m (slides: N). Zero without.", show_default=False
-        ),
+        str | None, typer.Option(metavar="NUMBERS", help="Joint torques that act, N·m (slides: N). Zero without.")
     ] = None,
     hold: Annotated[bool, typer.Option("--hold", help="Hold joints without springs; the torques follow.")] = False,
     hold_all: Annotated[bool, typer.Option("--hold-all", help="Hold joints with springs too.")] = False,
@@ -244,14 +217,10 @@ def equilibrium(
 def assemble(
     robot: RobotFile,
     q: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NUMBERS", help="Where the search starts: joint coordinates. Zero without.", show_default=False
-        ),
+        str | None, typer.Option(metavar="NUMBERS", help="Where the search starts: joint coordinates. Zero without.")
     ] = None,
     hold: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME", help="A coordinate that stays; may be given again.", show_default=False),
+        list[str] | None, typer.Option(metavar="NAME", help="A coordinate that stays; may be given again.")
     ] = None,
 ) -> None:
     """Print the coordinates nearest to --q with which the loops are closed, as JSON that --state reads."""
@@ -268,24 +237,18 @@ def analyse(
     context: typer.Context,
     robot: RobotFile,
     state: Annotated[
-        list[str] | None,
-        typer.Option(metavar="FILE", help="A state, or a run.npz: its limits; may be given again.", show_default=False),
+        list[str] | None, typer.Option(metavar="FILE", help="A state, or a run.npz: its limits; may be given again.")
     ] = None,
     samples: Annotated[
         int | None,
-        typer.Option(
-            metavar="N", min=0, max=10000, help="Random states besides; 20 if no --state is given.", show_default=False
-        ),
+        typer.Option(metavar="N", min=0, max=10000, help="Random states besides; 20 if no --state is given."),
     ] = None,
     seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the random states.")] = 0,
     step: Annotated[float, typer.Option(metavar="S", help="The time step whose growth is reported.")] = 1e-3,
     controller: Annotated[
-        str | None,
-        typer.Option(metavar="KIND:FILE", help="pd:gains.toml: closes the loop, torques held.", show_default=False),
+        str | None, typer.Option(metavar="KIND:FILE", help="pd:gains.toml: closes the loop, torques held.")
     ] = None,
-    plot: Annotated[
-        str | None, typer.Option(metavar="FILE", help="Draw the structure of M_sys, as .png.", show_default=False)
-    ] = None,
+    plot: Annotated[str | None, typer.Option(metavar="FILE", help="Draw the structure of M_sys, as .png.")] = None,
     json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -299,9 +262,7 @@ def analyse(
 def latex(
     context: typer.Context,
     robot: RobotFile,
-    output: Annotated[
-        str, typer.Option("-o", "--output", metavar="FILE", help="equations.tex, .pdf or .html.", show_default=False)
-    ],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="equations.tex, .pdf or .html.")],
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""

@@ -10,31 +10,21 @@ import typer
 if TYPE_CHECKING:
     from ..viewer.meshes import Looks
 
-ViewFile = Annotated[
-    str | None, typer.Option(metavar="FILE", help="Also write a page that plays it, as .html.", show_default=False)
-]
+ViewFile = Annotated[str | None, typer.Option(metavar="FILE", help="Also write a page that plays it, as .html.")]
 
 
 def view(
     context: typer.Context,
-    runs: Annotated[
-        list[str],
-        typer.Argument(metavar="RUN...", help="run.npz; a second one is drawn as a ghost.", show_default=False),
-    ],
-    output: Annotated[
-        str | None, typer.Option("-o", "--output", metavar="FILE", help="The page, run.html.", show_default=False)
-    ] = None,
+    runs: Annotated[list[str], typer.Argument(metavar="RUN...", help="run.npz; a second one is drawn as a ghost.")],
+    output: Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help="The page, run.html.")] = None,
     robot: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="The robot file of runs that do not hold their robot.", show_default=False),
+        str | None, typer.Option(metavar="FILE", help="The robot file of runs that do not hold their robot.")
     ] = None,
     meshes: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="The URDF of the robot, whose visuals are drawn.", show_default=False),
+        str | None, typer.Option(metavar="FILE", help="The URDF of the robot, whose visuals are drawn.")
     ] = None,
     frames: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="Write a film: run.gif, run.mp4, or a folder of .png.", show_default=False),
+        str | None, typer.Option(metavar="FILE", help="Write a film: run.gif, run.mp4, or a folder of .png.")
     ] = None,
     fps: Annotated[float | None, typer.Option(help="Frames per second of the film; 25.")] = None,
     size: Annotated[str | None, typer.Option(metavar="WxH", help="Pixels of the film; 800x600.")] = None,
@@ -71,14 +61,7 @@ def view(
         if size is not None:
             options["size"] = read_size(size)
         with bar("drawing", 1, quiet) as progress:
-            film(
-                *found,
-                path=frames,
-                labels=labels,
-                **options,
-                meshes=looks,
-                progress=progress,
-            )
+            film(*found, path=frames, labels=labels, **options, meshes=looks, progress=progress)
         say(frames, quiet)
     if output is not None:
         with busy("drawing", quiet):

@@ -22,16 +22,13 @@ def add(app: typer.Typer) -> None:
 def paper(
     context: typer.Context,
     label: Annotated[
-        list[str] | None,
-        typer.Argument(metavar="[LABEL]...", help="Equations (29, B1, phi_y) or errata (E7).", show_default=False),
+        list[str] | None, typer.Argument(metavar="[LABEL]...", help="Equations (29, B1, phi_y) or errata (E7).")
     ] = None,
     errata: Annotated[bool, typer.Option("--errata", help="The errata, not the equations.")] = False,
     json: Annotated[bool, typer.Option("--json", help="Print as JSON, formulas in LaTeX.")] = False,
     output: Annotated[
         str | None,
-        typer.Option(
-            "-o", "--output", metavar="FILE", help="Write paper.tex, .pdf, .html; errata also .md.", show_default=False
-        ),
+        typer.Option("-o", "--output", metavar="FILE", help="Write paper.tex, .pdf, .html; errata also .md."),
     ] = None,
     quiet: Quiet = False,
 ) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import update_wrapper
 
 import mpmath
 
@@ -117,167 +118,149 @@ def _stumpff(order: int, x):
 # ------------------------------------------------------------------------------ the functions of a robot
 
 
-def _dynamics_inputs(chain: Chain, given: bool) -> dict[str, int]:
-    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
-    return sizes | ({"m_eta": chain.n_inertia, "f_eta": chain.n_given} if given else {})
+def inputs(chain: Chain, names: str) -> dict[str, int]:
+    """The lengths of inputs by name, in the order of ``names``, which blanks separate."""
+    sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
+    sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given, "wrench": 6 * chain.n, "motion": 4 * chain.n}
+    sizes |= {"x": state_size(chain), "z": unknown_size(chain)}
+    return {name: sizes[name] for name in names.split()}
 
 
-def _dynamics(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
-    """``vdot`` and ``wrench``, with inertia and force of modes and sprung joints where they are inputs."""
-    return {name: values for name, values in _watched(f, x).items() if name != "motion"}
+def program(
+    names: str, name="", kind=Functions, constants="parameters"
+) -> Callable[[Callable], Callable[..., Program]]:
+    """Makes ``(chain, constants) -> Program`` of a function that takes the robot's functions and the inputs ``names``.
+
+    ``name``: of the program, if it is not the function's; ``constants``: those by default; the rest as of :func:`fuse`.
+    """
+
+    def made(body: Callable) -> Callable[..., Program]:
+        def make(chain: Chain, constants: str = constants) -> Program:
+            return fuse(chain, name or body.__name__, inputs(chain, names), lambda f, x: body(f, **x), constants, kind)
+
+        named = update_wrapper(make, body, updated=())
+        del named.__wrapped__  # the signature is that of make
+        return named
+
+    return made
 
 
-def _watched(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
-    """The same, with the quantities of the motion that the validity measures need."""
-    if "m_eta" in x:
-        f.given = (x["m_eta"], x["f_eta"])
-    vdot, wrench, motion = f.watched_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
-    return {"vdot": vdot, "wrench": wrench, "motion": motion}
+def _watched(f: Functions, q, v, tau, w_ext, m_eta=None, f_eta=None) -> dict[str, Sequence[Value]]:
+    """``vdot``, ``wrench`` and the motion for the validity measures; inertia and force of modes if they are inputs."""
+    if m_eta is not None:
+        f.given = (m_eta, f_eta)
+    return dict(zip(("vdot", "wrench", "motion"), f.watched_dynamics(q, v, tau, w_ext), strict=True))
 
 
-def forward_dynamics(chain: Chain, constants="parameters") -> Program:
+@program("q v tau w_ext")
+def forward_dynamics(f: Functions, **x):
     """``(q, v, tau, w_ext) -> (vdot, wrench)``."""
-    return fuse(chain, "forward_dynamics", _dynamics_inputs(chain, False), _dynamics, constants)
+    return {name: values for name, values in _watched(f, **x).items() if name != "motion"}
 
 
-def modal_dynamics(chain: Chain, constants="parameters") -> Program:
+@program("q v tau w_ext m_eta f_eta")
+def modal_dynamics(f: Functions, **x):
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, wrench, motion)``: the forward dynamics of an integrator.
 
     ``m_eta`` and ``f_eta`` are the inertia and the force of stress and damping of every mode. If a joint is sprung,
     those of every joint coordinate precede them. Implicit steps give their own values.
     """
-    return fuse(chain, "modal_dynamics", _dynamics_inputs(chain, True), _watched, constants)
+    return _watched(f, **x)
 
 
-def measures(chain: Chain, constants="parameters") -> Program:
+@program("q wrench motion")
+def measures(f: Functions, q, wrench, motion):
     """``(q, wrench, motion) -> (measures)``: four numbers per link, see :mod:`..bodies.validity`."""
-    inputs = {"q": chain.nq, "wrench": 6 * chain.n, "motion": 4 * chain.n}
-
-    def body(f: Functions, x):
-        return {"measures": f.measures(x["q"], x["wrench"], x["motion"])}
-
-    return fuse(chain, "measures", inputs, body, constants)
+    return {"measures": f.measures(q, wrench, motion)}
 
 
-def validity(chain: Chain, constants="parameters") -> Program:
+@program("q v tau w_ext")
+def validity(f: Functions, **x):
     """``(q, v, tau, w_ext) -> (measures)``."""
-
-    def body(f: Functions, x):
-        found = _watched(f, x)
-        return {"measures": f.measures(x["q"], found["wrench"], found["motion"])}
-
-    return fuse(chain, "validity", _dynamics_inputs(chain, False), body, constants)
+    found = _watched(f, **x)
+    return {"measures": f.measures(x["q"], found["wrench"], found["motion"])}
 
 
-def complete_dynamics(chain: Chain, constants="constants") -> Program:
+@program("q v tau w_ext m_eta f_eta", constants="constants")
+def complete_dynamics(f: Functions, **x):
     """The forward dynamics of the generated C: :func:`modal_dynamics` with the pose of the last tip."""
-
-    def body(f: Functions, x):
-        outputs = _watched(f, x)
-        R, position = f.poses(x["q"])[1][chain.last]
-        return outputs | {"tip_rotation": R, "tip_position": position}
-
-    return fuse(chain, "complete_dynamics", _dynamics_inputs(chain, True), body, constants)
+    outputs = _watched(f, **x)
+    R, position = f.poses(x["q"])[1][f.chain.last]
+    return outputs | {"tip_rotation": R, "tip_position": position}
 
 
-def modal_properties(chain: Chain, constants="parameters") -> Program:
+@program("")
+def modal_properties(f: Functions):
     """``() -> (M_eta, K, D)``: inertia, stiffness and damping behind the inputs of :func:`modal_dynamics`."""
-    return fuse(chain, "modal_properties", {}, lambda f, _: columns(chain, f.constants), constants)
+    return columns(f.chain, f.constants)
 
 
-def loop_wrenches(chain: Chain, constants="parameters") -> Program:
+@program("q v tau w_ext m_eta f_eta")
+def loop_wrenches(f: Functions, q, v, tau, w_ext, m_eta, f_eta):
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included."""
-
-    def body(f: Functions, x):
-        f.given = (x["m_eta"], x["f_eta"])
-        return {"closed": f.with_loops(x["q"], x["v"], x["tau"], x["w_ext"])}
-
-    return fuse(chain, "loop_wrenches", _dynamics_inputs(chain, True), body, constants)
+    f.given = (m_eta, f_eta)
+    return {"closed": f.with_loops(q, v, tau, w_ext)}
 
 
-def correction(chain: Chain, constants="parameters") -> Program:
+@program("q v")
+def correction(f: Functions, q, v):
     """``(q, v) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""
-
-    def body(f: Functions, x):
-        return dict(zip(("new_q", "new_v"), f.correct(x["q"], x["v"]), strict=True))
-
-    return fuse(chain, "correction", {"q": chain.nq, "v": chain.nv}, body, constants)
+    return dict(zip(("new_q", "new_v"), f.correct(q, v), strict=True))
 
 
-def inverse_dynamics(chain: Chain, constants="parameters") -> Program:
+@program("q v vdot w_ext")
+def inverse_dynamics(f: Functions, q, v, vdot, w_ext):
     """``(q, v, vdot, w_ext) -> (force)``."""
-    inputs = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "w_ext": 6 * chain.n}
-
-    def body(f: Functions, x):
-        return {"force": f.inverse_dynamics(x["q"], x["v"], x["vdot"], x["w_ext"])}
-
-    return fuse(chain, "inverse_dynamics", inputs, body, constants)
+    return {"force": f.inverse_dynamics(q, v, vdot, w_ext)}
 
 
-def bias(chain: Chain, constants="parameters") -> Program:
+@program("q v w_ext")
+def bias(f: Functions, q, v, w_ext):
     """``(q, v, w_ext) -> (h)``: the bias force, which is the inverse dynamics without accelerations."""
-    inputs = {"q": chain.nq, "v": chain.nv, "w_ext": 6 * chain.n}
-
-    def body(f: Functions, x):
-        return {"h": f.inverse_dynamics(x["q"], x["v"], [0.0] * chain.nv, x["w_ext"])}
-
-    return fuse(chain, "bias", inputs, body, constants)
+    return {"h": f.inverse_dynamics(q, v, [0.0] * f.chain.nv, w_ext)}
 
 
-def levers(chain: Chain, constants="parameters") -> Program:
+@program("q")
+def levers(f: Functions, q):
     """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
-    return fuse(chain, "levers", {"q": chain.nq}, lambda f, x: {"levers": f.levers(x["q"])}, constants)
+    return {"levers": f.levers(q)}
 
 
-def inertial_force(chain: Chain, constants="parameters") -> Program:
+@program("q vdot")
+def inertial_force(f: Functions, q, vdot):
     """``(q, vdot) -> (force)`` at rest: its Jacobian in ``vdot`` is the mass matrix."""
-
-    def body(f: Functions, x):
-        still = Functions(chain, f.constants, [0.0] * 3, f.apply)
-        rest = {"q": x["q"], "v": [0.0] * chain.nv, "w_ext": [0.0] * 6 * chain.n}
-        return {"force": still.inverse_dynamics(vdot=x["vdot"], **rest)}
-
-    return fuse(chain, "inertial_force", {"q": chain.nq, "vdot": chain.nv}, body, constants)
+    still = Functions(f.chain, f.constants, [0.0] * 3, f.apply)
+    return {"force": still.inverse_dynamics(q, [0.0] * f.chain.nv, vdot, [0.0] * 6 * f.chain.n)}
 
 
-def energy(chain: Chain, constants="parameters") -> Program:
+@program("q v")
+def energy(f: Functions, q, v):
     """``(q, v) -> (kinetic, potential)``."""
-
-    def body(f: Functions, x):
-        kinetic, potential = f.energy(x["q"], x["v"])
-        return {"kinetic": [kinetic], "potential": [potential]}
-
-    return fuse(chain, "energy", {"q": chain.nq, "v": chain.nv}, body, constants)
+    kinetic, potential = f.energy(q, v)
+    return {"kinetic": [kinetic], "potential": [potential]}
 
 
-def coordinate_rates(chain: Chain, constants="parameters") -> Program:
+@program("q v")
+def coordinate_rates(f: Functions, q, v):
     """``(q, v) -> (qdot)``."""
-
-    def body(f: Functions, x):
-        return {"qdot": f.coordinate_rates(x["q"], x["v"])}
-
-    return fuse(chain, "coordinate_rates", {"q": chain.nq, "v": chain.nv}, body, constants)
+    return {"qdot": f.coordinate_rates(q, v)}
 
 
-def poses(chain: Chain, constants="parameters") -> Program:
+@program("q")
+def poses(f: Functions, q):
     """``(q) -> (link_R, link_position, tip_R, tip_position)``, every R row by row, link by link."""
-
-    def body(f: Functions, x):
-        frames, tips = f.poses(x["q"])
-        flat = lambda places, k: [v for place in places for v in place[k]]  # noqa: E731
-        return {
-            "link_R": flat(frames, 0),
-            "link_position": flat(frames, 1),
-            "tip_R": flat(tips, 0),
-            "tip_position": flat(tips, 1),
-        }
-
-    return fuse(chain, "poses", {"q": chain.nq}, body, constants)
+    frames, tips = f.poses(q)
+    flat = lambda places, k: [v for place in places for v in place[k]]  # noqa: E731
+    return {
+        "link_R": flat(frames, 0),
+        "link_position": flat(frames, 1),
+        "tip_R": flat(tips, 0),
+        "tip_position": flat(tips, 1),
+    }
 
 
 def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[int, int]]]:
     """``(x, tau, w_ext) -> (M, H, W)`` of the DAE form, with the places of the entries of ``M``."""
-    inputs = {"x": state_size(chain), "tau": chain.n_tau, "w_ext": 6 * chain.n}
     places: list[tuple[int, int]] = []
 
     def body(f: DaeFunctions, x):
@@ -285,7 +268,7 @@ def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[
         places.extend(entries)
         return {"M": list(entries.values()), "H": H, "W": W}
 
-    return fuse(chain, "assemble", inputs, body, constants, DaeFunctions), places
+    return fuse(chain, "assemble", inputs(chain, "x tau w_ext"), body, constants, DaeFunctions), places
 
 
 def kinematic_rates(chain: Chain, constants="parameters") -> Program:
@@ -297,50 +280,30 @@ def kinematic_rates(chain: Chain, constants="parameters") -> Program:
     def body(f: DaeFunctions, x):
         return {"ode": f.kinematic_rates(x["x"], x["z"], x.get("tau", ()))}
 
-    sizes = {"x": state_size(chain), "z": unknown_size(chain)} | ({"tau": chain.n_tau} if chain.n_motors else {})
-    return fuse(chain, "kinematic_rates", sizes, body, constants, DaeFunctions)
+    given = inputs(chain, "x z tau" if chain.n_motors else "x z")
+    return fuse(chain, "kinematic_rates", given, body, constants, DaeFunctions)
 
 
-def dae_dynamics(chain: Chain, constants="parameters") -> Program:
+@program("x tau w_ext m_eta f_eta", kind=DaeFunctions)
+def dae_dynamics(f: DaeFunctions, x, tau, w_ext, m_eta, f_eta):
     """``(x, tau, w_ext, m_eta, f_eta) -> (xdot, vdot, wrench)``: the DAE form by block elimination."""
-    inputs = {
-        "x": state_size(chain),
-        "tau": chain.n_tau,
-        "w_ext": 6 * chain.n,
-        "m_eta": chain.n_inertia,
-        "f_eta": chain.n_given,
-    }
-
-    def body(f: DaeFunctions, x):
-        f.given = (x["m_eta"], x["f_eta"])
-        xdot, vdot, wrench = f.rates(x["x"], x["tau"], x["w_ext"])
-        return {"xdot": xdot, "vdot": vdot, "wrench": wrench}
-
-    return fuse(chain, "dae_dynamics", inputs, body, constants, DaeFunctions)
+    f.given = (m_eta, f_eta)
+    return dict(zip(("xdot", "vdot", "wrench"), f.rates(x, tau, w_ext), strict=True))
 
 
-def joint_rates(chain: Chain, constants="parameters") -> Program:
+@program("x", kind=DaeFunctions)
+def joint_rates(f: DaeFunctions, x):
     """``(x) -> (qdot)``: the joint rates that follow from the twists of the DAE form."""
-
-    def body(f: DaeFunctions, x):
-        return {"qdot": f.joint_rates(x["x"])}
-
-    return fuse(chain, "joint_rates", {"x": state_size(chain)}, body, constants, DaeFunctions)
+    return {"qdot": f.joint_rates(x)}
 
 
-def projection(chain: Chain, constants="parameters") -> Program:
+@program("x", "project", kind=DaeFunctions)
+def projection(f: DaeFunctions, x):
     """``(x) -> (projected)``: the state projected onto the joint constraints."""
-
-    def body(f: DaeFunctions, x):
-        return {"projected": f.project(x["x"])}
-
-    return fuse(chain, "project", {"x": state_size(chain)}, body, constants, DaeFunctions)
+    return {"projected": f.project(x)}
 
 
-def placement(chain: Chain, constants="parameters") -> Program:
+@program("q v", kind=DaeFunctions)
+def placement(f: DaeFunctions, q, v):
     """``(q, v) -> (x)``: the state of the DAE form from coordinates and rates."""
-
-    def body(f: DaeFunctions, x):
-        return {"x": f.place(x["q"], x["v"])}
-
-    return fuse(chain, "placement", {"q": chain.nq, "v": chain.nv}, body, constants, DaeFunctions)
+    return {"x": f.place(q, v)}

@@ -22,7 +22,7 @@ from . import matrices as mx
 from . import rows as rw
 from .elastic_gears import GEAR_SLOPES
 from .functions import Functions
-from .fused import fuse
+from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
 from .schedule import COLUMNS
 from .scope import OF_TIP
@@ -309,8 +309,6 @@ def linearisation(chain: Chain, constants="constants", own=True) -> Program:
     its guards are included, so common operations are computed once.  Where loops close the tree: also ``J`` and the
     derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each.
     """
-    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
-    sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         f.given = (x["m_eta"], x["f_eta"])
@@ -325,4 +323,4 @@ def linearisation(chain: Chain, constants="constants", own=True) -> Program:
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
 
-    return fuse(chain, "linearisation", sizes, body, constants)
+    return fuse(chain, "linearisation", inputs(chain, "q v tau w_ext m_eta f_eta"), body, constants)

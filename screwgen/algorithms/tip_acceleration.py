@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from ..ir.derivative import columns, tangents
-from ..ir.program import Node, Program, Value
-from ..topology.chain import Chain
+from ..ir.program import Node, Value
 from . import given_motion
 from .functions import Functions
-from .fused import fuse
+from .fused import program
 from .schedule import OUTWARD, Algorithm, Phase
 
 MOTION: Algorithm = (Phase(given_motion.motion, OUTWARD),)
@@ -25,20 +24,16 @@ class Accelerometer(Functions):
         return places[self.chain.tree.tip(self.chain.last)]["acc"][3:]
 
 
-def tip_acceleration(chain: Chain, constants="constants") -> Program:
+@program("q v vdot", kind=Accelerometer, constants="constants")
+def tip_acceleration(f: Accelerometer, **x):
     """``(q, v, vdot) -> (a, a_q, a_v, a_vdot)``: the derivatives (3, nv) column by column, each at the others held.
 
     Those with the pose of a floating base are along ``pose exp(delta)``.
     """
-
-    def body(f: Accelerometer, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
-        a = f.tip_acceleration(x["q"], x["v"], x["vdot"])
-        slopes = {n: columns(a, x[n][chain.base_q :] if n == "q" else x[n]) for n in ("q", "v", "vdot")}
-        slopes["q"] = [tangents(a, change) for change in _changes(f, x["q"])] + slopes["q"]
-        return {"a": a} | {f"a_{n}": [s for column in found for s in column] for n, found in slopes.items()}
-
-    sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv}
-    return fuse(chain, "tip_acceleration", sizes, body, constants, Accelerometer)
+    a = f.tip_acceleration(**x)
+    slopes = {n: columns(a, values[f.chain.base_q :] if n == "q" else values) for n, values in x.items()}
+    slopes["q"] = [tangents(a, change) for change in _changes(f, x["q"])] + slopes["q"]
+    return {"a": a} | {f"a_{n}": [s for column in found for s in column] for n, found in slopes.items()}
 
 
 def _changes(f: Functions, q: Sequence[Value]) -> list[dict[Node, Value]]:

@@ -19,7 +19,7 @@ from ..topology.tree import BASE
 from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
-from .fused import fuse
+from .fused import fuse, inputs
 from .linearise import Section, accelerations, arrays, carrying, inward, places
 
 KINDS = "q", "v", "vdot"
@@ -79,12 +79,12 @@ def _columns(chain: Chain, links: Sequence[Mapping[str, Array]], rows, out: Mapp
 def wrench_program(chain: Chain, constants="constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row."""
     chain.needs_tree("derivatives of joint wrenches", "differentiate the CasADi functions")
-    sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         tracer = next(y.tracer for values in x.values() for y in values if isinstance(y, Node))
         found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"], tracer.section)
         return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS}
 
+    found = fuse(chain, "wrench_slopes", inputs(chain, "q v vdot tau w_ext"), body, constants)
     # The accelerations are of a state at which the forward dynamics found its guards to hold.
-    return replace(fuse(chain, "wrench_slopes", sizes, body, constants), guards=[], origins=[])
+    return replace(found, guards=[], origins=[])

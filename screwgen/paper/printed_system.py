@@ -10,11 +10,12 @@ from dataclasses import replace
 import numpy as np
 
 from ..algebra.expression import Block, Expression, Negative, hat
+from ..algebra.screw import lever, twice
 from ..topology.chain import Chain
 from . import appendix_b, link, projection
 from .arm_state import ArmState, LinkState, View
 from .evaluate import evaluate
-from .quantities import Link, lever, twice
+from .quantities import Link
 from .synthesis import joint_bias, section_bias
 
 L, BEFORE, ONE = Link("i"), Link("i-1"), Link("1")

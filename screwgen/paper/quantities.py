@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from ..algebra.expression import Expression, Integral, Symbol, block, hat, identity, zeros
+from ..algebra.expression import Expression, Integral, Symbol
 
 
 @dataclass(frozen=True)
@@ -271,13 +271,3 @@ class Link:
     def integral(self, integrand: Expression, weight: Symbol | None = None) -> Integral:
         """``weight ∫ integrand dξ`` over the link."""
         return Integral(integrand, weight, None, self.index)
-
-
-def lever(r: Expression) -> Expression:
-    """``[[I, 0], [-hat(r), I]]``: the twist of the point r from that of the origin."""
-    return block([identity(3), zeros(3, 3)], [-hat(r), identity(3)])
-
-
-def twice(R: Expression) -> Expression:
-    """``blkdiag(R, R)``."""
-    return block([R, zeros(3, 3)], [zeros(3, 3), R])

@@ -12,8 +12,7 @@ import casadi as ca
 
 from ..algorithms.dae_functions import unknown_size
 from ..backends.casadi.expressions import expressions
-from ..backends.casadi.functions import function
-from ..spec.parameters import parameters
+from ..backends.casadi.functions import function, symbols
 from ..topology.chain import Chain
 from . import z_functions as z
 from .z_form import FULL_TURN
@@ -37,14 +36,9 @@ def z_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     ``cauchy (x_c, q, tau, w_ext, p) -> (A_c, g_c, qdot, wrench)``, (110), (111) with E18: ``x_c``'s rate is
     ``A_c x_c + g_c``; ``qdot`` is the rate of the memory ``q``, ``wrench`` 6 x n, N m and N.
     """
-    given = {
-        "x_c": ca.SX.sym("x_c", z.cauchy_size(chain)),
-        "q": ca.SX.sym("q", chain.n_joints),
-        "tau": ca.SX.sym("tau", chain.n_joints),
-        "w_ext": ca.SX.sym("w_ext", 6, chain.n),
-        "p": ca.SX.sym("p", len(parameters(chain.robot))),
-    }
-    placed = {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nq), "p": given["p"]}
+    given = {"x_c": ca.SX.sym("x_c", z.cauchy_size(chain)), "q": ca.SX.sym("q", chain.n_joints)}
+    given |= symbols(chain, "tau w_ext p")
+    placed = symbols(chain, "q v p")
     short = {name: given[name] for name in ("x_c", "q", "p")}
     assembled = cache(lambda: _assembled(chain, given))
     return {

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from ..algorithms.dae_functions import DaeFunctions, Entries, link_unknowns
 from ..algorithms.functions import ASSEMBLY, DAE_FORWARD, PLACEMENT, Algorithm
-from ..algorithms.fused import fuse
+from ..algorithms.fused import fuse, program
 from ..algorithms.schedule import OUTWARD, Phase
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer
@@ -129,16 +129,11 @@ def z_dynamics(chain: Chain, constants="parameters") -> Program:
     return fuse(chain, "cauchy", _inputs(chain), body, constants, ZFunctions)
 
 
-def z_placement(chain: Chain, constants="parameters") -> Program:
+@program("q v", kind=ZFunctions)
+def z_placement(f: ZFunctions, q, v):
     """``(q, v) -> (quaternion, r, eta, Z, etadot)``, link by link."""
-
-    def body(f: ZFunctions, x):
-        links = f.place_z(x["q"], x["v"])
-        return {
-            name.removeprefix("new_"): _gathered(links, name) for name in ("new_quaternion", "r", "eta", "Z", "etadot")
-        }
-
-    return fuse(chain, "z_placement", {"q": chain.nq, "v": chain.nq}, body, constants, ZFunctions)
+    links, names = f.place_z(q, v), ("new_quaternion", "r", "eta", "Z", "etadot")
+    return {name.removeprefix("new_"): _gathered(links, name) for name in names}
 
 
 def exponential() -> Program:

@@ -17,12 +17,10 @@ from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
-from .differentiated import NO_METHOD, STATUS, Differentiated
+from .differentiated import NO_METHOD, Differentiated
 from .library import load
 from .memory import Array, pointer
 from .pace import slices
-
-__all__ = ["STATUS", "Compiled", "CompiledStepper"]
 
 PRECISIONS = ("double", "single")
 LAYOUTS = ("auto", "fused", "modular")

@@ -9,9 +9,10 @@ import numpy as np
 
 from ..arguments import seconds
 from ..backends.c.project import CProject
-from ..errors import ScrewgenError, UsageError
+from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
+from ..topology.chain import Chain
 from .memory import Array, Memory, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
@@ -25,6 +26,13 @@ def known(method: str | Method, project: CProject) -> Method:
     if wanted not in project.methods.values():
         raise UsageError(f"{NO_METHOD} '{wanted}' as it is given; compile the model with methods=({wanted},)")
     return wanted
+
+
+def failure(chain: Chain, status: int, fault: int, otherwise: str = "") -> ScrewgenError:
+    """The error of a status that is not OK; ``fault``: the link at fault, or -1 where that is ``otherwise``."""
+    if status == SINGULAR:
+        return SingularError(otherwise) if otherwise and fault < 0 else chain.singular(fault)
+    return ScrewgenError(f"the generated C reports: {STATUS[status]}")
 
 
 class Scratch(dict):
@@ -107,7 +115,5 @@ class Differentiated(Memory):
 
     def check(self, status: int) -> None:
         """Raise the error of a status that is not OK."""
-        if status == SINGULAR:
-            raise self.chain.singular(self.library.shim_fault(self.memory))
         if status:
-            raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
+            raise failure(self.chain, status, self.library.shim_fault(self.memory))

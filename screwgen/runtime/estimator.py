@@ -11,9 +11,9 @@ import numpy as np
 
 from ..algorithms.gauges import Gauge, gauges
 from ..arguments import array, real_numbers
-from ..errors import ScrewgenError, SingularError, UsageError
+from ..errors import UsageError
 from .compiled import LeanProject
-from .differentiated import STATUS
+from .differentiated import failure
 from .library import load
 from .memory import Block, pointer
 
@@ -216,10 +216,6 @@ class CompiledEstimator:
         return ctypes.c_float(value) if self.real is np.float32 else ctypes.c_double(value)
 
     def _check(self, status: int) -> None:
-        if status == 2 and self.fault >= 0:
-            raise self.model.chain.singular(self.fault)
-        if status == 2:
-            loops = ", or its loops do not close" if self.model.chain.closures else ""
-            raise SingularError(f"the filter's covariance has lost its definiteness, or its step is too long{loops}")
         if status:
-            raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
+            chain, lost = self.model.chain, "the filter's covariance has lost its definiteness, or its step is too long"
+            raise failure(chain, status, self.fault, lost + ", or its loops do not close" * bool(chain.closures))

@@ -11,8 +11,8 @@ import numpy as np
 
 from ..arguments import Given, array
 from ..backends.c.mpc import Fitted, MpcProject
-from ..errors import ScrewgenError, SingularError
-from .compiled import STATUS, LeanProject
+from .compiled import LeanProject
+from .differentiated import failure
 from .library import load
 from .memory import Block, pointer
 
@@ -212,10 +212,6 @@ class Mpc:
             place[:] = array(values, name, place.shape, finite=False)
 
     def _check(self, status: int) -> None:
-        fault = self.library.shim_fault(self._memory)
-        if status == 2 and fault >= 0:
-            raise self.model.chain.singular(fault)
-        if status == 2:
-            raise SingularError("the weights leave torques undetermined; weigh all torques or their rates")
         if status:
-            raise ScrewgenError(f"the generated C reports: {STATUS[status]}")
+            loose = "the weights leave torques undetermined; weigh all torques or their rates"
+            raise failure(self.model.chain, status, self.library.shim_fault(self._memory), loose)

@@ -49,11 +49,7 @@ class Estimator:
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
 
     def start(self, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any, noise: Noise) -> None:
-        """Begin at a state (nq, nv) with the standard deviations of its entries (nv, nv).
-
-        Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops close the tree
-        the state is closed, and the covariance is that of the deviations under the condition that the loops are closed.
-        """
+        """Begin at a state, as of :class:`..runtime.estimator.CompiledEstimator`."""
         n, chain = self.model.nv, self.model.chain
         q, v = array(q, "q", (chain.nq,)), array(v, "v", (n,))
         sizes = np.concatenate(
@@ -123,10 +119,7 @@ class Estimator:
     # ------------------------------------------------------------------------------ update
 
     def update(self, tau: Numbers, w_ext: Any, encoder=None, strain=None, acceleration=None, **base: Any) -> None:
-        """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
-
-        As of :class:`..runtime.estimator.CompiledEstimator`.
-        """
+        """Update the estimate by measurements, as of :class:`..runtime.estimator.CompiledEstimator`."""
         tau, w_ext = self._input(tau, w_ext)
         rows, left, variances = [], [], []
         given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base

@@ -15,13 +15,13 @@ from typing import Any
 import casadi as ca
 
 from ...algorithms import fused
-from ...algorithms.dae_functions import state_size, unknown_size
+from ...algorithms.dae_functions import unknown_size
 from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
 from ...arguments import choice
 from ...bodies.validity import MEASURES
 from ...ir.program import Program
-from ...spec.parameters import turning
+from ...spec.parameters import parameters, turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ..templates import render
@@ -59,12 +59,15 @@ class Made(Mapping):
         return f"Functions({', '.join(self)})"
 
 
+def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
+    """Inputs of functions by name, in the order of ``names``, which blanks separate."""
+    own = {"w_ext": (6, chain.n), "p": (len(parameters(chain.robot)),), "dt": (1,)}
+    return {name: ca.SX.sym(name, *(own.get(name) or fused.inputs(chain, name).values())) for name in names.split()}
+
+
 def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
     """What makes the functions of the joint form, by name."""
-    n, nv, np_ = chain.n, chain.nv, len(fused.parameters(chain.robot))
-    q, v, vdot = ca.SX.sym("q", chain.nq), ca.SX.sym("v", nv), ca.SX.sym("vdot", nv)
-    tau, w_ext, p = ca.SX.sym("tau", chain.n_tau), ca.SX.sym("w_ext", 6, n), ca.SX.sym("p", np_)
-    given = {"q": q, "v": v, "vdot": vdot, "tau": tau, "w_ext": w_ext, "p": p}
+    n, given = chain.n, symbols(chain, "q v vdot tau w_ext p")
 
     @cache
     def outputs(maker: Callable[[Chain], Program]) -> dict[str, ca.SX]:
@@ -90,8 +93,8 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
 
     def mass_matrix() -> dict[str, ca.SX]:
         if chain.floating:
-            return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], vdot)}
-        lower = ca.SX(ca.Sparsity.lower(nv).T, outputs(_inertia)["lower"]).T
+            return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], given["vdot"])}
+        lower = ca.SX(ca.Sparsity.lower(chain.nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
     def closing_wrenches() -> dict[str, ca.SX]:
@@ -112,30 +115,23 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
     return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers, *loops)}
 
 
-def _inertia(chain: Chain) -> Program:
+@fused.program("q", "mass_matrix")
+def _inertia(f: Functions, q):
     """``(q) -> (lower)``: the lower triangle of the mass matrix, row by row."""
-
-    def body(f: Functions, x: Mapping) -> dict[str, list]:
-        rest, nothing = [0.0] * chain.nv, [0.0] * 6 * chain.n
-        M = slopes(f, x["q"], rest, rest, nothing, [0.0] * chain.n_tau).M
-        return {"lower": [M[i, j] for i in range(chain.nv) for j in range(i + 1)]}
-
-    return fused.fuse(chain, "mass_matrix", {"q": chain.nq}, body)
+    rest, nothing = [0.0] * f.chain.nv, [0.0] * 6 * f.chain.n
+    M = slopes(f, q, rest, rest, nothing, [0.0] * f.chain.n_tau).M
+    return {"lower": [M[i, j] for i in range(f.chain.nv) for j in range(i + 1)]}
 
 
-def loop_wrenches(chain: Chain) -> Program:
+@fused.program("q v tau w_ext")
+def loop_wrenches(f: Functions, q, v, tau, w_ext):
     """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
-    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
-
-    def body(f: Functions, x: Mapping) -> dict[str, list]:
-        return {"loop_wrench": f.loop_wrenches(x["q"], x["v"], x["tau"], x["w_ext"])}
-
-    return fused.fuse(chain, "loop_wrenches", sizes, body)
+    return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
 
 
 def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     """What makes the DAE form: ``assemble``, and ``dae_state``, which puts coordinates and rates onto the joints."""
-    given = _dae_symbols(chain) | {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nv)}
+    given = symbols(chain, "x tau w_ext q v p")
 
     def assemble() -> ca.Function:
         program, places = fused.assembly(chain)
@@ -152,20 +148,13 @@ def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
     return {"assemble": assemble, "dae_state": dae_state}
 
 
-def _dae_symbols(chain: Chain) -> dict[str, ca.SX]:
-    sizes = {"x": state_size(chain), "z": unknown_size(chain), "tau": chain.n_tau}
-    given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
-    parameters = ca.SX.sym("p", len(fused.parameters(chain.robot)))
-    return given | {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": parameters}
-
-
 def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
     """``dict(x, z, u, p, ode, alg)`` for ``casadi.integrator``: ``alg = M_sys z + H_sys - W_sys``.
 
     The order of x and z is ``model.dae_names``.  Integrators of CasADi do not project: the joints drift
     by the integrator's own error.
     """
-    given = _dae_symbols(chain)
+    given = symbols(chain, "x z p")
     u = ca.SX.sym("u", chain.n_tau + 6 * chain.n)
     tau, w_ext = u[: chain.n_tau], ca.reshape(u[chain.n_tau :], 6, chain.n)
     M, H, W = assemble(given["x"], tau, w_ext, given["p"])
@@ -179,17 +168,14 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
     ``dae_dynamics``, ``joint_rates``, ``project``.  ``f_eta`` belongs to the last ``chain.n_given`` of q, and so
     does ``m_eta``, which ends with the entries below the diagonal where modes are coupled.
     """
-    sizes = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "m_eta": chain.n_inertia, "f_eta": chain.n_given}
-    given = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
-    given |= {"w_ext": ca.SX.sym("w_ext", 6, chain.n), "p": ca.SX.sym("p", len(fused.parameters(chain.robot)))}
+    given = symbols(chain, "q v tau w_ext m_eta f_eta x wrench motion p")
     dynamics = expressions(fused.modal_dynamics(chain), given)
     order = ("q", "v", "tau", "w_ext", "m_eta", "f_eta", "p")
     wrench = ca.reshape(dynamics["wrench"], 6, chain.n)
     properties = expressions(fused.modal_properties(chain), given)
-    given["x"] = ca.SX.sym("x", state_size(chain))
     dae, projected = expressions(fused.dae_dynamics(chain), given), expressions(fused.projection(chain), given)
     dae["wrench"] = ca.reshape(dae["wrench"], 6, chain.n)
-    rates = expressions(fused.joint_rates(chain), given)
+    rates, measures = expressions(fused.joint_rates(chain), given), expressions(fused.measures(chain), given)
     dae_order = ("x", "tau", "w_ext", "m_eta", "f_eta", "p")
     return {
         "dae_dynamics": function("dae_dynamics", {k: given[k] for k in dae_order}, **dae),
@@ -201,15 +187,9 @@ def modal_functions(chain: Chain) -> dict[str, ca.Function]:
         "watched_dynamics": function(
             "watched_dynamics", {k: given[k] for k in order}, wrench=wrench, motion=dynamics["motion"]
         ),
-        "measures": _measures(chain, given["q"], given["p"]),
+        "measures": function("measures", {k: given[k] for k in ("q", "wrench", "motion", "p")}, **measures),
         "modal_properties": function("modal_properties", {"p": given["p"]}, **properties),
     }
-
-
-def _measures(chain: Chain, q: ca.SX, p: ca.SX) -> ca.Function:
-    """``(q, wrench, motion, p) -> (measures)``: how far the links are from the limits of the model, link by link."""
-    given = {"q": q, "wrench": ca.SX.sym("wrench", 6 * chain.n), "motion": ca.SX.sym("motion", 4 * chain.n), "p": p}
-    return function("measures", given, **expressions(fused.measures(chain), given))
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:

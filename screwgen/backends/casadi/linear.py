@@ -10,7 +10,7 @@ from ...bodies.markers import strains
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .expressions import expressions
-from .functions import coordinate_rates, function
+from .functions import coordinate_rates, function, symbols
 
 
 def linearisation(chain: Chain) -> ca.Function:
@@ -20,8 +20,7 @@ def linearisation(chain: Chain) -> ca.Function:
     in axes of F_1. y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s,
     m/s²), the joint wrenches link by link (6 n) and the strains of :func:`base_strains`.
     """
-    sizes = {"q": (chain.nq, 1), "v": (chain.nv, 1), "tau": (chain.n_tau, 1), "w_ext": (6, chain.n)}
-    given = {name: ca.SX.sym(name, *size) for name, size in sizes.items()} | parameter_symbols(chain)
+    given = symbols(chain, "q v tau w_ext p")
     q, v, p = given["q"], given["v"], given["p"]
     qdot = coordinate_rates(chain, q, v, p)
     dynamics = expressions(fused.forward_dynamics(chain), given)
@@ -44,8 +43,7 @@ def closing(chain: Chain) -> ca.Function:
     ``Jᵀ forces``; ``wrench`` (6 x n): what forces of the rows exert on the tips, in the tip frames.
     """
     rows = len(chain.closures)
-    given = {"q": ca.SX.sym("q", chain.nq), "v": ca.SX.sym("v", chain.nv), "forces": ca.SX.sym("forces", rows)}
-    given |= parameter_symbols(chain)
+    given = symbols(chain, "q v") | {"forces": ca.SX.sym("forces", rows)} | symbols(chain, "p")
 
     def body(f: Functions, x):
         gap, wrench = f.loops_at(x["q"], x["forces"])
@@ -71,10 +69,6 @@ def along(f: ca.SX, q: ca.SX, direction: ca.SX) -> ca.SX:
     return ca.jtimes(f, q, direction) if q.numel() else ca.SX.zeros(*f.shape)
 
 
-def parameter_symbols(chain: Chain) -> dict[str, ca.SX]:
-    return {"p": ca.SX.sym("p", len(parameters(chain.robot)))}
-
-
 def statics(chain: Chain) -> ca.Function:
     """``(q, w_ext, p) -> (potential, force, stiffness, weight, wrench, tip)`` at rest.
 
@@ -90,8 +84,8 @@ def statics(chain: Chain) -> ca.Function:
         energy, tip = f.energy(x["q"], rest)[1], f.poses(x["q"])[1][chain.last][1]
         return {"force": force, "wrench": wrench, "potential": [energy], "tip": tip}
 
-    given = {"q": ca.SX.sym("q", chain.nq), "w_ext": ca.SX.sym("w_ext", 6, chain.n)} | parameter_symbols(chain)
-    found = expressions(fused.fuse(chain, "statics", {"q": chain.nq, "w_ext": 6 * chain.n}, body), given)
+    given = symbols(chain, "q w_ext p")
+    found = expressions(fused.fuse(chain, "statics", fused.inputs(chain, "q w_ext"), body), given)
     return function(
         "statics",
         given,

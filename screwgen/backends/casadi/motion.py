@@ -15,7 +15,7 @@ from ...integrators.methods import METHODS
 from ...integrators.se3 import FLAT, programs
 from ...topology.chain import Chain
 from .expressions import expressions
-from .functions import coordinate_rates, function, rotations
+from .functions import coordinate_rates, function, rotations, symbols
 
 STEP = "modal_midpoint"
 """The method of the function `step`, which is that of a simulation."""
@@ -30,13 +30,6 @@ def motion_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
 def steps(chain: Chain, methods: Iterable[Method]) -> dict[str, Callable[[], ca.Function]]:
     """What makes ``step_<method>`` of methods, by name."""
     return {f"step_{m}": partial(step, chain, m, f"step_{m}") for m in methods}
-
-
-def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
-    """Inputs of functions by name."""
-    sizes = {"q": (chain.nq, 1), "v": (chain.nv, 1), "vdot": (chain.nv, 1), "tau": (chain.n_tau, 1)}
-    sizes |= {"w_ext": (6, chain.n), "p": (len(fused.parameters(chain.robot)), 1), "dt": (1, 1)}
-    return {name: ca.SX.sym(name, *sizes[name]) for name in names.split()}
 
 
 class Held:

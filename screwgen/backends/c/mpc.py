@@ -177,8 +177,8 @@ class MpcProject(CProject):
     @cached_property
     def context(self) -> dict:
         found = super().context
-        if self.fitted.wrenches and found["derivatives"]["wrenches"].get("long"):
-            what = "would have derivatives too long to compile; leave them out, or give the robot fewer links or modes"
+        if self.fitted.wrenches and (missing := found["derivatives"]["wrenches"]["missing"]):
+            what = f"need their derivatives: {missing}; leave them out, or give the robot fewer links or modes"
             raise self.fitted.refuse("bounds.wrenches", what)
         return found | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
 

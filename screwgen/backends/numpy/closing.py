@@ -131,27 +131,26 @@ def independent(chain: Chain) -> tuple[Closure, ...]:
     numeric, rng = Numeric(chain), np.random.default_rng(0)
     starts, joints = np.tile(np.array(chain.home), (SEEDS, 1)), slice(chain.base_q, chain.eta_q)
     starts[1:, joints] = SPREAD * rng.standard_normal((SEEDS, joints.stop - joints.start))[1:]
-    chosen: list[list[int]] = []
-    places: list[np.ndarray] = []
-    anywhere = [_independent(jacobian(numeric, start)) for start in starts]
-    most = max(map(len, anywhere))
+    judged: list[tuple[list[int], np.ndarray]] = []  # the rows that are independent, and where
+    anywhere = [(_independent(jacobian(numeric, start)), start) for start in starts]
+    most = max(len(rows) for rows, _ in anywhere)
     for held in (_modes(chain), None):
         for start in starts:
-            if not chosen or len(chosen[-1]) < most:  # closed loops have no more independent rows than open ones
+            if not judged or len(judged[-1][0]) < most:  # closed loops have no more independent rows than open ones
                 with suppress(OpenLoopError):
-                    places.append(closed(numeric, start, held, hasty=True))
-                    chosen.append(_independent(jacobian(numeric, places[-1])))
-        if chosen:
+                    place = closed(numeric, start, held, hasty=True)
+                    judged.append((_independent(jacobian(numeric, place)), place))
+        if judged:
             break
-    best = max(chosen or anywhere, key=len)
+    best, place = max(judged or anywhere, key=lambda found: len(found[0]))
     rows = tuple(chain.closures[k] for k in best)
-    if not chosen:
+    if not judged:
         said = "stays open by {} wherever the other rows are closed; move a mount so that both ends meet"
         _refuse_apart(numeric, rows, starts, _modes(chain), said)
     elif len(rows) < len(chain.closures):
         said = "opens by {} in a motion that keeps the other rows closed, from which it follows only at first; "
         said += "give links axial modes, or a joint that lets the loop move"
-        _refuse_apart(numeric, rows, _farther(numeric, places[chosen.index(best)], best, rng), None, said)
+        _refuse_apart(numeric, rows, _farther(numeric, place, best, rng), None, said)
     return rows
 
 

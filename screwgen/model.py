@@ -17,7 +17,7 @@ from . import target_files
 from .algorithms.dae_functions import dae_names
 from .algorithms.scope import derived
 from .arguments import Given, choice
-from .backends.numpy.closing import independent
+from .backends.numpy.bearing import choose_rows
 from .backends.numpy.numeric import Numeric
 from .errors import UsageError
 from .folder import check_folder, write_folder
@@ -51,7 +51,7 @@ class Model:
         self._given_plugins = plugins
         self.chain = Chain(robot)
         if robot.loops:
-            self.chain.closures = independent(self.chain)
+            choose_rows(self.chain)
         names = coordinate_names(robot)
         self.q_names, self.v_names = list(names.q), list(names.v)
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)

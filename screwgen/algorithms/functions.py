@@ -227,6 +227,11 @@ class Functions:
         found = self._shut(q, v).conditions
         return [c.gap for c in found], [c.rate for c in found]
 
+    def offsets(self, q, v) -> list[loops.Offsets]:
+        """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
+        tips = self._shut(q, v).tips
+        return [loops.offsets(junction, tips) for junction in self.chain.junctions]
+
     def loops_at(self, q, forces) -> tuple[list, list]:
         """The gap of every row, and the wrenches on the tips of forces of the rows, in the order of ``w_ext``."""
         shut = self._shut(q, [0.0] * self.chain.nv)
@@ -246,7 +251,7 @@ class Functions:
         answers = [shut.accelerations(places) for _, places in found]
         with self.section("loops: accelerations of the gaps by unit forces of the rows"):
             A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
-        solve = loops.solver(len(answers))
+        solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(answers))
         apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
         try:
             forces = [apply(b) for b in wanted]

@@ -4,6 +4,9 @@ A row g of a loop (:mod:`..joints.constraints`) acts on its two tips by unit wre
 and `g̈ = Σ Wᵀ a + γ` with the accelerations `a` of the tips. With `M⁻¹` applied by the elimination, once for every row,
 the rows' forces λ follow from `(J M⁻¹ Jᵀ) λ = −(J v̇ + γ + 2 c ġ + c² g)`, where `v̇` are the accelerations of the open
 tree and `c` is the loop's stabilisation. All vectors are in inertial axes.
+
+Where the rows of an overconstrained mechanism depend on each other, as those of four hinges whose axes meet in a point,
+that matrix is singular and they share what they bear: :func:`sharing_solver`.
 """
 
 from __future__ import annotations
@@ -11,13 +14,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
 from ..ir.program import Array, Program, Tracer, Value
-from ..joints.constraints import Angle, Distance
+from ..joints.constraints import Alignment, Angle, Demand, Distance
 from ..topology.chain import Chain
-from ..topology.loops import Closure
+from ..topology.loops import Closure, Junction
 from . import matrices as mx
 from .exponential import Series, exponential
 from .schedule import Apply
@@ -94,6 +98,35 @@ def _angle(row: Angle, a: Tip, b: Tip) -> Parts:
     return mx.dot(x, y) - row.cosine, turn, -turn, mx.dot(a.omega - b.omega, c_rate)
 
 
+class Offsets(NamedTuple):
+    """How far the two frames of a loop are from what it demands: differences of points, m, and of directions, with
+    their rates. Where all are zero the loop is closed."""
+
+    places: list[Value]
+    turns: list[Value]
+    place_rates: list[Value]
+    turn_rates: list[Value]
+
+
+def offsets(junction: Junction, tips: Sequence[Tip]) -> Offsets:
+    """The offsets of a loop in a state of all tips."""
+    a, b, out = tips[junction.first], tips[junction.second], Offsets([], [], [], [])
+    for demand in junction.demands:
+        found, rates = _offset(demand, a, b)
+        turns = not isinstance(demand, Distance)
+        out[turns].extend(found)
+        out[2 + turns].extend(rates)
+    return out
+
+
+def _offset(demand: Demand, a: Tip, b: Tip) -> tuple[list[Value], list[Value]]:
+    if isinstance(demand, Alignment):
+        x, y = (mx.multiply(tip.R, mx.array(demand.direction)) * demand.weight for tip in (a, b))
+        return list(x - y), list(mx.cross(a.omega, x) - mx.cross(b.omega, y))
+    gap, first, second, _ = _distance(demand.normal, a, b) if isinstance(demand, Distance) else _angle(demand, a, b)
+    return [gap], [mx.dot(first, a.twist) + mx.dot(second, b.twist)]
+
+
 class Shut:
     """The loops in a state; `nodes` and `rotations`: the tip node of every link, and the rotation of its F_i."""
 
@@ -130,6 +163,33 @@ def solver(count: int) -> Program:
     scale = tracer.epsilon() * 64.0 * sum((A[k, k] for k in range(1, count)), A[0, 0])
     x = mx.solve(mx.factorise(A, tracer, scale), b)
     return tracer.program("loops", {"A": count * (count + 1) // 2, "b": count}, {"x": list(x)})
+
+
+SHARES = 4
+"""Solutions for what is left; each leaves `ε/(ε + σ)` of it, where σ is an eigenvalue of A with a unit diagonal."""
+
+
+@cache
+def sharing_solver(count: int) -> Program:
+    """The same for rows that may depend on each other: of all forces that do, the smallest.
+
+    Each row is given a compliance, ``ε`` of its own entry in A, with ε the 3/8th power of the rounding error (1e-6 in
+    double); the residuals that this leaves are solved for in turn. What rows demand that no motion of the robot can
+    give, which is what drift of an integrator adds, is then hardly answered, where a pseudoinverse would multiply it.
+    """
+    tracer = Tracer()
+    A = mx.unpack(tracer.input("A", count * (count + 1) // 2), count)
+    b = mx.array(tracer.input("b", count), (count,))
+    whole = sum((A[k, k] for k in range(1, count)), A[0, 0])
+    tracer.guard(whole)
+    root = lambda x: tracer.call("sqrt", x)  # noqa: E731
+    share = root(root(tracer.epsilon() * root(tracer.epsilon())))
+    soft = A + mx.diagonal([share * (A[k, k] + 1e-3 * whole) for k in range(count)])
+    factor, x, rest = mx.factorise(soft), mx.zeros(count), b
+    for k in range(SHARES):
+        x = x + mx.solve(factor, rest)
+        rest = b - mx.multiply(A, x) if k < SHARES - 1 else rest
+    return tracer.program("shared_loops", {"A": count * (count + 1) // 2, "b": count}, {"x": list(x)})
 
 
 # ------------------------------------------------------------------------------------------ corrections

@@ -2,6 +2,9 @@
 
 A loop joins the tip frames A and B of two links. With `d` from A's point to B's, every row is one of two scalars that
 vanish where the loop is closed: `n · d` with `n` fixed in A, or `x · y − c` with `x` fixed in A and `y` in B.
+
+Rows bear the loop's forces, but they do not tell a closed loop from every open one: the cosines of a hinge and of a weld
+also vanish half a turn away. Whether a loop is closed say its :func:`demands`.
 """
 
 from __future__ import annotations
@@ -36,7 +39,16 @@ class Angle:
     unit = "rad"
 
 
+@dataclass(frozen=True)
+class Alignment:
+    """A unit vector in A that is the same direction in B; `weight` times the difference of the two is a gap."""
+
+    direction: Direction
+    weight: float = 1.0
+
+
 Row = Distance | Angle
+Demand = Distance | Angle | Alignment
 
 
 def rows(screws: Sequence[Screw]) -> tuple[Row, ...]:
@@ -45,6 +57,21 @@ def rows(screws: Sequence[Screw]) -> tuple[Row, ...]:
     turns = [np.array(s.axis) for s in screws if s.turn]
     distances = [Distance(_direction(n)) for n in complement(slides)]
     return (*distances, *_angles(turns))
+
+
+def demands(screws: Sequence[Screw]) -> tuple[Demand, ...]:
+    """What holds where the loop is closed, and nowhere else.
+
+    A weld aligns all three axes; with the weight √½ the norm of their differences is 2 sin(θ/2) of the angle θ between
+    the frames, as that of a hinge's one axis is.
+    """
+    turns = [np.array(s.axis) for s in screws if s.turn]
+    apart = [row for row in rows(screws) if isinstance(row, Distance)]
+    if not turns:
+        return (*apart, *(Alignment(_direction(axis), 0.5**0.5) for axis in (X, Y, Z)))
+    if len(turns) == 1:
+        return (*apart, Alignment(_direction(turns[0])))
+    return (*apart, *_angles(turns))
 
 
 def _angles(turns: Sequence[np.ndarray]) -> list[Angle]:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def redundant(model: Model) -> list[str]:
     """The rows of the loops, in words, that follow from the other rows and are left out."""
-    stated = closures(model.robot, model.chain.segments)
+    stated = closures(model.robot, model.chain.junctions)
     return [row.text for row in stated if row not in model.chain.closures]
 
 

@@ -19,7 +19,7 @@ from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
-from .loops import Closure, closures
+from .loops import Closure, Junction, closures, junctions
 from .parameters import labels
 from .stations import mounted
 
@@ -41,7 +41,11 @@ class Chain(Coordinates):
         own = labels(robot)
         super().__init__(keys, [own[s.link] for s in self.segments])
         self.classes = list(dict.fromkeys(self.keys))
-        self.closures: tuple[Closure, ...] = closures(robot, self.segments)
+        self.junctions: tuple[Junction, ...] = junctions(robot, self.segments)
+        self.closures: tuple[Closure, ...] = closures(robot, self.junctions)
+        """The rows of the loops that bear forces."""
+        self.overconstrained = False
+        """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
 
     @property
     def serial(self) -> bool:

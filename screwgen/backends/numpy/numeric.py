@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from functools import cached_property
 
@@ -107,13 +107,33 @@ class Numeric:
         return np.array(gap, float), np.array(rate, float)
 
     def gap_slopes(self, q) -> np.ndarray:
-        """(rows, nv): the rates of the gaps per unit of each entry of v, by one pass with all of them."""
+        """(rows, nv): the rates of the gaps per unit of each entry of v."""
+        return self._by_rates(lambda functions, q, v: functions.gaps(q, v)[1], q)
+
+    def offsets(self, q) -> np.ndarray:
+        """Differences of points, m, and of directions that vanish where all loops are closed, and only there."""
+        found = self._functions(MOTION).offsets(*self._rows(q=q, v=None))
+        return np.array([x for loop in found for x in (*loop.places, *loop.turns)], float)
+
+    def offset_slopes(self, q) -> np.ndarray:
+        """(offsets, nv): the rates of :meth:`offsets` per unit of each entry of v."""
+        rates = lambda found: [x for loop in found for x in (*loop.place_rates, *loop.turn_rates)]  # noqa: E731
+        return self._by_rates(lambda functions, q, v: rates(functions.offsets(q, v)), q)
+
+    def mismatch(self, q) -> np.ndarray:
+        """(loops, 2): how far the frames of each loop are apart where its joint does not let them, in m, and how far
+        turned, in rad; of an angle θ it is 2 sin(θ/2)."""
+        found = self._functions(MOTION).offsets(*self._rows(q=q, v=None))
+        return np.array([[np.linalg.norm(x) for x in loop[:2]] for loop in found]).reshape(-1, 2)
+
+    def _by_rates(self, rates: Callable, q) -> np.ndarray:
+        """Rates that are linear in v, by one pass with units of all its entries."""
         (values,) = self._rows(q=q)
         units = [Rates(unit) for unit in np.eye(self.chain.nv)]
         functions = copy(self._functions(MOTION))
         functions.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given  # forces are not linear in v
-        rates = functions.gaps(values, units)[1]
-        return np.array([x.entries if isinstance(x, Rates) else [0.0] * len(units) for x in rates])
+        found = rates(functions, values, units)
+        return np.array([x.entries if isinstance(x, Rates) else [0.0] * len(units) for x in found])
 
     def validity(self, q, v, tau, w_ext) -> np.ndarray:
         """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""

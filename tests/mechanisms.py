@@ -3,6 +3,7 @@ parallel to the inertial frame, so that all coordinates are zero where it is clo
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 import numpy as np
@@ -74,7 +75,7 @@ def bricard(a=0.4, theta=1.0) -> dict:
         return denavit_hartenberg(turns, [a] * 6, [np.pi / 2, -np.pi / 2] * 3)[1][0, 3]
 
     grid = np.linspace(-3.1, 3.1, 400)
-    for low, high in zip(grid, grid[1:], strict=False):
+    for low, high in itertools.pairwise(grid):
         if apart(low) * apart(high) < 0:
             other = brentq(apart, low, high, xtol=1e-15)
             hinges, T = denavit_hartenberg([theta, other] * 3, [a] * 6, [np.pi / 2, -np.pi / 2] * 3)
@@ -118,7 +119,7 @@ def planar(name: str, bars: dict[str, tuple], loops: Sequence[tuple]) -> dict:
     spatial = lambda x: np.array([x[0], 0.0, x[1]])  # noqa: E731
     at = {"world": origin} | {bar: spatial(where) for bar, (_, where) in bars.items()}
     far = {bar: where for first, second, where in loops for bar in (first, second)}
-    far |= {parent: where for parent, where in bars.values()}
+    far |= dict(bars.values())
     for bar, (parent, where) in bars.items():
         centre = (spatial(where) + spatial(far[bar])) / 2
         links.append(body(bar, (spatial(where), "y"), at[parent], centre, parent=parent))

@@ -3,8 +3,8 @@
 A loop joins the tip frames A and B of two links. With `d` from A's point to B's, every row is one of two scalars that
 vanish where the loop is closed: `n · d` with `n` fixed in A, or `x · y − c` with `x` fixed in A and `y` in B.
 
-Rows bear the loop's forces, but they do not tell a closed loop from every open one: the cosines of a hinge and of a weld
-also vanish half a turn away. Whether a loop is closed say its :func:`demands`.
+Rows bear the loop's forces, but they do not tell a closed loop from every open one: the cosines of a hinge and of a
+weld also vanish half a turn away. Whether a loop is closed say its :func:`demands`.
 """
 
 from __future__ import annotations

@@ -74,7 +74,9 @@ def _open(numeric: Numeric, q: np.ndarray) -> OpenLoopError:
     return OpenLoopError(f"{name} stays open by {size}; {remedy}", q)
 
 
-def nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray, hasty: bool, rows: list[int] | None = None) -> np.ndarray:
+def nearest(
+    numeric: Numeric, q: np.ndarray, free: np.ndarray, hasty: bool, rows: list[int] | None = None
+) -> np.ndarray:
     """Where least squares of the offsets, or of the gaps of these rows alone, end; coordinates not `free` stay.
 
     A search that is `hasty` ends where it comes to a stand far from closed.

@@ -5,29 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 
-from ..errors import SingularError
 from ..ir.program import Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from . import dae, given_motion, loops, transmissions, validity
-from . import matrices as mx
+from . import dae, given_motion, transmissions, validity
 from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import STOP, friction, stop
-from .columns import LAWS, columns
+from .columns import LAWS
 from .drives import rotor_accelerations
+from .loop_functions import MOTION as MOTION
+from .loop_functions import POSES, LoopFunctions
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
-POSES = Phase(mo.poses, OUTWARD)
 
 SOLVE: Algorithm = (Phase(ph.eliminate, INWARD), Phase(ph.accelerate, OUTWARD))
 
 FORWARD: Algorithm = (KINEMATICS, *SOLVE)
 INVERSE: Algorithm = (KINEMATICS, Phase(ph.inverse_outward, OUTWARD), Phase(ph.inverse_inward, INWARD))
 PLACES: Algorithm = (POSES,)
-MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
 ENERGY: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.energy, OUTWARD))
 MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers, INWARD))
@@ -42,9 +40,6 @@ PLACEMENT: Algorithm = (Phase(dae.forward_kinematics, OUTWARD),)
 ASSEMBLY: Algorithm = (Phase(dae.joint_rows, OUTWARD), Phase(dae.link_rows, INWARD, per_child=True))
 
 EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTION, PLACEMENT, ASSEMBLY, MEASURING)
-
-ROUNDS = 3
-"""Corrections that close a loop whose gaps are small: each squares what remains."""
 
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
@@ -64,7 +59,7 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     return out
 
 
-class Functions:
+class Functions(LoopFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
@@ -185,91 +180,6 @@ class Functions:
     def forward(self, q, v, tau, w_ext) -> tuple[list, list]:
         """The links and the nodes of the open tree after forward dynamics."""
         return self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
-
-    # Loops ------------------------------------------------------------------------------------
-
-    def loop_wrenches(self, q, v, tau, w_ext) -> list:
-        """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
-        shut, forces = self.loop_forces(q, v, tau, w_ext)
-        with self.section("loops: their wrenches on the tips"):
-            return shut.wrenches(forces)
-
-    def loop_forces(self, q, v, tau, w_ext) -> tuple[loops.Shut, list]:
-        """The loops in a state, and the forces of their rows."""
-        shut = self._shut(q, v)
-        free = shut.accelerations(self.forward(q, v, tau, w_ext)[1])
-        inertia = self.given[0] if self.given else self._inertia()
-        with self.section("loops: accelerations of the gaps that the rows' forces must give"):
-            wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
-        return shut, self._row_forces(q, shut, inertia, wanted)[0][0]
-
-    def with_loops(self, q, v, tau, w_ext) -> Sequence:
-        """The wrenches on the tips, those of the loops included."""
-        if not self.chain.closures:
-            return w_ext
-        return [a + b for a, b in zip(w_ext, self.loop_wrenches(q, v, tau, w_ext), strict=True)]
-
-    def close(self, q, v) -> tuple[list, list]:
-        """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
-        for _ in range(ROUNDS):
-            q, v = self.correct(q, v)
-        return q, v
-
-    def correct(self, q, v) -> tuple[list, list]:
-        """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
-        shut = self._shut(q, v)
-        wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
-        forces, answers = self._row_forces(q, shut, self._inertia(), *wanted)
-        return loops.moved(self.chain, q, forces[0], answers, self.apply), loops.combined(v, forces[1], answers)
-
-    def gaps(self, q, v) -> tuple[list, list]:
-        """The gap of every row of the loops, m or cosines, and its rate."""
-        found = self._shut(q, v).conditions
-        return [c.gap for c in found], [c.rate for c in found]
-
-    def offsets(self, q, v) -> list[loops.Offsets]:
-        """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
-        tips = self._shut(q, v).tips
-        return [loops.offsets(junction, tips) for junction in self.chain.junctions]
-
-    def loops_at(self, q, forces) -> tuple[list, list]:
-        """The gap of every row, and the wrenches on the tips of forces of the rows, in the order of ``w_ext``."""
-        shut = self._shut(q, [0.0] * self.chain.nv)
-        return [c.gap for c in shut.conditions], shut.wrenches(forces)
-
-    def _row_forces(
-        self, q, shut: loops.Shut, inertia: Sequence, *wanted: Sequence[Value]
-    ) -> tuple[list[list], list[list]]:
-        """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
-
-        The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates.
-        """
-        still = Functions(self.chain, self.constants, [0.0] * 3, self.apply)
-        still.given = (inertia, [0.0] * self.chain.n_given)
-        rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
-        found = [still.forward(q, rest, nothing, unit) for unit in shut.units()]
-        answers = [shut.accelerations(places) for _, places in found]
-        with self.section("loops: accelerations of the gaps by unit forces of the rows"):
-            A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
-        solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(answers))
-        apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
-        try:
-            forces = [apply(b) for b in wanted]
-        except SingularError:
-            raise self.chain.singular_loops() from None
-        return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
-
-    def _inertia(self) -> list:
-        """The inertia of the coordinates that integrators give theirs."""
-        return columns(self.chain, self.constants)["M_eta"]
-
-    def _shut(self, q, v) -> loops.Shut:
-        """The loops in a state."""
-        links, places = self._run(MOTION, self._state(q, v))
-        nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
-        tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
-        with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
-            return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])
 
     def measures(self, q, wrench, motion) -> list:
         """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""

@@ -44,6 +44,8 @@ class Chain(Coordinates):
         self.junctions: tuple[Junction, ...] = junctions(robot, self.segments)
         self.closures: tuple[Closure, ...] = closures(robot, self.junctions)
         """The rows of the loops that bear forces."""
+        self.idle: tuple[Closure, ...] = ()
+        """The rows that no motion changes: parameters alone can open them."""
         self.overconstrained = False
         """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
 

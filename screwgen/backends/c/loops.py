@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...algorithms import fused
-from ...algorithms.functions import ROUNDS
+from ...algorithms.loop_functions import ROUNDS
 from ...topology.chain import Chain
 from .code import Place, singular
 from .pieces import piece_place, pieces

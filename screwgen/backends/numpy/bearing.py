@@ -33,7 +33,8 @@ NOWHERE = "stays open by {} wherever the other rows are closed; move a mount so 
 
 
 def choose_rows(chain: Chain) -> None:
-    """Leave the rows that bear forces in `chain.closures`, and say in `chain.overconstrained` whether they share them.
+    """Leave the rows that bear forces in `chain.closures`, and say in `chain.overconstrained` whether they share them;
+    rows that no motion changes go to `chain.idle`.
 
     A row that follows from others wherever the robot is, such as the three that the joints of a planar loop in space
     satisfy by themselves, is left out. Where the loops are closed rows may depend on each other that do not elsewhere,
@@ -55,8 +56,10 @@ def choose_rows(chain: Chain) -> None:
         _refuse_apart(numeric, rows, starts, modes(chain), NOWHERE)
     singular = [(k, place) for k, place in zip(ranks, places, strict=True) if len(k) < len(rows)]
     chain.overconstrained = any(_goes_on(numeric, *found) for found in singular)
+    sizes = np.max(np.abs(slopes), axis=(0, 2), initial=0.0)
+    moved = sizes > RANK * np.max(sizes, initial=0.0)
     if chain.overconstrained:
-        rows = np.flatnonzero(np.max(np.abs(slopes), axis=(0, 2)) > RANK * np.max(np.abs(slopes))).tolist()
+        rows = np.flatnonzero(moved).tolist()
     elif places:
         best, place = max(zip(ranks, places, strict=True), key=lambda found: len(found[0]))
         if len(best) < len(chain.closures):
@@ -64,6 +67,7 @@ def choose_rows(chain: Chain) -> None:
             mixed = rng.standard_normal((SEEDS, len(steps))) @ steps
             _refuse_apart(numeric, best, _farther(chain, place, mixed, reach), None, AT_FIRST)
         rows = best
+    chain.idle = tuple(row for row, moves in zip(chain.closures, moved, strict=True) if not moves)
     chain.closures = tuple(chain.closures[k] for k in rows)
 
 

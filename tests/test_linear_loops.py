@@ -308,7 +308,7 @@ def test_a_linkage_in_line_is_singular():
 def test_what_loops_cannot_have_is_refused(rigid):
     q, closed_q = [0.0, 0.1, 0.0], angles(0.4)
     for call, said in (
-        (lambda: natural_frequencies(rigid, q), r"^q: loop\[0\] is open by 0\.\d+; start from"),
+        (lambda: natural_frequencies(rigid, q), r"^q: loop\[0\] is open by 0\.\d+ m; start from"),
         (lambda: rigid.linearise(q), r"^q: loop\[0\] is open by"),
         (lambda: rigid.linearise(closed_q, [1.0, 0.0, 0.0]), r"^v: loop\[0\] opens by 1.2; start at rest"),
         (

@@ -208,6 +208,18 @@ def correction(f: Functions, q, v):
     return dict(zip(("new_q", "new_v"), f.correct(q, v), strict=True))
 
 
+@program("q")
+def openings(f: Functions, q):
+    """``(q) -> (openings)``: the squares of how far each loop is from closed, of distance and angle."""
+    return {"openings": f.openings(q)}
+
+
+@program("")
+def idle_gaps(f: Functions):
+    """The ``gaps`` of the rows of loops that no motion changes."""
+    return {"gaps": f.idle_gaps()}
+
+
 @program("q v vdot w_ext")
 def inverse_dynamics(f: Functions, q, v, vdot, w_ext):
     """``(q, v, vdot, w_ext) -> (force)``."""

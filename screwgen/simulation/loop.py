@@ -24,8 +24,8 @@ from .validity import FAR
 if TYPE_CHECKING:
     from ..model import Model
 
-LEFT = 16
-"""``SHIM_LEFT`` of the library."""
+LEFT, OPEN = 16, 17
+"""``SHIM_LEFT`` and ``SHIM_OPEN`` of the library."""
 
 RUNAWAY = 1e4
 """A state with a number beyond this (rad, m, per second) means that the method diverges, not that it is singular."""
@@ -54,7 +54,7 @@ class _Run(ctypes.Structure):
         ("sampling", ctypes.c_int),
         ("watch", ctypes.c_int),
         ("far", ctypes.c_double),
-        *((name, ctypes.c_void_p) for name in ("largest", "at", "first", "hits")),
+        *((name, ctypes.c_void_p) for name in ("largest", "at", "first", "hits", "loops")),
     )
 
 
@@ -106,6 +106,7 @@ class Loop:
         arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
         run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
         self.plan = _Run(*run, WATCH, FAR, *arrays, ctypes.addressof(table.hits.plan) if table.hits.bounds else None)
+        self.plan.loops = table.loops.values.ctypes.data
         c.q[:], c.v[:] = task.q0, task.v0
         with at_time(0.0):
             c.tau[:], c.w_ext[:] = task.given(0.0, task.q0, task.v0)
@@ -168,6 +169,8 @@ class Loop:
         with at_time(task.time(k)):
             if status == LEFT:
                 raise left(self.method, self.table.watch)
+            if status == OPEN:
+                raise self.table.loops.opened()
             tau, w_ext = task.given(task.time(k), q, v) if self.plan.pd else (c.tau.copy(), c.w_ext.copy())
             if k < task.steps:
                 JointStepper(c.model, self.method, p).step(JointState(q, v), tau, w_ext, task.reach(k))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..arguments import Numbers
+from ..backends.numpy.numeric import Numeric
 from ..errors import UsageError
 from ..topology.chain import Chain
 
@@ -17,13 +18,7 @@ if TYPE_CHECKING:
 CLEAR, RANK = 0.05, 1e-7
 """The part of a column of the gaps' Jacobian that must be new: where there is a choice, and where there is none."""
 OPEN = 1e-6
-"""The gap (m, or of cosines), or its rate, at which a loop counts as open."""
-SAID = {
-    "q": ("is open by", "start from what `screwgen assemble` or screwgen.assemble gives"),
-    "v": ("opens by", "start at rest, or with rates that keep it closed"),
-}
-"""What is wrong with coordinates or rates, and the remedy."""
-
+"""The mismatch (m or rad), or the rate of a row, at which a loop counts as open."""
 Kinds = Sequence[Sequence[Sequence[int]]]
 """Coordinates in the order in which they are made dependent: those of a kind before the next one's, and among them, as
 far as their columns are clearly new, those of a tier before the next one's."""
@@ -117,12 +112,21 @@ def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     return out
 
 
-def check_closed(chain: Chain, name: str, values: np.ndarray) -> None:
-    """Raise UsageError where a loop is open, or opens: `values` (rows,) are the gaps of `q…` or their rates of `v…`."""
-    worst = int(np.argmax(np.abs(values))) if len(values) else 0
-    if len(values) and not abs(values[worst]) < OPEN:
-        what, remedy = SAID[name[0]]
-        raise UsageError(f"{name}: {chain.closures[worst].name} {what} {abs(values[worst]):.3g}; {remedy}")
+def check_closed(numeric: Numeric, name: str, q: np.ndarray) -> None:
+    """Raise UsageError, about the argument `name`, where a loop is open in the posture `q` (nq,)."""
+    apart = numeric.mismatch(q)
+    if apart.size and not np.max(apart) < OPEN:
+        loop, kind = divmod(int(np.argmax(apart)), 2)
+        what = f"{numeric.chain.junctions[loop].name} is open by {apart[loop, kind]:.3g} {('m', 'rad')[kind]}"
+        raise UsageError(f"{name}: {what}; start from what `screwgen assemble` or screwgen.assemble gives")
+
+
+def check_staying_closed(chain: Chain, name: str, rates: np.ndarray) -> None:
+    """Raise UsageError, about the argument `name`, where a loop opens: `rates` (rows,) of the gaps."""
+    worst = int(np.argmax(np.abs(rates))) if len(rates) else 0
+    if len(rates) and not abs(rates[worst]) < OPEN:
+        what = f"{chain.closures[worst].name} opens by {abs(rates[worst]):.3g}"
+        raise UsageError(f"{name}: {what}; start at rest, or with rates that keep it closed")
 
 
 def loads_of_loops(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray | None:

@@ -19,13 +19,15 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 from numpy.lib import format as npy
 
+from ..backends.c.shim import PARTS
 from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..files import create
 from ..spec.load import one_line
 from .hits import Hits
 from .inputs import Inputs
-from .integrate import Dynamics, Evaluator
+from .integrate import Dynamics, Evaluator, Stepper
+from .loop_watch import LoopWatch
 from .runs import Run, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
 
@@ -96,14 +98,14 @@ def _widths(model: Model) -> dict[str, int]:
 class Table:
     """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, energy."""
 
-    def __init__(self, model: Model, times: np.ndarray, p: np.ndarray):
+    def __init__(self, model: Model, times: np.ndarray, p: np.ndarray, q0: np.ndarray):
         self.model, self.times, self.p = model, times, p
         widths = _widths(model)
         ends = np.cumsum(list(widths.values()))
         self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}
         self.width = int(ends[-1])
         self.rows = np.empty((len(times), self.width))
-        self.watch, self.hits = Watch(model.chain.names), Hits(model, p)
+        self.watch, self.hits, self.loops = Watch(model.chain.names), Hits(model, p), LoopWatch(model, p, q0)
         self.store: Store | None = None
 
     @property
@@ -149,6 +151,21 @@ class Recorder:
         tip, energy = self.tip_pose(q, p)[1], self.energy(q, v, p)
         self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *energy])
         self.table.filled(row + 1)
+
+    def weigh(self, t: float, plant: Stepper, before: object, after: object, *held) -> None:
+        """Note the energies of the states before and after a step at `t` under held (torques, wrenches, seconds)."""
+
+        def energy(state: object) -> np.ndarray:
+            return np.concatenate(self.energy(*plant.coordinates(state), self.table.p))
+
+        def again() -> np.ndarray:
+            state, (tau, w_ext, dt) = before, held
+            for _ in range(PARTS):
+                state = plant.step(state, tau, w_ext, dt / PARTS)
+            return energy(state)
+
+        self.table.loops.begin(lambda: energy(before))
+        self.table.loops.weigh(t, energy(after), again)
 
     def check(self) -> None:
         """Raise SingularError if a joint wrench is not finite."""

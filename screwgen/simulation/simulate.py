@@ -19,7 +19,7 @@ from .controllers import PD, Controller
 from .dae import DaeStepper
 from .inputs import Inputs, at_time, floats, started
 from .integrate import JointStepper, Stepper, left
-from .mobility import check_closed
+from .mobility import check_closed, check_staying_closed
 from .recording import WATCH, Recorder, Table, Task, Walk, check_size, stored
 from .runs import FORMATS, Run, check_output
 from .validity import ModelLeftError
@@ -98,13 +98,14 @@ def simulate(
     if isinstance(law, PD):
         hits.warn_goals(model, p, law.set_points)
     given = Inputs(model, law, w_ext)
-    table = Table(model, time_grid(duration, step, every), p)
+    table = Table(model, time_grid(duration, step, every), p, q0)
     diverged = False
     try:
         with stored(table, store):
             walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
             run = table.run()
             hits.warn(run.hits)
+            table.loops.warn()
             return run
     except DivergedError as error:
         diverged = not isinstance(error, ModelLeftError)
@@ -151,13 +152,18 @@ def _numpy_walk(model: Model, integrator: str | Method | None, form: str | MakeS
                 tau, wrench = task.given(t, q, v)
                 table.hits(t, q, v)
                 if task.sampled(k) or k % WATCH == 0:
+                    if table.loops and not table.loops.look(t, q):
+                        raise table.loops.opened()
                     joints = record.look(t, q, v, tau, wrench)
                     if joints is None:
                         raise left(plant.method, table.watch)
                     if task.sampled(k):
                         record(task.rows(k), q, v, joints, tau)
                 if k < task.steps:
-                    state = plant.step(state, tau, wrench, task.reach(k))
+                    before, held = state, (tau, wrench, task.reach(k))
+                    state = plant.step(before, *held)
+                    if table.loops:
+                        record.weigh(t, plant, before, state, *held)
             if task.progress and (k % often == 0 or k == task.steps):
                 task.progress(k, task.steps)
         record.check()
@@ -214,8 +220,9 @@ def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | No
 
 def check_loops(model: Model, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
     """Refuse a start at which a loop is open or opens; raises UsageError."""
-    for name, values in zip(("q0", "v0"), model.numpy(p).gaps(q, v) if model.chain.closures else (), strict=False):
-        check_closed(model.chain, name, values)
+    if model.chain.junctions:
+        check_closed(model.numpy(p), "q0", q)
+        check_staying_closed(model.chain, "v0", model.numpy(p).gaps(q, v)[1])
 
 
 def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:

@@ -14,7 +14,7 @@ from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
 from ..integrators import se3
-from ..simulation.mobility import by_drive, check_closed, closing, mobility
+from ..simulation.mobility import by_drive, check_closed, check_staying_closed, closing, mobility
 from ..spec.load import one_line
 from ..spec.modes import DIRECTIONS
 from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
@@ -222,9 +222,9 @@ def motions(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.
     chain = model.chain
     if not chain.closures:
         return np.arange(chain.nv), np.eye(2 * chain.nv)
-    gap, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
-    check_closed(chain, "q", gap[:, 0])
-    check_closed(chain, "v", J @ v)
+    _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
+    check_closed(model.numpy(p), "q", q)
+    check_staying_closed(chain, "v", J @ v)
     own, D, N = mobility(J, by_drive(chain))
     turned = np.zeros_like(N)
     turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]

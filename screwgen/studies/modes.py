@@ -184,7 +184,7 @@ def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
         near, first = closed(model.numpy(p), at, np.arange(chain.nq) >= chain.eta_q), chain.base_q
         joints = chain.relaxed(near[first : first + chain.n_joints], p)
         at = np.concatenate([near[:first], joints, near[chain.eta_q :]])
-    check_closed(chain, "q", model.numpy(p).gaps(at, None)[0])
+    check_closed(model.numpy(p), "q", at)
     stated_joints(model, at, p)
     return at
 

@@ -49,7 +49,7 @@ def sums(chain: Chain, cases: list[Case], methods: Iterable[Method]) -> dict[str
     if not cases:
         return {}
     found = reference_sums.sums(chain, cases[-1], methods)._asdict()
-    found |= {"haste": reference_sums.HASTE, "defect": reference_sums.DEFECT}
+    found |= {"haste": reference_sums.HASTE, "defect": reference_sums.defect(chain)}
     return {name: _literals(value) for name, value in found.items()}
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ...algorithms import fused
 from ...algorithms.signals import ROBOT
 from ...ir.program import Program, live
-from .code import Writer, trimmed
+from .code import Writer, literal, trimmed
 from .columns import rendered
 from .parameters import members
 from .pieces import piece_place, pieces
@@ -25,6 +25,10 @@ VIEWS = (
     "measures",
 )
 """The members of an instance's memory that callers see."""
+PARTS = 8
+"""Steps beside which one that changes the energy of a robot with loops is held."""
+CHANGE = 1e-3
+"""The change of energy, over the largest kinetic energy so far, from which it is."""
 
 
 def shims(project: CProject) -> dict[str, str]:
@@ -39,6 +43,8 @@ def shims(project: CProject) -> dict[str, str]:
         extra=extra,
         extra_lines=extra_lines(project, extra),
         energy=_energy(project, energy, known, extra),
+        parts=PARTS,
+        change=literal(CHANGE),
         width=1 + chain.nq + chain.nv + chain.n_tau + 6 * chain.n + 3 + 2,
     )
     return {name: rendered(name, **project.context, **values) for name in names}

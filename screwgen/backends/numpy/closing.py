@@ -104,16 +104,25 @@ def nearest(
     return at(least_squares(apart, found, slopes, **TOLERANCES).x)
 
 
+def extent(numeric: Numeric, q: Numbers) -> float:
+    """The size of a robot in a posture, m: of the box around the frames of its links and their tips; 1 where all of
+    them are in one place."""
+    places = np.vstack([numeric.link_pose(q)[1], numeric.tip_poses(q)[1]])
+    return float(np.max(np.ptp(places, axis=0))) or 1.0
+
+
 def nearly_closed(chain: Chain, q: list[float]) -> list[float]:
     """A posture near `q`, with the same modes, whose loops are closed to six digits, or nearly so where none is found.
 
-    Its numbers are rounded, so that they do not depend on the machine.
+    Its numbers are rounded, so that they do not depend on the machine. Rows that share forces need twelve digits: what
+    one demands beyond the others is otherwise as large as the answer.
     """
+    digits = 12 if chain.overconstrained else 6
     try:
         near = closed(Numeric(chain), q, modes(chain))
     except OpenLoopError as error:
         near = error.nearest
-    return q[: chain.base_q] + [float(f"{x:.6e}") for x in near[chain.base_q :]]
+    return q[: chain.base_q] + [float(f"{x:.{digits}e}") for x in near[chain.base_q :]]
 
 
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:

@@ -44,8 +44,14 @@ FULL_TURN = 6.28
 HASTE = 3.0
 """The factor of the case's rates, which makes terms of higher order visible."""
 
-DEFECT = 0.01
-"""What is added to poses and twists of the DAE form before its step, so that the projection has something to do."""
+DEFECT, SLIGHT = 0.01, 1e-4
+"""What is added to poses and twists of the DAE form before its step, so that the projection has something to do. Rows
+that share forces depend on each other where loops are closed; farther from there the projection multiplies rounding."""
+
+
+def defect(chain: Chain) -> float:
+    """What is added for a robot."""
+    return SLIGHT if chain.overconstrained else DEFECT
 
 
 class Sums(NamedTuple):
@@ -122,8 +128,8 @@ def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:
         q, v = np.array(case["q"]), HASTE * np.array(case["v"])
         dt, f = _length(soft, q, v), soft.functions
         dae, start = soft.dae(), np.array(f.place(q.tolist(), v.tolist()))
-        start[dae.pose] += DEFECT
-        start[dae.twist] += DEFECT
+        start[dae.pose] += defect(soft.chain)
+        start[dae.twist] += defect(soft.chain)
         joint, ends, held = [], [], (np.array(soft.tau), np.array(soft.w_ext))
         for method in methods:
             joint.append([weighted_sum(part) for part in soft.parts(*soft.step(method, q, v, dt))])

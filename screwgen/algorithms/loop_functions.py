@@ -1,0 +1,118 @@
+"""The functions of robots with loops: the forces of their rows, and whether and how they close."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import nullcontext
+from copy import copy
+
+from ..errors import SingularError
+from ..ir.program import Value
+from . import loops
+from . import matrices as mx
+from . import motions as mo
+from .columns import columns
+from .schedule import OUTWARD, Algorithm, Phase
+
+POSES = Phase(mo.poses, OUTWARD)
+MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
+
+ROUNDS = 3
+"""Corrections that close a loop whose gaps are small: each squares what remains."""
+
+
+class LoopFunctions:
+    """What :class:`.functions.Functions` has besides for loops."""
+
+    def loop_wrenches(self, q, v, tau, w_ext) -> list:
+        """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
+        shut, forces = self.loop_forces(q, v, tau, w_ext)
+        with self.section("loops: their wrenches on the tips"):
+            return shut.wrenches(forces)
+
+    def loop_forces(self, q, v, tau, w_ext) -> tuple[loops.Shut, list]:
+        """The loops in a state, and the forces of their rows."""
+        shut = self._shut(q, v)
+        free = shut.accelerations(self.forward(q, v, tau, w_ext)[1])
+        inertia = self.given[0] if self.given else self._inertia()
+        with self.section("loops: accelerations of the gaps that the rows' forces must give"):
+            wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
+        return shut, self._row_forces(q, shut, inertia, wanted)[0][0]
+
+    def with_loops(self, q, v, tau, w_ext) -> Sequence:
+        """The wrenches on the tips, those of the loops included."""
+        if not self.chain.closures:
+            return w_ext
+        return [a + b for a, b in zip(w_ext, self.loop_wrenches(q, v, tau, w_ext), strict=True)]
+
+    def close(self, q, v) -> tuple[list, list]:
+        """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
+        for _ in range(ROUNDS):
+            q, v = self.correct(q, v)
+        return q, v
+
+    def correct(self, q, v) -> tuple[list, list]:
+        """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
+        shut = self._shut(q, v)
+        wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
+        forces, answers = self._row_forces(q, shut, self._inertia(), *wanted)
+        return loops.moved(self.chain, q, forces[0], answers, self.apply), loops.combined(v, forces[1], answers)
+
+    def gaps(self, q, v) -> tuple[list, list]:
+        """The gap of every row of the loops, m or cosines, and its rate."""
+        found = self._shut(q, v).conditions
+        return [c.gap for c in found], [c.rate for c in found]
+
+    def offsets(self, q, v) -> list[loops.Offsets]:
+        """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
+        tips = self._shut(q, v).tips
+        return [loops.offsets(junction, tips) for junction in self.chain.junctions]
+
+    def openings(self, q) -> list:
+        """The squares of how far each loop is from closed: of the distance, m², and of the angle; two for each loop."""
+        found = self.offsets(q, [0.0] * self.chain.nv)
+        return [mx.dot(x, x) for loop in found for x in (loop.places, loop.turns)]
+
+    def idle_gaps(self) -> list:
+        """The gaps of the rows that no motion changes, which depend on parameters alone: those at home."""
+        tips = self._shut(self.chain.home, [0.0] * self.chain.nv).tips
+        return [loops.condition(row, tips).gap for row in self.chain.idle]
+
+    def loops_at(self, q, forces) -> tuple[list, list]:
+        """The gap of every row, and the wrenches on the tips of forces of the rows, in the order of ``w_ext``."""
+        shut = self._shut(q, [0.0] * self.chain.nv)
+        return [c.gap for c in shut.conditions], shut.wrenches(forces)
+
+    def _row_forces(
+        self, q, shut: loops.Shut, inertia: Sequence, *wanted: Sequence[Value]
+    ) -> tuple[list[list], list[list]]:
+        """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
+
+        The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates.
+        """
+        still = copy(self)
+        still.gravity, still.given, still.section = [0.0] * 3, (inertia, [0.0] * self.chain.n_given), nullcontext
+        rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
+        found = [still.forward(q, rest, nothing, unit) for unit in shut.units()]
+        answers = [shut.accelerations(places) for _, places in found]
+        with self.section("loops: accelerations of the gaps by unit forces of the rows"):
+            A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
+        solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(answers))
+        apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
+        try:
+            forces = [apply(b) for b in wanted]
+        except SingularError:
+            raise self.chain.singular_loops() from None
+        return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
+
+    def _inertia(self) -> list:
+        """The inertia of the coordinates that integrators give theirs."""
+        return columns(self.chain, self.constants)["M_eta"]
+
+    def _shut(self, q, v) -> loops.Shut:
+        """The loops in a state."""
+        links, places = self._run(MOTION, self._state(q, v))
+        nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
+        tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
+        with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
+            return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..backends.c.shim import CHANGE
-from ..backends.numpy.closing import extent
+from ..backends.numpy.closing import OPENED, extent
 from ..errors import DivergedError
 
 if TYPE_CHECKING:
     from ..model import Model
 
-WARNED, ENDED = 1e-3, 1e-2
-"""Mismatch, over the size of the robot or in rad, that is worth a warning, and at which a run ends."""
+WARNED = 1e-3
+"""Mismatch, over the size of the robot or in rad, that is worth a warning."""
 ERROR = 1e-2
 """The error of a step's energy, over the largest kinetic energy of the run, that is worth a warning."""
 FIELDS = tuple("most[0] most[1] mismatch[0] mismatch[1] at[0] at[1] which[0] which[1] total kinetic error when".split())
@@ -49,7 +49,7 @@ class LoopWatch:
         self.mismatch = numeric.mismatch
         self.sizes = np.array([extent(numeric, q), 1.0]) if self.names else np.ones(2)
         self.values = np.zeros(len(FIELDS))
-        self.values[:2], self.values[8] = ENDED * self.sizes, np.nan
+        self.values[:2], self.values[8] = OPENED * self.sizes, np.nan
 
     def __bool__(self) -> bool:
         return bool(self.names)
@@ -92,7 +92,7 @@ class LoopWatch:
         """Give what is worth it as one :class:`LoopWarning`."""
         v, said = self.values, []
         kind = int(np.argmax(v[2:4] / self.sizes))
-        if self and WARNED < v[2 + kind] / self.sizes[kind] <= ENDED:
+        if self and WARNED < v[2 + kind] / self.sizes[kind] <= OPENED:
             said.append(f"{self._said(kind)} at t = {v[4 + kind]:.3g} s; take a smaller step, or form 'dae'")
         if self and v[10] > ERROR * v[9]:
             share = f"{100 * v[10] / v[9]:.2g} % of the largest kinetic energy"

@@ -173,8 +173,7 @@ class CProject:
             "cases": self.reference,
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
-            "loops": self._loops,
-            **loops.rows(chain, fused_place),
+            **loops.rows(chain, fused_place) | {"loops": self._loops},
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
         }

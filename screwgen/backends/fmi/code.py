@@ -8,12 +8,15 @@ from functools import partial
 from ...algorithms import response
 from ...ir.program import Program
 from ...spec.parameters import parameters
+from ...topology.chain import Chain
 from ..c.columns import written
 from ..c.derivatives import LIMIT
 from ..c.fields import fused_place
 from ..c.pieces import piece_place, pieces
 from ..c.project import CProject
 from ..c.shim import extra_constants, extra_lines
+from ..numpy.closing import OPENED, extent
+from ..numpy.numeric import Numeric
 from ..templates import folder, render
 from .variables import GROUPS, METHOD, STEP, Variable, first_references
 
@@ -47,6 +50,7 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
             "nominals": [repr(x.nominal or 1.0) for x in variables if x.group in ("q", "v")],
             "n_parameters": len(parameters(project.chain.robot)) if project.baked is None else 0,
             "segment_names": project.chain.names,
+            "opened": _opened(project.chain) if project.chain.closures else None,
         }
     )
     files = {f"{project.name}_response.{end}": f"response.{end}" for end in "hc"}
@@ -54,6 +58,11 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
     made = {name: written(render(f"fmi/{file}.jinja", **values), project.name) for name, file in files.items()}
     given = {name: (folder() / "fmi" / "headers" / name).read_text(encoding="utf-8") for name in HEADERS[version]}
     return {**project.files(), **made, **given}
+
+
+def _opened(chain: Chain) -> tuple[str, str]:
+    """The mismatch of a loop, in m and rad, at which a unit stops, as C literals."""
+    return f"{OPENED * extent(Numeric(chain), chain.home):.3g}", f"{OPENED:.3g}"
 
 
 def content(project: CProject) -> dict:

@@ -21,6 +21,8 @@ FAR = 1e-3
 """Offset at which a search is given up that has come to a stand by coarse tolerances."""
 CLOSED = 1e-12
 """Offset, in m or of directions, below which a loop counts as closed."""
+OPENED = 1e-2
+"""Mismatch of a loop, over the size of the robot or in rad, at which runs end."""
 ATTEMPTS = 8
 
 

@@ -1,0 +1,112 @@
+"""Loops over runs: starts that are open, loops that open on the way, steps that get the energy wrong, and parameters."""
+
+import warnings
+
+import numpy as np
+import pytest
+from helpers import arm, link, model_of, quick
+from mechanisms import bennett, sarrus, slider_crank
+
+from screwgen import ScrewgenError, UsageError, assemble, simulate
+from screwgen.backends.numpy.closing import moving
+from screwgen.simulation.loop_watch import LoopWarning, OpenedError
+
+
+def moving_off(model, fast: float) -> np.ndarray:
+    """Rates that keep the loops closed at q = 0, the largest of them `fast`."""
+    v = moving(model.numpy(), np.zeros(model.nq), np.arange(1, model.nv + 1) ** 1.5)
+    return v * fast / np.max(np.abs(v))
+
+
+# ------------------------------------------------------------------------------ half a turn
+
+
+@pytest.mark.parametrize("kind", ["guide", "weld"])
+def test_frames_half_a_turn_apart_are_open(kind):
+    """The piston of a slider-crank, turned over: all rows of its loop vanish."""
+    model = model_of(slider_crank(kind))
+    q = np.zeros(model.nq)
+    q[-1] = np.pi
+    assert np.max(np.abs(model.numpy().gaps(q, None)[0])) < 1e-12
+    assert np.allclose(model.numpy().mismatch(q), [[0.0, 2.0]], atol=1e-12)
+    for options in ({}, {"backend": "numpy"}, {"form": "dae"}):
+        with pytest.raises(UsageError, match=r"^q0: loop\[0\] is open by 2 rad; start from"):
+            simulate(model, 0.01, 1e-3, q0=q, **options)
+    found = assemble(model, q + 0.02, hold=["crank.joint[0]"])
+    assert np.max(model.numpy().mismatch(found)) < 1e-10
+
+
+def test_hinges_with_antiparallel_axes_are_open():
+    """A hinge turned over about an axis at right angles to its own: cosines to both normals vanish."""
+    rod = link("rod", 0.4, ["y", "x"], 1.0)
+    far = {"name": "bearing", "parent": "world", "bodies": [{"at": "base", "mass": 0.0}]}
+    far["joint"] = {"axes": [], "mount": {"xyz": [0.4, 0.0, 0.0]}}
+    hinge = {"between": ["rod.tip", "bearing.tip"], "joint": {"axes": ["y"]}}
+    model = model_of(arm(rod, far) | {"loops": [hinge]})
+    assert np.allclose(model.numpy().mismatch([0.0, np.pi]), [[0.0, 2.0]], atol=1e-12)
+    assert not model.numpy().mismatch([0.0, 0.0]).any()
+
+
+# ------------------------------------------------------------------------------ on the way
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_a_step_through_a_fold_that_gets_the_energy_wrong_is_said(backend):
+    """Equal arms: at a right angle of the crank the rod covers it, and rows of the loop depend on each other."""
+    model = model_of(slider_crank("weld", 0.5, 0.5))
+    start = dict(q0=np.zeros(model.nq), v0=moving_off(model, 6.0), backend=backend)
+    with pytest.warns(LoopWarning, match=r"at t = \S+ s a step gets the energy wrong by \d\d % of the largest"):
+        run = simulate(model, 0.72 if backend == "numpy" else 1.2, 1e-3, **start)
+    assert np.ptp(run.energy.sum(axis=1)) > 0.05 * run.energy[:, 0].max()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", LoopWarning)
+        run = simulate(model, 0.72, 1e-3, integrator="rk4", **start)
+    assert np.ptp(run.energy.sum(axis=1)) < 1e-4 * run.energy[:, 0].max()
+
+
+def test_a_run_ends_where_a_loop_opens():
+    """Sarrus' linkage, whose arms fold flat, at a step that is too long for it; in C and NumPy alike."""
+    model = model_of(sarrus())
+    said = []
+    for backend in ("c", "numpy"):
+        with pytest.raises(OpenedError, match=r"^t = \S+ s: loop\[0\] has opened by 0\.\d+ m; take a smaller") as info:
+            simulate(model, 1.0, 1e-3, q0=np.zeros(5), v0=moving_off(model, 3.0), backend=backend)
+        said.append(str(info.value))
+    assert said[0] == said[1]
+
+
+def test_an_overconstrained_linkage_stays_on_its_mechanism():
+    """Bennett's, with the method and step that once left it: opposite angles stay opposite, energy stays."""
+    model = model_of(bennett())
+    run = simulate(model, 2.0, 1e-3, q0=np.zeros(3), v0=moving_off(model, 3.0), integrator="modal_midpoint")
+    assert np.max(np.abs(run.q[:, 0] + run.q[:, 2])) < 1e-5
+    assert np.ptp(run.energy.sum(axis=1)) < 1e-4 * run.energy[:, 0].max()
+    assert max(np.max(model.numpy().mismatch(q)) for q in run.q[::100]) < 1e-5
+
+
+# ------------------------------------------------------------------------------ parameters
+
+
+@pytest.fixture(scope="module")
+def planar():
+    """A four-bar linkage in the x-z plane; three rows of its hinge are no motion's."""
+    bars = [link("crank", 0.3, "y", 2.0), link("coupler", 0.9, "y", 1.5)]
+    rocker = link("rocker", 0.6, "y", 1.8, parent="world")
+    rocker["joint"]["mount"] = {"xyz": [0.8, 0.0, 0.0]}
+    hinge = {"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": ["y"]}}
+    return model_of(arm(*bars, rocker) | {"loops": [hinge]})
+
+
+def test_parameters_that_open_a_loop_are_refused(planar):
+    """In the direction that no joint moves: by NumPy at the start, by the C when constants are prepared."""
+    q = assemble(planar, [-0.4, 0.0, -1.0], hold=["crank.joint[0]"])
+    off = {"rocker.joint.mount.xyz[1]": 0.1}
+    with pytest.raises(UsageError, match=r"^q0: loop\[0\] is open by 0\.1 m"):
+        simulate(planar, 0.01, 1e-3, q0=q, parameters=off, form="dae")
+    with pytest.raises(UsageError, match=r"^parameters: no robot has these; .* no loop may be opened by them$"):
+        simulate(planar, 0.01, 1e-3, q0=q, parameters=off)
+    compiled = quick(planar)
+    p = planar.chain.parameters.vector(off)
+    with pytest.raises(ScrewgenError, match="bad argument"):
+        compiled.fresh(p)
+    compiled.fresh(planar.chain.parameters.vector({"rocker.joint.mount.xyz[0]": 0.81}))

@@ -1,13 +1,13 @@
-"""Loops over runs: starts that are open, loops that open on the way, steps that get the energy wrong, and parameters."""
+"""Loops over runs: open starts, loops that open on the way, steps that get the energy wrong, and parameters."""
 
 import warnings
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of, quick
+from helpers import arm, link, model_of, quick, quick_batch
 from mechanisms import bennett, sarrus, slider_crank
 
-from screwgen import ScrewgenError, UsageError, assemble, simulate
+from screwgen import ScrewgenError, UsageError, assemble, rollout, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.simulation.loop_watch import LoopWarning, OpenedError
 
@@ -110,3 +110,36 @@ def test_parameters_that_open_a_loop_are_refused(planar):
     with pytest.raises(ScrewgenError, match="bad argument"):
         compiled.fresh(p)
     compiled.fresh(planar.chain.parameters.vector({"rocker.joint.mount.xyz[0]": 0.81}))
+
+
+# ------------------------------------------------------------------------------ rollouts
+
+
+def test_scenarios_with_open_loops_stop_alone(planar):
+    """An open start, a parameter that opens the loop in a direction of its joints, and the piston turned over."""
+    q = assemble(planar, [-0.4, 0.0, -1.0], hold=["crank.joint[0]"])
+    states = np.hstack([np.array([q, q + np.array([0.0, 1e-3, 0.0]), q]), np.zeros((3, 3))])
+    quick_batch(planar)
+    run = rollout(planar, states, step=1e-3, steps=5, parameters={"rocker.joint.mount.xyz[0]": [0.8, 0.8, 0.81]})
+    assert run.status.tolist() == [0, 4, 4] and run.completed.tolist() == [5, 0, 0]
+    assert np.array_equal(run.q[1:], np.repeat(states[1:, None, :3], 6, axis=1)) and np.ptp(run.q[0]) > 0
+    assert "scenario 1 stopped at t = 0 s: a loop is open" in run.report()[0]
+    turned = model_of(slider_crank("guide"))
+    quick_batch(turned)
+    states = np.zeros((2, 6))
+    states[1, 2] = np.pi
+    assert rollout(turned, states, step=1e-3, steps=3).status.tolist() == [0, 4]
+
+
+def test_a_scenario_that_opens_its_loop_keeps_its_last_closed_state():
+    """Sarrus' linkage where its arms fold flat; the other scenario is slow."""
+    model = model_of(sarrus())
+    quick_batch(model)
+    fast = moving_off(model, 3.0)
+    states = np.array([np.concatenate([np.zeros(5), fast]), np.zeros(10)])
+    run = rollout(model, states, step=1e-3, steps=700)
+    k = run.completed[0]
+    assert run.status.tolist() == [4, 0] and 600 < k < 700
+    assert np.array_equal(run.q[0, k], run.q[0, -1])
+    apart = [np.max(model.numpy().mismatch(q)) for q in run.q[0, k - 3 : k + 1]]
+    assert max(apart) < 0.01

@@ -19,6 +19,7 @@ from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
 from .chunks import in_chunks, merged
 from .loop import added
+from .rollout_loops import opened
 from .rollout_validity import watched
 from .validity import Validity
 
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from ..model import Model
 
 MAX_BYTES = 4 * 2**30
+OPEN = 4
+"""The status of a scenario whose loops are open."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -35,8 +38,8 @@ class Rollout:
     ``t`` (steps + 1,): sample times; ``q`` (batch, steps + 1, nq), ``v`` (.., nv): coordinates in their order and
     their rates, views of arrays that hold the scenarios side by side.  ``status`` (batch,): 0 for a scenario that
     completed, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
-    joint or mode could not be solved for; that scenario keeps its last good state from there on.
-    ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
+    joint or mode could not be solved for, 4 where a loop is open; that scenario keeps its last good state from there
+    on.  ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
     """
 
     t: np.ndarray
@@ -70,6 +73,8 @@ class Rollout:
 
     def _line(self, i: int) -> str:
         why = "its state or a result is not finite"
+        if self.status[i] == OPEN:
+            why = "a loop is open; start from what screwgen.assemble gives, or take shorter steps"
         if self.status[i] == SINGULAR:
             link = self.links[self.fault[i]]
             why = f"link '{link}' cannot be solved for: its joint is singular in this posture, or the motion diverged"
@@ -147,9 +152,15 @@ def rolled(model, given, count, periods, step, substeps, method, threads, single
     tau, w_ext = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
     status, fault, done = batch.run(path[0], path[1], tau, w_ext, constants, step / substeps, substeps, method, threads)
     q, v = (rows.transpose(2, 0, 1) for rows in path)
+    done //= substeps
+    for i, k in enumerate(opened(model, given["parameters"], q)):
+        if k <= min(done[i], periods):
+            status[i], done[i] = OPEN, max(k - 1, 0)
+            for x in (q, v):
+                x[i, k:] = x[i, done[i]]
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)
-    return Rollout(t, q, v, status, done // substeps, fault, links, watched(model, given, t, q, v))
+    return Rollout(t, q, v, status, done, fault, links, watched(model, given, t, q, v))
 
 
 def joined(runs: list[Rollout]) -> Rollout:

@@ -1,0 +1,46 @@
+"""Loops of rollouts: which scenarios start with open loops, or open them on the way."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..algorithms import fused
+from ..backends.numpy.closing import OPENED, extent
+from ..backends.numpy.python import NAMESPACE
+from ..ir.replay import run
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+START = {np.dtype(np.float64): 1e-6, np.dtype(np.float32): 1e-5}
+"""Mismatch, m or rad, at which loops count as open in the beginning, by the type of the numbers."""
+BLOCK = 1 << 14
+"""States that are looked at together."""
+ARRAYS = {name: np.frompyfunc(function, 1, 1) for name, function in NAMESPACE.items()}
+ARRAYS |= {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "neg": np.negative, "on": lambda x: (x > 0) * 1.0}
+
+
+def opened(model: Model, parameters: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """(batch,): the first sample of each scenario at which a loop is open, or how many samples there are.
+
+    `parameters` (batch or 1, n), `q` (batch, samples, nq).
+    """
+    batch, samples, _ = q.shape
+    if not model.chain.junctions or not batch:
+        return np.full(batch, samples)
+    numeric, program = model.numpy(parameters[0]), fused.openings(model.chain)
+    most = np.array([OPENED * extent(numeric, q[0, 0]), OPENED])
+    out = np.zeros((batch, samples), bool)
+    for first in range(0, batch, step := max(1, BLOCK // samples)):
+        part = slice(first, first + step)
+        p = parameters[part] if len(parameters) > 1 else parameters
+        with np.errstate(invalid="ignore", over="ignore"):  # a scenario that stopped may hold an infinite state
+            given = {"q": list(np.moveaxis(q[part].astype(float), 2, 0)), "p": list(p.T[..., None])}
+            found = run(program, given, lambda op, x: ARRAYS[op](x))[0]["openings"]
+            apart = np.stack([np.broadcast_to(x, q[part].shape[:2]) for x in found]).astype(float)
+        apart = np.sqrt(apart).reshape(-1, 2, *q[part].shape[:2])
+        out[part] = (apart > most[:, None, None]).any(axis=(0, 1))
+        out[part, 0] = (apart[..., 0] > START[q.dtype]).any(axis=(0, 1))
+    return np.where(out.any(axis=1), np.argmax(out, axis=1), samples)

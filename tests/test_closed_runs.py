@@ -132,14 +132,14 @@ def test_scenarios_with_open_loops_stop_alone(planar):
 
 
 def test_a_scenario_that_opens_its_loop_keeps_its_last_closed_state():
-    """Sarrus' linkage where its arms fold flat; the other scenario is slow."""
-    model = model_of(sarrus())
+    """Sarrus' linkage without weight, whose arms fold flat; the other scenario rests."""
+    model = model_of(sarrus() | {"gravity": [0.0, 0.0, 0.0]})
     quick_batch(model)
-    fast = moving_off(model, 3.0)
+    fast = moving_off(model, -20.0)
     states = np.array([np.concatenate([np.zeros(5), fast]), np.zeros(10)])
-    run = rollout(model, states, step=1e-3, steps=700)
+    run = rollout(model, states, step=1e-3, steps=1200)
     k = run.completed[0]
-    assert run.status.tolist() == [4, 0] and 600 < k < 700
+    assert run.status.tolist() == [4, 0] and 1000 < k < 1200
     assert np.array_equal(run.q[0, k], run.q[0, -1])
     apart = [np.max(model.numpy().mismatch(q)) for q in run.q[0, k - 3 : k + 1]]
     assert max(apart) < 0.01

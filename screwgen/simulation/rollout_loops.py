@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,7 +19,7 @@ START = {np.dtype(np.float64): 1e-6, np.dtype(np.float32): 1e-5}
 """Mismatch, m or rad, at which loops count as open in the beginning, by the type of the numbers."""
 BLOCK = 1 << 14
 """States that are looked at together."""
-ARRAYS = {name: np.frompyfunc(function, 1, 1) for name, function in NAMESPACE.items()}
+ARRAYS: dict[str, Callable] = {name: np.frompyfunc(function, 1, 1) for name, function in NAMESPACE.items()}
 ARRAYS |= {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "neg": np.negative, "on": lambda x: (x > 0) * 1.0}
 
 

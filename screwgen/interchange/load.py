@@ -13,7 +13,6 @@ import numpy as np
 from ..errors import UsageError
 from ..spec.load import load as load_robot_file
 from ..spec.load import one_line, read, validated
-from ..spec.reduced import of_link
 from ..spec.robot import Robot
 from .flexible import SideFile, read_side_file
 from .singular import first_without_inertia
@@ -47,11 +46,7 @@ class Imported:
 
     def summary(self) -> str:
         """One line: the links, and how many coordinates they have."""
-        links, joints = self.robot.links, sum(map(len, self.joints.values()))
-        flexible = [link.name for link in links if of_link(link)]
-        base = "floating base, " if self.robot.floating else ""
-        counted = f"{base}{len(links)} link{'s' * (len(links) != 1)}, {joints} joint coordinate{'s' * (joints != 1)}"
-        return f"{counted}, flexible: {', '.join(flexible) or 'none'}"
+        return self.robot.summary
 
     def text(self, folder: str | os.PathLike[str] = ".") -> str:
         """The robot file as text; `folder`: where it will be, from which the files of bodies are named."""

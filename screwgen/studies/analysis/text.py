@@ -50,18 +50,23 @@ def _stability(a: Findings) -> str:
     pairs = [(m, s) for s in found for m in s.motions if m.kind in ("grows", "falls")]
     if pairs:
         m, s = max(pairs, key=lambda pair: pair[0].eigenvalue.real)
-        return f"UNSTABLE ({loop}): at '{s.label}' {m.coordinate} {GROWS[m.kind]}, {_motion_rate(m)}"
+        return f"UNSTABLE ({loop}): {_where(s)} {m.coordinate} {GROWS[m.kind]}, {_motion_rate(m)}"
     late = [(x.limit or 0.0, s) for s in found for x in s.limits if x.method == DEFAULT and not x.borne]
     if late:
         limit, s = min(late, key=lambda pair: pair[0])
         most = f"bears {_time(limit)}" if limit else "bears no step"
-        text = f"UNSTABLE in steps of {_time(a.step)} ({loop}): at '{s.label}' {DEFAULT} {most}"
+        text = f"UNSTABLE in steps of {_time(a.step)} ({loop}): {_where(s)} {DEFAULT} {most}"
         return f"{text}; the motion itself is stable"
     loose = dict.fromkeys(m.coordinate for s in found for m in s.motions if m.kind == "free")
     but = f"; {_count(len(loose), 'coordinate')} free" if loose else ""
-    where = f"at '{found[0].label}'" if len(found) == 1 else f"at {len(found)} states"
+    where = _where(found[0]) if len(found) == 1 else f"at {len(found)} states"
     steps = f"; {DEFAULT} bears {_time(a.step)}" if any(s.limits for s in found) else ""
     return f"STABLE ({loop}): {where} no motion grows{steps}{but}"
+
+
+def _where(s: StateAnalysis) -> str:
+    moves = s.acceleration is not None and s.acceleration > RESTLESS
+    return f"at '{s.label}'{', no equilibrium,' if moves else ''}"
 
 
 def _motion_rate(m: Motion) -> str:

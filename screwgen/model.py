@@ -303,6 +303,9 @@ class Model:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""
         return target_files.casadi_files(self, self._plugins, functions)
 
+    def __repr__(self) -> str:
+        return f"<Model '{self.robot.name}': {self.robot.summary}; q has {self.nq} entries>"
+
     def _repr_html_(self) -> str:
         """The equations, as a notebook shows them."""
         from .backends.latex import document as latex

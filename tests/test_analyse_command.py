@@ -35,8 +35,11 @@ def test_the_command_prints_a_report_and_json(capsys, tmp_path):
     picture = tmp_path / "m.png"
     assert main(["analyse", ella, "--samples", "2", "--plot", str(picture)]) == 0
     out = capsys.readouterr().out
-    assert out.splitlines()[2].startswith("WELL POSED") and "(E17)" in out and "(E19)" in out
-    assert max(map(len, out.splitlines())) <= 100
+    verdict, *lines = out.splitlines()
+    assert verdict.startswith("STABLE (torques held): at 'zero', no equilibrium, no motion grows; ")
+    assert verdict.endswith("modal_midpoint bears 1 ms; 3 coordinates free") and not lines[0]
+    assert "\nWELL POSED" in out and "(E17)" in out and "(E19)" in out
+    assert max(map(len, lines)) <= 100
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert main(["analyse", ella, "--samples", "2", "--json", "--step", "2e-4"]) == 0
     data = json.loads(capsys.readouterr().out)
@@ -47,6 +50,22 @@ def test_the_command_prints_a_report_and_json(capsys, tmp_path):
     assert all(set(s) == names for s in data["states"])
     borne = {x["method"]: x["borne"] for x in data["states"][0]["limits"]}
     assert borne["rk4"] and not borne["euler"] and list(borne) == list(METHODS)
+
+
+def test_the_report_opens_with_whether_it_is_stable(capsys, tmp_path):
+    """A rod that stands on its joint falls; gains too high for the step are a matter of the step."""
+    robot, up, gains = tmp_path / "rod.toml", tmp_path / "up.json", tmp_path / "gains.toml"
+    link = 'section = { rhoA = 0.5 }\nlength = 1.0\njoint = { axes = ["y"] }\nbodies = [ { at = "tip", mass = 0.2 } ]'
+    robot.write_text(f'name = "rod"\ngravity = [0.0, 0.0, -9.81]\n[[links]]\nname = "pole"\n{link}\n')
+    up.write_text("[-1.5707963267948966]")
+    asked = ["analyse", str(robot), "--state", str(up)]
+    assert main(asked) == 0
+    falls = capsys.readouterr().out.splitlines()[0]
+    assert falls.startswith(f"UNSTABLE (torques held): at '{up}' pole.joint[0] falls away, +")
+    for kd, opening in ((2.0, "STABLE (controller's loop closed): "), (2e4, "UNSTABLE in steps of 1 ms (controller's")):
+        gains.write_text(f"kp = [100]\nkd = [{kd}]\nq_des = [-1.5707963267948966]\n")
+        assert main([*asked, "--controller", f"pd:{gains}"]) == 0
+        assert capsys.readouterr().out.startswith(opening)
 
 
 def test_the_command_takes_states_and_a_controller(capsys, tmp_path):

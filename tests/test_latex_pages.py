@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import re
 import shutil
+from base64 import b64decode
 from xml.etree import ElementTree
 
 import jinja2
 import numpy as np
 import pytest
 from conftest import require_tool, swept
+from fontTools.ttLib import TTFont
 from helpers import arm, link
 from latex_documents import NAMES, page, robot, tex, too_wide
 
@@ -17,6 +20,7 @@ from screwgen import Robot, ScrewgenError
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex import mathml
 from screwgen.backends.templates import folder, render
+from screwgen.cli.main import main
 
 MATHML = "{http://www.w3.org/1998/Math/MathML}"
 ACCENTED = r"\tilde{\boldsymbol{\theta}}_c^{2} + \dot{\mathbf{r}}^{\top} + \ddot{\boldsymbol{\eta}}_i"
@@ -37,6 +41,39 @@ def test_html_is_well_formed_and_has_mathml(name):
 
 def test_html_needs_nothing_from_elsewhere():
     assert not re.search(r"(?:src|href)=\"(?!#)", page("ella"))
+
+
+@pytest.mark.parametrize("name", swept(NAMES, "ella", "strange"))
+def test_the_math_font_has_every_character_of_the_formulas(name):
+    """Single letters of identifiers are shown as the italic ones, which it has too; brackets have parts to grow by."""
+    font = TTFont(io.BytesIO(b64decode(latex.math_font())))
+    known, variants = font.getBestCmap(), font["MATH"].table.MathVariants
+    letters = {"h": "\u210e"} | {chr(0x61 + k): chr(0x1D44E + k) for k in range(26) if k != 7}
+    for first, italic, count in ((0x41, 0x1D434, 26), (0x3B1, 0x1D6FC, 25)):
+        letters |= {chr(first + k): chr(italic + k) for k in range(count)}
+    for math in ElementTree.fromstring(page(name)).iter("math"):
+        texts = ["".join(element.itertext()) for element in math.iter() if not len(element)]
+        missing = {c for text in texts for c in {*text, letters.get(text, " ")} if ord(c) not in known} - {"\n"}
+        assert not missing, missing
+    grows = dict(zip(variants.VertGlyphCoverage.glyphs, variants.VertGlyphConstruction, strict=True))
+    assert all(grows[known[ord(c)]].GlyphAssembly.PartRecords for c in "()[]{}")
+
+
+@pytest.mark.examples
+def test_pages_are_set_in_their_own_font(tmp_path):
+    """In a browser, offline: the font is there, and a bracket is as high as the matrix that it holds."""
+    from browser import Browser
+
+    formula = mathml.inline(r"\begin{bmatrix} a \\ b \\ c \\ d \end{bmatrix}")
+    style = re.search(r"<style>(.*?)</style>", page("ella"), re.S)[1]
+    (tmp_path / "page.html").write_text(f'<meta charset="utf-8"><style>{style}</style><p>{formula}</p>')
+    with Browser(require_tool("chromium"), tmp_path / "profile") as browser:
+        browser.call("Page.navigate", url=(tmp_path / "page.html").as_uri())
+        browser.until("document.readyState === 'complete' && document.fonts.size")
+        assert browser.run("document.fonts.ready.then(fonts => [...fonts].map(x => x.status).join())") == "loaded"
+        high = "document.querySelector('{}').getBoundingClientRect().height"
+        assert browser.run(high.format("mo")) > 0.95 * browser.run(high.format("mtable")) > 60
+        assert browser.requests == [(tmp_path / "page.html").as_uri()]
 
 
 def test_bold_letters_are_characters():
@@ -63,7 +100,8 @@ def test_superscripts_beside_accents_keep_their_height():
 def test_notebook_is_short_and_well_formed():
     text = latex.notebook(robot("ella"))
     ElementTree.fromstring(text)
-    assert "<math" in text and len(text) < len(page("ella")) / 4
+    shown, whole = (text.replace(latex.math_font(), "") for text in (text, page("ella")))
+    assert "<math" in shown and len(shown) < len(whole) / 4
 
 
 # -------- templates
@@ -108,6 +146,12 @@ def test_without_pdflatex_one_line_says_so(monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     with pytest.raises(ScrewgenError, match=r"^pdflatex was not found;.*$"):
         latex.pdf("")
+
+
+def test_a_pdf_without_pdflatex_is_refused_before_the_robot_is_read(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr(shutil, "which", lambda _: None)
+    assert main(["latex", "there-is-no.toml", "-o", str(tmp_path / "x.pdf")]) == 2
+    assert "pdflatex was not found; install TeX Live" in capsys.readouterr().err
 
 
 def test_a_failure_of_pdflatex_is_one_line():

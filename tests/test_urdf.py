@@ -142,7 +142,42 @@ def test_a_flexible_link_runs_to_the_joint_that_it_carries(file):
     assert link.length == 0.5 and link.joint.mount.xyz == (0.0, 0.0, 0.5)
     assert pair.found.robot.gravity == (0.0, 0.0, -1.62)
     assert pair.misfit() < 1e-12
-    assert any("'upper': its section takes the place of the inertial, 2 kg" in note for note in pair.found.notes)
+    said = "link 'upper': a beam of 0.5 m, 36.9° askew to its z axis (tip = [0.0, 0.0, 0.4] lays it along); "
+    said += "its section takes the place of the inertial, 2 kg, and weighs 1.5 kg; "
+    assert any(note.startswith(said) for note in pair.found.notes)
+
+
+def test_the_tip_that_a_note_proposes_lays_the_beam_along_its_axis(file):
+    """The joint behind it stays where it was: beside the tip, for which the mount has the offset."""
+    found = import_urdf(file(ARM), file(SIDE.replace('"upper"', '"upper"\ntip = [0.0, 0.0, 0.4]'), "side.toml"))
+    upper, fore = found.robot.links[:2]
+    assert upper.length == 0.4 and np.linalg.norm(fore.joint.mount.xyz) == pytest.approx(0.3)
+    assert any(note.startswith("link 'upper': a beam of 0.4 m along its z axis; ") for note in found.notes)
+
+
+@pytest.mark.parametrize("between, weight", [("linear", 1.5), ("polynomial", 4 / 3)])
+def test_a_note_weighs_sections_that_vary(file, between, weight):
+    """ρA of 2, 3 and 4 kg/m at s = 0, 1/2, 1 over 0.5 m, and the parabola through 2, 3 and 2."""
+    last = 4.0 if between == "linear" else 2.0
+    rows = ", ".join(f"{{ at = {s}, rhoA = {x}, EIy = 50.0 }}" for s, x in ((0, 2.0), (0.5, 3.0), (1, last)))
+    side = '[[links]]\nname = "upper"\nmodes = { bending_z = 1 }\n'
+    side += f'section = {{ stations = [{rows}], between = "{between}" }}\n'
+    found = import_urdf(file(ARM), file(side, "side.toml"))
+    assert any(f"and weighs {weight:.6g} kg; " in note for note in found.notes), found.notes
+
+
+def test_a_right_angle_of_twelve_digits_leaves_no_digits_in_mounts(file):
+    """With the beam's own turn it would leave 5e-12 rad in angles that are zero; no other angle changes."""
+    found = import_urdf(file(ARM.replace('xyz="0 0 0.5"', 'rpy="0 1.57079632679 0"')), file(SIDE, "side.toml"))
+    assert found.robot.links[0].joint.mount.rpy
+    angles = [x for link in found.robot.links for x in link.joint.mount.rpy or ()]
+    assert all(x == 0 or abs(x) > 1e-3 for x in angles), angles
+
+
+def test_names_that_changed_are_those_of_links_that_remain(file):
+    text = robot(joint("a", "world", "upper"), joint("b", "upper", "fore-arm"), links="world upper fore-arm")
+    notes = import_urdf(file(text)).notes
+    assert "names that became C identifiers: fore-arm -> fore_arm" in notes
 
 
 def test_what_hangs_between_the_ends_is_carried_there(file):

@@ -83,7 +83,8 @@ def test_what_cannot_be_read_is_said(arm, tmp_path, capsys):
     assert main(["view", run, "--meshes", str(other), "-o", page]) == 0
     said = capsys.readouterr()
     assert said.out == f"{page}\n" and "triangles of 6 visuals" in said.err and " MB" in said.err
-    assert "link 'fore': there is no file package://nowhere/none.stl; it is drawn without" in said.err
+    missing = "there is no file package://nowhere/none.stl; it is drawn without; set ROS_PACKAGE_PATH to the folder"
+    assert f"link 'fore': {missing} that holds the folder 'nowhere'\n" in said.err
     assert "broken.stl cannot be read" in said.err and said.err.count("\n") == 4
     line = "solid s facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 2 0 0 endloop endfacet endsolid"
     (urdf.parent / "meshes" / "broken.stl").write_text(line.replace(" ver", "\nver").replace(" end", "\nend"))

@@ -290,9 +290,12 @@ def _analyse_runs(robot: str, paths: Sequence[str], json: bool) -> None:
 
 def run_latex(robot: str, output: str, quiet: bool) -> None:
     """Write the equations in the format of the suffix."""
+    from ..backends.latex.document import pdflatex
     from ..simulation.runs import check_output, outputs, suffix
 
     check_output(output, LATEX)
+    if suffix(output) == ".pdf":
+        pdflatex()
     loaded = load_robot(robot, quiet)
     with busy("typesetting", quiet), outputs(output) as (stream,):
         stream.write(LATEX[suffix(output)](loaded))

@@ -21,7 +21,11 @@ def view(
         str | None, typer.Option(metavar="FILE", help="The robot file of runs that do not hold their robot.")
     ] = None,
     meshes: Annotated[
-        str | None, typer.Option(metavar="FILE", help="The URDF of the robot, whose visuals are drawn.")
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="The URDF of the robot, whose visuals are drawn; ROS_PACKAGE_PATH says where package:// lies.",
+        ),
     ] = None,
     frames: Annotated[
         str | None, typer.Option(metavar="FILE", help="Write a film: run.gif, run.mp4, or a folder of .png.")

@@ -15,17 +15,21 @@ from typing import Any
 
 import numpy as np
 
+from ..bases.weighted import LINEAR
 from ..errors import RobotFileError
 from ..spec.load import decode, one_line, parse, read
 from ..spec.ranges import several, within
 from ..spec.reduced import FOLDER, Reduced
-from ..spec.stations import checked
+from ..spec.robot import Link
+from ..spec.stations import MOST_POLYNOMIAL, Stations, checked, lagrange
 from ..spec.values import quoted, shown
 from .rigid import HERE, Inertial, Pose, pose
 from .urdf import FIXED, Urdf
 
 OWN = ("tip", "y", "rpy")
 ROD = ("length", "section", "profile", "tip", "y")
+ASKEW = 1.0
+"""Degrees between the centreline and an axis of its link from which on it is said."""
 UPRIGHT = 0.9
 """Cosine of the angle to the centreline from which on the link's y axis is no direction for that of the section."""
 
@@ -93,6 +97,11 @@ class Shape:
     keys: dict[str, Any]
     bends: bool
     ends: bool
+
+    @property
+    def stated(self) -> str:
+        """The key that says what the link weighs, in place of the URDF's inertial; "" where none does."""
+        return next((key for key in ("body", "profile", "section") if key in self.keys), "")
 
     def section(self, s: float) -> Pose:
         """The undeformed section at the place s, in F_i."""
@@ -192,3 +201,44 @@ def _checked(side: SideFile, name: str, key: str, value: Any, check: Callable[[A
         return check(value)
     except ValueError as error:
         raise side.fault(name, key, str(error)) from None
+
+
+def replaced(side: SideFile, name: str, shape: Shape, body: Inertial | None, link: Link) -> str:
+    """One line on a link that the side file gives a body: where its centreline runs, and what it weighs now and did."""
+    own = side.links[name].get("section")
+    if shape.stated == "section" and isinstance(own, dict) and body and shape.keys["section"] != own:
+        weight = f"its {body.mass:.6g} kg are spread over the section"
+    else:
+        was = (
+            f"takes the place of the inertial, {body.mass:.6g} kg" if body else "stands where the URDF has no inertial"
+        )
+        weight = f"its {shape.stated} {was}, and weighs {_mass(link):.6g} kg"
+    line = "" if shape.stated == "body" else f"{_line(side, name, shape)}; "
+    return f"link '{name}': {line}{weight}; what else it carries are bodies of the side file"
+
+
+def _line(side: SideFile, name: str, shape: Shape) -> str:
+    """The length of a rod, and how its centreline runs in the link's axes, with the tip that would lay it along one."""
+    x, length = shape.frame.R[:, 0], float(shape.tip.p[0])
+    axis = int(np.abs(x).argmax())
+    skew = float(np.degrees(np.arccos(min(abs(x[axis]), 1.0))))
+    if skew < ASKEW:
+        return f"a beam of {length:.4g} m along its {'xyz'[axis]} axis"
+    along = [float(f"{length * x[axis]:.6g}") if k == axis else 0.0 for k in range(3)]
+    free = "tip" not in side.links[name] and "length" not in side.links[name]
+    remedy = f" (tip = {along} lays it along)" if free else ""
+    return f"a beam of {length:.4g} m, {skew:.1f}° askew to its {'xyz'[axis]} axis{remedy}"
+
+
+def _mass(link: Link) -> float:
+    """What the section or the body of a link weighs, kg."""
+    if link.body is not None:
+        return float(link.body.data.mass)
+    section, length = link.section, link.length or 0.0
+    if not isinstance(section, Stations):
+        return length * (section.rhoA if section else 0.0)
+    if section.between == LINEAR:
+        return length * float(np.trapezoid(section.values("rhoA"), section.places))
+    s, w = np.polynomial.legendre.leggauss(MOST_POLYNOMIAL)
+    values = [lagrange(section.places, section.values("rhoA"), (1 + x) / 2) for x in s]
+    return length * float(w @ values) / 2

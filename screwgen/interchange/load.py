@@ -13,9 +13,8 @@ import numpy as np
 from ..errors import UsageError
 from ..spec.load import load as load_robot_file
 from ..spec.load import one_line, read, validated
-from ..spec.reduced import of_link
 from ..spec.robot import Robot
-from .flexible import SideFile, read_side_file
+from .flexible import SideFile, read_side_file, replaced
 from .singular import first_without_inertia
 from .tables import robot_tables
 from .toml_write import document
@@ -47,11 +46,7 @@ class Imported:
 
     def summary(self) -> str:
         """One line: the links, and how many coordinates they have."""
-        links, joints = self.robot.links, sum(map(len, self.joints.values()))
-        flexible = [link.name for link in links if of_link(link)]
-        base = "floating base, " if self.robot.floating else ""
-        counted = f"{base}{len(links)} link{'s' * (len(links) != 1)}, {joints} joint coordinate{'s' * (joints != 1)}"
-        return f"{counted}, flexible: {', '.join(flexible) or 'none'}"
+        return self.robot.summary
 
     def text(self, folder: str | os.PathLike[str] = ".") -> str:
         """The robot file as text; `folder`: where it will be, from which the files of bodies are named."""
@@ -104,6 +99,8 @@ def import_urdf(path, flexible=None, options: Options | None = None) -> Imported
     tables, comments, joints = robot_tables(tree)
     _refuse_without_inertia(tree)
     robot = validated(tables, side.folder, lambda at: _place(at, tree, file))
+    shaped = [(x, link) for x, link in zip(tree.nodes, robot.links, strict=True) if x.shape and x.shape.stated]
+    tree.notes += [replaced(side, x.urdf, x.shape, urdf.links[x.urdf].body, link) for x, link in shaped if x.shape]
     sources = [os.path.basename(name) for name in (file, side.file) if name]
     return Imported(robot, tuple(tree.notes), joints, tables, comments, tuple(sources), side.folder)
 

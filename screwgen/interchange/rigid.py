@@ -16,6 +16,10 @@ NOTHING = 1e-15
 """What rounding leaves where there is nothing: of mounts in m and rad, of tensors relative to their largest entry."""
 
 
+LAST_DIGIT = 1e-11
+"""rad: what the last digit of an angle leaves, since URDFs have a right angle as 1.57079632679, 5e-12 less."""
+
+
 class Pose(NamedTuple):
     """A frame in another one: rotation (3, 3) and origin (3,), m."""
 
@@ -48,9 +52,9 @@ class Pose(NamedTuple):
 HERE = Pose(np.eye(3), np.zeros(3))
 
 
-def cleaned(values: Iterable[float]) -> tuple[float, float, float]:
-    """Three numbers, zero where they are less than rounding leaves."""
-    x, y, z = (float(value) if abs(value) > NOTHING else 0.0 for value in values)
+def cleaned(values: Iterable[float], least: float = NOTHING) -> tuple[float, float, float]:
+    """Three numbers, zero where they are at most `least`, by default what rounding leaves."""
+    x, y, z = (float(value) if abs(value) > least else 0.0 for value in values)
     return x, y, z
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from ..spec.base import FLOATING
 from ..spec.parents import WORLD
+from .rigid import LAST_DIGIT, cleaned
 from .tree import Node, Tree
 from .urdf import SLIDING, UrdfJoint
 
@@ -64,7 +65,9 @@ def _joint(tree: Tree, node: Node) -> dict[str, Any]:
     joint = node.joint
     table: dict[str, Any] = {"axes": node.axes}
     floats = node.joint is None and tree.floating
-    xyz, rpy = (joint.xyz, joint.rpy) if joint is not None and node.literal else (node.mount.xyz, node.mount.rpy)
+    xyz, rpy = node.mount.xyz, cleaned(node.mount.rpy, LAST_DIGIT)
+    if joint is not None and node.literal:
+        xyz, rpy = tuple(joint.xyz), tuple(joint.rpy)
     mount = {key: tuple(value) for key, value in (("xyz", xyz), ("rpy", rpy)) if any(value)}
     if mount and not floats:
         table["mount"] = mount

@@ -198,21 +198,10 @@ class Tree:
             raise self.side.fault(link, "at", f"{what}; leave it out, or state the carrier's")
         node.literal = direct and above is None and shape is None
         node.mount = placed if shape is None else placed @ shape.frame
-        if shape and body and {"section", "profile", "body"} & shape.keys.keys():
-            self._replaced(link, shape, body)
-        elif body:
+        if body and not (shape and shape.stated):
             node.base.append(body.seen(shape.frame.inverse) if shape else body)
         self.nodes.append(node)
         return len(self.nodes) - 1
-
-    def _replaced(self, link: str, shape: Shape, body: Inertial) -> None:
-        what = next(key for key in ("body", "profile", "section") if key in shape.keys)
-        own = self.side.links[link].get("section")
-        if what == "section" and isinstance(own, dict) and shape.keys["section"] != own:
-            said = f"its {body.mass:.6g} kg are spread over the section"
-        else:
-            said = f"its {what} takes the place of the inertial, {body.mass:.6g} kg"
-        self.notes.append(f"link '{link}': {said}; what else it carries are bodies of the side file")
 
     def _place(self, carrier: int, link: str, at: Any) -> float:
         """The place s that `at` of the side file names on its carrier."""
@@ -233,7 +222,7 @@ class Tree:
         if not self.nodes or not (self.floating or any(node.axes for node in self.nodes)):
             what = "has no joint that moves mass, and its base is fixed"
             raise self.urdf.element.fault(f"{what}; --floating lets the base float")
-        both = {self.urdf.name: self.name} | self.names
+        both = {self.urdf.name: self.name} | {node.urdf: node.name for node in self.nodes}
         renamed = [f"{old} -> {new}" for old, new in both.items() if old != new]
         if renamed:
             self.notes.append(f"names that became C identifiers: {', '.join(renamed)}")

@@ -80,8 +80,11 @@ def _shows_all() -> bool:
 
 
 def _write(output: str, equations: Sequence, errata: Sequence, quiet: bool) -> None:
+    from ..backends.latex.document import pdflatex
     from ..simulation.runs import outputs, suffix
 
+    if suffix(output) == ".pdf":
+        pdflatex()
     with busy("typesetting", quiet), outputs(output) as (stream,):
         stream.write(WRITERS[suffix(output)](equations, errata))
     say(output, quiet)

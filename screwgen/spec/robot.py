@@ -23,7 +23,7 @@ from .part import Part
 from .physics import inertia
 from .profile import profiled
 from .ranges import several, within
-from .reduced import link_body, refuse_axes, refuse_rod
+from .reduced import link_body, of_link, refuse_axes, refuse_rod
 from .screw import Vector
 from .segments import distinct_names
 from .stations import AnySection
@@ -192,6 +192,19 @@ class Robot(Part):
                 raise UsageError(f"there is no direction '{name}'; choose {' or '.join(DIRECTIONS)}")
         links = tuple(link.model_copy(update={"modes": without(link.modes, directions)}) for link in self.links)
         return self.model_copy(update={"links": links})
+
+    @property
+    def summary(self) -> str:
+        """The numbers of links and joint coordinates, and which links bend, in one line."""
+        links, joints = len(self.links), sum(len(link.joint.axes) for link in self.links)
+        base = "floating base, " if self.floating else ""
+        counted = f"{base}{links} link{'s' * (links != 1)}, {joints} joint coordinate{'s' * (joints != 1)}"
+        return f"{counted}, flexible: {', '.join(link.name for link in self.links if of_link(link)) or 'none'}"
+
+    def __repr__(self) -> str:
+        return f"<Robot '{self.name}': {self.summary}>"
+
+    __str__ = __repr__
 
     @model_validator(mode="after")
     def _links_with_names_of_their_own(self) -> Self:

@@ -17,7 +17,7 @@ import numpy as np
 from ..errors import UsageError
 from ..interchange.tree import identifiers
 from ..interchange.urdf import Urdf, read_urdf
-from ..interchange.visuals import Visual, at_zero, located, visuals
+from ..interchange.visuals import PACKAGE, Visual, at_zero, located, visuals
 from ..spec.load import one_line, read
 from ..spec.values import quoted
 from .pack import b64, rounded
@@ -116,7 +116,7 @@ def _meshes(trimesh, visual: Visual, file: str, notes: list[str]) -> list[tuple[
     except OSError:  # as of a name that is too long
         path = None
     if path is None:
-        notes.append(f"link '{visual.link}': there is no file {one_line(name)}; it is drawn without")
+        notes.append(f"link '{visual.link}': there is no file {one_line(name)}; it is drawn without{_where(name)}")
         return []
     try:
         scene = trimesh.load_scene(path)
@@ -135,6 +135,14 @@ def _meshes(trimesh, visual: Visual, file: str, notes: list[str]) -> list[tuple[
         reason = one_line(str(error)) or type(error).__name__
     notes.append(f"link '{visual.link}': {one_line(str(path))} cannot be read ({reason}); it is drawn without")
     return []
+
+
+def _where(name: str) -> str:
+    """How to say where a package lies, of which `name` is a file."""
+    if not name.startswith(PACKAGE):
+        return ""
+    package = one_line(name[len(PACKAGE) :].split("/")[0])
+    return f"; set ROS_PACKAGE_PATH to the folder that holds the folder '{package}'"
 
 
 def _color(mesh) -> str:

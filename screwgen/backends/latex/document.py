@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
+from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from ...spec.parameters import parameters
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ...version import __version__
-from ..templates import render
+from ..templates import folder, render
 from . import tables, text
 from .content import CITATION, Document, Item, Paragraph, Section, parse
 from .link_class import class_section, ordered
@@ -49,7 +50,13 @@ def tex(shown: Document) -> str:
 
 def page(shown: Document) -> str:
     """A document in HTML."""
-    return render("latex/document.html.jinja", document=shown, text=text.in_html, rows=text.html_rows)
+    values = {"document": shown, "text": text.in_html, "rows": text.html_rows}
+    return render("latex/document.html.jinja", **values, font=math_font())
+
+
+def math_font() -> str:
+    """The math font of a page in base64: without one, brackets do not grow and accents stand aside."""
+    return b64encode((folder() / "latex" / "font" / "math.woff").read_bytes()).decode()
 
 
 def notebook(robot: Robot) -> str:
@@ -67,14 +74,21 @@ def notebook(robot: Robot) -> str:
         classes=classes,
         text=text.in_html,
         rows=text.html_rows,
+        font=math_font(),
     )
+
+
+def pdflatex() -> str:
+    """The program that makes a PDF; raises ScrewgenError if it is missing, which is to be asked before long work."""
+    program = shutil.which("pdflatex")
+    if program is None:
+        raise ScrewgenError("pdflatex was not found; install TeX Live, or write .tex or .html instead")
+    return program
 
 
 def pdf(tex: str) -> bytes:
     """``tex`` compiled with pdflatex.  Raises ScrewgenError if that is missing or fails."""
-    program = shutil.which("pdflatex")
-    if program is None:
-        raise ScrewgenError("pdflatex was not found; install TeX Live, or write .tex or .html instead")
+    program = pdflatex()
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "equations.tex").write_text(tex, encoding="utf-8")
         for _ in range(2):  # the second run knows the table of contents

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...simulation.integrate import DEFAULT
 from ...simulation.validity import Validity
 from ...spec.segments import owner
 from .step_limits import TOLERANCE, StepLimit
@@ -26,8 +27,57 @@ RESTLESS = 1e-6
 
 def report(a: Findings) -> str:
     """The whole report."""
-    parts = [_verdict(a), _systems(a), _loops(a), _blocks(a), _structure(a), *_spectra(a), _limits(a), *_validity(a)]
+    parts = [
+        _stability(a),
+        _verdict(a),
+        _systems(a),
+        _loops(a),
+        _blocks(a),
+        _structure(a),
+        *_spectra(a),
+        _limits(a),
+        *_validity(a),
+    ]
     return "\n\n".join(part for part in parts if part)
+
+
+def _stability(a: Findings) -> str:
+    """Whether what is near the states stays there, as motion and in steps of the default method, and the reason."""
+    found = _named(a) if a.well_posed else []
+    if not found:
+        return ""
+    loop = "controller's loop closed" if a.closed_loop else "torques held"
+    pairs = [(m, s) for s in found for m in s.motions if m.kind in ("grows", "falls")]
+    if pairs:
+        m, s = max(pairs, key=lambda pair: pair[0].eigenvalue.real)
+        return f"UNSTABLE ({loop}): {_where(s)} {m.coordinate} {GROWS[m.kind]}, {_motion_rate(m)}"
+    late = [(x.limit or 0.0, s) for s in found for x in s.limits if x.method == DEFAULT and not x.borne]
+    if late:
+        limit, s = min(late, key=lambda pair: pair[0])
+        most = f"bears {_time(limit)}" if limit else "bears no step"
+        text = f"UNSTABLE in steps of {_time(a.step)} ({loop}): {_where(s)} {DEFAULT} {most}"
+        return f"{text}; the motion itself is stable"
+    loose = dict.fromkeys(m.coordinate for s in found for m in s.motions if m.kind == "free")
+    but = f"; {_count(len(loose), 'coordinate')} free" if loose else ""
+    where = _where(found[0]) if len(found) == 1 else f"at {len(found)} states"
+    steps = f"; {DEFAULT} bears {_time(a.step)}" if any(s.limits for s in found) else ""
+    return f"STABLE ({loop}): {where} no motion grows{steps}{but}"
+
+
+def _where(s: StateAnalysis) -> str:
+    moves = s.acceleration is not None and s.acceleration > RESTLESS
+    return f"at '{s.label}'{', no equilibrium,' if moves else ''}"
+
+
+def _motion_rate(m: Motion) -> str:
+    rate = f"{m.eigenvalue.real:+.3g}/s"
+    return rate if m.kind == "falls" else f"{rate} at {m.frequency_hz:.4g} Hz"
+
+
+def _named(a: Findings) -> list[StateAnalysis]:
+    """The states with a spectrum that were given, or the samples where there are no others."""
+    known = [s for s in a.states if s.motions]
+    return [s for s in known if not s.label.startswith("sample ")] or known
 
 
 def _verdict(a: Findings) -> str:
@@ -144,8 +194,7 @@ def limits_of_model(what: str, v: Validity) -> str:
 
 
 def _spectra(a: Findings) -> list[str]:
-    named = [s for s in a.states if s.motions and not s.label.startswith("sample ")]
-    shown = (named or [s for s in a.states if s.motions])[:SHOWN]
+    shown = _named(a)[:SHOWN]
     parts = [_spectrum(s, a.closed_loop) for s in shown]
     rest = [s for s in a.states if s.motions and s not in shown]
     if rest:
@@ -168,6 +217,7 @@ def _spectrum(s: StateAnalysis, closed_loop: bool) -> str:
     return "\n".join(lines)
 
 
+GROWS = {"grows": "swings ever wider", "falls": "falls away"}
 KINDS = {
     "oscillates": "oscillation",
     "grows": "growing oscillation",

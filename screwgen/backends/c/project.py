@@ -6,8 +6,6 @@ from collections import Counter
 from collections.abc import Sequence
 from functools import cached_property
 
-import mpmath
-
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
 from ...algorithms.schedule import constant_labels
@@ -18,7 +16,7 @@ from ...integrators.methods import with_built_in
 from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
-from ..numpy.reference import Case, cases
+from ..numpy.reference import Case
 from . import batch, check, derivatives, estimator, files, levers, loops, steps
 from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
@@ -54,7 +52,6 @@ ASKED = {"wrench": "WRENCHES", "motion": "MOTION", "tip_rotation": "TIP_POSE", "
 ROUNDS = 4
 """Iterations of the modes' equilibrium in ``<robot>_gravity``."""
 
-STATES = 3
 MASK_BITS = 32
 
 
@@ -171,7 +168,7 @@ class CProject:
             "m_offset": m_offset,
             "accelerating": any(a["accelerating"] for a in self._algorithms),
             "cases": self.reference,
-            "sums": check.sums(chain, self._cases, self.methods.values()),
+            "sums": check.sums(chain, self._cases[-1], self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "loops": self._loops,
             "levers": levers.content(chain, self.baked is not None, fused_place),
@@ -337,12 +334,15 @@ class CProject:
     @cached_property
     def check(self) -> dict[str, object]:
         """The tolerances of the self-check, and the error of float if it is too large: see :mod:`.check`."""
-        return check.content(self.chain, self._cases)
+        return check.content(self.chain, self._recorded)
 
     @cached_property
+    def _recorded(self) -> list[check.Recorded]:
+        return check.recorded(self.chain)
+
+    @property
     def _cases(self) -> list[Case]:
-        with mpmath.workdps(fused.DIGITS):
-            return cases(self.chain, STATES)
+        return [state.case for state in self._recorded]
 
     @property
     def reference(self) -> list[dict[str, list[str]]]:

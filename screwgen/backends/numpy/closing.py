@@ -101,18 +101,6 @@ def _nearest(numeric: Numeric, q: np.ndarray, free: np.ndarray, hasty: bool) -> 
     return at(found), gap(found)
 
 
-def nearly_closed(chain: Chain, q: list[float]) -> list[float]:
-    """A posture near `q`, with the same modes, whose loops are closed to six digits, or nearly so where none is found.
-
-    Its numbers are rounded, so that they do not depend on the machine.
-    """
-    try:
-        near = closed(Numeric(chain), q, _modes(chain))
-    except OpenLoopError as error:
-        near = error.nearest
-    return q[: chain.base_q] + [float(f"{x:.6e}") for x in near[chain.base_q :]]
-
-
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
     """The rates nearest to `v` (nv,) that keep the loops closed at `q`."""
     v = np.array(v, float)

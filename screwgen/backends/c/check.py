@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import islice
 from typing import Any, NamedTuple
 
@@ -59,7 +59,7 @@ def recorded(chain: Chain) -> list[Recorded]:
     return (good("single") if enough else good("double") or found)[:STATES]
 
 
-def content(chain: Chain, states: list[Recorded]) -> dict[str, object]:
+def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
     ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones.
@@ -77,9 +77,11 @@ def content(chain: Chain, states: list[Recorded]) -> dict[str, object]:
     return {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost}
 
 
-def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> dict[str, object]:
-    """The :class:`Sums` of a case as C literals, and how its state is changed for a step."""
-    found = reference_sums.sums(chain, case, methods)._asdict()
+def sums(chain: Chain, cases: Sequence[Case], methods: Iterable[Method]) -> dict[str, object]:
+    """The :class:`Sums` of the last case as C literals, and how its state is changed for a step; {} without cases."""
+    if not cases:
+        return {}
+    found = reference_sums.sums(chain, cases[-1], methods)._asdict()
     found |= {"haste": reference_sums.HASTE, "defect": reference_sums.DEFECT}
     return {name: _literals(value) for name, value in found.items()}
 

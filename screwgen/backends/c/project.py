@@ -168,7 +168,7 @@ class CProject:
             "m_offset": m_offset,
             "accelerating": any(a["accelerating"] for a in self._algorithms),
             "cases": self.reference,
-            "sums": check.sums(chain, self._cases[-1], self.methods.values()),
+            "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             "loops": self._loops,
             "levers": levers.content(chain, self.baked is not None, fused_place),
@@ -337,7 +337,7 @@ class CProject:
         return check.content(self.chain, self._recorded)
 
     @cached_property
-    def _recorded(self) -> list[check.Recorded]:
+    def _recorded(self) -> Sequence[check.Recorded]:
         return check.recorded(self.chain)
 
     @property

@@ -83,7 +83,9 @@ def commands(number: int, loops: bool) -> dict[str, list[str]]:
 def written(case: Mixed, folder: Path) -> None:
     """Robot and state as the files that the commands read."""
     (folder / "robot.toml").write_text(rr.to_toml(fr.with_files(case.robot, folder) | {"name": "robot"}))
-    state = dict(zip(STATE, (np.asarray(x).tolist() for x in case.given), strict=True))
+    state = dict(zip(STATE, map(np.asarray, case.given), strict=True))
+    state["w_ext"] = state["w_ext"].reshape(-1, 6)[case.model.chain.lasts]
+    state = {name: x.tolist() for name, x in state.items()}
     (folder / "state.json").write_text(json.dumps(state))
     (folder / "rest.json").write_text(json.dumps({"q": state["q"]}))
 

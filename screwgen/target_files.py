@@ -40,11 +40,10 @@ def c_files(
 
 def casadi_files(model: Model, plugins: Sequence[Plugin], functions: str | Sequence[str] | None) -> dict[str, bytes]:
     """Of CasADi: the saved functions, and a README."""
-    from .backends.casadi.functions import casadi_files, chosen
+    from .backends.casadi.functions import casadi_files
 
-    names = chosen(functions, found := model.casadi())
     notes = {p.casadi_notes: tuple(p.casadi(model.chain)) for p in plugins if p.casadi_notes}
-    return casadi_files(model.robot, found, names, model.parameter_names, VERSION, notes)
+    return casadi_files(model.robot, model.casadi(), functions, model.parameter_names, VERSION, notes)
 
 
 def latex_files(robot: Robot, plugins: Sequence[Plugin]) -> dict[str, bytes]:

@@ -165,10 +165,13 @@ def with_places(rng, robot: dict) -> dict:
     return robot
 
 
-def drawn(seed: int, folder: Path, **limits) -> Mixed:
-    """A robot whose equations are regular in its state; what the file refuses is left out and kept as `refused`."""
+def drawn(seed: int, folder: Path, most: int = LINKS, **limits) -> Mixed:
+    """A robot of `most` links or fewer whose equations are regular in its state.
+
+    What the file refuses is left out and kept as `refused`.
+    """
     rng, refused = np.random.default_rng([14, seed]), []
-    count, wanted = int(rng.integers(1, LINKS + 1)), int(rng.integers(0, 3))
+    count, wanted = int(rng.integers(1, most + 1)), int(rng.integers(0, 3))
     free, files = bool(rng.random() < 0.35), bool(rng.random() < 0.25)
     limits = LIMITS | {"max_modes": 1 + (count < 4)} | limits
     for attempt in range(200):

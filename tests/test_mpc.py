@@ -11,8 +11,6 @@ from mpc_judge import Problem
 from test_c_code import WARNINGS
 
 import screwgen
-from screwgen.algorithms.wrench_slopes import wrench_program
-from screwgen.backends.c import derivatives
 from screwgen.errors import UsageError
 
 SOFT = {"EIy": 300.0, "EIz": 500.0}
@@ -263,15 +261,6 @@ def test_faults_are_one_line(tmp_path, good):
     with pytest.raises(screwgen.ScrewgenError) as raised:
         model().c_files(mpc=file)
     assert said in str(raised.value) and str(raised.value).startswith(str(file)) and "\n" not in str(raised.value)
-
-
-def test_bounds_of_wrenches_need_derivatives_that_can_be_compiled(tmp_path, monkeypatch):
-    file, count = tmp_path / "mpc.toml", wrench_program(model().chain, "constants").operation_count
-    file.write_text(WHOLE)
-    monkeypatch.setattr(derivatives, "LIMIT", count - 1)
-    monkeypatch.setattr(derivatives, "check_size", lambda *_: None)  # the other derivatives are no shorter
-    with pytest.raises(UsageError, match=f"bounds.wrenches: need their derivatives: with {count} operations they"):
-        model().c_files(mpc=file)
 
 
 def test_robots_that_it_is_not_made_for(tmp_path):

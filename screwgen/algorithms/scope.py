@@ -110,9 +110,14 @@ OF_STATION = re.compile(r"at(\d+)_(.+)")
 
 def owner_of(key: LinkClass, label: str) -> tuple[LinkClass, str]:
     """The class whose blocks define a constant, the link's or that of a station, and its label there."""
-    if key.stations_at and (found := OF_STATION.fullmatch(label)):
-        return key.station(int(found[1])), found[2]
-    return key, label
+    found = OF_STATION.fullmatch(label)
+    return (key.station(int(found[1])), found[2]) if found else (key, label)
+
+
+def own_label(label: str) -> str:
+    """The label of a constant in the block that defines it, without the number of the station that has it."""
+    found = OF_STATION.fullmatch(label)
+    return found[2] if found else label
 
 
 @dataclass

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import UsageError
+from ..errors import SingularError, UsageError
 from ..model import Model, derive
 from ..simulation.state import refusals, state_in
 from ..spec.load import one_line
@@ -47,7 +47,11 @@ def run_modes(
     turning = None if rates is None else numbers("v", rates, model.n_joints, "joint rates in rad/s or m/s", "rates")
     found = mode_shapes(model, q, joints, rates=turning, loaded=loaded)
     found.validity.warn()
-    more = convergence(model, q, joints, rates=turning, loaded=loaded)
+    more = None
+    try:
+        more = convergence(model, q, joints, rates=turning, loaded=loaded)
+    except SingularError as error:
+        print(f"screwgen: note: how far one more mode would move them is not known: {error}", file=sys.stderr)
     if plot is not None:
         from ..plotting.mode_plot import png
 
@@ -84,24 +88,31 @@ def lock_notes(model: Model, q: np.ndarray) -> list[str]:
     return out
 
 
-def modes_record(found: ModeShapes, more: Convergence) -> dict:
-    """What `modes --json` prints; zeros and nulls first, for the motions that no spring resists."""
+def modes_record(found: ModeShapes, more: Convergence | None) -> dict:
+    """What `modes --json` prints; zeros and nulls first, for the motions that no spring resists.
+
+    Without an answer of the convergence study, ``one_more_mode`` and ``short_of`` are null.
+    """
     count = range(len(found.frequencies))
     return {
         "frequencies_hz": [*found.rigid * [0.0], *found.frequencies.tolist()],
         "growth_per_s": [*found.rigid * [0.0], *found.growth.tolist()],
-        "one_more_mode": [*found.rigid * [0.0], *(more.total + 0.0).tolist()],
-        "short_of": [*found.rigid * [None], *(more.short(k) for k in count)],
+        "one_more_mode": more and [*found.rigid * [0.0], *(more.total + 0.0).tolist()],
+        "short_of": more and [*found.rigid * [None], *(more.short(k) for k in count)],
         "validity": found.validity.record(),
     }
 
 
-def modes_table(found: ModeShapes, more: Convergence) -> list[str]:
-    """One line per frequency: Hz, its change by one more mode per direction in %, the direction that needs it most."""
+def modes_table(found: ModeShapes, more: Convergence | None) -> list[str]:
+    """One line per frequency: Hz, its change by one more mode per direction in %, the direction that needs it most.
+
+    Without an answer of the convergence study, a question mark stands for the change.
+    """
     lines = [f"{0:<12g} Hz" for _ in range(found.rigid)]
     for k, (f, growth) in enumerate(zip(found.frequencies, found.growth, strict=True)):
-        change = f"unstable, grows as exp({growth:.4g}/s t)" if growth else f"{percent(more.total[k]):>14}"
-        lines.append(f"{f:<12.6g} Hz {change}   {more.short(k) or ''}".rstrip())
+        moved, wanted = (percent(more.total[k]), more.short(k)) if more else ("?", None)
+        change = f"unstable, grows as exp({growth:.4g}/s t)" if growth else f"{moved:>14}"
+        lines.append(f"{f:<12.6g} Hz {change}   {wanted or ''}".rstrip())
     head = f"{'frequency':15} {'one more mode':>14}   wanted most in"
     return [head, *lines] if lines else []
 

@@ -41,7 +41,7 @@ class Derived(Protocol):
 class LeanProject(CProject):
     """The library alone, without the self-check, whose reference values take as long as all the rest."""
 
-    _cases = ()
+    _recorded = ()
 
     def files(self) -> dict[str, str]:
         used = {file: template for file, template in self.library.items() if template != "reference.h"}

@@ -32,7 +32,7 @@ from .modes import (
     without_rigid_motion,
 )
 from .steady import Steady, steady
-from .stiffness import on_gears, relative, stiffness_matrix
+from .stiffness import on_gears, pressed, relative, stiffness_matrix
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -89,6 +89,7 @@ def convergence(
         if rich.chain.loose and not free:
             T = on_gears(rich, at, np.array(values))
             K = T.T @ K @ T
+        K = K + np.diag(pressed(rich, at, values))
         M = T.T @ rich.numpy(values).mass_matrix(at) @ T
         J = jacobian(rich, at, values) @ T
         ritz = lambda basis: _at_rest(model, basis, M, K, J)  # noqa: E731
@@ -130,7 +131,8 @@ def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray, J: n
         return vibrations(rest, springs)[0]
     except np.linalg.LinAlgError:
         what = "one more mode per direction: the mass matrix is singular to rounding"
-        raise SingularError(f"{what}; masses or lengths differ by too many orders of magnitude") from None
+        why = model.chain.caution or "; masses or lengths differ by too many orders of magnitude"
+        raise SingularError(what + why) from None
 
 
 def _springs(model: Model, basis: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -164,7 +166,7 @@ def _more(link: Link, direction: str) -> bool:
 def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray:
     """The rates of the rich model, one column for each that stays: all modes of `directions`."""
     blocks = [np.eye(model.chain.eta_v)]
-    for segment in model.chain.segments:
+    for segment in (s for s in model.chain.segments if s.marker is None):
         few, many = (robot.links[segment.link] for robot in (model.robot, rich.robot))
         for d in DIRECTIONS:
             shapes = many.modes.shapes(d)

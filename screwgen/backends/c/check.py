@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Sequence
+from itertools import islice
+from typing import Any, NamedTuple
 
+import mpmath
+
+from ...algorithms import fused
 from ...errors import UsageError
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from ..numpy import reference_sums
-from ..numpy.reference import Case, rounding_errors
+from ..numpy.reference import Case, cases, rounding_errors
 from .code import literal
 
 USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
@@ -26,13 +30,42 @@ GROSS = 0.5
 """The largest tolerance for wrenches of inverse dynamics, which no caller needs from rounded accelerations."""
 
 
-def content(chain: Chain, cases: list[Case]) -> dict[str, object]:
+STATES = 3
+CANDIDATES = 9
+"""How many states are recorded, and how many are looked at for them."""
+
+
+class Recorded(NamedTuple):
+    """A state of the self-check with its results, and its two :func:`rounding_errors` in each precision."""
+
+    case: Case
+    errors: dict[str, tuple[float, float]]
+
+    def suits(self, precision: str) -> bool:
+        """Whether its results in a precision can be compared."""
+        return MARGIN * self.errors[precision][0] <= LOOSEST
+
+
+def recorded(chain: Chain) -> list[Recorded]:
+    """The first STATES that single precision bears; if there are too few, those that double bears, or any."""
+    found: list[Recorded] = []
+    good = lambda precision: [r for r in found if r.suits(precision)]  # noqa: E731
+    with mpmath.workdps(fused.DIGITS):
+        for case in islice(cases(chain), CANDIDATES):
+            found.append(Recorded(case, {x: rounding_errors(chain, case, bits) for x, (_, bits) in USUAL.items()}))
+            if len(good("single")) == STATES:
+                break
+    enough = len(good("single")) >= min(STATES, len(found))
+    return (good("single") if enough else good("double") or found)[:STATES]
+
+
+def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
     ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones.
     Raises :class:`UsageError` if double precision does not suffice.
     """
-    errors = {name: [rounding_errors(chain, case, bits) for case in cases] for name, (_, bits) in USUAL.items()}
+    errors = {name: [state.errors[name] for state in states] for name in USUAL}
     needed, inverse = ({name: _needed(name, errors[name], k) for name in USUAL} for k in (0, 1))
     if needed["double"] > LOOSEST:
         said = f"robot '{chain.robot.name}': rounding in double may change results by {percent(needed['double'])}"
@@ -44,7 +77,7 @@ def content(chain: Chain, cases: list[Case]) -> dict[str, object]:
     return {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost}
 
 
-def sums(chain: Chain, cases: list[Case], methods: Iterable[Method]) -> dict[str, object]:
+def sums(chain: Chain, cases: Sequence[Case], methods: Iterable[Method]) -> dict[str, object]:
     """The :class:`Sums` of the last case as C literals, and how its state is changed for a step; {} without cases."""
     if not cases:
         return {}

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 
 from ...algorithms.linearise import linearisation
 from ...algorithms.wrench_slopes import wrench_program
-from ...errors import UsageError
+from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from . import step_derivatives
@@ -16,11 +17,11 @@ from .pieces import piece_place, pieces
 FILES = ("derivatives.h", "derivatives.c", "wrench_derivatives.c")
 """The files that derivatives add, without the robot's name; their templates have the same names."""
 
-LIMIT = 45_000
-"""Above so many operations gcc -O2 takes more than ten seconds."""
+RATE = 4_500
+"""The operations that gcc -O2 compiles in a second, since no function is long: so the time grows with their number."""
 
-COORDINATES = 32
-"""With more coordinates every robot exceeds the limit, so it is refused at once."""
+LIMIT = 45_000
+"""The operations, worth ten seconds, above which the time is said."""
 
 SLOPES_OF_STUMPFF = {"c6", "c7"}
 
@@ -29,13 +30,9 @@ UNROLLED = 16
 
 
 def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Method]) -> dict:
-    """The templates' context; ``place`` is that of the fused function, ``methods`` the integrators to differentiate.
-
-    Raises :class:`UsageError` if the code would be too long to compile.
-    """
-    check_size(chain, chain.nv, COORDINATES, "coordinates")
+    """The templates' context; ``place`` is that of the fused function, ``methods`` the integrators to differentiate."""
     program = linearisation(chain, "baked" if baked else "constants", own=False)
-    check_size(chain, program.operation_count, LIMIT, "operations")
+    say_time(chain, "derivatives", program.operation_count)
     nv, rows = chain.nv, len(chain.closures)
     own = {
         "vdot": lambda k: f"out->vdot[{k}]",
@@ -72,8 +69,7 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     program = wrench_program(chain, "baked" if baked else "constants")
     nv, count = chain.nv, program.operation_count
     product = 12 * chain.n * nv * (2 * nv + chain.n_tau)
-    if count > LIMIT:
-        return {"missing": f"with {count} operations they would take too long to compile"}
+    say_time(chain, "derivatives of wrenches", count)
     own = {
         "vdot": lambda k: f"at->vdot[{k}]",
         "wrench": lambda k: f"out->wrench[{k // 6}][{k % 6}]",
@@ -88,12 +84,12 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     return made | {"missing": "", "product": product, "stumpff": stumpff}
 
 
-def check_size(chain: Chain, size: int, most: int, what: str) -> None:
-    if size > most:
-        raise UsageError(
-            f"robot '{chain.robot.name}': its derivatives in C would have {size} {what}, more than {most}, and "
-            "take too long to compile; leave them out, or give the robot fewer links or modes"
-        )
+def say_time(chain: Chain, what: str, count: int) -> None:
+    """A :class:`TargetWarning` where so many operations take long to compile."""
+    if count > LIMIT:
+        said = f"robot '{chain.robot.name}': its {what} in C have {count} operations"
+        said = f"{said}, over which gcc takes about {count / RATE:.0f} s at -O2; without optimising, a tenth of that"
+        warnings.warn(said, TargetWarning, stacklevel=2)
 
 
 def _triangle(k: int) -> tuple[int, int]:

@@ -7,7 +7,7 @@ from ...algorithms.gauges import gauges
 from ...algorithms.tip_acceleration import tip_acceleration
 from ...topology.chain import Chain
 from .code import Place, literal, singular
-from .derivatives import LIMIT, check_size
+from .derivatives import say_time
 from .pieces import piece_place, pieces
 
 FILES = ("estimator.h", "estimator.c")
@@ -17,12 +17,9 @@ SLOPES = ("a_q", "a_v", "a_vdot")
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict:
-    """The templates' context; ``place`` is that of the fused function.
-
-    Raises :class:`UsageError` if the code would be too long to compile.
-    """
+    """The templates' context; ``place`` is that of the fused function."""
     program = tip_acceleration(chain, "baked" if baked else "constants")
-    check_size(chain, program.operation_count, LIMIT, "operations")
+    say_time(chain, "accelerations of the tip", program.operation_count)
     plain = not (chain.closures or chain.floating)
     own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}
     own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}

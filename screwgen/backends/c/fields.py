@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from ...algorithms.columns import robot_columns
 from ...algorithms.schedule import COLUMNS
-from ...algorithms.scope import AT_TIP, derived, owner_of
+from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
 from ...ir.block import Signal as Constant
 from ...ir.program import Program
@@ -109,13 +109,13 @@ def fused_place(name: str, k: int) -> str:
 def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
     """The members of ``ella_link_constants``, documented by the steps that define them."""
     signals = _signals_of_labels(chain.classes)
-    return [Field(name, (), _comment(chain, signals, name)) for name in sorted(labels)]
+    return [Field(name, (), _comment(signals, name)) for name in sorted(labels)]
 
 
-def _comment(chain: Chain, signals: Mapping[str, Constant], label: str) -> str:
+def _comment(signals: Mapping[str, Constant], label: str) -> str:
     """The comment of a constant; where it is of a station, what it is at the tip."""
-    found = next((own for key in chain.classes if (own := owner_of(key, label)[1]) != label), None)
-    return _constant_comment(signals.get(found or label)) + ("; of a station" if found else "")
+    own = own_label(label)
+    return _constant_comment(signals.get(own)) + "; of a station" * (own != label)
 
 
 def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Constant]:

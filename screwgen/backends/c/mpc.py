@@ -16,7 +16,7 @@ from ...topology.chain import Chain
 from ..templates import folder
 from .code import literal
 from .columns import rendered
-from .derivatives import LIMIT, check_size
+from .derivatives import say_time
 from .fields import fused_place
 from .pieces import piece_place, pieces
 from .project import CProject
@@ -176,11 +176,7 @@ class MpcProject(CProject):
 
     @cached_property
     def context(self) -> dict:
-        found = super().context
-        if self.fitted.wrenches and (missing := found["derivatives"]["wrenches"]["missing"]):
-            what = f"need their derivatives: {missing}; leave them out, or give the robot fewer links or modes"
-            raise self.fitted.refuse("bounds.wrenches", what)
-        return found | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
+        return super().context | {"n_joints": self.chain.n_joints, "mpc": content(self.fitted, bool(self.baked))}
 
 
 def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
@@ -244,7 +240,7 @@ def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
     if not weighed:
         return out | {"tip": {"pieces": [], "kept": 1}, "slopes_of_stumpff": False}
     program = tip_terms(chain, out["turning"], out["moving"], "baked" if baked else "constants")
-    check_size(chain, program.operation_count, LIMIT, "operations")
+    say_time(chain, "terms of the tip", program.operation_count)
     own = {
         "r": lambda k: f"m->r[{k}]",
         "r_q": lambda k: f"m->r_q[{k // 3}][{k % 3}]",

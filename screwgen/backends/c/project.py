@@ -6,8 +6,6 @@ from collections import Counter
 from collections.abc import Sequence
 from functools import cached_property
 
-import mpmath
-
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
 from ...algorithms.schedule import constant_labels
@@ -18,7 +16,7 @@ from ...integrators.methods import with_built_in
 from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
-from ..numpy.reference import Case, cases
+from ..numpy.reference import Case
 from . import batch, check, derivatives, estimator, files, levers, loops, steps
 from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
@@ -54,7 +52,6 @@ ASKED = {"wrench": "WRENCHES", "motion": "MOTION", "tip_rotation": "TIP_POSE", "
 ROUNDS = 4
 """Iterations of the modes' equilibrium in ``<robot>_gravity``."""
 
-STATES = 3
 MASK_BITS = 32
 
 
@@ -337,12 +334,15 @@ class CProject:
     @cached_property
     def check(self) -> dict[str, object]:
         """The tolerances of the self-check, and the error of float if it is too large: see :mod:`.check`."""
-        return check.content(self.chain, self._cases)
+        return check.content(self.chain, self._recorded)
 
     @cached_property
+    def _recorded(self) -> Sequence[check.Recorded]:
+        return check.recorded(self.chain)
+
+    @property
     def _cases(self) -> list[Case]:
-        with mpmath.workdps(fused.DIGITS):
-            return cases(self.chain, STATES)
+        return [state.case for state in self._recorded]
 
     @property
     def reference(self) -> list[dict[str, list[str]]]:

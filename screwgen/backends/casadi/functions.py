@@ -7,6 +7,7 @@ the robot file.  The functions take SX and MX, differentiate, serialise and gene
 from __future__ import annotations
 
 import tempfile
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
@@ -20,6 +21,7 @@ from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
 from ...arguments import choice
 from ...bodies.validity import MEASURES
+from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
 from ...spec.parameters import parameters, turning
 from ...spec.robot import Robot
@@ -224,12 +226,17 @@ DEFAULT = ("forward_dynamics", "inverse_dynamics", "energy", "tip_pose", "link_p
 INTEGRANDS = {"ode": (("x", "u", "p"), ("ode",)), "dae": (("x", "z", "u", "p"), ("ode", "alg"))}
 
 
+def stated(asked: Sequence[str] | str | None) -> tuple[str, ...]:
+    """The names that are asked for, ``"all"`` perhaps among them."""
+    return DEFAULT if asked is None else (asked,) if isinstance(asked, str) else tuple(asked)
+
+
 def chosen(asked: Sequence[str] | str | None, known: Iterable[str]) -> tuple[str, ...]:
     """The names of the functions to write: those asked for, DEFAULT (None), or all (``"all"``, also in a list).
 
     All are without the single steps, of which ``step`` is one.  Raises UsageError for an unknown name.
     """
-    names = DEFAULT if asked is None else (asked,) if isinstance(asked, str) else tuple(asked)
+    names = stated(asked)
     every = tuple(name for name in known if not name.startswith("step_"))
     for name in names:
         choice(name, (*known, "all"), "there is no function")
@@ -239,16 +246,19 @@ def chosen(asked: Sequence[str] | str | None, known: Iterable[str]) -> tuple[str
 def casadi_files(
     robot: Robot,
     functions: Mapping,
-    names: Sequence[str],
+    asked: Sequence[str] | str | None,
     parameter_names: Sequence[str],
     version: str,
     notes: Mapping[str, Sequence[str]],
 ) -> dict[str, bytes]:
-    """``NAME.casadi`` per named function and a README: signatures, and the sparsity of the Jacobians.
+    """``NAME.casadi`` per function asked for and a README: signatures, and the sparsity of the Jacobians.
 
-    ``notes``: paragraphs on functions that plug-ins add, with the names of these.
+    ``asked`` as :func:`chosen` takes it; ``notes``: paragraphs on functions that plug-ins add, with the names of these.
+    Of all functions those that the robot does not have are left out, each with a :class:`TargetWarning`.
     """
-    saved = {name: as_function(name, functions[name]) for name in names}
+    saved, missing = there(functions, asked)
+    for name, reason in missing.items():
+        warnings.warn(f"there is no CasADi function '{name}': {reason}", TargetWarning, stacklevel=4)
     files = {f"{name}.casadi": _serialised(f) for name, f in saved.items()}
     rows = [{"name": name, "inputs": signature(f, "in"), "outputs": signature(f, "out")} for name, f in saved.items()]
     patterns = {"jacobians": jacobians(saved), "structures": structures(robot, saved)}
@@ -257,7 +267,7 @@ def casadi_files(
         name=robot.name,
         version=version,
         functions=rows,
-        others=[name for name in functions if name not in saved],
+        others=[name for name in functions if name not in saved | missing],
         parameters=parameter_names,
         sliding=not all(turning(robot)),
         linked=any(drive.linked for link in robot.links for drive in link.joint.drives or ()),
@@ -267,6 +277,22 @@ def casadi_files(
         **patterns,
     )
     return files | {"README.md": readme.encode()}
+
+
+def there(functions: Mapping, asked: Sequence[str] | str | None) -> tuple[dict[str, ca.Function], dict[str, str]]:
+    """The functions asked for, and of all functions those that the robot does not have, with the reason.
+
+    Raises UsageError where it does not have one that is asked for by its name.
+    """
+    saved, missing = {}, {}
+    for name in chosen(asked, functions):
+        try:
+            saved[name] = as_function(name, functions[name])
+        except UsageError as error:
+            if name in stated(asked):
+                raise
+            missing[name] = str(error)
+    return saved, missing
 
 
 def as_function(name: str, value) -> ca.Function:

@@ -113,20 +113,6 @@ def extent(numeric: Numeric, q: Numbers) -> float:
     return float(np.max(np.ptp(places, axis=0))) or 1.0
 
 
-def nearly_closed(chain: Chain, q: list[float]) -> list[float]:
-    """A posture near `q`, with the same modes, whose loops are closed to six digits, or nearly so where none is found.
-
-    Its numbers are rounded, so that they do not depend on the machine. Rows that share forces need twelve digits: what
-    one demands beyond the others is otherwise as large as the answer.
-    """
-    digits = 12 if chain.overconstrained else 6
-    try:
-        near = closed(Numeric(chain), q, modes(chain))
-    except OpenLoopError as error:
-        near = error.nearest
-    return q[: chain.base_q] + [float(f"{x:.{digits}e}") for x in near[chain.base_q :]]
-
-
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
     """The rates nearest to `v` (nv,) that keep the loops closed at `q`."""
     v = np.array(v, float)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 import mpmath
@@ -12,31 +12,64 @@ import numpy as np
 from ...algorithms import fused
 from ...algorithms.axis_laws import STOP
 from ...algorithms.functions import Functions
-from ...errors import SingularError
+from ...algorithms.schedule import Apply
+from ...errors import ScrewgenError, SingularError
 from ...ir.program import Program
 from ...ir.replay import run
 from ...topology.chain import Chain
-from .closing import nearly_closed
+from .closing import OpenLoopError, closed
+from .numeric import Numeric
+
+DOUBLE = 2.0**-52
+"""The spacing of doubles at 1."""
 
 TRIES = 20
 Case = dict[str, list[float]]
 """A state, its inputs and its results by name."""
 
 
-def cases(chain: Chain, count: int) -> list[Case]:
-    """States and inputs with ``vdot``, wrenches and tip pose: at rest, then in motion."""
+def cases(chain: Chain) -> Iterator[Case]:
+    """States that the robot can be in, with their inputs, ``vdot``, wrenches and tip pose; the first without wrenches.
+
+    There loops are closed, linkages reach their links, and the mass matrix is positive definite. Raises
+    :class:`SingularError` or :class:`OpenLoopError` where none of TRIES states is such.
+    """
     p, constants = fused.exact(chain)
-    functions = Functions(chain, constants, p[:3], _apply)
-    found: list[Case] = []
+    functions = Functions(chain, constants, p[:3], evaluation(chain, _real, DOUBLE))
+    refused: list[ScrewgenError] = []
     for number in range(TRIES):
         try:
-            found.append(_case(chain, functions, number))
-        except SingularError:
-            if number == TRIES - 1 and not found:
-                raise
-        if len(found) == count:
-            break
-    return found
+            case = _case(chain, functions, number)
+        except (SingularError, OpenLoopError) as error:
+            refused.append(error)
+        else:
+            yield case
+    if len(refused) == TRIES:
+        raise refused[0]
+
+
+def evaluation(chain: Chain, unary: Callable, epsilon: float) -> Apply:
+    """Evaluates phases in numbers whose spacing at 1 is `epsilon`.
+
+    What it evaluates raises :class:`SingularError` where a guard fails, as the generated code does: out of a linkage's
+    reach, where the mass matrix is not positive definite or rows of loops depend on each other.
+    """
+
+    def apply(link: int, phase: int, program: Program, inputs: Mapping[str, list]) -> Mapping[str, list]:
+        try:
+            outputs, guards = run(program, inputs, unary, epsilon)
+        except ZeroDivisionError:
+            raise chain.singular(link) from None
+        if not all(guard > 0 for guard in guards):
+            raise chain.singular(link)
+        return outputs
+
+    return apply
+
+
+def _real(op: str, x: mpmath.mpf) -> mpmath.mpf:
+    """The unary primitives in mpmath; not a number where they have no real value."""
+    return mpmath.nan if op == "sqrt" and x < 0 else fused.precise(op, x)
 
 
 def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
@@ -57,9 +90,10 @@ def _rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]
         p, constants = fused.exact(chain)
         given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext", "vdot")}
         rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
-        functions = Functions(chain, rounded, [+g for g in p[:3]], _apply_rounded)
+        functions = Functions(chain, rounded, [+g for g in p[:3]], evaluation(chain, _real, 2.0 ** (1 - bits)))
         vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
-        inverse = functions.loads(given["q"], given["v"], given["vdot"], given["w_ext"])[1]
+        on_tips = functions.with_loops(given["q"], given["v"], given["tau"], given["w_ext"])
+        inverse = functions.loads(given["q"], given["v"], given["vdot"], on_tips)[1]
     ends = (0, chain.eta_v - chain.n_motors, chain.eta_v, chain.nv)
     parts = [(vdot[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
@@ -77,14 +111,6 @@ def _deviation(x: list, reference: list[float]) -> float:
     scale = max((abs(r) for r in reference), default=0.0)
     error = float(np.max([abs(float(a) - r) for a, r in zip(x, reference, strict=True)], initial=0.0))
     return error / scale if scale > 1e-6 else error
-
-
-def _apply_rounded(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
-    return run(program, inputs, lambda op, x: mpmath.nan if op == "sqrt" and x < 0 else fused.precise(op, x))[0]
-
-
-def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
-    return run(program, inputs, fused.precise)[0]
 
 
 def _case(chain: Chain, functions: Functions, number: int) -> Case:
@@ -119,7 +145,7 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
         tau[joint] = float(f"{tau[joint] / (ratio or 1.0):.6e}")
     if chain.closures:
-        near = nearly_closed(chain, pose + q + turned(q) + eta)[chain.base_q :]
+        near = _closed(chain, pose + q + turned(q) + eta)[chain.base_q :]
         q, eta = near[:m], near[chain.eta_q - chain.base_q :]
     return {
         "q": pose + q + turned(q) + eta,
@@ -127,6 +153,19 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
         "tau": tau,
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }
+
+
+def _closed(chain: Chain, q: list[float]) -> list[float]:
+    """A posture near `q` in which the loops are closed to six digits: that of the same modes if there is one.
+
+    Its numbers are rounded, so that they do not depend on the machine. Raises OpenLoopError.
+    """
+    numeric = Numeric(chain)
+    try:
+        near = closed(numeric, q, np.arange(chain.nq) >= chain.eta_q)
+    except OpenLoopError as error:
+        near = closed(numeric, error.nearest, hasty=True)
+    return [float(f"{x:.6e}") for x in near]
 
 
 def _stretched(chain: Chain, functions: Functions, number: int, turned: Callable) -> Callable:

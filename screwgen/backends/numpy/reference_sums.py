@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import mpmath
@@ -21,13 +21,11 @@ from ...errors import SingularError
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
 from ...integrators.se3 import unit
-from ...ir.program import Program
-from ...ir.replay import run
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae, space_of
 from .own_forces import OwnForces
-from .reference import Case
+from .reference import DOUBLE, Case, evaluation
 
 LONGEST = 0.05
 SHORTEST = 1e-9
@@ -77,7 +75,8 @@ class _Soft:
 
     def __init__(self, chain: Chain, case: Case):
         gravity = [p.value for p in parameters(chain.robot)[:3]]
-        self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, _apply)
+        apply = evaluation(chain, _rounded, DOUBLE)
+        self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, apply)
         self.tau, self.w_ext = case["tau"], case["w_ext"]
         M, K, D, *laws = (np.array(column) for column in fused.columns(chain, self.functions.constants).values())
         modes = slice(chain.n_given - chain.n_inner, chain.n_given)
@@ -173,10 +172,6 @@ def _sums(dae: DaeDynamics, x: np.ndarray) -> list[float]:
 def weighted_sum(x: Iterable) -> float:
     """The sum of all entries with weights from 1 to 2, which differ for any 97 entries in a row."""
     return float(sum((1 + 7 * k % 97 / 97) * float(value) for k, value in enumerate(x)))
-
-
-def _apply(link: int, phase: int, program: Program, inputs: Mapping) -> Mapping[str, list]:
-    return run(program, inputs, _rounded)[0]
 
 
 def _rounded(op: str, x: float) -> float:

@@ -158,14 +158,15 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
 def _closed(chain: Chain, q: list[float]) -> list[float]:
     """A posture near `q` in which the loops are closed to six digits: that of the same modes if there is one.
 
-    Its numbers are rounded, so that they do not depend on the machine. Raises OpenLoopError.
+    Its numbers are rounded, so that they do not depend on the machine. Rows that share forces need twelve digits: what
+    one demands beyond the others is otherwise as large as the answer. Raises OpenLoopError.
     """
-    numeric = Numeric(chain)
+    numeric, digits = Numeric(chain), 12 if chain.overconstrained else 6
     try:
         near = closed(numeric, q, np.arange(chain.nq) >= chain.eta_q)
     except OpenLoopError as error:
         near = closed(numeric, error.nearest, hasty=True)
-    return [float(f"{x:.6e}") for x in near]
+    return [float(f"{x:.{digits}e}") for x in near]
 
 
 def _stretched(chain: Chain, functions: Functions, number: int, turned: Callable) -> Callable:

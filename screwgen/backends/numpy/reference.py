@@ -35,7 +35,7 @@ def cases(chain: Chain) -> Iterator[Case]:
     :class:`SingularError` or :class:`OpenLoopError` where none of TRIES states is such.
     """
     p, constants = fused.exact(chain)
-    functions = Functions(chain, constants, p[:3], evaluation(chain, _real, DOUBLE))
+    functions = Functions(chain, constants, p[:3], evaluation(chain, _real, 0.0))
     refused: list[ScrewgenError] = []
     for number in range(TRIES):
         try:

@@ -65,9 +65,8 @@ def _joint(tree: Tree, node: Node) -> dict[str, Any]:
     joint = node.joint
     table: dict[str, Any] = {"axes": node.axes}
     floats = node.joint is None and tree.floating
-    xyz, rpy = node.mount.xyz, cleaned(node.mount.rpy, LAST_DIGIT)
-    if joint is not None and node.literal:
-        xyz, rpy = tuple(joint.xyz), tuple(joint.rpy)
+    stated = joint if joint is not None and node.literal else None
+    xyz, rpy = (stated.xyz, stated.rpy) if stated else (node.mount.xyz, cleaned(node.mount.rpy, LAST_DIGIT))
     mount = {key: tuple(value) for key, value in (("xyz", xyz), ("rpy", rpy)) if any(value)}
     if mount and not floats:
         table["mount"] = mount

@@ -107,11 +107,11 @@ def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(n_joints,) of bool: the joints whose coordinates may be stated, as many as the loops leave; all without loops.
 
     Those with drives come before others, and then those that come first in the file. The others follow them. Raises
-    SingularError where rows of the loops depend on each other in this posture.
+    SingularError where rows of the loops depend on each other in this posture that do not in others.
     """
     out, J = np.ones(model.n_joints, bool), jacobian(model, q, p)
     dependent = mobility(J, by_drive(model.chain)).dependent - model.chain.base_v
-    if len(dependent) < len(J):
+    if len(dependent) < len(J) and not model.chain.overconstrained:
         raise model.chain.singular_loops()
     out[dependent[dependent < model.n_joints]] = False
     return out

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ..algorithms.loops import LEAST
 from ..arguments import Numbers
 from ..errors import UsageError
 from ..topology.chain import Chain
@@ -117,6 +118,15 @@ def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     return out
 
 
+def sharing(model: Model, q: np.ndarray, J: np.ndarray, p: Numbers) -> np.ndarray:
+    """(rows,): factors s such that forces s·y of rows which depend on each other are those of the dynamics, out of all
+    that act alike, where y is the shortest; ones where all rows are independent."""
+    if not model.chain.overconstrained:
+        return np.ones(len(J))
+    own = np.sum(J.T * np.linalg.solve(model.numpy(p).mass_matrix(q), J.T), axis=0)
+    return 1 / np.sqrt(own + LEAST * np.sum(own))
+
+
 def check_closed(chain: Chain, name: str, values: np.ndarray) -> None:
     """Raise UsageError where a loop is open, or opens: `values` (rows,) are the gaps of `q…` or their rates of `v…`."""
     worst = int(np.argmax(np.abs(values))) if len(values) else 0
@@ -133,6 +143,6 @@ def loads_of_loops(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray | None
     if not model.chain.closures:
         return None
     J, rest = jacobian(model, q, p), np.zeros(model.nv)
-    D = mobility(J, by_drive(model.chain)).dependent
-    forces = np.linalg.lstsq(J[:, D].T, model.numpy(p).bias(q, rest, None)[D])[0]
+    D, shares = mobility(J, by_drive(model.chain)).dependent, sharing(model, q, J, p)
+    forces = shares * np.linalg.lstsq(shares * J[:, D].T, model.numpy(p).bias(q, rest, None)[D])[0]
     return np.array(closing(model)(q, rest, forces, p)[4]).T

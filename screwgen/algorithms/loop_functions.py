@@ -97,13 +97,17 @@ class LoopFunctions:
         answers = [shut.accelerations(places) for _, places in found]
         with self.section("loops: accelerations of the gaps by unit forces of the rows"):
             A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
-        solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(answers))
+        return self.solve_rows(A, wanted), [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
+
+    def solve_rows(self, A: mx.Array, wanted: Sequence[Sequence[Value]]) -> list[list]:
+        """The rows' forces x of ``A x = b``, A (rows, rows), for each b that is wanted; rows that may depend on each
+        other share them."""
+        solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(A))
         apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
         try:
-            forces = [apply(b) for b in wanted]
+            return [apply(b) for b in wanted]
         except SingularError:
             raise self.chain.singular_loops() from None
-        return forces, [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
     def _inertia(self) -> list:
         """The inertia of the coordinates that integrators give theirs."""

@@ -165,8 +165,9 @@ def solver(count: int) -> Program:
     return tracer.program("loops", {"A": count * (count + 1) // 2, "b": count}, {"x": list(x)})
 
 
-COMPLIANCE = 1e-4
-"""Of rows that share forces, as a part of their own entries in A: a thousand times the rounding of single precision."""
+COMPLIANCE, LEAST = 1e-4, 1e-3
+"""Of rows that share forces, as a part of their own entries in A, a thousand times the rounding of single precision;
+and by which part of A's trace an entry counts as larger, so that rows that move nothing have a compliance too."""
 SHARES = 6
 """Solutions for what is left; each leaves `ε/(ε + σ)` of it, with the compliance ε and an eigenvalue σ of A over its
 diagonal: 1e-12 of all after six, where σ is 1 %."""
@@ -184,7 +185,7 @@ def sharing_solver(count: int) -> Program:
     b = mx.array(tracer.input("b", count), (count,))
     whole = sum((A[k, k] for k in range(1, count)), A[0, 0])
     tracer.guard(whole)
-    factor = mx.factorise(A + mx.diagonal([COMPLIANCE * (A[k, k] + 1e-3 * whole) for k in range(count)]))
+    factor = mx.factorise(A + mx.diagonal([COMPLIANCE * (A[k, k] + LEAST * whole) for k in range(count)]))
     x, rest = mx.zeros(count), b
     for k in range(SHARES):
         x = x + mx.solve(factor, rest)

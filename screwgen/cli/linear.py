@@ -154,15 +154,20 @@ def run_equilibrium(
     print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
 
 
-def run_assemble(robot: str, q: str | None, hold: list[str]) -> None:
-    """Print a posture with closed loops as the JSON of a state."""
-    from ..studies.assemble import assemble, redundant
+def run_assemble(robot: str, state: str | None, q: str | None, hold: list[str]) -> None:
+    """Print a posture with closed loops as the JSON of a state, and notes on its rows and on links that it bends."""
+    from ..studies.assemble import assemble, bent, redundant
 
     model = derive(load_robot(robot))
-    start = None if q is None else numbers("q", q, model.n_joints, "joint coordinates")
-    print(json_format.dumps({"q": assemble(model, start, hold).tolist()}))
     for row in redundant(model):
         print(f"screwgen: note: {row}: follows from the other rows and is left out", file=sys.stderr)
+    start = state_in(state, model).q
+    if q is not None:
+        start = numbers("q", q, model.n_joints, "joint coordinates")
+    found = assemble(model, start, hold)
+    print(json_format.dumps({"q": found.tolist()}))
+    if names := bent(model, start, found):
+        print(f"screwgen: note: loops close with bent links alone: {', '.join(names)} moved", file=sys.stderr)
 
 
 def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -> np.ndarray:

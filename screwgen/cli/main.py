@@ -222,11 +222,14 @@ def assemble(
     hold: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="A coordinate that stays; may be given again.")
     ] = None,
+    state: StateFile = None,
 ) -> None:
-    """Print the coordinates nearest to --q with which the loops are closed, as JSON that --state reads."""
+    """Print the coordinates nearest to --q with which the loops are closed, as JSON that --state reads. Links bend only
+    where the loops do not close otherwise; a --state gives the modes that they start from.
+    """
     from .linear import run_assemble
 
-    run_assemble(robot, q, hold or [])
+    run_assemble(robot, state, q, hold or [])
 
 
 app.command(short_help="Write a page in which runs play.", epilog=EPILOG)(view)

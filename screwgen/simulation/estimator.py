@@ -212,10 +212,7 @@ class Estimator:
         M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))
         _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closures)), self._p))
         answers = np.linalg.solve(M, J.T)
-        try:
-            return J, J_q, np.linalg.solve(J @ answers, answers.T).T
-        except np.linalg.LinAlgError:
-            raise chain.singular_loops() from None
+        return J, J_q, self._numeric.row_forces(J @ answers, answers.T).T
 
     def _conditioned(self, P: np.ndarray) -> np.ndarray:
         """The covariance where it is known that the loops are closed, up to rounding."""

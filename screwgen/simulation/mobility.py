@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ..algorithms.loops import LEAST
 from ..arguments import Numbers
 from ..backends.numpy.numeric import Numeric
 from ..errors import UsageError
@@ -102,11 +103,11 @@ def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(n_joints,) of bool: the joints whose coordinates may be stated, as many as the loops leave; all without loops.
 
     Those with drives come before others, and then those that come first in the file. The others follow them. Raises
-    SingularError where rows of the loops depend on each other in this posture.
+    SingularError where rows of the loops depend on each other in this posture that do not in others.
     """
     out, J = np.ones(model.n_joints, bool), jacobian(model, q, p)
     dependent = mobility(J, by_drive(model.chain)).dependent - model.chain.base_v
-    if len(dependent) < len(J):
+    if len(dependent) < len(J) and not model.chain.overconstrained:
         raise model.chain.singular_loops()
     out[dependent[dependent < model.n_joints]] = False
     return out
@@ -129,6 +130,15 @@ def check_staying_closed(chain: Chain, name: str, rates: np.ndarray) -> None:
         raise UsageError(f"{name}: {what}; start at rest, or with rates that keep it closed")
 
 
+def sharing(model: Model, q: np.ndarray, J: np.ndarray, p: Numbers) -> np.ndarray:
+    """(rows,): factors s such that forces s·y of rows which depend on each other are those of the dynamics, out of all
+    that act alike, where y is the shortest; ones where all rows are independent."""
+    if not model.chain.overconstrained:
+        return np.ones(len(J))
+    own = np.sum(J.T * np.linalg.solve(model.numpy(p).mass_matrix(q), J.T), axis=0)
+    return 1 / np.sqrt(own + LEAST * np.sum(own))
+
+
 def loads_of_loops(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray | None:
     """The wrenches (n, 6) of the loops on the tips at rest in a posture `q` whose stated joints are held; None without.
 
@@ -137,6 +147,6 @@ def loads_of_loops(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray | None
     if not model.chain.closures:
         return None
     J, rest = jacobian(model, q, p), np.zeros(model.nv)
-    D = mobility(J, by_drive(model.chain)).dependent
-    forces = np.linalg.lstsq(J[:, D].T, model.numpy(p).bias(q, rest, None)[D])[0]
+    D, shares = mobility(J, by_drive(model.chain)).dependent, sharing(model, q, J, p)
+    forces = shares * np.linalg.lstsq(shares * J[:, D].T, model.numpy(p).bias(q, rest, None)[D])[0]
     return np.array(closing(model)(q, rest, forces, p)[4]).T

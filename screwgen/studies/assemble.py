@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arguments import Given, Numbers, choice
-from ..backends.numpy.closing import closed
+from ..backends.numpy.closing import closed_softly
 from ..errors import UsageError
 from ..topology.loops import closures
 from .modes import posture
@@ -23,19 +23,25 @@ def redundant(model: Model) -> list[str]:
     return [row.text for row in stated if row not in model.chain.closures]
 
 
+def bent(model: Model, start: Numbers, found: np.ndarray) -> list[str]:
+    """The names of the modes that differ between the start (nq,), or of the joints alone, and the posture found."""
+    first = model.chain.eta_q
+    before = np.asarray(start, float)[first:] if np.size(start) == model.nq else np.zeros(model.nq - first)
+    return [model.q_names[first + k] for k in np.flatnonzero(found[first:] != before)]
+
+
 def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p: Given = None) -> np.ndarray:
     """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
 
-    `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, and gears
-    are without load. A floating base stays as well. `p`: parameter values. Raises UsageError, and OpenLoopError where
-    the search ends with an open loop, which it says.
+    `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, unless the
+    loops close with other ones alone; gears are without load. A floating base stays as well. `p`: parameter values.
+    Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
     """
     if not model.robot.loops:
         raise UsageError(f"robot '{model.robot.name}' has no loops; state [[loops]] tables, or leave this out")
     for name in hold:
         choice(name, model.q_names, "hold: there is no coordinate")
-    held = [name in hold or k >= model.chain.eta_q for k, name in enumerate(model.q_names)]
-    p = model.chain.parameters.vector(p)
-    found, chain = closed(model.numpy(p), posture(model, q, p), held), model.chain
+    held, p = [name in hold for name in model.q_names], model.chain.parameters.vector(p)
+    found, chain = closed_softly(model.numpy(p), posture(model, q, p), held), model.chain
     base, joints, _ = np.split(found, [chain.base_q, chain.base_q + chain.n_joints])
     return np.concatenate([base, chain.relaxed(joints, p), found[chain.eta_q :]])

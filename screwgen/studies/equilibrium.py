@@ -12,7 +12,7 @@ import scipy.linalg
 from .. import notebook
 from ..algorithms.transmissions import efforts
 from ..arguments import Given, Numbers, choice
-from ..backends.numpy.closing import OpenLoopError, closed
+from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
 from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
@@ -147,12 +147,13 @@ def closed_start(model: Model, p: np.ndarray, start: np.ndarray, hold: bool) -> 
     chain = model.chain
     if not chain.closures:
         return start, np.ones(chain.n_joints, bool)
-    numeric, m, fixed = model.numpy(p), chain.n_joints, np.arange(chain.nv) >= chain.n_joints
-    near = closed(numeric, start, fixed)
+    numeric, m, fixed = model.numpy(p), chain.n_joints, np.zeros(chain.nv, bool)
+    fixed[m : chain.eta_v] = True
+    near = closed_softly(numeric, start, fixed)
     stated = stated_joints(model, near, p)
     if hold:
         fixed[:m], near[:m] = stated, np.where(stated, start[:m], near[:m])
-        near = closed(numeric, near, fixed)
+        near = closed_softly(numeric, near, fixed)
     return np.append(chain.relaxed(near[:m], p), near[chain.eta_q :]), stated
 
 

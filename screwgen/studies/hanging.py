@@ -15,7 +15,7 @@ from ..algorithms.transmissions import efforts
 from ..simulation.mobility import closing
 from ..topology.loops import Closure
 from .equilibrium import closed_start, rest
-from .shut import ShutBalance
+from .shut import RANK, ShutBalance
 from .steady import Steady, unresisted
 
 if TYPE_CHECKING:
@@ -42,6 +42,6 @@ def about(
     M, K, _ = numeric.slopes(q, still, None, None, tau)
     _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))
     K = K - bend
-    kept = scipy.linalg.null_space(J[:, :m])
+    kept = scipy.linalg.null_space(J[:, :m], rcond=RANK)
     rigid = kept @ unresisted(K[:, :m] @ kept, tau, K[:, m:] @ q[m:])
     return Steady(q, still, M, np.zeros_like(M), (K + K.T) / 2, tau, p, rigid, J, dict(loops), wrench.T)

@@ -8,7 +8,7 @@ import numpy as np
 import scipy.linalg
 
 from ..arguments import Given, Numbers, choice
-from ..backends.numpy.closing import closed
+from ..backends.numpy.closing import closed_softly
 from ..errors import SingularError, UsageError
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch
@@ -181,7 +181,7 @@ def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
     if not chain.closures:
         return at
     if q is None:
-        near, first = closed(model.numpy(p), at, np.arange(chain.nq) >= chain.eta_q), chain.base_q
+        near, first = closed_softly(model.numpy(p), at, np.zeros(chain.nq, bool)), chain.base_q
         joints = chain.relaxed(near[first : first + chain.n_joints], p)
         at = np.concatenate([near[:first], joints, near[chain.eta_q :]])
     check_closed(model.numpy(p), "q", at)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy.linalg
 
-from ..simulation.mobility import closing
+from ..simulation.mobility import closing, sharing
 from .statics import Balance, Statics
 
 ROUNDS, CLOSED = 20, 1e-13
@@ -38,7 +38,8 @@ class Shut(Statics):
         b, i, D = super().at(q), self.moving, self.units[self.moving]
         J = self._loops(q, None)[1]
         A = J[:, i] / D
-        forces = scipy.linalg.lstsq(A.T, (b.force[i] / D), cond=RANK)[0] if len(i) else np.zeros(len(J))
+        shares = sharing(self.model, q, J, self.p)
+        forces = shares * (scipy.linalg.lstsq(shares * A.T, b.force[i] / D, cond=RANK)[0] if len(i) else 0.0)
         bend, wrench = self._loops(q, forces)[3:]
         more = {"J": J, "forces": forces, "free": scipy.linalg.null_space(A, rcond=RANK), "loop_wrench": wrench.T}
         own = {name: getattr(b, name) for name in Balance.__dataclass_fields__}

@@ -69,6 +69,12 @@ class Chain(Coordinates):
         if self.closures:
             raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 
+    def needs_independent_rows(self, what: str, instead: str) -> None:
+        """The same where rows of the loops depend on each other in every posture."""
+        if self.overconstrained:
+            said = f"robot '{self.robot.name}' is overconstrained: rows of its loops depend on each other, for which"
+            raise UsageError(f"{said} there is no {what}; {instead}")
+
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
         if self.keys[link].free:

@@ -6,12 +6,13 @@ import warnings
 from collections.abc import Mapping
 
 from ...algorithms.linearise import linearisation
+from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from . import step_derivatives
-from .code import Place, singular
+from .code import Place, literal, singular
 from .pieces import piece_place, pieces
 
 FILES = ("derivatives.h", "derivatives.c", "wrench_derivatives.c")
@@ -54,12 +55,18 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
     return made | {
         "solve": solve,
         "rows": rows,
+        "sharing": _sharing() if chain.overconstrained else None,
         "closing": chain.closures[-1].second if rows else None,
         "stumpff": chain.floating or bool(SLOPES_OF_STUMPFF & program.operations.keys()),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
         "wrenches": _wrenches(chain, baked, place),
     }
+
+
+def _sharing() -> dict:
+    """How rows that may depend on each other share what they bear, as :func:`...algorithms.loops.sharing_solver`."""
+    return {"compliance": literal(COMPLIANCE), "least": literal(LEAST), "times": SHARES}
 
 
 def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:

@@ -74,6 +74,8 @@ def acados(
     _check("binding of the parameters", binding, BINDINGS)
     tau = ca.SX.sym("tau", chain.n_tau)
     p, robot_p, wrenches, labels, values = _parameters(chain, binding, w_ext)
+    instead = "step it by `casadi` or compiled C, which share the forces of these rows"
+    chain.needs_independent_rows("export to acados, whose unknowns must be unique", instead)
     maker = _joint if form == "joint" else _dae
     parts = maker(chain, functions, tau, wrenches, robot_p)
     u_labels = tuple(coordinate_names(chain.robot).tau)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 import numpy as np
 
@@ -63,6 +64,19 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
             return found
         ends.append((worst, found))
     raise _open(numeric, min(ends, key=lambda end: end[0])[1])
+
+
+def closed_softly(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray) -> np.ndarray:
+    """The same with modes that stay as in `q`; where the loops do not close so, modes that are not `held` move too."""
+    held, bending = np.asarray(held, bool), modes(numeric.chain)
+    try:
+        return closed(numeric, q, held | bending)
+    except OpenLoopError as error:
+        if (held | ~bending).all():
+            raise
+        with suppress(OpenLoopError):
+            return closed(numeric, q, held)
+        raise error
 
 
 def _open(numeric: Numeric, q: np.ndarray) -> OpenLoopError:

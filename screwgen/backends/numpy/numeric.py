@@ -181,12 +181,19 @@ class Numeric:
         functions = self._functions(FORWARD, MOTION, INVERSE, SENSITIVITY)
         _, f, rows = closed_slopes(functions, *state, functions.section)
         M, J = np.tril(f.M.astype(float)), rows.J.astype(float)
-        inertia, zero = M + np.tril(M, -1).T, np.zeros((len(J), len(J)))
-        loads = [-np.vstack(x).astype(float) for x in ((f.f_q, rows.by_q), (f.f_v, rows.by_v))]
-        loads.append(np.vstack([given, np.zeros((len(J), given.shape[1]))]))
-        solved = np.linalg.solve(np.block([[inertia, -J.T], [J, zero]]), np.hstack(loads))[: self.chain.nv]
-        by_q, by_v, by_tau = np.split(solved, [self.chain.nv, 2 * self.chain.nv], axis=1)
+        inertia, drifts = M + np.tril(M, -1).T, [rows.by_q, rows.by_v, np.zeros((len(J), given.shape[1]))]
+        free = np.linalg.solve(inertia, np.hstack([-f.f_q.astype(float), -f.f_v.astype(float), given]))
+        reach = np.linalg.solve(inertia, J.T)
+        found = free - reach @ self.row_forces(J @ reach, J @ free + np.hstack(drifts).astype(float))
+        by_q, by_v, by_tau = np.split(found, [self.chain.nv, 2 * self.chain.nv], axis=1)
         return by_q, by_v, by_tau
+
+    def row_forces(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
+        """X (rows, n) of ``A X = b`` with ``A = J M⁻¹ Jᵀ`` of the loops' rows, as the dynamics solve for their forces.
+
+        Raises SingularError where rows depend on each other that do not share what they bear.
+        """
+        return np.array(self._functions(MOTION).solve_rows(A, b.T.tolist()), float).reshape(-1, len(A)).T
 
     def levers(self, q) -> np.ndarray:
         """What the torque of each axis is multiplied by (n_tau,): of a cylinder its travel per rad, m, of a linkage the

@@ -215,7 +215,7 @@ class Linearised:
         if self.model.chain.closures:
             J = mobility.jacobian(self.model, self.q, self.p)
             reach = np.linalg.solve(M + added, J.T)
-            factor += reach @ np.linalg.solve(J @ reach, J @ (np.eye(len(M)) - factor))
+            factor += reach @ self.model.numpy(self.p).row_forces(J @ reach, J @ (np.eye(len(M)) - factor))
         return Slopes(*(factor @ slope for slope in self.slopes(0.0)))
 
     def _derivatives(self, h: float) -> Slopes:

@@ -4,11 +4,13 @@ import warnings
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of, quick, quick_batch
+from helpers import QUICK, arm, link, model_of, quick, quick_batch
 from mechanisms import bennett, sarrus, slider_crank
 
-from screwgen import ScrewgenError, UsageError, assemble, rollout, simulate
+from screwgen import ScrewgenError, SingularError, UsageError, assemble, rollout, simulate
 from screwgen.backends.numpy.closing import moving
+from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.loop_watch import LoopWarning, OpenedError
 
 
@@ -143,3 +145,17 @@ def test_a_scenario_that_opens_its_loop_keeps_its_last_closed_state():
     assert np.array_equal(run.q[0, k], run.q[0, -1])
     apart = [np.max(model.numpy().mismatch(q)) for q in run.q[0, k - 3 : k + 1]]
     assert max(apart) < 0.01
+
+
+# ------------------------------------------------------------------------------ filters
+
+
+def test_filters_refuse_a_start_half_a_turn_away():
+    """All rows vanish there, so that the correction that closes them finds nothing to do."""
+    model, noise = model_of(slider_crank("guide")), Noise(1.0)
+    turned = np.array([0.0, 0.0, np.pi])
+    compiled = CompiledEstimator(model, flags=QUICK)
+    for filter_ in (Estimator(model), compiled):
+        filter_.start(np.zeros(3), np.zeros(3), 0.1, 0.1, noise)
+        with pytest.raises(SingularError, match="loops do not close"):
+            filter_.start(turned, np.zeros(3), 0.1, 0.1, noise)

@@ -196,7 +196,8 @@ class Estimator:
             if n % CHORDS == 0:
                 J, J_q, reach = self._directions(q, v)
             q = self._moved(q, -reach @ self._numeric.gaps(q, None)[0])
-        if not (np.abs(self._numeric.gaps(q, None)[0]) < CLOSED).all():
+        rows, frames = self._numeric.gaps(q, None)[0], self._numeric.mismatch(q)
+        if not ((np.abs(rows) < CLOSED).all() and (frames < EPSILON**0.5).all()):
             raise SingularError("the filter's loops do not close from where it leads; look at the measurements")
         self._rows, n = (J, J_q), self.model.nv
         keep = np.eye(n) - reach @ J

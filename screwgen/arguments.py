@@ -152,6 +152,19 @@ class Parameters:
         """Where a parameter stands among all."""
         return self.names.index(choice(name, self.names, "parameters: there is no"))
 
+    def refused(self, rows: np.ndarray) -> dict[int, str]:
+        """What :meth:`check` says of each of the rows (k, n) that it refuses."""
+        out: dict[int, str] = {}
+        try:
+            self.check(rows)
+        except UsageError:
+            for k, row in enumerate(rows):
+                try:
+                    self.check(row[None])
+                except UsageError as error:
+                    out[k] = str(error)
+        return out
+
     def check(self, rows: np.ndarray) -> None:
         """Refuse values (k, n) that a robot file may not state: raises UsageError that names the first of them."""
         low = (rows < self.least) | ((rows == self.least) & self.positive)

@@ -264,6 +264,13 @@ def test_failures_leave_the_estimate_untouched():
         refused(lambda dt=dt: e.predict(np.zeros(3), free, dt), match="bad argument")
     for given in ({"encoder": np.zeros(3)}, {"strain": np.zeros(4)}, {"acceleration": np.zeros(3)}):
         refused(lambda given=given: e.update(np.zeros(3), free, **given), match="bad argument", noise=silent)
+    for name, density in (("density_v", -1000.0), ("density_v", nan), ("density_q", -1e-9)):
+
+        def predict(name=name, density=density):
+            e._at[f"estimator.{name}"][1] = density
+            e.predict(np.zeros(3), free, 1e-3)
+
+        refused(predict, match="bad argument")
     lost = np.diag(np.r_[1.0, -1.0, np.ones(16)])
     refused(lambda: e.update(np.zeros(3), free, np.zeros(3)), SingularError, "definiteness", P=lost)
     assert e.fault == -1

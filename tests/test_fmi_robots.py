@@ -1,5 +1,6 @@
 """Units of robots of every sort: what fmpy says, steps against the C, derivatives against CasADi; and wrong use."""
 
+from ctypes import c_double
 from functools import partial
 
 import mpmath
@@ -10,6 +11,8 @@ from fmi_units import Unit, written
 from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 from helpers import arm, example_dict, example_file, link, model_of, quick, relative
+from mechanisms import sarrus, slider_crank
+from test_closed_runs import moving_off
 from test_fmi import responses, state_of
 
 from screwgen.algorithms import fused, response
@@ -110,6 +113,32 @@ MAKERS = {name: partial(example_dict, name) for name in (*ROBOTS, "crane_loop")}
 def test_open_loops_are_refused():
     with pytest.raises(FMICallException):
         Unit("fmu2", "cs", MAKERS["crane_loop"]).ready()
+
+
+def test_a_start_with_frames_half_a_turn_apart_is_refused():
+    """A slider-crank whose piston is turned over: all rows of its loop vanish."""
+    unit = Unit("fmu2", "cs", partial(slider_crank, "guide"))
+    with pytest.raises(FMICallException):
+        unit.ready(**{"piston.joint[0]": np.pi})
+
+
+@pytest.mark.parametrize(("target", "kind"), [("fmu2", "cs"), ("fmu3", "me")])
+def test_a_loop_that_opens_stops_the_unit(target, kind):
+    """In co-simulation a step is discarded; in model exchange the end is asked for."""
+    unit = Unit(target, kind, sarrus)
+    rates = moving_off(unit.model, 3.0)
+    unit.ready(**dict(zip(unit.model.v_names, rates, strict=True)))
+    if kind == "cs":
+        assert unit.step(0.0, 0.01) is None
+        with pytest.raises(FMICallException):
+            for k in range(1, 100):
+                unit.step(0.01 * k, 0.01)
+    else:
+        states = np.zeros(10)
+        for opened in (False, True):
+            states[0] = 0.1 * opened
+            unit.fmu.setContinuousStates((c_double * 10)(*states), 10)
+            assert unit.fmu.completedIntegratorStep()[1] == opened
 
 
 def test_without_a_compiler_there_are_the_sources(tmp_path, monkeypatch, capsys):

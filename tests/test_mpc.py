@@ -204,6 +204,29 @@ def test_late_and_limited(controllers):
         c.feedback(np.full(6, np.nan), np.zeros(6))
 
 
+@pytest.mark.parametrize("outside", [0.0, 3.0])
+def test_without_a_plan_torques_are_within_the_bounds(tmp_path, outside):
+    """Memory that nobody has set to zero, and a start that is refused."""
+    (tmp_path / "mpc.toml").write_text(PLAIN)
+    c = model().mpc(tmp_path / "mpc.toml", flags=QUICK)
+    for view in (c.inner[name] for name in ("x", "tau", "acting", "prepared")):
+        view[...] = 7.0 if view.dtype.kind == "i" else -3.7e279
+    lower, upper = (c.options[name] for name in ("torque_lower", "torque_upper"))
+    lower[0] = outside
+    qp_iterations, c.options["qp_iterations"][:] = c.options["qp_iterations"].copy(), -1
+    for call in (lambda: c.initialise(start(), np.zeros(6)), lambda: c.feedback(start(), np.zeros(6))):
+        with pytest.raises(screwgen.ScrewgenError, match="bad argument"):
+            call()
+    assert c._at["tau"][0] == outside and (c._at["tau"][1:] == 0).all()
+    c.options["qp_iterations"][:] = qp_iterations
+    c.initialise(start(), np.zeros(6))
+    c.prepare()
+    upper[0] = lower[0] = 1.5
+    with pytest.raises(screwgen.ScrewgenError, match="non-finite"):
+        c.feedback(np.full(6, np.nan), np.zeros(6))
+    assert c._at["tau"][0] == 1.5
+
+
 @pytest.mark.long
 def test_in_float(controllers):
     double, single = controllers(PLAIN), controllers(PLAIN, True)

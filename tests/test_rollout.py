@@ -3,6 +3,7 @@
 import os
 import signal
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -175,6 +176,21 @@ def test_failed_scenarios_are_reported_and_the_others_go_on(ella):
     assert repr(good) == "<Rollout of 6 scenarios, 8 steps to 0.008 s>"
 
 
+@pytest.mark.parametrize("single", [False, True])
+def test_parameters_that_no_robot_has_stop_their_scenario_alone(ella, single):
+    x0, rhoA = states(ella, 4), np.array([2.0, -1.0, 2.1, np.inf])
+    run = rollout(ella, x0, step=STEP, steps=3, parameters={"forearm.rhoA": rhoA}, single=single)
+    good = rollout(ella, x0[::2], step=STEP, steps=3, parameters={"forearm.rhoA": rhoA[::2]}, single=single)
+    assert list(run.status) == [0, 3, 0, 3] and list(run.completed) == [3, 0, 3, 0]
+    assert np.array_equal(run.x[::2], good.x) and np.allclose(run.x[1], x0[1], atol=1e-7)
+    assert run.report()[0] == "scenario 1 stopped at t = 0 s: parameters: forearm.rhoA is -1; it must be > 0"
+    with ThreadPoolExecutor(1) as executor:
+        again = rollout(
+            ella, x0, step=STEP, steps=3, parameters={"forearm.rhoA": rhoA}, single=single, executor=executor
+        )
+    assert again.report() == run.report() and np.array_equal(again.x, run.x)
+
+
 def test_a_singular_scenario_names_the_link():
     bare = [link("rod", axes="x"), link("blade", axes="z")]
     for table in bare:
@@ -209,7 +225,7 @@ REFUSED = {
     "an unknown parameter": ({"parameters": {"mass": 1.0}}, "no 'mass'"),
     "a vector too short": ({"parameters": [1.0, 2.0]}, "parameters has the shape (2,)"),
     "a parameter of another batch": ({"x0": np.zeros((3, 18)), "parameters": {"gravity[2]": [1, 2]}}, "parameters 2"),
-    "a negative mass": ({"parameters": {"forearm.rhoA": [1.0, -1.0]}}, "of scenario 1: forearm.rhoA is -1; it must be"),
+    "a negative mass for all": ({"parameters": {"forearm.rhoA": -1.0}}, "parameters: forearm.rhoA is -1; it must be"),
     "more than memory": ({"x0": np.zeros((1000, 18)), "steps": 10**6}, "would take 144 GB"),
 }
 

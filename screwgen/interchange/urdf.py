@@ -15,6 +15,8 @@ from .rigid import HERE, Inertial, Pose, pose, turned
 FREE, FIXED = "floating", "fixed"
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 TYPES = (*TURNING, *SLIDING, FIXED, FREE, "planar")
+SHORTEST = 1e-6
+"""An axis shorter than this is lengthened, so that the square of its length is a number."""
 LOOKS = ("visual", "collision", "material")
 READ = {
     "robot": ("link", "joint", "transmission"),
@@ -159,7 +161,8 @@ def _axis(element: Element, kind: str) -> list[float]:
     axis = stated.numbers("xyz", 3, "position")
     if not any(axis):
         raise stated.fault("is the zero vector; an axis needs a direction", "xyz")
-    return axis
+    largest = max(map(abs, axis))
+    return axis if largest > SHORTEST else [x / largest for x in axis]
 
 
 def _limits(joint: UrdfJoint, limit: Element) -> None:

@@ -9,7 +9,6 @@ metres.
 
 from __future__ import annotations
 
-import io
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,12 +19,13 @@ import scipy.sparse as sparse
 from scipy.sparse.linalg import ArpackError, eigsh, splu
 
 from ..errors import RobotFileError
+from ..files import open_arrays
 from . import INTERFACES
 from .invariants import EPS, Invariants, Node, hat
-from .sid import content
 from .standard import MOST_MODES
 
-MAX_BYTES = 2**31
+LARGEST = 1e100
+"""An entry of a matrix or coordinate beyond this is no measure of a thing."""
 PARTS = ("data", "indices", "indptr", "shape")
 NOISE = 1e-11
 """Integrals below this, relative to what their factors allow, are rounding errors of zeros."""
@@ -93,43 +93,59 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     stiffness; ``nodes`` (n, 3), m; ``set_base``, ``set_tip`` and others, indices of nodes; and where wanted
     ``point_base`` …, the reference point (3,) m of a set, by default the mean of its nodes. Raises RobotFileError.
     """
-    file = os.fspath(path)
+    file, needed = os.fspath(path), [f"{m}_{part}" for m in "MK" for part in PARTS] + ["nodes"]
     try:
-        with np.load(io.BytesIO(content(path, MAX_BYTES)), allow_pickle=False) as data:
-            stored = {name: data[name] for name in data.files}
-    except (ValueError, OSError, EOFError, AttributeError):
-        raise RobotFileError(f"{file}: is no .npz file; write it with numpy.savez") from None
+        with open_arrays(path) as data:
+            stored = {name: data[name] for name in data if name in needed or name.startswith(("set_", "point_"))}
+    except FileNotFoundError:
+        raise RobotFileError(f"{file}: there is no such file; paths are relative to the robot file") from None
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or str(error)
+        raise RobotFileError(f"{file}: cannot be read as a .npz file: {why}; write it with numpy.savez") from None
     fault = lambda what: RobotFileError(f"{file}: {what}")  # noqa: E731
-    needed = [f"{m}_{part}" for m in "MK" for part in PARTS] + ["nodes"]
     if missing := [name for name in needed if name not in stored]:
         raise fault(f"has no '{missing[0]}'; it needs {', '.join(needed)} and sets of nodes")
     places = stored["nodes"]
-    if places.ndim != 2 or places.shape[1] != 3 or not np.issubdtype(places.dtype, np.floating):
+    if places.ndim != 2 or places.shape[1] != 3 or places.dtype.kind != "f" or not len(places):
         raise fault("nodes must be an array (n, 3) of coordinates in m")
+    if not _is_finite(places):
+        raise fault("nodes holds numbers that are not finite; give coordinates in m")
     M, K = (_matrix(stored, name, len(places), fault) for name in "MK")
     sets = {name[4:]: _set(stored, name, len(places), fault) for name in stored if name.startswith("set_")}
     points = {name: stored.get(f"point_{name}", places[nodes].mean(axis=0)) for name, nodes in sets.items()}
-    if wrong := [name for name, point in points.items() if point.shape != (3,) or not np.isfinite(point).all()]:
+    if wrong := [name for name, point in points.items() if not _is_point(point)]:
         raise fault(f"point_{wrong[0]} must be three coordinates in m")
     return Mesh(M, K, places, sets, points)
 
 
 def _matrix(stored: Mapping[str, np.ndarray], name: str, n: int, fault) -> sparse.csc_matrix:
-    data, indices, indptr, shape = (stored[f"{name}_{part}"] for part in PARTS)
+    data, *places = (stored[f"{name}_{part}"] for part in PARTS)
     try:
-        out = sparse.csr_matrix((data.astype(float), indices, indptr), shape=tuple(map(int, shape))).tocsc()
-    except (ValueError, TypeError, IndexError):
+        if data.dtype.kind not in "iuf" or any(x.dtype.kind not in "iu" or x.ndim != 1 for x in places):
+            raise TypeError
+        indices, indptr, shape = places
+        out = sparse.csr_matrix((data.astype(float), indices, indptr), shape=tuple(map(int, shape)))
+        out.check_format(full_check=True)  # an index out of bounds would be written through
+    except (ValueError, TypeError, IndexError, OverflowError):
         raise fault(f"{name} is no sparse matrix; store the parts of a scipy.sparse.csr_matrix") from None
     if out.shape not in ((3 * n, 3 * n), (6 * n, 6 * n)):
         raise fault(f"{name} is {out.shape[0]} x {out.shape[1]}; with {n} nodes it must have {3 * n} or {6 * n} rows")
-    if not np.isfinite(out.data).all() or abs(out - out.T).max() > 1e-9 * abs(out).max():
+    if not _is_finite(out.data) or abs(out - out.T).max() > 1e-9 * abs(out).max():
         raise fault(f"{name} is not finite and symmetric; it must be both")
     return ((out + out.T) / 2).tocsc()
 
 
+def _is_point(point: np.ndarray) -> bool:
+    return point.shape == (3,) and point.dtype.kind in "iuf" and _is_finite(point)
+
+
+def _is_finite(values: np.ndarray) -> bool:
+    return bool((np.abs(values.astype(float)) < LARGEST).all())
+
+
 def _set(stored: Mapping[str, np.ndarray], name: str, n: int, fault) -> np.ndarray:
     nodes = np.unique(stored[name])
-    if not np.issubdtype(nodes.dtype, np.integer) or not len(nodes) or nodes[0] < 0 or nodes[-1] >= n:
+    if nodes.dtype.kind not in "iu" or not len(nodes) or nodes[0] < 0 or nodes[-1] >= n:
         raise fault(f"{name} must be indices of nodes, from 0 to {n - 1}")
     return nodes
 

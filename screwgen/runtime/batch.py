@@ -68,17 +68,22 @@ class CompiledBatch:
         self.project, files = model.once(("batch files", *methods), lambda: _files(model, methods))
         self.library = load(files, [*flags, *define], compiler)
 
-    def constants(self, p: np.ndarray) -> np.ndarray:
+    def prepared(self, p: np.ndarray) -> tuple[np.ndarray, dict[int, str]]:
         """The constants of robots with the parameters ``p`` (robots, n_parameters), as bytes (robots, size).
 
-        Raises :class:`UsageError` naming the first robot whose parameters are invalid.
+        Beside them, what is wrong with robots whose parameters are invalid, by their number.
         """
-        p, failed = np.ascontiguousarray(p, self.real), ctypes.c_int()
+        p, status = np.ascontiguousarray(p, self.real), np.zeros(len(p), np.int32)
         out = np.zeros((len(p), self.library.shim_constants_size()), np.uint8)
-        if status := self.library.shim_prepare(pointer(p), len(p), pointer(out), ctypes.byref(failed)):
-            raise UsageError(
-                f"parameters of scenario {failed.value}: {STATUS[status]}; lengths, masses and stiffnesses must be > 0"
-            )
+        self.library.shim_prepare(pointer(p), len(p), pointer(out), pointer(status))
+        wrong = "parameters: {}; lengths, masses and stiffnesses must be > 0"
+        return out, {int(k): wrong.format(STATUS[status[k]]) for k in np.flatnonzero(status)}
+
+    def constants(self, p: np.ndarray) -> np.ndarray:
+        """The constants of :meth:`prepared`; raises :class:`UsageError` where the parameters of a robot are invalid."""
+        out, refused = self.prepared(p)
+        for k, said in refused.items():
+            raise UsageError(f"scenario {k}: {said}")
         return out
 
     def run(self, q, v, tau, w_ext, constants, dt: float, hold: int, method: str | Method, threads: int):

@@ -94,8 +94,8 @@ class Estimator:
         q, v = self._stepper.step(self._stepper.initial(self._q, self._v), tau, w_ext, dt)
         Phi, G = self._transition(*self._middle(q, v, dt), tau, w_ext, dt)
         n = self.model.nv
-        P = Phi @ self._P @ Phi.T + dt * G @ np.diag(self._full(self.noise.density_v, n)) @ G.T
-        P[np.arange(n), np.arange(n)] += dt * self._full(self.noise.density_q, n)
+        P = Phi @ self._P @ Phi.T + dt * G @ np.diag(spread(self.noise.density_v, "density_v", n)) @ G.T
+        P[np.arange(n), np.arange(n)] += dt * spread(self.noise.density_q, "density_q", n)
         self._accept(q, v, P)
 
     def _middle(self, q: np.ndarray, v: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from ..arguments import Given, real_numbers, seconds, whole
 from ..errors import UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
-from ..runtime.batch import OK, SINGULAR, compiled_batch
+from ..runtime.batch import OK, SINGULAR, CompiledBatch, compiled_batch
 from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
 from .chunks import in_chunks, merged
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from ..model import Model
 
 MAX_BYTES = 4 * 2**30
-OPEN = 4
-"""The status of a scenario whose loops are open."""
+REFUSED, OPEN = 3, 4
+"""The statuses of scenarios whose parameters no robot can have, and whose loops are open."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -38,8 +38,9 @@ class Rollout:
     ``t`` (steps + 1,): sample times; ``q`` (batch, steps + 1, nq), ``v`` (.., nv): coordinates in their order and
     their rates, views of arrays that hold the scenarios side by side.  ``status`` (batch,): 0 for a scenario that
     completed, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
-    joint or mode could not be solved for, 4 where a loop is open; that scenario keeps its last good state from there
-    on.  ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
+    joint or mode could not be solved for, 3 where its parameters are those of no robot, 4 where a loop is open; that
+    scenario keeps its last good state from there on.
+    ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
     """
 
     t: np.ndarray
@@ -51,6 +52,8 @@ class Rollout:
     links: tuple[str, ...]
     validity: Validity
     """The largest validity measures: deflection and slope of all samples, loads of some, the fastest included."""
+    refused: Mapping[int, str] = field(default_factory=dict)
+    """What is wrong with the parameters of scenarios of status 3."""
 
     def __repr__(self) -> str:
         count, samples, _ = self.q.shape
@@ -72,7 +75,7 @@ class Rollout:
         return [self._line(int(i)) for i in np.flatnonzero(~self.ok)]
 
     def _line(self, i: int) -> str:
-        why = "its state or a result is not finite"
+        why = self.refused.get(i, "its state or a result is not finite")
         if self.status[i] == OPEN:
             why = "a loop is open; start from what screwgen.assemble gives, or take shorter steps"
         if self.status[i] == SINGULAR:
@@ -117,6 +120,8 @@ def rollout(
     given, count, how = checked(
         model, x0, tau, w_ext, parameters, step, steps, substeps, integrator, threads=threads, single=single
     )
+    if len(given["parameters"]) == 1:
+        model.chain.parameters.check(given["parameters"])
     if executor is None:
         run = rolled(model, given, count, *how)
     else:
@@ -148,26 +153,48 @@ def rolled(model, given, count, periods, step, substeps, method, threads, single
     path = [np.empty((periods + 1, *start.shape), batch.real) for start in starts]
     for rows, start in zip(path, starts, strict=True):
         rows[0] = start
-    constants = batch.constants(given["parameters"])
+    p, constants, refused = _constants(model, batch, given["parameters"])
+    if refused and len(p) < count:
+        raise UsageError(refused[0])
+    given = given | {"parameters": p}
     tau, w_ext = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
     status, fault, done = batch.run(path[0], path[1], tau, w_ext, constants, step / substeps, substeps, method, threads)
     q, v = (rows.transpose(2, 0, 1) for rows in path)
     done //= substeps
-    for i, k in enumerate(opened(model, given["parameters"], q)):
-        if k <= min(done[i], periods):
-            status[i], done[i] = OPEN, max(k - 1, 0)
-            for x in (q, v):
-                x[i, k:] = x[i, done[i]]
+    for k, first in enumerate(opened(model, p, q)):
+        if first <= done[k]:
+            status[k], done[k] = OPEN, max(first - 1, 0)
+            q[k, first:], v[k, first:] = q[k, done[k]], v[k, done[k]]
+    for k in refused:
+        status[k], done[k], fault[k], q[k], v[k] = REFUSED, 0, -1, q[k, 0], v[k, 0]
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)
-    return Rollout(t, q, v, status, done, fault, links, watched(model, given, t, q, v))
+    return Rollout(t, q, v, status, done, fault, links, watched(model, given, t, q, v), refused)
+
+
+def _constants(model: Model, batch: CompiledBatch, p: np.ndarray) -> tuple[np.ndarray, np.ndarray, dict[int, str]]:
+    """Parameters (batch or 1, n), their constants, and what is wrong with those of scenarios that cannot be.
+
+    These have the parameters of the file.
+    """
+    own = model.chain.parameters
+    refused = own.refused(p)
+    p = np.where(np.isin(np.arange(len(p)), list(refused))[:, None], own.values, p)
+    constants, more = batch.prepared(p)
+    refused |= more
+    if more:
+        p[list(more)], constants[list(more)] = own.values, batch.constants(own.values[None])
+    return p, constants, refused
 
 
 def joined(runs: list[Rollout]) -> Rollout:
     """Rollouts one behind the other."""
     names = ("q", "v", "status", "completed", "fault")
     stacked = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
-    return Rollout(t=runs[0].t, **stacked, links=runs[0].links, validity=merged([run.validity for run in runs]))
+    starts = np.cumsum([0, *(len(run.status) for run in runs)])
+    refused = {k + start: said for run, start in zip(runs, starts, strict=False) for k, said in run.refused.items()}
+    validity = merged([run.validity for run in runs])
+    return Rollout(t=runs[0].t, **stacked, links=runs[0].links, validity=validity, refused=refused)
 
 
 def _rows(values: np.ndarray, count: int, real) -> np.ndarray:
@@ -245,7 +272,6 @@ def _parameters(given: Given, model: Model) -> np.ndarray:
             out[:, known.place(name)] = column
     else:
         out = _array(known.values if given is None else given, "parameters", known.values.shape, "(batch, n) or (n,)")
-    known.check(out)
     return out
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from .. import notebook
 from ..errors import UsageError
-from ..files import create
+from ..files import Arrays, create, open_arrays
 from ..spec.load import dump, one_line
 from .hits import Hit
 from .validity import Validity
@@ -130,6 +130,18 @@ FORMATS: dict[str, Callable[[Run, BinaryIO], None]] = {".npz": write_npz, ".csv"
 
 
 # ------------------------------------------------------------------------------ files
+
+
+@contextmanager
+def run_arrays(path: str | os.PathLike[str]) -> Iterator[Arrays]:
+    """The arrays of the .npz file of a run; what cannot be read becomes a UsageError that names the file."""
+    shown = one_line(os.fsdecode(path))
+    try:
+        with open_arrays(path) as arrays:
+            yield arrays
+    except (OSError, ValueError) as error:
+        why = one_line(getattr(error, "strerror", None) or str(error))
+        raise UsageError(f"{shown}: cannot be read as a run ({why}); give a .npz of simulate") from None
 
 
 def suffix(path: str | os.PathLike[str]) -> str:

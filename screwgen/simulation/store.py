@@ -10,7 +10,7 @@ from typing import Any, BinaryIO, Protocol
 import numpy as np
 
 from ..errors import UsageError
-from ..files import create, open_regular
+from ..files import create, mapped_array, open_regular
 from .zarr_rows import Zarr
 
 
@@ -81,7 +81,7 @@ class Npy:
             path.unlink(missing_ok=True)
 
     def result(self) -> tuple[np.memmap, np.memmap]:
-        values, statuses = (np.load(path, mmap_mode="r") for path in self.paths)
+        values, statuses = map(mapped_array, self.paths)
         return values, statuses
 
 

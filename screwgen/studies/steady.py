@@ -139,7 +139,7 @@ def _unchanged(here: np.ndarray, there: np.ndarray, scale: float, moving: np.nda
     """Raise UsageError if forces or masses of what may move differ at two places along the motion."""
     places = np.ix_(*(moving,) * here.ndim)
     change = np.max(np.abs((there - here)[places]), initial=0.0)
-    if change > SAME * max(scale, np.max(np.abs(here))):
+    if change > SAME * max(scale, np.max(np.abs(here), initial=0.0)):
         text = "the loads on what may move change as the joints turn, so there is no steady motion at these rates"
         raise UsageError(f"{text}; turn one joint about the vertical, or leave gravity out")
 

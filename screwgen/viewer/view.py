@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import warnings
-import zipfile
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,7 +14,7 @@ from ..interchange.load import ImportNote
 from ..model import Model, derive
 from ..plotting.mode_plot import STATIONS, STEP, amplified, displaced, field, meaning
 from ..simulation.motion import centrelines
-from ..simulation.runs import ARRAYS, NAMES, Run
+from ..simulation.runs import ARRAYS, NAMES, Run, run_arrays
 from ..spec.load import loads, one_line
 from ..spec.robot import Robot
 from ..studies.modes import ModeShapes
@@ -24,7 +23,6 @@ from .page import View, mode_clip, page, run_page
 from .scene import scene
 
 MOST_RUNS, MOST_MODES = 2, 12
-GIVE = "give a .npz of simulate"
 PHASES = np.linspace(0.0, 1.0, 49)
 """Of a period, at which a mode is stored."""
 TURN = 0.35
@@ -96,18 +94,11 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
 def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
     """The run in a .npz file, with its robot if the file has it, else `robot`; raises UsageError."""
     shown = one_line(os.fsdecode(path))
-    try:
-        with np.load(path, allow_pickle=False) as data:
-            if not isinstance(data, np.lib.npyio.NpzFile):
-                raise ValueError("it is one array")
-            arrays: dict[str, Any] = {name: np.array(data[name], float) for name in ARRAYS}
-            names: dict[str, Any] = {name: tuple(map(str, data[name])) for name in NAMES}
-            text = str(data["robot"]) if "robot" in data else None
-            parameters = np.array(data["parameters"], float) if "parameters" in data else None
-    except (OSError, ValueError, zipfile.BadZipFile) as error:
-        raise UsageError(f"{shown}: cannot be read as a run ({one_line(str(error))}); {GIVE}") from None
-    except KeyError as error:
-        raise UsageError(f"{shown}: has no {one_line(str(error.args[0]))}; {GIVE}") from None
+    with run_arrays(path) as stored:
+        arrays: dict[str, Any] = {name: stored.numbers(name) for name in ARRAYS}
+        names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
+        text = "".join(stored.texts("robot")) if "robot" in stored else None
+        parameters = stored.numbers("parameters") if "parameters" in stored else None
     if robot is None and text is not None:
         try:
             robot = loads(text, shown, os.path.dirname(os.fspath(path)))

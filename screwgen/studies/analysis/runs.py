@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import zipfile
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ import numpy as np
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...simulation.integrate import Evaluator
+from ...simulation.runs import run_arrays
 from ...simulation.validity import Validity, Watch
 from ...spec.load import one_line
 
@@ -25,14 +25,10 @@ SAME = 1e-6
 def read_motion(path: str, model: Model) -> dict[str, np.ndarray]:
     """`t` (N,), `q`, `v` (N, nq), `tau` (N, n_joints) and `wrench` (N, n, 6) of a .npz run; raises UsageError."""
     shown = one_line(path)
-    try:
-        with np.load(path, allow_pickle=False) as data:
-            found = {name: np.array(data[name], float) for name in NEEDED}
-    except (OSError, ValueError, zipfile.BadZipFile) as error:
-        why = one_line(str(error))
-        raise UsageError(f"{shown}: cannot be read as a run ({why}); give a .npz of simulate") from None
-    except KeyError as error:
-        raise UsageError(f"{shown}: has no {one_line(str(error.args[0]))}; give a .npz of simulate") from None
+    with run_arrays(path) as arrays:
+        found = {name: arrays.numbers(name) for name in NEEDED}
+    if found["t"].ndim != 1:
+        raise UsageError(f"{shown}: t has the shape {found['t'].shape}; it must be a list of times")
     count = len(found["t"])
     sizes = {"q": (model.nq,), "v": (model.nv,), "tau": (model.n_tau,), "wrench": (model.n_links, 6)}
     for name, size in sizes.items():

@@ -146,7 +146,7 @@ def limited() -> Iterator[None]:
 
 def checked(folder: Path) -> Outcome:
     """`make check`, in double and, unless the folder says that it is of no use, in float."""
-    make = ["make", "-s", "CC=gcc", "CFLAGS=-O0 -Werror", "check"]
+    make = ["make", "-s", "CC=gcc", "CFLAGS=-O0", "check"]
     done = subprocess.run(make, cwd=folder, capture_output=True, text=True, timeout=LONGEST)
     failed = [x for x in (*done.stdout.splitlines(), *done.stderr.splitlines()) if "FAILED" in x or "error" in x]
     if done.returncode == 0 and not failed and "all checks passed" in done.stdout:

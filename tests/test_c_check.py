@@ -5,14 +5,16 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 from conftest import require_tool
-from helpers import arm, link, model_of
+from helpers import arm, example, link, model_of
 
 from screwgen.backends.c.project import CProject
+from screwgen.backends.numpy import reference
 from screwgen.backends.numpy.reference import rounding_errors
 from screwgen.cli.commands import run_generate
-from screwgen.errors import PrecisionWarning, UsageError
+from screwgen.errors import PrecisionWarning, ScrewgenError, UsageError
 
 SECTION = {"EIy": 40.0, "EIz": 60.0}
 BENDS = arm(
@@ -175,3 +177,53 @@ def test_make_leaves_a_folder_that_can_be_generated_again(tmp_path):
     (tmp_path / "out" / "c" / "build" / "notes.txt").write_text("mine")
     with pytest.raises(UsageError, match=r"holds 'c/build/notes\.txt', which screwgen did not write"):
         model.write(tmp_path / "out", ("c",))
+
+
+# -------- the states that it records
+
+LINKAGE = {"ground": 1.0, "crank": 0.4, "coupler": 0.7, "rocker": 0.5, "angle": 1.4, "branch": "open"}
+DRIVEN = {"drives": [{"transmission": {"four_bar": LINKAGE}}]}
+ABROAD = {"parent": "world", "joint": {"mount": {"xyz": [0.7, 0.0, 0.0]}}}
+QUADRANGLE = arm(link("crank", 0.3, "y", joint=DRIVEN), link("coupler", 0.8, "y"), link("rocker", 0.6, "y", **ABROAD))
+QUADRANGLE["loops"] = [{"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": ["x", "y", "z"]}}]
+"""A mechanism of four bars, whose crank is driven by a linkage that reaches little of its turn."""
+TWISTING = {"basis": "polynomial", "bending_y": 2, "bending_z": 1, "torsion": 1}
+LIMP = {"EIy": 32.0, "EIz": 1500.0, "GJ": 12.0, "rhoIp": 1.5e-3}
+SECOND_ORDER = arm(link("a", 1.1, "z", order=2, modes=TWISTING, section=LIMP, rhoA=2.2))
+"""A link that what 20 N bend it would leave without a definite mass matrix in most states."""
+
+
+@pytest.mark.parametrize("name", ["quadrangle", "second order", "parallelogram"])
+def test_recorded_states_are_those_that_the_robot_can_be_in(name):
+    """Loops are closed, linkages reach their links, the mass matrix is definite, and float can tell."""
+    of = {"quadrangle": QUADRANGLE, "second order": SECOND_ORDER}
+    model = model_of(of[name]) if name in of else example(name)
+    project, numeric = CProject(model.chain, ""), model.numpy()
+    assert len(project._cases) == 3
+    for case in project._cases:
+        q, (lower, upper) = np.array(case["q"]), model.chain.reach.T
+        assert np.abs(numeric.gaps(q, None)[0]).max(initial=0.0) < 1e-5
+        assert np.linalg.eigvalsh(numeric.mass_matrix(q))[0] > 0
+        assert (lower < q[: model.n_joints]).all() and (q[: model.n_joints] < upper).all()
+        assert np.isfinite([x for values in case.values() for x in values]).all()
+        assert rounding_errors(model.chain, case, 24)[0] < 1e-2
+    assert project.check["lost"] == "" and project.check["inverse"] == {}
+
+
+@pytest.mark.parametrize("robot", [QUADRANGLE, SECOND_ORDER], ids=["quadrangle", "second order"])
+def test_it_passes_where_not_every_state_is_possible(tmp_path, robot):
+    for name, text in CProject(model_of(robot).chain, "").files().items():
+        (tmp_path / name).write_text(text)
+    sources = [file.name for file in tmp_path.glob("*.c") if file.name != "main.c"]
+    for real in ("double", "float"):
+        compiled(tmp_path, *sources, real=real)
+        assert outcome(tmp_path)[0] == 0, outcome(tmp_path)
+
+
+def test_a_robot_without_a_possible_state_is_refused(monkeypatch):
+    """A loop that no posture closes."""
+    monkeypatch.setattr(reference, "TRIES", 2)
+    apart = QUADRANGLE | {"links": [*QUADRANGLE["links"][:2], link("rocker", 0.1, "y", **ABROAD)]}
+    apart["links"][2] = apart["links"][2] | {"joint": {"axes": ["y"], "mount": {"xyz": [9.0, 0.0, 0.0]}}}
+    with pytest.raises(ScrewgenError, match="stays open by"):
+        model_of(apart).c_files()

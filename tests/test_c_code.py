@@ -315,3 +315,11 @@ def test_modular_code_does_not_grow_with_equal_links():
     mixed, more = size_of_links(equal_links(9, classes=3)), size_of_links(equal_links(12, classes=3))
     assert abs(more - mixed) <= 0.01 * mixed
     assert 1.5 * eight < mixed < 3 * eight
+
+
+def test_links_that_carry_others_at_different_numbers_of_places():
+    """A constant of the second place has the comment of a class with two places, not of the first that has any."""
+    base, pole = link("base", 0.5, "z"), link("pole", 0.2, "y", at={"s": 0.5})
+    children = link("a", 0.2, "z", parent="boom", at={"s": 0.3}), link("b", 0.2, "y", parent="boom", at={"s": 0.6})
+    files = CProject(model_of(arm(base, pole, link("boom", 0.5, "y", parent="base"), *children)).chain, "").files()
+    assert re.search(r" at1_\w+; /\* .*: .*; of a station \*/", files["arm.h"])

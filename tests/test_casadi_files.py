@@ -5,11 +5,11 @@ import re
 import casadi as ca
 import numpy as np
 import pytest
-from helpers import ROOT, equal_links, example, model_of
+from helpers import ROOT, arm, equal_links, example, link, model_of
 
 from screwgen.backends.casadi.functions import DEFAULT
 from screwgen.cli.main import main
-from screwgen.errors import UsageError
+from screwgen.errors import TargetWarning, UsageError
 
 LARGEST = 10e6
 
@@ -67,6 +67,27 @@ def test_mass_matrix_is_symmetric_and_sparse():
     assert M.sparsity_out(0).is_symmetric() and M.nnz_out(0) < model.nq**2
     value = M(np.full(model.nq, 0.01), model.parameter_values)
     assert float(ca.mmax(ca.fabs(value - value.T))) == 0.0
+
+
+def test_a_floating_base_has_more_coordinates_than_rates():
+    floating = model_of(arm(link("base", axes=[]), link("a", axes="y")) | {"base": "floating"})
+    readme = floating.casadi_files("all")["README.md"].decode()
+    rows = {row.split(" | ")[0]: row for row in readme.splitlines() if row.startswith(("| dq/dt", "| dv/dt"))}
+    assert "of 64 |" in rows["| dq/dt"] and "of 56 |" in rows["| dq/dt"]  # 8 coordinates, 7 rates
+    assert "of 49 |" in rows["| dv/dt"].replace("all 49 |", "of 49 |")
+
+
+def test_of_all_functions_those_that_a_robot_lacks_are_said():
+    """An elastic gear behind a transmission has no ``dae``; asked for by its name it is refused."""
+    cylinder = {"crank": 0.3, "base": 0.7, "angle": 1.2}
+    drive = {"transmission": cylinder, "ratio": 300.0, "rotor_inertia": 1e-3, "stiffness": 4e4}
+    model = model_of(arm(link("a", axes="y", joint={"drives": [drive]})))
+    with pytest.warns(TargetWarning, match="there is no CasADi function 'dae': robot 'arm' has an elastic gear"):
+        files = model.casadi_files("all")
+    assert "dae.casadi" not in files and {"assemble.casadi", "ode.casadi"} < files.keys()
+    for named in ("dae", ["all", "dae"]):
+        with pytest.raises(UsageError, match="elastic gear behind a transmission"):
+            model.casadi_files(named)
 
 
 def test_unknown_functions_are_refused(tmp_path):

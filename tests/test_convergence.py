@@ -5,11 +5,14 @@ import json
 import numpy as np
 import pytest
 from helpers import arm, drawn, example, link, model_of
+from random_robots import to_toml
 
 from screwgen import derive, natural_frequencies
+from screwgen.backends.numpy.closing import closed
 from screwgen.cli.main import main
 from screwgen.spec.advice import advice
 from screwgen.studies.convergence import convergence, enriched
+from screwgen.studies.modes import mode_shapes
 
 SECTION = {"EIy": 60.0, "EIz": 90.0, "GJ": 40.0, "rhoIp": 1e-3}
 TIP = [{"at": "tip", "mass": 0.5, "com": [0.02, 0.01, 0.03], "inertia": [2e-3, 3e-3, 3e-3, 0.0, 0.0, 0.0]}]
@@ -56,6 +59,52 @@ def test_what_cannot_have_more_modes_stays():
     assert found.alone == {} and found.total == pytest.approx([0.0], abs=1e-12) and found.short(0) is None
     rigid = convergence(model_of(arm(link())))
     assert not rigid.total.size and not rigid.alone
+
+
+MARKED = {"markers": [{"name": "pin", "at": 0.5}], "joint": {"mount": {"xyz": [0.7, 0.0, 0.0]}}, "parent": "world"}
+BENDING = {"modes": {"bending_z": 1}, "section": SECTION}
+
+
+def test_links_that_a_loop_joins_at_a_marker():
+    """A marker has no modes of its own."""
+    robot = arm(link("crank", 0.3, "y"), link("coupler", 0.8, "y", **BENDING), link("rocker", 0.6, **BENDING, **MARKED))
+    robot["links"][2]["joint"]["axes"] = ["y"]
+    ball = {"between": ["coupler.tip", "rocker.pin"], "joint": {"axes": ["x", "y", "z"]}}
+    model = model_of(robot | {"loops": [ball]})
+    q = closed(model.numpy(), [0.9, -0.5, 0.4, 0.0, 0.0])
+    found, now = convergence(model, q, "free"), mode_shapes(model, q, "free").frequencies
+    assert len(found.total) == len(now) > 0 and (found.total <= found.alone["bending_z"] + 1e-9).all()
+
+
+def test_a_stop_that_is_pressed_is_a_spring():
+    stop = {"limits": [{"lower": -0.2, "upper": 0.2, "stiffness": 300.0}]}
+    model = model_of(arm(link("a", 0.8, "y", **BENDING, joint=stop)))
+    q = np.array([0.3, 0.0])
+    found, now = convergence(model, q, "free"), natural_frequencies(model, q, "free")
+    more = derive(enriched(model.robot))
+    at = np.append(q[0], np.zeros(more.nq - 1))
+    assert found.total == pytest.approx(natural_frequencies(more, at, "free")[: len(now)] / now - 1, abs=1e-9)
+
+
+def test_frequencies_are_printed_where_one_more_mode_has_no_answer(capsys, tmp_path):
+    """A link of order 2 that is bent so far that with more modes its mass matrix is not definite."""
+    limp = {"EIy": 32.0, "EIz": 1500.0, "GJ": 12.0, "rhoIp": 1.5e-3}
+    tip = [{"at": "tip", "mass": 0.5, "com": [0.0, 0.05, 0.03]}]
+    modes = {"basis": "polynomial", "bending_y": 1, "torsion": 1}
+    robot = arm(link("a", 1.0, "z", order=2, modes=modes, section=limp, rhoA=2.2, bodies=tip))
+    (tmp_path / "arm.toml").write_text(to_toml(robot))
+    (tmp_path / "bent.json").write_text("[0.3, 0.1, 0.1]")
+    line = ["modes", str(tmp_path / "arm.toml"), "--joints", "free", "--posture", str(tmp_path / "bent.json")]
+    expected = natural_frequencies(model_of(robot), [0.3, 0.1, 0.1], "free")
+    assert main([*line, "--json"]) == 0
+    said, noted = capsys.readouterr()
+    record = json.loads(said)
+    assert record["frequencies_hz"] == pytest.approx(expected)
+    assert record["one_more_mode"] is record["short_of"] is None
+    assert "one more mode would move them is not known" in noted and "a link of order 2 bends so far" in noted
+    assert main(line) == 0
+    lines = capsys.readouterr().out.splitlines()[1:]
+    assert [x.split()[-1] for x in lines if not x.startswith("0 ")] == ["?", "?"]
 
 
 def test_converged_ella_and_the_papers():

@@ -81,8 +81,8 @@ def sums(chain: Chain, cases: Sequence[Case], methods: Iterable[Method]) -> dict
     """The :class:`Sums` of the last case as C literals, and how its state is changed for a step; {} without cases."""
     if not cases:
         return {}
-    found = reference_sums.sums(chain, cases[-1], methods)._asdict()
-    found |= {"haste": reference_sums.HASTE, "defect": reference_sums.defect(chain)}
+    found = reference_sums.sums(chain, cases[-1], tuple(methods))._asdict()
+    found |= {"haste": reference_sums.HASTE}
     return {name: _literals(value) for name, value in found.items()}
 
 

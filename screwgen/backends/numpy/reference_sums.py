@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import mpmath
@@ -43,26 +43,23 @@ HASTE = 3.0
 """The factor of the case's rates, which makes terms of higher order visible."""
 
 DEFECT, SLIGHT = 0.01, 1e-4
-"""What is added to poses and twists of the DAE form before its step, so that the projection has something to do. Rows
-that share forces depend on each other where loops are closed; farther from there the projection multiplies rounding."""
-
-
-def defect(chain: Chain) -> float:
-    """What is added for a robot."""
-    return SLIGHT if chain.overconstrained else DEFECT
+"""The largest defect; and that of rows that share forces, which depend on each other where loops are closed: farther
+from there the projection multiplies rounding."""
 
 
 class Sums(NamedTuple):
     """Weighted sums of results at a case, inputs held.
 
     A step takes `dt` seconds from the case's coordinates at HASTE times its rates, with every stiffness multiplied by
-    `softness` squared and every damping by `softness`. `joint` and `dae`: the results of each method, in the one form
+    `softness` squared and every damping by `softness`. That of the DAE form starts with `defect` added to all poses and
+    twists, so that the projection has something to do. `joint` and `dae`: the results of each method, in the one form
     four sums for joint coordinates, modal coordinates and the rates of both; in the other six for quaternions,
     positions, eta, twists, etadot and q. `poses`: rotations and positions of all links, then of all tips. `measures`:
     those of validity, and their bounds.
     """
 
     dt: float
+    defect: float
     softness: float
     joint: list[list[float]]
     dae: list[list[float]]
@@ -120,21 +117,42 @@ class _Soft:
         return DaeDynamics(self.chain, self.columns, solve, project, joint_rates)
 
 
-def sums(chain: Chain, case: Case, methods: Iterable[Method]) -> Sums:
-    """The sums of a case, with a step of every method."""
+def sums(chain: Chain, case: Case, methods: Sequence[Method]) -> Sums:
+    """The sums of a case, with a step of every method, all of which stay where the robot can be.
+
+    Raises SingularError where no step is so short.
+    """
     with mpmath.workdps(fused.DIGITS), np.errstate(all="ignore"):
         soft = _Soft(chain, case)
         q, v = np.array(case["q"]), HASTE * np.array(case["v"])
-        dt, f = _length(soft, q, v), soft.functions
-        dae, start = soft.dae(), np.array(f.place(q.tolist(), v.tolist()))
-        start[dae.pose] += defect(soft.chain)
-        start[dae.twist] += defect(soft.chain)
-        joint, ends, held = [], [], (np.array(soft.tau), np.array(soft.w_ext))
-        for method in methods:
-            joint.append([weighted_sum(part) for part in soft.parts(*soft.step(method, q, v, dt))])
-            ends.append(_sums(dae, dae.project(HeldDae(dae, start, *held, dt).step(method))))
+        found, dt, defect = None, _length(soft, q, v), SLIGHT if soft.chain.overconstrained else DEFECT
+        while found is None:
+            found = _steps(soft, methods, q, v, dt, defect)
+            dt, defect = (dt, defect) if found else (dt / 4, defect / 4)
+            if dt < SHORTEST:
+                raise soft.chain.singular(0)
+        f = soft.functions
         f.given = None
-        return Sums(dt, soft.softness, joint, ends, _poses(f, case), _measures(f, case))
+        return Sums(dt, defect, soft.softness, *found, _poses(f, case), _measures(f, case))
+
+
+Ends = list[list[float]]
+
+
+def _steps(
+    soft: _Soft, methods: Sequence[Method], q: np.ndarray, v: np.ndarray, dt: float, defect: float
+) -> tuple[Ends, Ends] | None:
+    """The sums after a step of every method in either form; None where one leaves the postures that are possible."""
+    dae, start = soft.dae(), np.array(soft.functions.place(q.tolist(), v.tolist()))
+    start[dae.pose] += defect
+    start[dae.twist] += defect
+    held = np.array(soft.tau), np.array(soft.w_ext)
+    try:
+        joint = [[weighted_sum(part) for part in soft.parts(*soft.step(x, q, v, dt))] for x in methods]
+        ends = [_sums(dae, dae.project(HeldDae(dae, start, *held, dt).step(x))) for x in methods]
+    except SingularError:
+        return None
+    return (joint, ends) if np.isfinite(joint).all() and np.isfinite(ends).all() else None
 
 
 def _poses(f: Functions, case: Case) -> list[float]:

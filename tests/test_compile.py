@@ -249,8 +249,8 @@ def test_parameters_of_no_robot_are_refused_wherever_they_enter(ella):
         lambda: ella.prepare(bad),
         lambda: model.numpy(bad),
         lambda: model.linearise([0.0] * 3, parameters=bad),
-        lambda: screwgen.equilibrium(model, hold=True, p=bad),
-        lambda: screwgen.natural_frequencies(model, p=bad),
+        lambda: screwgen.equilibrium(model, hold=True, parameters=bad),
+        lambda: screwgen.natural_frequencies(model, parameters=bad),
         lambda: screwgen.simulate(model, 0.01, 1e-3, parameters=bad, backend="numpy"),
         lambda: screwgen.rollout(model, np.zeros(18), step=1e-3, steps=1, parameters=bad),
     )

@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
-from ..arguments import Given, array, choice, seconds, whole
+from ..arguments import Given, array, choice, parameters_keyword, seconds, whole
 from ..backends.c.columns import rendered
 from ..backends.c.project import CProject
 from ..backends.c.shim import shims
@@ -90,17 +90,19 @@ class Compiled(Differentiated):
     def __reduce__(self) -> tuple[Callable, tuple]:
         return _compiled_anew, (self.model, self._arguments, self.p)
 
-    def fresh(self, p: Given = None) -> Compiled:
-        """Another instance with memory of its own in the same library, at the parameters ``p`` (None: the file's)."""
+    @parameters_keyword
+    def fresh(self, parameters: Given = None) -> Compiled:
+        """Another instance with memory of its own in the same library, at ``parameters`` (None: the file's)."""
         out = object.__new__(Compiled)
         out.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_scratch"})
         out._place()
-        out.prepare(p)
+        out.prepare(parameters)
         return out
 
-    def prepare(self, p: Given) -> None:
+    @parameters_keyword
+    def prepare(self, parameters: Given) -> None:
         """Set the parameters (None: the robot file's values); if they are refused the previous ones remain."""
-        values = None if p is None else self.chain.parameters.vector(p)
+        values = None if parameters is None else self.chain.parameters.vector(parameters)
         given = None if values is None else values.astype(self.real)
         with self._lock:
             before = self._block.bytes.copy()

@@ -39,7 +39,7 @@ def screws(model: Model, q: np.ndarray, v: np.ndarray, parameters: Numbers | Non
     """Exponential coordinates and twists of all links, (5) and (twist)."""
     q, v = _samples(model, q, "q"), _samples(model, v, "v")
     n, r = model.n_links, model.chain.n_inner
-    x = _mapped(model.casadi()["dae_state"], q, v, _values(model, parameters))
+    x = mapped(model.casadi()["dae_state"], q, v, _values(model, parameters))
     poses = x[:, : 7 * n].reshape(-1, n, 7)
     twists = x[:, 7 * n + r : 13 * n + r].reshape(-1, n, 6)
     turns = Rotation.from_quat(poses[..., :4].reshape(-1, 4), scalar_first=True)
@@ -109,7 +109,7 @@ def _centreline(model: Model, q: np.ndarray, R: np.ndarray, r: np.ndarray, link:
 def _poses(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Rotations (N, n, 3, 3) and positions (N, n, 3) of all segments' frames."""
     given = model.casadi()["link_pose"], _samples(model, q, "q"), _values(model, None)
-    R, r = (_mapped(*given, output=k).reshape(len(q), model.n_links, *shape) for k, shape in enumerate(((3, 3), (3,))))
+    R, r = (mapped(*given, output=k).reshape(len(q), model.n_links, *shape) for k, shape in enumerate(((3, 3), (3,))))
     return R.transpose(0, 1, 3, 2), r
 
 
@@ -138,7 +138,7 @@ def tip_deformation(model: Model, q: np.ndarray, parameters: Numbers | None = No
 @parameters_keyword
 def tip_position(model: Model, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
     """The last tip (N, 3), m, in the inertial frame."""
-    return _mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, parameters), output=1)
+    return mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, parameters), output=1)
 
 
 def amplitude_spectrum(t: np.ndarray, x: np.ndarray, taper: bool = True) -> tuple[np.ndarray, np.ndarray]:
@@ -169,7 +169,7 @@ def _samples(model: Model, x: np.ndarray, name: str) -> np.ndarray:
     return x
 
 
-def _mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
+def mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
     """An output of a CasADi function for every sample (N, …); the last argument, `p`, is the same for all."""
     *varying, p = rows
     count = len(varying[0])

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
 from .chunks import in_chunks, merged
 from .loop import added
+from .rollout_samples import Source
 from .rollout_validity import watched
 from .validity import Validity
 
@@ -48,6 +50,8 @@ class Rollout:
     links: tuple[str, ...]
     validity: Validity
     """The largest validity measures: deflection and slope of all samples, loads of some, the fastest included."""
+    source: Source | None = field(default=None, compare=False)
+    """The model and the inputs."""
 
     def __repr__(self) -> str:
         count, samples, _ = self.q.shape
@@ -63,6 +67,40 @@ class Rollout:
     def x(self) -> np.ndarray:
         """The states [q; v], (batch, steps + 1, nq + nv)."""
         return np.concatenate([self.q, self.v], axis=2)
+
+    @property
+    def wrench(self) -> np.ndarray:
+        """(batch, steps + 1, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components.
+
+        They, tip positions and energies are computed when first asked for, in double precision; NaN where there is no
+        dynamics. At the last sample the last input is held on.
+        """
+        return self._samples[0]
+
+    @property
+    def tip_position(self) -> np.ndarray:
+        """(batch, steps + 1, 3): the last link's tip in the inertial frame, m."""
+        return self._samples[1]
+
+    @property
+    def energy(self) -> np.ndarray:
+        """(batch, steps + 1, 2): kinetic, potential, J."""
+        return self._samples[2]
+
+    @cached_property
+    def base_strain(self) -> np.ndarray:
+        """(batch, steps + 1, strains): as the output ``base_strain`` of :meth:`screwgen.Model.linearise`, its order."""
+        return self._source.base_strain(self.q)
+
+    @cached_property
+    def _samples(self) -> list[np.ndarray]:
+        return self._source.samples(self.q, self.v)
+
+    @property
+    def _source(self) -> Source:
+        if self.source is None:
+            raise UsageError("this rollout holds no model; take the one that screwgen.rollout returns")
+        return self.source
 
     def report(self) -> list[str]:
         """One line for every scenario that stopped: when, and why."""
@@ -115,7 +153,7 @@ def rollout(
     if executor is None:
         run = rolled(model, given, count, *how)
     else:
-        run = joined(in_chunks(rolled, model, given, count, how, executor))
+        run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     run.validity.warn(stacklevel=2)
     return run
 
@@ -149,13 +187,14 @@ def rolled(model, given, count, periods, step, substeps, method, threads, single
     q, v = (rows.transpose(2, 0, 1) for rows in path)
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)
-    return Rollout(t, q, v, status, done // substeps, fault, links, watched(model, given, t, q, v))
+    found = watched(model, given, t, q, v), Source(model, given)
+    return Rollout(t, q, v, status, done // substeps, fault, links, *found)
 
 
 def joined(runs: list[Rollout]) -> Rollout:
     """Rollouts one behind the other."""
     names = ("q", "v", "status", "completed", "fault")
-    stacked = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
+    stacked: dict[str, Any] = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
     return Rollout(t=runs[0].t, **stacked, links=runs[0].links, validity=merged([run.validity for run in runs]))
 
 

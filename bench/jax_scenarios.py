@@ -26,7 +26,7 @@ METHOD, STEP = "modal_midpoint", 1e-3
 def by_jax(model, x0: np.ndarray, steps: int) -> Callable[[], np.ndarray]:
     """What gives the last states (scenarios, nq + nv), compiled."""
     step = model.jax()[f"step_{METHOD}"]
-    fixed = jnp.zeros(model.n_tau), jnp.zeros((model.n_links, 6)), STEP, jnp.array(model.parameter_values)
+    fixed = jnp.zeros(model.n_tau), jnp.zeros((model.n_links, 6)), jnp.array(model.parameter_values), STEP
 
     def motion(q, v):
         return jnp.concatenate(jax.lax.scan(lambda x, _: (step(*x, *fixed), None), (q, v), None, length=steps)[0])

@@ -106,7 +106,7 @@ def refined(robot: screwgen.Robot) -> screwgen.Robot:
 def response(model: screwgen.Model, payload: float, count: int) -> Response:
     p = np.array(model.parameter_values)
     p[model.parameter_names.index(PAYLOAD)] = payload
-    rest = screwgen.equilibrium(model, SET_POINTS, hold=True, p=p)
+    rest = screwgen.equilibrium(model, SET_POINTS, hold=True, parameters=p)
     inputs = [name for name, *_ in CHANNELS]
     linear = model.linearise(rest.q, tau=rest.tau, parameters=p, outputs="tip_acceleration", inputs=inputs)
     axes = model.numpy(p).tip_pose(rest.q)[0][:, ["xyz".index(axis) for _, axis, *_ in CHANNELS]]

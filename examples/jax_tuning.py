@@ -74,7 +74,7 @@ def motions(model, starts, parameters, steps: int):
         def period(state, _):
             q, v = state
             tau = kp * (GOAL - q[:2]) - kd * v[:2]
-            return step(q, v, tau, w_ext, H, p), (q, tau)
+            return step(q, v, tau, w_ext, p, H), (q, tau)
 
         return jax.lax.scan(period, (q, jnp.zeros(model.nv)), None, length=steps)[1]
 

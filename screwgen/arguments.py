@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Iterable, Mapping, Sequence
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from numbers import Integral, Real
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -109,6 +111,26 @@ def nearest(name: str, known: Sequence[str]) -> str:
 Numbers = Sequence[float] | np.ndarray
 Given = Numbers | Mapping[str, Any] | None
 """Values of all parameters, or of some by name; None: the robot file's."""
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def parameters_keyword(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """`function`, whose argument `parameters` may still be named `p`, with a DeprecationWarning."""
+
+    @functools.wraps(function)
+    def call(*args: _P.args, **given: _P.kwargs) -> _R:
+        if "p" in given:
+            name = function.__qualname__.removesuffix(".__init__")
+            if "parameters" in given:
+                raise UsageError(f"{name}: p and parameters are both given; p is the old name, so leave it out")
+            warnings.warn(f"{name}: write parameters= in place of p=", DeprecationWarning, stacklevel=2)
+            given["parameters"] = given.pop("p")
+        return function(*args, **given)
+
+    return call
+
 
 FREE = (
     *("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia"),

@@ -16,7 +16,7 @@ import numpy as np
 from . import target_files
 from .algorithms.dae_functions import dae_names
 from .algorithms.scope import derived
-from .arguments import Given, choice
+from .arguments import Given, choice, parameters_keyword
 from .backends.numpy.bearing import choose_rows
 from .backends.numpy.numeric import Numeric
 from .errors import UsageError
@@ -312,9 +312,10 @@ class Model:
 
         return latex.notebook(self.robot)
 
-    def numpy(self, p: Given = None) -> Numeric:
-        """The functions on NumPy arrays, at the file's parameters or at ``p``."""
-        return Numeric(self.chain, self.chain.parameters.vector(p))
+    @parameters_keyword
+    def numpy(self, parameters: Given = None) -> Numeric:
+        """The functions on NumPy arrays, at the file's parameters or at ``parameters``."""
+        return Numeric(self.chain, self.chain.parameters.vector(parameters))
 
     def __reduce__(self) -> tuple[Callable, tuple]:
         """What was said is pickled; the rest is made again from it."""

@@ -36,7 +36,7 @@ ARGUMENTS = {
     "tip_pose": "q p",
 }
 INPUTS = ("q", "v", "tau", "w_ext", "p")
-STEP = "q v tau w_ext h p"
+STEP = "q v tau w_ext p dt"
 H, COUNT = 2.0**-13, 3
 """The step, s, and how many make a motion."""
 HEAD = (
@@ -78,7 +78,7 @@ def named(name: str) -> Model:
 def state(model, rounded=False) -> dict:
     """A general state, rounded to single precision or not."""
     x = dict(zip("q v tau w_ext".split(), point(model, angle=0.3, modal=1e-4), strict=True))
-    x |= {"vdot": np.random.default_rng(1).normal(size=model.nv), "p": np.array(model.parameter_values), "h": H}
+    x |= {"vdot": np.random.default_rng(1).normal(size=model.nv), "p": np.array(model.parameter_values), "dt": H}
     return {k: np.float32(a).astype(float) if rounded else a for k, a in x.items()}
 
 
@@ -136,7 +136,7 @@ def motion_gradient(model, x: dict) -> tuple[float, float]:
     step = model.jax()["step"]
 
     def cost(q, v, tau, w_ext, p):
-        period = lambda now, _: (step(*now, tau, w_ext, H, p), None)  # noqa: E731
+        period = lambda now, _: (step(*now, tau, w_ext, p, H), None)  # noqa: E731
         end = jax.lax.scan(period, (q, v), None, length=COUNT)[0]
         return weights @ jnp.concatenate(end)
 

@@ -12,9 +12,10 @@ import pytest
 from conftest import require_tool, swept
 from helpers import ROOT, arm, equal_links, example, example_file, link, model_of
 
-from screwgen import __version__
+from screwgen import __version__, load
 from screwgen.backends.c.project import CProject
 from screwgen.ir.program import Program
+from screwgen.spec.parameters import parameters
 
 WARNINGS = (
     "-std=c99",
@@ -255,13 +256,35 @@ def test_header_states_version_and_operations():
     assert f"{alone.operation_count} operations" in header and alone.operation_count < whole.operation_count
 
 
+def test_header_says_which_body_stands_where_and_in_which_order_tensors_are():
+    inertia = [0.1, 0.2, 0.2, 0.0, 0.0, 0.0]
+    tip, base = {"at": "tip", "mass": 1.0}, {"at": "base", "mass": 2.0, "com": [0.1, 0.0, 0.0], "inertia": inertia}
+    several = model_of(arm(link("upper", bodies=[tip, base]), link("fore", bodies=[tip]), link("hand")))
+    header = " ".join(CProject(several.chain, several.version).files()["arm.h"].split())
+    assert "/* in the order of the robot file: upper [0] at the tip, [1] at the base; fore [0] at the tip */" in header
+    assert "inertia[6]; /* kg*m^2: inertia about the centre of mass, [xx, yy, zz, xy, xz, yz] */" in header
+    assert "com[3]; /* m: centre of mass, [x, y, z] */" in header
+    assert "at the base in F_i axes from the joint point, at the tip in tip-frame axes from the tip point" in header
+    assert "inertia of the bodies at the base about the joint point" in header
+    assert ": their" not in header
+
+
+def test_header_has_the_inertia_of_drives_in_their_units():
+    """A mass that moves with a rod where no ratio is stated, else the inertia of what turns."""
+    units = {p.name: (p.unit, p.description) for p in parameters(load(ROOT / "examples" / "bucket.toml"))}
+    rotors = {name: unit for name, unit in units.items() if name.endswith("rotor_inertia")}
+    assert sorted(unit for unit, _ in rotors.values()) == ["kg", "kg·m²"]
+    header = files("bucket")["bucket.h"]
+    assert "drives_rotor_inertia[1]; /* kg*m^2, of slides and cylinders kg: inertia of the rotor */" in header
+
+
 # -------- the same bytes
 
 
 DIGEST = """
 import hashlib, sys
 import screwgen
-from screwgen import __version__
+from screwgen import __version__, load
 from screwgen.backends.c.project import CProject
 for path in sys.argv[1:]:
     model = screwgen.derive(screwgen.load(path))

@@ -19,6 +19,7 @@ from screwgen.cli.commands import EVALUATIONS
 from screwgen.cli.main import main
 from screwgen.simulation.controllers import PD, Holding
 from screwgen.simulation.simulate import FORMS, simulate
+from screwgen.studies.assemble import assemble
 from screwgen.studies.modes import natural_frequencies
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -94,7 +95,8 @@ def test_evaluate_agrees_with_the_oracle(capsys, folder, cell):
         require_tool("cc")
     options = ("--state", "state.json", "--backend", backend, "--form", form)
     found = json.loads(run(capsys, "evaluate", "ella.toml", *options))
-    assert set(found) == {"vdot", "wrench", "tip_position", "tip_rotation", "kinetic", "potential", "validity"}
+    names = {"vdot", "links", "wrench", "tip_position", "tip_rotation", "kinetic", "potential", "validity"}
+    assert set(found) == names and found["links"] == ["upper_arm", "forearm"]
     oracle = Oracle(tomllib_of(folder / "ella.toml"))
     assert max(oracle.errors(STATE, found["vdot"], found["wrench"]).values()) < oracle.tolerance(STATE["q"])
     R, position = oracle.tip_pose(STATE["q"])
@@ -117,6 +119,32 @@ def test_joint_coordinates_alone_leave_the_rest_at_zero(capsys, folder, state):
     assert run(capsys, "evaluate", "ella.toml", "--state", "s.json") == run(
         capsys, "evaluate", "ella.toml", "--state", "full.json"
     )
+
+
+def test_evaluate_names_the_rows_of_its_wrenches(capsys, folder):
+    """Of a link with segments, and of a marker between base and tip, where the loop's wrenches balance."""
+    section, modes = "section = { rhoA = 1.0, EIy = 500.0 }", "modes = { bending_z = 1 }"
+    links = (
+        'name = "crank"\nlength = 0.3\nsection = { rhoA = 2.0 }\njoint = { axes = ["y"] }',
+        f'name = "rod"\nlength = 0.9\nsegments = 2\n{section}\n{modes}\njoint = {{ axes = ["y"] }}\n'
+        'markers = [ { name = "lug", at = 0.9 } ]',
+        'name = "rocker"\nparent = "world"\nlength = 0.6\nsection = { rhoA = 2.0 }\n'
+        'joint = { axes = ["y"], mount = { xyz = [0.8, 0.0, 0.0] } }',
+    )
+    tables = "".join(f"[[links]]\n{link}\n" for link in links)
+    loop = '[[loops]]\nbetween = ["rod.lug", "rocker.tip"]\njoint = { axes = ["y"] }\n'
+    Path("linked.toml").write_text(f'name = "linked"\ngravity = [0.0, 0.0, -9.81]\n{tables}{loop}')
+    q = assemble(derive(load("linked.toml")), [0.3, -0.4, -1.5])
+    Path("closed.json").write_text(json.dumps({"q": q.tolist()}))
+    found = json.loads(run(capsys, "evaluate", "linked.toml", "--state", "closed.json"))
+    assert found["links"] == ["crank", "rod", "rocker"] and len(found["wrench"]) == 3
+    assert [loop["between"] for loop in found["loops"]] == [["rod.lug", "rocker.tip"]]
+    rows, wrenches = found["loops"][0]["rows"], np.array(found["loop_wrenches"])
+    names = derive(load("linked.toml")).chain.names
+    assert [names[k] for k in rows] == ["rod.lug", "rocker"]
+    first, second = np.linalg.norm(wrenches[rows][:, 3:], axis=1)
+    assert first == pytest.approx(second, rel=1e-9) and first > 1.0
+    assert not np.delete(wrenches, rows, axis=0).any()
 
 
 def test_evaluate_without_state_is_at_zero(capsys, folder):

@@ -114,6 +114,13 @@ def test_parameters_that_open_a_loop_are_refused(planar):
     compiled.fresh(planar.chain.parameters.vector({"rocker.joint.mount.xyz[0]": 0.81}))
 
 
+def test_the_c_says_how_far_loops_are_from_closed(planar):
+    """Beside NumPy: a closed posture, an open one, and a piston turned over."""
+    turned = model_of(slider_crank("guide"))
+    for model, q in ((planar, [0.4, -0.3, 0.2]), (turned, [0.0, 0.0, np.pi]), (turned, np.zeros(3))):
+        assert np.allclose(quick(model).loop_mismatch(q), model.numpy().mismatch(q), rtol=1e-12, atol=1e-12)
+
+
 # ------------------------------------------------------------------------------ rollouts
 
 

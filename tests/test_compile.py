@@ -65,6 +65,70 @@ def test_energy_of_other_parameters():
     assert np.allclose(c.energy(q, v), case.model.numpy(p).energy(q, v), rtol=1e-11)
 
 
+def test_poses_and_twists_are_those_of_the_model(ella):
+    model, (q, v, *_) = ella.model, state(ella.model)
+    found, f = ella.kinematics(q, v), model.casadi()
+    R, position = f["link_pose"](q, model.parameter_values)[:2]
+    assert np.allclose(np.hstack(found.rotation), np.reshape(R, (3, -1)), atol=1e-14)
+    assert np.allclose(found.position.T, position, atol=1e-14)
+    tip = f["tip_pose"](q, model.parameter_values)
+    assert np.allclose(found.tip_rotation[-1], tip[0], atol=1e-14)
+    assert np.allclose(found.tip_position[-1], np.ravel(tip[1]), atol=1e-14)
+    J = np.array(f["tip_jacobian"](q, model.parameter_values))
+    assert np.allclose(ella.tip_jacobian(q), J, atol=1e-13) and np.allclose(found.tip_twist[-1], J @ v, atol=1e-12)
+    assert np.allclose(ella.kinematics(q).tip_twist, 0.0)
+
+
+def test_gravity_is_the_equilibrium_of_held_joints(ella):
+    model = ella.model
+    joints, w_ext = np.array([0.3, -0.4, 0.9]), np.array([np.zeros(6), [0, 0, 0, 1.0, -2.0, 3.0]])
+    start = np.append(joints, np.zeros(model.nq - 3))
+    force, posture = ella.gravity(start, w_ext)
+    wanted = screwgen.equilibrium(model, joints, w_ext=w_ext, hold=True)
+    assert relative(force[:3], wanted.tau) < 1e-6 and relative(posture[3:], wanted.q[3:]) < 1e-4
+    assert np.array_equal(posture[:3], joints) and np.max(np.abs(force[3:])) < 1e-3
+    assert np.array_equal(start[3:], np.zeros(model.nq - 3))
+
+
+def test_a_stepper_keeps_its_arrays_and_steps_as_the_model_does(ella):
+    q, v, tau, w_ext = state(ella.model)
+    stepper = ella.stepper(1e-5, count=4)
+    places = stepper.q, stepper.v, stepper.tau, stepper.w_ext
+    for place, value in zip(places, (q, v, tau, w_ext), strict=True):
+        place[:] = value
+    stepper()
+    wanted = ella.step(q, v, tau, w_ext, 1e-5, "modal_midpoint", 4)
+    assert np.array_equal(places[0], wanted[0]) and np.array_equal(places[1], wanted[1])
+    assert np.array_equal(stepper.kinematics().tip_twist, ella.kinematics(*wanted).tip_twist)
+    stepper()
+    again = ella.step(*wanted, tau, w_ext, 1e-5, "modal_midpoint", 4)
+    assert np.array_equal(stepper.q, again[0])  # neither reading poses nor others' calls disturb it
+    stepper.tau[0] = np.nan
+    with pytest.raises(ScrewgenError, match="non-finite"):
+        stepper()
+    assert np.array_equal(stepper.q, again[0])
+
+
+def test_a_stepper_of_a_floating_base_starts_without_rotation():
+    free = model_of(arm(link("body", axes=()), base="floating"))
+    stepper = free.compile(flags=("-O0",)).stepper(0.1)
+    stepper()
+    assert np.allclose(stepper.q[:7], [0, 0, -0.5 * 9.81 * 0.1**2, 1, 0, 0, 0], atol=1e-12)
+
+
+@pytest.mark.parametrize("count", [0, 1, 3])
+def test_steps_take_and_return_what_they_are_given(ella, count):
+    q, v, tau, w_ext = state(ella.model)
+    kept = [x.copy() for x in (q, v, tau, w_ext)]
+    found = ella.step(q.tolist(), v, tau, w_ext.ravel(), 1e-7, "rk4", count)
+    wanted = q, v
+    for _ in range(count):
+        wanted = ella.step(*wanted, tau, w_ext, 1e-7, "rk4")
+    assert all(np.array_equal(a, b) for a, b in zip(found, wanted, strict=True))
+    assert all(np.array_equal(a, b) for a, b in zip(kept, (q, v, tau, w_ext), strict=True))
+    assert not np.shares_memory(found[0], ella.q)
+
+
 def test_what_fits_is_taken_and_all_else_converted(ella):
     q, v, tau, w_ext = state(ella.model)
     expected = ella.forward_dynamics(q, v, tau, w_ext)
@@ -249,8 +313,8 @@ def test_parameters_of_no_robot_are_refused_wherever_they_enter(ella):
         lambda: ella.prepare(bad),
         lambda: model.numpy(bad),
         lambda: model.linearise([0.0] * 3, parameters=bad),
-        lambda: screwgen.equilibrium(model, hold=True, p=bad),
-        lambda: screwgen.natural_frequencies(model, p=bad),
+        lambda: screwgen.equilibrium(model, hold=True, parameters=bad),
+        lambda: screwgen.natural_frequencies(model, parameters=bad),
         lambda: screwgen.simulate(model, 0.01, 1e-3, parameters=bad, backend="numpy"),
         lambda: screwgen.rollout(model, np.zeros(18), step=1e-3, steps=1, parameters=bad),
     )

@@ -140,7 +140,7 @@ def test_an_axis_with_a_spring_is_passive_and_settles():
     assert e.held and e.passive == ("flap.joint[0]",) and e.tau[1] == 0.0
     assert np.allclose(e.q, [0.0, sag], rtol=1e-10, atol=0)
     assert np.isclose(e.tau[0], -G * (0.5 + 1.0 + np.cos(sag) / 2), rtol=1e-10)
-    assert equilibrium(model_of(SPRUNG), hold=True, p={"flap.joint.stiffness[0]": 0.0}).passive == ()
+    assert equilibrium(model_of(SPRUNG), hold=True, parameters={"flap.joint.stiffness[0]": 0.0}).passive == ()
 
 
 def test_all_joints_can_be_held():

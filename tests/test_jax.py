@@ -58,7 +58,7 @@ def casadi(model, name: str, x: dict) -> list[np.ndarray]:
 
 def asked(name: str) -> list[str]:
     if name.startswith("step"):
-        return "q v tau w_ext h p".split()
+        return "q v tau w_ext p dt".split()
     first = {"inverse_dynamics": "q v vdot w_ext p", "mass_matrix": "q p", "bias": "q v w_ext p", "energy": "q v p"}
     return first.get(name, "q p" if name in ("tip_pose", "tip_jacobian", "levers") else "q v tau w_ext p").split()
 
@@ -114,7 +114,7 @@ def test_dynamics_and_a_step_are_those_of_the_c(digger, found):
     x, c = state(digger), quick(digger)
     given = [x[k] for k in asked("")][:4]
     pairs = zip(found[0]["forward_dynamics"], c.forward_dynamics(*given), strict=True)
-    steps = zip(found[0]["step_modal_midpoint"], c.step(*given, x["h"], "modal_midpoint"), strict=True)
+    steps = zip(found[0]["step_modal_midpoint"], c.step(*given, x["dt"], "modal_midpoint"), strict=True)
     assert max(off(a, b) for a, b in (*pairs, *steps)) < 1e-12
 
 
@@ -143,7 +143,7 @@ def test_batches_in_scans_have_the_values_of_single_scenarios(model):
     p = x["p"] * np.linspace(1.0, 1.5, 130)[:, None]
 
     def run(q, p):
-        body = lambda s, _: (step(*s, x["tau"], x["w_ext"], 1e-3, p), None)  # noqa: E731
+        body = lambda s, _: (step(*s, x["tau"], x["w_ext"], p, 1e-3), None)  # noqa: E731
         return jax.lax.scan(body, (q, jnp.array(x["v"])), None, length=3)[0]
 
     many = jax.jit(jax.vmap(run))(q, p)
@@ -163,7 +163,7 @@ def test_a_singular_posture_is_nan_with_its_gradient():
 
     def everything(q, v, tau, w_ext, p):
         first = lambda q: f["forward_dynamics"](q, v, tau, w_ext, p)[0][0]  # noqa: E731
-        return *jax.value_and_grad(first)(q), *f["step_euler"](q, v, tau, w_ext, 1e-3, p)
+        return *jax.value_and_grad(first)(q), *f["step_euler"](q, v, tau, w_ext, p, 1e-3)
 
     vdot, slope, *end = jax.jit(everything)(*(x[k] for k in asked("")))
     assert np.isnan(vdot) and np.isnan(slope).any() and np.isnan(np.concatenate(end)).all()
@@ -218,3 +218,17 @@ def test_the_tuning_example():
     )
     assert done.returncode == 0, done.stderr
     assert "JAX and the C" in done.stdout
+
+
+def test_steps_take_their_arguments_in_the_older_order_with_a_warning():
+    from screwgen.backends.jax.functions import old_order_too
+
+    step = old_order_too(lambda *given, **named: (given, named))
+    p = jnp.ones(5)
+    assert step("q", "v", "tau", "w_ext", p, 1e-3) == (("q", "v", "tau", "w_ext", p, 1e-3), {})
+    for swapped in (1e-3, jnp.array(1e-3), np.float64(1e-3)):
+        with pytest.warns(DeprecationWarning, match=r"\(q, v, tau, w_ext, p, dt\)"):
+            given, _ = step("q", "v", "tau", "w_ext", swapped, p)
+        assert given[4] is p and given[5] is swapped
+    with pytest.warns(DeprecationWarning):
+        assert step("q", h=1e-3, p=p) == (("q",), {"dt": 1e-3, "p": p})

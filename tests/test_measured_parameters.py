@@ -44,7 +44,7 @@ def test_a_parameter_moves_its_frequency():
     model = model_of(rod())
     expected = copy.deepcopy(FOUND)
     expected["bending_y"][0], expected["torsion"][0] = 24.0, 333.0
-    found = natural_frequencies(model, p=changed(model, bending_y_0=24.0, torsion_0=333.0))
+    found = natural_frequencies(model, parameters=changed(model, bending_y_0=24.0, torsion_0=333.0))
     assert np.allclose(found, flat(expected), rtol=1e-12, atol=0)
 
 

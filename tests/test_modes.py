@@ -123,7 +123,7 @@ def test_parameters_take_the_place_of_the_files():
     factors = [4.0 if ".EI" in name or ".EA" in name else 1.0 for name in model.parameter_names]
     p = np.multiply(factors, model.parameter_values)
     q = posture(model)
-    assert np.allclose(natural_frequencies(model, q, p=p), 2 * natural_frequencies(model, q), rtol=1e-12)
+    assert np.allclose(natural_frequencies(model, q, parameters=p), 2 * natural_frequencies(model, q), rtol=1e-12)
 
 
 def test_a_free_joint_without_inertia_is_named():

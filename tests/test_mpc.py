@@ -12,6 +12,7 @@ from test_c_code import WARNINGS
 
 import screwgen
 from screwgen.errors import UsageError
+from screwgen.studies.predictive import project
 
 SOFT = {"EIy": 300.0, "EIz": 500.0}
 TIP = [{"at": "tip", "mass": 1.0}]
@@ -284,6 +285,20 @@ def test_faults_are_one_line(tmp_path, good):
     with pytest.raises(screwgen.ScrewgenError) as raised:
         model().c_files(mpc=file)
     assert said in str(raised.value) and str(raised.value).startswith(str(file)) and "\n" not in str(raised.value)
+
+
+def test_the_header_states_units_of_slides(tmp_path):
+    cart = model_of(arm(link("cart", axes=[{"slide": "x"}])))
+    (tmp_path / "mpc.toml").write_text(PLAIN.replace("[0.3, 0.2, -0.2]", "[0.3]").replace("[60.0, 12.0, 4.0]", "60.0"))
+    header = " ".join(project(cart, tmp_path / "mpc.toml").files()["arm_mpc.h"].split())
+    for line in (
+        "torque_upper[ARM_LENGTH(ARM_NTAU)]; /* N*m, of slides N */",
+        "torque_rate[ARM_LENGTH(ARM_NTAU)]; /* N*m/s, of slides N/s, either sign",
+        "joint_upper[ARM_LENGTH(ARM_NTAU)]; /* rad, of slides m;",
+        "joint_rate[ARM_LENGTH(ARM_NTAU)]; /* rad/s, of slides m/s, either sign",
+        "/* torques of the blocks, N*m, of slides N */",
+    ):
+        assert line in header, line
 
 
 def test_robots_that_it_is_not_made_for(tmp_path):

@@ -35,6 +35,50 @@ def torques(count: int, steps: int, joints=3) -> np.ndarray:
 # -------- motions
 
 
+def test_what_a_run_tells_of_its_samples_a_rollout_tells_of_all(ella):
+    """Wrenches, tips and energies, with torques, loads and payloads that differ; strains beside the linear model's."""
+    x0, tau = states(ella, 3), torques(3, 4)
+    w_ext, masses = np.random.default_rng(2).normal(size=(3, 4, 2, 6)), np.array([1.0, 2.0, 3.0])
+    x0[:, ella.n_joints : ella.nq] = 1e-3
+    given = {"forearm.bodies[0].mass": masses}
+    run = rollout(ella, x0, tau, w_ext=w_ext, parameters=given, step=STEP)
+    period = lambda t: min(round(t / STEP), 3)  # noqa: E731
+    for k, mass in enumerate(masses):
+        p = {"forearm.bodies[0].mass": mass}
+        other = screwgen.simulate(
+            *(ella, 4 * STEP, STEP),
+            q0=x0[k, : ella.nq],
+            controller=lambda t, q, v, k=k: tau[k, period(t)],
+            w_ext=lambda t, q, v, k=k: w_ext[k, period(t)],
+            parameters=p,
+        )
+        for name in ("wrench", "tip_position", "energy"):
+            wanted = getattr(other, name)
+            assert np.max(np.abs(getattr(run, name)[k] - wanted)) < 1e-9 * np.max(np.abs(wanted)), name
+        linear = ella.linearise(run.q[k, 2], parameters=p, outputs="base_strain")
+        assert np.allclose(run.base_strain[k, 2], linear.y, rtol=1e-12, atol=0)
+    alone = rollout(ella, x0, tau, step=STEP)
+    linear = ella.linearise(alone.q[1, 3], outputs="base_strain")
+    assert np.allclose(alone.base_strain[1, 3], linear.y, rtol=1e-12, atol=0)
+
+
+def test_what_follows_from_a_rollout_is_there_after_executors_and_in_sweeps(ella, tmp_path):
+    x0 = states(ella, 3)
+    with ThreadPoolExecutor(2) as threads:
+        run = rollout(ella, x0, step=STEP, steps=2, executor=threads)
+    assert np.array_equal(run.energy, rollout(ella, x0, step=STEP, steps=2).energy)
+    keep, draw = (lambda run: run.tip_position[:, -1]), (lambda _, n: {"x0": x0[:n]})
+    kept = screwgen.sweep(ella, draw, 3, tmp_path / "a.npy", step=STEP, steps=2, keep=keep)
+    assert np.array_equal(kept.values, run.tip_position[:, -1])
+
+
+def test_a_scenario_without_dynamics_has_samples_that_are_no_numbers(ella):
+    x0 = states(ella, 2)
+    x0[1, 0] = np.inf
+    run = rollout(ella, x0, step=STEP, steps=2)
+    assert np.isfinite(run.wrench[0]).all() and np.isnan(run.wrench[1]).all() and np.isnan(run.energy[1]).all()
+
+
 def test_every_scenario_moves_as_in_the_simulation(ella):
     """The simulation runs another implementation of the method, on CasADi functions."""
     x0, tau = states(ella, 13), torques(13, 40)

@@ -236,13 +236,13 @@ STORE = {
 MODES, JOINTS, RATES = ("NMODES",), ("NTAU",), "rad/s^2, m/s^2"
 GIVEN = {
     "m_eta": Signal(("NINERTIA",), "kg, kg*m^2", "-", "inertia of modes and sprung joints, implicit over a step"),
-    "f_eta": Signal(("NGIVEN",), "N, N*m", "-", "their stress and damping"),
+    "f_eta": Signal(("NGIVEN",), "N, N*m", "-", "stress and damping of modes and sprung joints"),
 }
 ROBOT = {
     "constants": {"gravity": CALL["gravity"]},
     "state": {
         "q": Signal(("NQ",), "rad, m", "-", "coordinates"),
-        "v": Signal(("NV",), "rad/s, m/s", "-", "their rates"),
+        "v": Signal(("NV",), "rad/s, m/s", "-", "rates of the coordinates"),
     },
     "input": {
         "tau": Signal(JOINTS, "N*m", "-", "torque about each joint axis, in the order of q"),

@@ -224,8 +224,15 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
         "kinetic": float(kinetic),
         "potential": float(potential),
         "validity": valid.record(),
-        **({} if loops is None else {"loop_wrenches": (loops + 0.0).tolist()}),
+        "links": [link.name for link in model.robot.links],
+        **({} if loops is None else {"loop_wrenches": (loops + 0.0).tolist(), "loops": _loops(model)}),
     }
+
+
+def _loops(model: Model) -> list[dict]:
+    """Every loop's markers, and their rows among the loops' wrenches."""
+    ends = {row.loop: [row.first, row.second] for row in model.chain.closures}
+    return [{"between": list(loop.between), "rows": ends.get(k, [])} for k, loop in enumerate(model.robot.loops)]
 
 
 # ------------------------------------------------------------------------------ analyse

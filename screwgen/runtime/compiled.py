@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
-from ..arguments import Given, array, choice, seconds, whole
+from ..arguments import Given, array, choice, parameters_keyword, seconds, whole
 from ..backends.c.columns import rendered
 from ..backends.c.project import CProject
 from ..backends.c.shim import shims
@@ -19,8 +19,9 @@ from ..integrators.methods import method_of
 from ..topology.chain import Chain
 from .differentiated import NO_METHOD, Differentiated
 from .library import load
-from .memory import Array, pointer
+from .memory import Array, Motion, pointer
 from .pace import slices
+from .stepper import Stepper
 
 PRECISIONS = ("double", "single")
 LAYOUTS = ("auto", "fused", "modular")
@@ -90,17 +91,19 @@ class Compiled(Differentiated):
     def __reduce__(self) -> tuple[Callable, tuple]:
         return _compiled_anew, (self.model, self._arguments, self.p)
 
-    def fresh(self, p: Given = None) -> Compiled:
-        """Another instance with memory of its own in the same library, at the parameters ``p`` (None: the file's)."""
+    @parameters_keyword
+    def fresh(self, parameters: Given = None) -> Compiled:
+        """Another instance with memory of its own in the same library, at ``parameters`` (None: the file's)."""
         out = object.__new__(Compiled)
         out.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_scratch"})
         out._place()
-        out.prepare(p)
+        out.prepare(parameters)
         return out
 
-    def prepare(self, p: Given) -> None:
+    @parameters_keyword
+    def prepare(self, parameters: Given) -> None:
         """Set the parameters (None: the robot file's values); if they are refused the previous ones remain."""
-        values = None if p is None else self.chain.parameters.vector(p)
+        values = None if parameters is None else self.chain.parameters.vector(parameters)
         given = None if values is None else values.astype(self.real)
         with self._lock:
             before = self._block.bytes.copy()
@@ -181,28 +184,76 @@ class Compiled(Differentiated):
 
         ``method``: a built-in integrator, or one of those that the model was compiled with.
         """
-        q = array(q, "q", (self.chain.nq,), finite=False)
-        v = array(v, "v", (self.chain.nv,), finite=False)
-        state = ((self.q, slice(None), q), (self.v, slice(None), v))
-        q, v = self._steps(self.library.shim_step, method, count, dt, tau, w_ext, state)
-        return q, v
+        place = lambda q, v: self._set(q, v, tau, w_ext)  # noqa: E731
+        read = lambda: (self.q.copy(), self.v.copy())  # noqa: E731
+        return self._steps(self.library.shim_step, method, count, dt, (q, v), place, read)
 
-    def _steps(self, call: Callable[..., int], method, count: int, dt: float, tau, w_ext, state) -> list[Array]:
+    def _steps(self, call: Callable[..., int], method, count: int, dt: float, state: tuple, place, read):
         """The state after steps, in parts between which others may use the memory.
 
-        ``state``: arrays of the memory, the entries of each that are meant, and their values.
+        ``place``: writes a state and the inputs into memory; ``read``: returns the state there.
         """
         number, dt = self.number(method), self._real(seconds(dt, "dt"))
-        tau, w_ext = self._input(tau, w_ext)
-        values = [np.array(value, self.real) for _, _, value in state]
-        for _, part in slices(whole(count, "count", 0)):
+        for _, part in slices(whole(count, "count", 0)) if count else ((0, 0),):
             with self._lock:
-                self.tau[:], self.w_ext[:] = tau, w_ext
-                for (place, entries, _), value in zip(state, values, strict=True):
-                    place[entries] = value
-                self.check(call(self.memory, number, part, dt))
-                values = [np.array(place[entries]) for place, entries, _ in state]
-        return values
+                place(*state)
+                if status := call(self.memory, number, part, dt):
+                    self.check(status)
+                state = read()
+        return state
+
+    def stepper(self, dt: float, method: str | Method = "modal_midpoint", count=1, parameters: Given = None) -> Stepper:
+        """Steps that begin and end in arrays of their own: a :class:`.stepper.Stepper`.
+
+        A call makes ``count`` steps of ``dt`` seconds; ``parameters``: those of the robot, None: the file's.
+        """
+        number, dt = self.number(method), self._real(seconds(dt, "dt"))
+        return Stepper(self.fresh(parameters), number, whole(count, "count", 1), dt)
+
+    # poses and statics ------------------------------------------------------------------------
+
+    def kinematics(self, q, v=None) -> Motion:
+        """Poses of all links and of their tips, and the twists of the tips; rates left out are zero."""
+        with self._lock:
+            self._set(q, self._no_v if v is None else v)
+            return self.motion()
+
+    def motion(self) -> Motion:
+        """The same of the state in memory."""
+        self.check(self.library.shim_kinematics(self.memory))
+        return Motion(*(x.copy() for x in self._motion))
+
+    def tip_jacobian(self, q) -> Array:
+        """``J`` (6, nv): J v is the twist [omega; v] of the last tip, in inertial components."""
+        nv = self.chain.nv
+        J = np.zeros((6, max(nv, 1)), self.real)
+        with self._lock:
+            self._set(q, self._no_v)
+            self.check(self.library.shim_tip_jacobian(self.memory, pointer(J)))
+        return J[:, :nv]
+
+    def gravity(self, q, w_ext=None) -> tuple[Array, Array]:
+        """The equilibrium at the joint coordinates of ``q``: ``force`` (nv,) and the posture ``q`` (nq,).
+
+        Of a fixed base the first n_tau entries of ``force`` are the torques that hold the arm, those of the modes what
+        is left of their forces, N: `<robot>_gravity` of the generated C.  The modes of ``q`` are where the search for
+        theirs starts.
+        """
+        force = np.zeros(max(self.chain.nv, 1), self.real)
+        with self._lock:
+            self._set(q, self._no_v, None, w_ext)
+            self.check(self.library.shim_gravity(self.memory, pointer(force)))
+            return force[: self.chain.nv], self.q.copy()
+
+    def loop_mismatch(self, q) -> Array:
+        """(loops, 2): how far the frames of each loop are apart where its joint does not let them, m, and turned, rad
+        (of an angle θ it is 2 sin(θ/2)). Both vanish where loops are closed, and only there."""
+        out = np.zeros((len(self.chain.junctions), 2), self.real)
+        if self.chain.closures:
+            with self._lock:
+                self._set(q, self._no_v)
+                self.check(self.library.shim_loop_mismatch(self.memory, pointer(out)))
+        return out
 
     # DAE form ---------------------------------------------------------------------------------
 
@@ -215,8 +266,12 @@ class Compiled(Differentiated):
 
     def dae_step(self, x, tau, w_ext, dt: float, method: str | Method = "rk4", count=1) -> Array:
         """``x`` after ``count`` steps of the DAE form, each projected, the input held."""
-        state = ((self._dae, self._order, array(x, "x", (state_size(self.chain),), finite=False)),)
-        return self._steps(self.library.shim_dae_step, method, count, dt, tau, w_ext, state)[0]
+        x, (tau, w_ext) = array(x, "x", (state_size(self.chain),), finite=False), self._input(tau, w_ext)
+
+        def place(x: Array) -> None:
+            self.x, self.tau[:], self.w_ext[:] = x, tau, w_ext
+
+        return self._steps(self.library.shim_dae_step, method, count, dt, (x,), place, lambda: (self.x,))[0]
 
     def assemble(self, x, tau, w_ext) -> tuple[Array, Array, Array]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``."""

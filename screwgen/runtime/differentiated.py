@@ -17,6 +17,7 @@ from .memory import Array, Memory, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
 SINGULAR = 2
+OUT_OF_REACH = "a linkage does not reach this posture; give an angle within its range"
 NO_METHOD = "in the generated C there is no integrator"
 
 
@@ -116,4 +117,4 @@ class Differentiated(Memory):
     def check(self, status: int) -> None:
         """Raise the error of a status that is not OK."""
         if status:
-            raise failure(self.chain, status, self.library.shim_fault(self.memory))
+            raise failure(self.chain, status, self.library.shim_fault(self.memory), OUT_OF_REACH)

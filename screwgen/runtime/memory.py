@@ -6,6 +6,7 @@ import ctypes
 import math
 import threading
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,24 @@ CONVERTED = (ValueError, TypeError, AttributeError, NotImplementedError)
 """The errors of memoryviews for values that are not arrays of their shape and number type."""
 
 Array = np.ndarray
+
+MOTION = {"rotation": (3, 3), "position": (3,), "tip_rotation": (3, 3), "tip_position": (3,), "tip_twist": (6,)}
+"""The members of the motion of a robot, with their shape for one link."""
+
+
+class Motion(NamedTuple):
+    """Poses and twists of a robot with n links, in the inertial frame."""
+
+    rotation: Array
+    """(n, 3, 3): of the frame F_i of every link."""
+    position: Array
+    """(n, 3) m: its origin."""
+    tip_rotation: Array
+    """(n, 3, 3): of the tip frame of every link."""
+    tip_position: Array
+    """(n, 3) m: its tip point."""
+    tip_twist: Array
+    """(n, 6): [omega; v] of tip section and tip point, rad/s and m/s."""
 
 
 class Block:
@@ -57,6 +76,7 @@ class Memory:
         self.wrench = view("output.wrench", c.n, 6)
         self.tip_rotation, self.tip_position = view("output.tip_rotation", 3, 3), view("output.tip_position", 3)
         self._energy, self._measures = view("energy", 2), view("measures", c.n, len(MEASURES))
+        self._motion = [view(f"motion.{name}", c.n, *shape) for name, shape in MOTION.items()]
         self._order = _order(c)
         self._dae = view("dae", int(max(self._order)) + 1)
         self._q, self._v, self._tau = memoryview(self.q), memoryview(self.v), memoryview(self.tau)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..algorithms.transmissions import DEAD, efforts, travels
-from ..arguments import Numbers
+from ..arguments import Numbers, parameters_keyword
 from ..errors import SingularError, UsageError
 from ..spec.load import one_line, parse
 from ..spec.messages import unknown
@@ -46,10 +46,11 @@ class Holding:
 
     TOLERANCE, SETTLED, STEPS = 1e-12, 1e-9, 30
 
-    def __init__(self, model: Model, p: Numbers | None = None):
+    @parameters_keyword
+    def __init__(self, model: Model, parameters: Numbers | None = None):
         model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
         self.model, self.statics, self.count, self.chain = model, model.statics, model.n_joints, model.chain
-        self.p = np.array(model.parameter_values if p is None else p, float)
+        self.p = np.array(model.parameter_values if parameters is None else parameters, float)
         self.still = np.zeros((6, model.n_links))
         self.stated: np.ndarray | None = None
 

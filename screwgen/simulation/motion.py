@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..arguments import Numbers
+from ..arguments import Numbers, parameters_keyword
 from ..bodies import markers
 from ..errors import UsageError
 from ..spec.parameters import coordinate_names
@@ -34,11 +34,12 @@ class Screws(NamedTuple):
     """(N, n, 3) m/s: velocity of the origin of F_i, in F_i components."""
 
 
-def screws(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers | None = None) -> Screws:
+@parameters_keyword
+def screws(model: Model, q: np.ndarray, v: np.ndarray, parameters: Numbers | None = None) -> Screws:
     """Exponential coordinates and twists of all links, (5) and (twist)."""
     q, v = _samples(model, q, "q"), _samples(model, v, "v")
     n, r = model.n_links, model.chain.n_inner
-    x = _mapped(model.casadi()["dae_state"], q, v, _values(model, p))
+    x = mapped(model.casadi()["dae_state"], q, v, _values(model, parameters))
     poses = x[:, : 7 * n].reshape(-1, n, 7)
     twists = x[:, 7 * n + r : 13 * n + r].reshape(-1, n, 6)
     turns = Rotation.from_quat(poses[..., :4].reshape(-1, 4), scalar_first=True)
@@ -108,7 +109,7 @@ def _centreline(model: Model, q: np.ndarray, R: np.ndarray, r: np.ndarray, link:
 def _poses(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Rotations (N, n, 3, 3) and positions (N, n, 3) of all segments' frames."""
     given = model.casadi()["link_pose"], _samples(model, q, "q"), _values(model, None)
-    R, r = (_mapped(*given, output=k).reshape(len(q), model.n_links, *shape) for k, shape in enumerate(((3, 3), (3,))))
+    R, r = (mapped(*given, output=k).reshape(len(q), model.n_links, *shape) for k, shape in enumerate(((3, 3), (3,))))
     return R.transpose(0, 1, 3, 2), r
 
 
@@ -125,17 +126,19 @@ def undeformed(model: Model, q: np.ndarray) -> np.ndarray:
     return out
 
 
-def tip_deformation(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
+@parameters_keyword
+def tip_deformation(model: Model, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
     """The displacement (N, 3), m, of the last tip from its place with undeformed links at the same joint angles.
 
     In inertial components. It includes the rotation of later links by the slope of a link's tip.
     """
-    return tip_position(model, q, p) - tip_position(model, undeformed(model, q), p)
+    return tip_position(model, q, parameters) - tip_position(model, undeformed(model, q), parameters)
 
 
-def tip_position(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
+@parameters_keyword
+def tip_position(model: Model, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
     """The last tip (N, 3), m, in the inertial frame."""
-    return _mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, p), output=1)
+    return mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, parameters), output=1)
 
 
 def amplitude_spectrum(t: np.ndarray, x: np.ndarray, taper: bool = True) -> tuple[np.ndarray, np.ndarray]:
@@ -166,7 +169,7 @@ def _samples(model: Model, x: np.ndarray, name: str) -> np.ndarray:
     return x
 
 
-def _mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
+def mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
     """An output of a CasADi function for every sample (N, …); the last argument, `p`, is the same for all."""
     *varying, p = rows
     count = len(varying[0])

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from ..topology.coordinates import SLACK
 from .chunks import in_chunks, merged
 from .loop import added
 from .rollout_loops import opened
+from .rollout_samples import Source
 from .rollout_validity import watched
 from .validity import Validity
 
@@ -54,6 +56,8 @@ class Rollout:
     """The largest validity measures: deflection and slope of all samples, loads of some, the fastest included."""
     refused: Mapping[int, str] = field(default_factory=dict)
     """What is wrong with the parameters of scenarios of status 3."""
+    source: Source | None = field(default=None, compare=False)
+    """The model and the inputs."""
 
     def __repr__(self) -> str:
         count, samples, _ = self.q.shape
@@ -69,6 +73,40 @@ class Rollout:
     def x(self) -> np.ndarray:
         """The states [q; v], (batch, steps + 1, nq + nv)."""
         return np.concatenate([self.q, self.v], axis=2)
+
+    @property
+    def wrench(self) -> np.ndarray:
+        """(batch, steps + 1, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components.
+
+        They, tip positions and energies are computed when first asked for, in double precision; NaN where there is no
+        dynamics. At the last sample the last input is held on.
+        """
+        return self._samples[0]
+
+    @property
+    def tip_position(self) -> np.ndarray:
+        """(batch, steps + 1, 3): the last link's tip in the inertial frame, m."""
+        return self._samples[1]
+
+    @property
+    def energy(self) -> np.ndarray:
+        """(batch, steps + 1, 2): kinetic, potential, J."""
+        return self._samples[2]
+
+    @cached_property
+    def base_strain(self) -> np.ndarray:
+        """(batch, steps + 1, strains): as the output ``base_strain`` of :meth:`screwgen.Model.linearise`, its order."""
+        return self._source.base_strain(self.q)
+
+    @cached_property
+    def _samples(self) -> list[np.ndarray]:
+        return self._source.samples(self.q, self.v)
+
+    @property
+    def _source(self) -> Source:
+        if self.source is None:
+            raise UsageError("this rollout holds no model; take the one that screwgen.rollout returns")
+        return self.source
 
     def report(self) -> list[str]:
         """One line for every scenario that stopped: when, and why."""
@@ -125,7 +163,7 @@ def rollout(
     if executor is None:
         run = rolled(model, given, count, *how)
     else:
-        run = joined(in_chunks(rolled, model, given, count, how, executor))
+        run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     run.validity.warn(stacklevel=2)
     return run
 
@@ -169,7 +207,8 @@ def rolled(model, given, count, periods, step, substeps, method, threads, single
         status[k], done[k], fault[k], q[k], v[k] = REFUSED, 0, -1, q[k, 0], v[k, 0]
     t = step * np.arange(periods + 1)
     links = tuple(model.chain.names)
-    return Rollout(t, q, v, status, done, fault, links, watched(model, given, t, q, v), refused)
+    found = watched(model, given, t, q, v), refused, Source(model, given)
+    return Rollout(t, q, v, status, done, fault, links, *found)
 
 
 def _constants(model: Model, batch: CompiledBatch, p: np.ndarray) -> tuple[np.ndarray, np.ndarray, dict[int, str]]:
@@ -190,7 +229,7 @@ def _constants(model: Model, batch: CompiledBatch, p: np.ndarray) -> tuple[np.nd
 def joined(runs: list[Rollout]) -> Rollout:
     """Rollouts one behind the other."""
     names = ("q", "v", "status", "completed", "fault")
-    stacked = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
+    stacked: dict[str, Any] = {name: np.concatenate([getattr(run, name) for run in runs]) for name in names}
     starts = np.cumsum([0, *(len(run.status) for run in runs)])
     refused = {k + start: said for run, start in zip(runs, starts, strict=False) for k, said in run.refused.items()}
     validity = merged([run.validity for run in runs])

@@ -5,6 +5,7 @@ SLIDING = {
     "joint.damping": ("N·s/m", "viscous damping along the joint axis"),
     "joint.stiffness": ("N/m", "stiffness along the joint axis"),
     "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the joint"),
+    "joint.drives.rotor_inertia": ("kg", "mass that moves with the drive"),
     "joint.drives.stiffness": ("N/m", "stiffness of the gear at the joint"),
     "joint.drives.damping": ("N·s/m", "damping of the gear at the joint"),
     "joint.drives.friction.coulomb": ("N", "dry friction"),
@@ -15,10 +16,12 @@ SLIDING = {
     "joint.limits.stiffness": ("N/m", "stiffness of the stops at the limits"),
     "joint.limits.damping": ("N·s/m", "damping of the stops at the limits"),
 }
-"""Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has those."""
+"""Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has
+those, and so has a rotor's inertia where a ratio is stated."""
 
 CRANKED = {
     "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the cylinder"),
+    "joint.drives.rotor_inertia": SLIDING["joint.drives.rotor_inertia"],
     "joint.drives.stiffness": ("N/m", "stiffness of the gear along the travel of its transmission"),
     "joint.drives.damping": ("N·s/m", "damping of the gear along the travel of its transmission"),
     **{field: SLIDING[field] for field in SLIDING if ".friction." in field},

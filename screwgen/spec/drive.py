@@ -60,7 +60,9 @@ class Drive(Part):
         description="turns of the rotor per turn of the joint (of slides, cylinders rad/m), > 0; 1 if it is left out",
     )
     rotor_inertia: Annotated[float, PlainValidator(within("rotor inertia"))] | None = Field(
-        None, description="inertia of the rotor about its own axis, kg·m², > 0"
+        None,
+        description="inertia of the rotor about its own axis, kg·m², > 0; of slides and cylinders without ratio the "
+        "mass that moves along, kg",
     )
     stiffness: Annotated[float, PlainValidator(within("gear stiffness"))] | None = Field(
         None,

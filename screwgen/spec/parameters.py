@@ -121,7 +121,8 @@ FIELDS |= {  # of a section that is stated at stations
     for name in Section.model_fields
 }
 
-BODY_FRAMES = {"base": "F_i axes, from the joint point", "tip": "tip-frame axes, from the tip point"}
+BODY_FRAMES = {"base": ("F_i axes", "from the joint point"), "tip": ("tip-frame axes", "from the tip point")}
+"""The axes of a body's numbers, and the point from which its centre of mass is meant."""
 
 
 def parameters(robot: Robot) -> tuple[Parameter, ...]:
@@ -142,7 +143,9 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
                 yield _sliding(parameter, link.joint)
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
-            yield from spread(field, value, i, link.name, (b,), BODY_FRAMES[body.at])
+            axes, point = BODY_FRAMES[body.at]
+            frame = f"{axes}, {point}" if field == "bodies.com" else axes
+            yield from spread(field, value, i, link.name, (b,), frame)
 
 
 def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
@@ -154,7 +157,9 @@ def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
     if drive and drive.transmission:
         units = LINKED if drive.transmission.four_bar else CRANKED
     on_rotor = drive and drive.elastic and not drive.transmission
-    if parameter.field not in units or (".friction." in parameter.field and on_rotor):
+    rotor = parameter.field.endswith(".rotor_inertia")
+    turning = on_rotor or (rotor and drive and drive.ratio is not None)
+    if parameter.field not in units or (turning and (rotor or ".friction." in parameter.field)):
         return parameter
     unit, description = units[parameter.field]
     return replace(parameter, unit=unit, description=description)

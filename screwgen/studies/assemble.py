@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..arguments import Given, Numbers, choice
+from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
 from ..errors import UsageError
 from ..topology.loops import closures
@@ -30,18 +30,21 @@ def bent(model: Model, start: Numbers, found: np.ndarray) -> list[str]:
     return [model.q_names[first + k] for k in np.flatnonzero(found[first:] != before)]
 
 
-def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), p: Given = None) -> np.ndarray:
+@parameters_keyword
+def assemble(
+    model: Model, q: Numbers | None = None, hold: Sequence[str] = (), parameters: Given = None
+) -> np.ndarray:
     """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
 
     `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, unless the
-    loops close with other ones alone; gears are without load. A floating base stays as well. `p`: parameter values.
-    Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
+    loops close with other ones alone; gears are without load. A floating base stays as well. `parameters`: their
+    values. Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
     """
     if not model.robot.loops:
         raise UsageError(f"robot '{model.robot.name}' has no loops; state [[loops]] tables, or leave this out")
     for name in hold:
         choice(name, model.q_names, "hold: there is no coordinate")
-    held, p = [name in hold for name in model.q_names], model.chain.parameters.vector(p)
+    held, p = [name in hold for name in model.q_names], model.chain.parameters.vector(parameters)
     found, chain = closed_softly(model.numpy(p), posture(model, q, p), held), model.chain
     base, joints, _ = np.split(found, [chain.base_q, chain.base_q + chain.n_joints])
     return np.concatenate([base, chain.relaxed(joints, p), found[chain.eta_q :]])

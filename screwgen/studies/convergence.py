@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy.linalg import block_diag
 
-from ..arguments import Numbers
+from ..arguments import Numbers, parameters_keyword
 from ..bases import products
 from ..errors import SingularError
 from ..simulation.mobility import jacobian
@@ -55,11 +55,12 @@ class Convergence(NamedTuple):
         return direction if direction and self.alone[direction][k] < -NOTHING else None
 
 
+@parameters_keyword
 def convergence(
     model: Model,
     q: Numbers | None = None,
     joints: str = "locked",
-    p: Numbers | None = None,
+    parameters: Numbers | None = None,
     rates: Numbers | None = None,
     loaded: bool = False,
 ) -> Convergence:
@@ -70,7 +71,7 @@ def convergence(
     deflection under loads is that of the present modes.
     """
     rich = type(model)(enriched(model.robot))
-    names = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
+    names = dict(zip(model.parameter_names, model.parameter_values if parameters is None else parameters, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
     own = np.array(list(names.values()))
     q = closed_posture(model, q, own)

@@ -11,7 +11,7 @@ import scipy.linalg
 
 from .. import notebook
 from ..algorithms.transmissions import efforts
-from ..arguments import Given, Numbers, choice
+from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
 from ..simulation.mobility import stated_joints
@@ -89,13 +89,14 @@ class Equilibrium:
         return notebook.table(repr(self).strip("<>"), ("", "value", force), rows)
 
 
+@parameters_keyword
 def equilibrium(
     model: Model,
     q: Numbers | None = None,
     tau: Numbers | None = None,
     w_ext: Any = None,
     hold: bool | str = False,
-    p: Given = None,
+    parameters: Given = None,
 ) -> Equilibrium:
     """The posture in which the arm rests.
 
@@ -109,7 +110,7 @@ def equilibrium(
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
     have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
     then `stability` says so. A floating base is kept as in `q` and needs a robot without gravity: the others settle
-    relative to it. `p`: parameter values. A :class:`ModelValidityWarning` says where a link is past the
+    relative to it. `parameters`: their values. A :class:`ModelValidityWarning` says where a link is past the
     bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
     NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
@@ -118,13 +119,13 @@ def equilibrium(
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
     if model.chain.floating:
-        return equilibrium_afloat(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(p))
+        return equilibrium_afloat(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(parameters))
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
     alone = q is not None and np.size(q) == m != model.nq
     start = model.chain.filled(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
-    values, torques = model.chain.parameters.vector(p), checked(tau, "tau", m)
+    values, torques = model.chain.parameters.vector(parameters), checked(tau, "tau", m)
     springs = stiffness(model, values)[:m] > 0
     start, stated = closed_start(model, values, start, bool(hold))
     held = np.full(m, bool(hold)) & (~springs | (hold == "all")) & stated

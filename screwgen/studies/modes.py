@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import scipy.linalg
 
-from ..arguments import Given, Numbers, choice
+from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
 from ..errors import SingularError, UsageError
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
@@ -25,11 +25,12 @@ JOINTS = ("locked", "free")
 LOADED = "table of modes under loads or at rates", "leave these out"
 
 
+@parameters_keyword
 def natural_frequencies(
     model: Model,
     q: Numbers | None = None,
     joints: str = "locked",
-    p: Given = None,
+    parameters: Given = None,
     rates: Numbers | None = None,
     loaded: bool = False,
 ) -> np.ndarray:
@@ -39,7 +40,7 @@ def natural_frequencies(
     drives are elastic it locks their rotors, and the joint moves on its gear. "free" lets the joints turn on their own
     springs, (nq,): motions that no spring resists give exactly 0. A floating base moves in either case, which gives six
     zeros. Where loops are closed at `q`, as many motions as they leave are found; "locked" locks the joints of
-    :func:`..simulation.mobility.stated_joints`, and the others follow. `p`: parameter values, the file's by default.
+    :func:`..simulation.mobility.stated_joints`, and the others follow. `parameters`: values, the file's by default.
     `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
     under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
     cases torques hold the joints at `q`, and the vibrations are about the deflection that follows.
@@ -49,7 +50,7 @@ def natural_frequencies(
     Where the links bear or bend more than the bounds of the model allow, a :class:`ModelValidityWarning` says so: under
     their weight also where gravity has no part in the frequencies.
     """
-    found = mode_shapes(model, q, joints, p, rates, loaded)
+    found = mode_shapes(model, q, joints, parameters, rates, loaded)
     found.validity.warn()
     if found.growth.any():
         raise UsageError(f"{found.unstable}; mode_shapes tells how fast they grow")
@@ -78,16 +79,17 @@ class ModeShapes(NamedTuple):
         return f"{count} of {len(self.growth)} vibrations grow, the fastest as exp({fastest:.4g}/s t)"
 
 
+@parameters_keyword
 def mode_shapes(
     model: Model,
     q: Numbers | None = None,
     joints: str = "locked",
-    p: Given = None,
+    parameters: Given = None,
     rates: Numbers | None = None,
     loaded: bool = False,
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
-    p = model.chain.parameters.vector(p)
+    p = model.chain.parameters.vector(parameters)
     q = closed_posture(model, q, p)
     moving = movable(model, joints, q, p)
     if not len(moving):

@@ -7,12 +7,15 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ...spec.axis_units import SLIDING
-from ...spec.parameters import FIELDS, Parameter, parameters
+from ...spec.parameters import BODY_FRAMES, FIELDS, Parameter, parameters
 from ...spec.robot import Robot
 from ...spec.section import Section
 from ...topology.parameters import label
 from .code import literal
 from .fields import Field
+
+FEW = 6
+"""The largest number of links that a comment names one by one."""
 
 SLIDING_UNITS = [unit for unit, _ in SLIDING.values()]
 
@@ -96,12 +99,26 @@ def ascii_unit(text: str) -> str:
 
 
 def _general(p: Parameter) -> str:
-    """The description without the component's own name."""
-    return ", ".join(x for x in p.description.split(", ") if x not in FIELDS[p.field].components)
+    """The description for all links, with the order of the components."""
+    parts = FIELDS[p.field].components
+    frames = [x for frame in BODY_FRAMES.values() for x in frame]
+    shared = [x for x in p.description.split(", ") if x not in (*parts, *frames)]
+    return ", ".join(shared + [f"[{', '.join(parts)}]"] * bool(parts))
 
 
-def body_count(robot: Robot) -> int:
-    return max((len(link.bodies) for link in robot.links), default=0)
+def body_places(robot: Robot) -> str:
+    """Which body of a link stands where: in the order of the robot file."""
+    places = {link.name: ", ".join(f"[{k}] at the {b.at}" for k, b in enumerate(link.bodies)) for link in robot.links}
+    stated = {name: text for name, text in places.items() if text}
+    if len(set(stated.values())) > 1 and len(stated) <= FEW:
+        return "in the order of the robot file: " + "; ".join(f"{name} {text}" for name, text in stated.items())
+    alike = f": {next(iter(stated.values()))}" if len(set(stated.values())) == 1 else ""
+    return f"in the order of the robot file{alike}"
+
+
+def bodies(robot: Robot) -> dict[str, object]:
+    """How many bodies a link has at most, and where they stand, for the templates."""
+    return {"n_bodies": max((len(link.bodies) for link in robot.links), default=0), "bodies": body_places(robot)}
 
 
 def limits(robot: Robot) -> list[str]:

@@ -36,7 +36,7 @@ from .fields import (
     topology,
 )
 from .links import RUNS, WATCHED, WITHIN, Links, sparsity
-from .parameters import body_count, changing_parameter, defaults, limits, members, parameter_structs, place
+from .parameters import bodies, changing_parameter, defaults, limits, members, parameter_structs, place
 
 FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
@@ -139,7 +139,7 @@ class CProject:
             "structs": structs(chain),
             "parameters": self.parameters,
             "measures": {name: literal(bound) for name, bound in BOUNDS.items()},
-            "n_bodies": body_count(robot),
+            **bodies(robot),
             "constants": self.constants,
             "node": node_fields(self._programs),
             "store": store_fields(self._programs, self.chain),

@@ -20,6 +20,7 @@ VIEWS = (
     *(f"state.{name}" for name in ROBOT["state"]),
     *(f"input.{name}" for name in ROBOT["input"]),
     *(f"output.{name}" for name in ROBOT["output"]),
+    *(f"motion.{name}" for name in ROBOT["motion"]),
     "dae",
     "energy",
     "measures",

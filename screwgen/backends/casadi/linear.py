@@ -98,6 +98,12 @@ def statics(chain: Chain) -> ca.Function:
     )
 
 
+def strain_function(chain: Chain) -> ca.Function:
+    """The CasADi function ``(q, p) -> (strain)`` of :func:`base_strains`."""
+    q, p = ca.SX.sym("q", chain.nq), ca.SX.sym("p", len(parameters(chain.robot)))
+    return ca.Function("base_strains", [q, p], [base_strains(chain, q, p)], ["q", "p"], ["strain"])
+
+
 def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
     """The strains of the beam at the base section of every link, one for each of its directions that has modes.
 

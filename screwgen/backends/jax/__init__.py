@@ -1,7 +1,7 @@
 """The JAX back end; JAX is imported here and nowhere else.
 
 ``functions(chain, precision, forward_mode, methods)``: the functions by name. ``w_ext`` is (n, 6);
-``step_<method> (q, v, tau, w_ext, h, p) -> (q, v)``; where a joint cannot be solved for all results are NaN.
+``step_<method> (q, v, tau, w_ext, p, dt) -> (q, v)``; where a joint cannot be solved for all results are NaN.
 ``precision``: ``"double"``, which needs ``jax_enable_x64``, or ``"single"``; ``forward_mode``: for ``jvp`` and
 ``jacfwd``, at minutes of compiling; ``methods``: integrators beside the built-in ones.
 """

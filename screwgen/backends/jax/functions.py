@@ -7,12 +7,14 @@ gradient of a function is NaN.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterable
-from functools import cache, partial
+from functools import cache, partial, wraps
 from typing import Any
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.axis_laws import STOP, secants
@@ -46,6 +48,21 @@ def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterabl
     return Made({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
 
 
+def old_order_too(step: Callable) -> Callable:
+    """`step` (q, v, tau, w_ext, p, dt), which takes its arguments as (…, h, p) as well, with a DeprecationWarning."""
+
+    @wraps(step)
+    def call(*args, **named):
+        swapped = len(args) == 6 and not np.ndim(args[4]) and np.ndim(args[5])
+        if swapped or "h" in named:
+            warnings.warn("steps take (q, v, tau, w_ext, p, dt), no longer (…, h, p)", DeprecationWarning, stacklevel=2)
+        if swapped:
+            args = (*args[:4], args[5], args[4])
+        return step(*args, **{"dt" if name == "h" else name: value for name, value in named.items()})
+
+    return call
+
+
 class Own:
     """What makes the functions of one robot; ``evaluated`` makes a JAX function of a program."""
 
@@ -58,7 +75,7 @@ class Own:
             "tau": (chain.n_tau,),
             "w_ext": (chain.n, 6),
             "p": (len(fused.parameters(chain.robot)),),
-            "h": (),
+            "dt": (),
         }
 
         @cache
@@ -157,14 +174,14 @@ class Own:
         return jnp.concatenate([jnp.stack([spin[2, 1], spin[0, 2], spin[1, 0]]), moving @ rates])
 
     def step(self, method: Method) -> Callable:
-        """``(q, v, tau, w_ext, h, p) -> (q, v)``: the inputs held over h seconds."""
+        """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds."""
 
         def body(x: Values):
             space = Curved(self) if self.chain.floating else FLAT
-            q, v = method.step(Held(self, x), x["q"], x["v"], x["h"], space)
+            q, v = method.step(Held(self, x), x["q"], x["v"], x["dt"], space)
             return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 
-        return self.function("q v tau w_ext h p", body)
+        return old_order_too(self.function("q v tau w_ext p dt", body))
 
 
 class Held:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ...arguments import Numbers
+from ...arguments import Numbers, parameters_keyword
 from ...errors import SingularError, UsageError
 from ...integrators.methods import method_of
 from ...simulation import mobility
@@ -41,13 +41,14 @@ def speed(model: Model, v: np.ndarray) -> float:
     return float(np.linalg.norm(v[: model.n_joints][turning(model.robot)]))
 
 
+@parameters_keyword
 def jacobian(
     model: Model,
     q: Numbers,
     v: Numbers,
     tau: Numbers | None = None,
     w_ext: Numbers | None = None,
-    p: Parameters | None = None,
+    parameters: Parameters | None = None,
     controller: Law | None = None,
 ) -> np.ndarray:
     """`A` (2 nq, 2 nq) with `d/dt [δq; δv] = A [δq; δv]`: the dynamics linearised at `q`, `v` (nq,), exactly.
@@ -55,9 +56,10 @@ def jacobian(
     `tau` (n_joints,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` the torques follow the
     motion instead, at t = 0. Derivatives by automatic differentiation. Raises UsageError, SingularError.
     """
-    return Linearised(model, q, v, tau, controller, w_ext, p).jacobian
+    return Linearised(model, q, v, tau, controller, w_ext, parameters).jacobian
 
 
+@parameters_keyword
 def step_map(
     model: Model,
     method: str,
@@ -67,7 +69,7 @@ def step_map(
     tau: Numbers | None = None,
     controller: Law | None = None,
     w_ext: Numbers | None = None,
-    p: Parameters | None = None,
+    parameters: Parameters | None = None,
 ) -> np.ndarray:
     """`S` (2 nq, 2 nq) with `[δq; δv]` after a step `= S [δq; δv]` before it: the amplification matrix.
 
@@ -77,7 +79,7 @@ def step_map(
     dynamics once a step, and for all of them at an equilibrium, S is the exact derivative of the step.
     Raises UsageError, SingularError.
     """
-    return Linearised(model, q, v, tau, controller, w_ext, p).step_map(method, step)
+    return Linearised(model, q, v, tau, controller, w_ext, parameters).step_map(method, step)
 
 
 def check_step(step: float) -> None:
@@ -107,6 +109,7 @@ class Linearised:
     arguments make no sense, SingularError where the mass matrix cannot be inverted.
     """
 
+    @parameters_keyword
     def __init__(
         self,
         model: Model,
@@ -115,12 +118,12 @@ class Linearised:
         tau: Numbers | None = None,
         controller: Law | None = None,
         w_ext: Numbers | None = None,
-        p: Parameters | None = None,
+        parameters: Parameters | None = None,
     ):
         model.chain.needs_fixed("spectrum", "analyse the robot with a fixed base")
         if controller is not None and tau is not None:
             raise UsageError("torques are given beside a controller; leave one of them out")
-        self.model, self.p = model, model.chain.parameters.vector(p)
+        self.model, self.p = model, model.chain.parameters.vector(parameters)
         self.q, self.v = coordinates(q, "q", model, self.p), coordinates(v, "v", model, self.p)
         law = tau if controller is None else started(controller, self.q, model, self.p)
         self.given = Inputs(model, law, w_ext)

@@ -1,0 +1,58 @@
+"""What follows from the motions of a rollout, at every sample: joint wrenches, tip positions, energies, strains."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..integrators.methods import METHODS
+from ..runtime.memory import pointer
+from .loop import instance
+from .motion import mapped
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+
+@dataclass(frozen=True)
+class Source:
+    """The model of a rollout and what was given.
+
+    ``given``: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
+    """
+
+    model: Model
+    given: Mapping[str, np.ndarray]
+
+    def samples(self, q: np.ndarray, v: np.ndarray) -> list[np.ndarray]:
+        """Wrenches (batch, samples, n, 6), tip positions (.., 3) and energies (.., 2) of `q` (.., nq), `v` (.., nv)."""
+        count, samples, _ = q.shape
+        p, n = self.given["parameters"], self.model.n_links
+        compiled = instance(self.model, p[0], METHODS["modal_midpoint"])
+        rows = np.empty((count, samples, 6 * n + 5))
+        for k in range(count):
+            if k and len(p) > 1:
+                compiled.prepare(p[k])
+            inputs = [self._held(name, k, samples) for name in ("tau", "w_ext")]
+            given = np.ascontiguousarray(np.hstack([q[k], v[k], *inputs]), float)
+            compiled.library.shim_samples(compiled.memory, samples, pointer(given), pointer(rows[k]))
+        wrench, tip, energy = np.split(rows, [6 * n, 6 * n + 3], axis=2)
+        return [wrench.reshape(count, samples, n, 6), tip, energy]
+
+    def _held(self, name: str, k: int, samples: int) -> np.ndarray:
+        """The input of a scenario at its samples (samples, numbers); the last one holds it on."""
+        of = self.given[name][k if len(self.given[name]) > 1 else 0]
+        return of[np.minimum(np.arange(samples), len(of) - 1)]
+
+    def base_strain(self, q: np.ndarray) -> np.ndarray:
+        """The strains at the base sections (batch, samples, count)."""
+        from ..backends.casadi.linear import strain_function
+
+        p = self.given["parameters"]
+        function = self.model.once("base strains", lambda: strain_function(self.model.chain))
+        if len(p) == 1:
+            return mapped(function, q.reshape(-1, q.shape[2]), p[0]).reshape(*q.shape[:2], -1)
+        return np.array([mapped(function, own, x) for own, x in zip(q, p, strict=True)])

@@ -1,0 +1,62 @@
+"""One keyword for parameters, and the older one that calls may still use."""
+
+import numpy as np
+import pytest
+from helpers import arm, link, model_of
+
+import screwgen
+from screwgen import UsageError
+from screwgen.simulation.controllers import Holding
+from screwgen.simulation.motion import screws, tip_deformation, tip_position
+from screwgen.studies.analysis.spectrum import Linearised, jacobian, step_map
+from screwgen.studies.modes import mode_shapes
+
+MODEL = model_of(arm(link("beam", modes={"bending_y": 1}, joint={"axes": ["z"], "armature": [0.1]})))
+X = np.array([0.1, 0.001])
+ROWS = X[None]
+ANSWERS = {
+    "numpy": lambda **given: MODEL.numpy(**given).mass_matrix(X),
+    "fresh": lambda **given: _compiled().fresh(**given).mass_matrix(X),
+    "prepare": lambda **given: _prepared(**given).mass_matrix(X),
+    "equilibrium": lambda **given: screwgen.equilibrium(MODEL, hold=True, **given).q,
+    "natural_frequencies": lambda **given: screwgen.natural_frequencies(MODEL, **given),
+    "mode_shapes": lambda **given: mode_shapes(MODEL, **given).frequencies,
+    "convergence": lambda **given: screwgen.convergence(MODEL, **given).alone["bending_y"],
+    "Holding": lambda **given: Holding(MODEL, **given)(X),
+    "jacobian": lambda **given: jacobian(MODEL, X, X, **given),
+    "step_map": lambda **given: step_map(MODEL, "rk4", X, X, 1e-3, **given),
+    "Linearised": lambda **given: Linearised(MODEL, X, X, **given).vdot,
+    "screws": lambda **given: screws(MODEL, ROWS, ROWS, **given).omega,
+    "tip_position": lambda **given: tip_position(MODEL, ROWS, **given),
+    "tip_deformation": lambda **given: tip_deformation(MODEL, ROWS, **given),
+}
+"""What a function says of the model with other parameters."""
+
+
+def _compiled():
+    return MODEL.once("test", lambda: MODEL.compile(flags=("-O0",)))
+
+
+def _prepared(**given):
+    out = _compiled().fresh()
+    out.prepare(**given)
+    return out
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_parameters_may_be_named_p_with_a_warning(name):
+    values = np.array(MODEL.parameter_values) * 1.02
+    values[: len(MODEL.robot.gravity)] = 1.0, 0.0, -5.0
+    wanted = ANSWERS[name](parameters=values)
+    with pytest.warns(DeprecationWarning, match="write parameters= in place of p=") as caught:
+        found = ANSWERS[name](p=values)
+    assert np.array_equal(found, wanted) and caught[0].filename == __file__
+    with pytest.raises(UsageError, match="p and parameters are both given"):
+        ANSWERS[name](p=values, parameters=values)
+
+
+def test_parameters_in_their_old_place_do_not_warn(recwarn):
+    values = np.array(MODEL.parameter_values) * 1.02
+    named = screwgen.natural_frequencies(MODEL, X, parameters=values)
+    assert np.array_equal(screwgen.natural_frequencies(MODEL, X, "locked", values), named)
+    assert np.array_equal(MODEL.numpy(values).p, values) and not len(recwarn)

@@ -121,10 +121,11 @@ def _drawn(run: Any, model: Model, torque: Any, _: str) -> bytes:
     return png(run, model, torque)
 
 
-def _viewed(run: Any, model: Model, _: Any, output: str) -> bytes:
+def _viewed(run: Any, model: Model, torque: Any, output: str) -> bytes:
+    from ..plotting.demands import set_points
     from ..viewer.page import run_page
 
-    return run_page([(run, model, Path(output).name)]).html.encode()
+    return run_page([(run, model, Path(output).name)], goals=set_points(run, model, torque)).html.encode()
 
 
 @contextmanager

@@ -15,9 +15,10 @@ import numpy as np
 from ..errors import SingularError, StoppedError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
+from ..progress import bar, busy
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
-from .output import bar, busy, load_robot, say
+from .output import load_robot, say
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:

@@ -12,6 +12,7 @@ import pytest
 
 from screwgen.cli import process as cli_process
 from screwgen.cli.main import main
+from screwgen.studies import predictive
 
 ELLA = str(Path(__file__).resolve().parents[1] / "examples" / "ella.toml")
 
@@ -115,3 +116,17 @@ def test_what_the_shell_hands_over_is_read(capsys):
     assert main(["modes", ELLA, "--posture", f"/dev/fd/{reader}"]) == 0
     os.close(reader)
     assert " Hz" in capsys.readouterr().out
+
+
+def test_a_terminal_is_told_that_a_predictive_controller_is_built(monkeypatch):
+    """Its derivation and compilation take minutes; what is no terminal stays silent."""
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setattr(predictive, "fitted", lambda *_: "fitted")
+    monkeypatch.setattr(predictive, "Mpc", lambda *given: given)
+    for watched in (True, False):
+        stream = io.StringIO()
+        monkeypatch.setattr(stream, "isatty", lambda watched=watched: watched)
+        monkeypatch.setattr(sys, "stderr", stream)
+        assert predictive.controller("model", "mpc.toml") == ("model", "fitted")
+        said = stream.getvalue()
+        assert ("linearising" in said and "compiling the predictive controller" in said) == watched == bool(said)

@@ -105,6 +105,8 @@ def test_set_points_and_limits_are_drawn_where_the_controller_states_them():
     goals = [line.get_ydata() for line in angles[0] if line.get_alpha() is not None]
     assert np.allclose([goal[-1] for goal in goals], SET_POINTS)
     assert np.allclose([goal[0] for goal in goals], run.q[0, :3])
+    styles = [[x.get_linestyle() for x in angles[0] if (x.get_alpha() is None) == own] for own in (True, False)]
+    assert styles[0][:3] == styles[1] and len(set(styles[1])) == 2, "a band of set points has the dashes of its axis"
     heights = {line.get_ydata()[0] for line in torques[0] if len(line.get_xdata()) == 2}
     assert heights == {90, -90, 60, -60, 30, -30}
     words = [{text.get_text() for text in key(figure).get_texts()} for figure in (told, silent)]

@@ -11,8 +11,11 @@ from scipy.spatial.transform import Rotation
 
 import screwgen
 from screwgen.cli.main import main
+from screwgen.plotting.demands import set_points
+from screwgen.simulation.controllers import PD
 from screwgen.viewer import pack
 from screwgen.viewer.meshes import packed
+from screwgen.viewer.panels import panels
 from screwgen.viewer.shapes import sections
 from screwgen.viewer.solids import Solid
 from screwgen.viewer.view import read_run, view
@@ -130,3 +133,23 @@ def test_refusals(tmp_path, capsys):
         assert said in error and error.count("\n") == 1
     assert "unknown suffix" in refusal(capsys, "view", good, "-o", tmp_path / "run.png")
     assert not page.exists()
+
+
+def test_panels_tell_links_axes_and_set_points():
+    """Colours of links are for what is of a link; axes of one link have dashes and names of their own."""
+    model = model_of(arm(link("base_arm", axes=("z", "y"), modes=MODES), link("fore")))
+    law = PD((9.0,) * 3, (2.0,) * 3, (0.1, 0.2, 0.3), duration=0.02, q_start=(0.0,) * 3)
+    run = screwgen.simulate(model, 0.02, 1e-3, controller=law)
+    shown = {x["title"]: x["curves"] for x in panels(run, model, set_points(run, model, law))}
+    assert list(shown) == ["Joint angles", "Torques", "Bending at tips", "Tip position", "Energy"]
+    styles = [(c["label"], c["color"], c["dash"]) for c in shown["Torques"]]
+    assert styles == [("base arm z", "c0", 0), ("base arm y", "c0", 1), ("fore", "c1", 0)]
+    goals = [np.frombuffer(b64decode(c["y"]), "<f4")[-1] for c in shown["Joint angles"] if c["goal"]]
+    assert goals == pytest.approx([0.1, 0.2, 0.3], rel=1e-6) and len(shown["Joint angles"]) == 6
+    assert {c["color"] for title in ("Tip position", "Energy") for c in shown[title]}.isdisjoint({"c0", "c1"})
+    tip = {c["label"]: np.frombuffer(b64decode(c["y"]), "<f4")[-1] for c in shown["Bending at tips"]}
+    (R, r), (_, end) = model.numpy().link_pose(run.q[-1]), model.numpy().tip_poses(run.q[-1])
+    moved = R[0].T @ (end[0] - r[0])
+    assert tip["base arm y"] == pytest.approx(moved[1], rel=1e-5) and tip["base arm z"] == pytest.approx(
+        moved[2], rel=1e-5
+    )

@@ -1,5 +1,6 @@
 """The viewer's pages in headless Chromium: where things are drawn, that nothing is asked for, and how fast it is."""
 
+import itertools
 import time
 
 import numpy as np
@@ -8,6 +9,7 @@ from browser import Browser
 from conftest import package, require_tool
 from dressed_arm import corners, dressed, posture, still
 from helpers import ROOT, arm, link, model_of
+from scipy.spatial.transform import Rotation
 
 import screwgen
 from screwgen.simulation.controllers import PD
@@ -102,6 +104,32 @@ def test_elbow_and_tip_are_drawn_where_they_are(browser, ella, tmp_path, factor)
         bends = max(bends, float(np.linalg.norm(found - straight, axis=1).max()))
     browser.resize(*SIZE)
     assert bends > (6 if factor == 1 else 40)
+    quiet(browser)
+
+
+def test_the_picture_has_room_for_bodies_and_is_filled(browser, tmp_path):
+    """The gantry's counterweights and payload: inside, beside the title, above the floor, and not small."""
+    model = screwgen.derive(screwgen.load(ROOT / "examples" / "gantry.toml"))
+    run = still(model, np.zeros(model.nq))
+    browser.resize(*LARGE)
+    opened(browser, tmp_path, view(run))
+    (R, r), scene = model.numpy().link_pose(run.q[0]), browser.run("screwgen.data.scenes[0]")
+    points = []
+    for i, each in enumerate(scene["links"]):
+        for body in each["bodies"]:
+            half = np.full(3, body["ball"] / np.sqrt(3)) if "ball" in body else np.array(body["box"]) / 2
+            turn = Rotation.from_quat(body.get("turn", [0, 0, 0, 1])).as_matrix()
+            signs = np.array(list(itertools.product((-1, 1), repeat=3)))
+            points.append(r[i] + (np.array(body["at"]) + (signs * half) @ turn.T) @ R[i].T)
+    found = pixels(browser, np.concatenate(points))
+    width, height = browser.run(
+        "[...['width', 'height']].map(x => document.getElementById('stage').getBoundingClientRect()[x])"
+    )
+    assert found[:, 0].min() > 20 and found[:, 0].max() < width - 20
+    assert found[:, 1].min() > 60 and found[:, 1].max() < height - 40
+    assert np.ptp(found[:, 1]) > 0.8 * (height - 106)
+    assert browser.run("screwgen.ground") < min(x[:, 2].min() for x in points)
+    browser.resize(*SIZE)
     quiet(browser)
 
 

@@ -15,9 +15,10 @@ import numpy as np
 from ..errors import SingularError, StoppedError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
+from ..progress import bar, busy
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
-from .output import bar, busy, load_robot, say
+from .output import load_robot, say
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
@@ -121,10 +122,11 @@ def _drawn(run: Any, model: Model, torque: Any, _: str) -> bytes:
     return png(run, model, torque)
 
 
-def _viewed(run: Any, model: Model, _: Any, output: str) -> bytes:
+def _viewed(run: Any, model: Model, torque: Any, output: str) -> bytes:
+    from ..plotting.demands import set_points
     from ..viewer.page import run_page
 
-    return run_page([(run, model, Path(output).name)]).html.encode()
+    return run_page([(run, model, Path(output).name)], goals=set_points(run, model, torque)).html.encode()
 
 
 @contextmanager

@@ -61,9 +61,10 @@ def export(
 ) -> None:
     """Write a robot as a URDF of rigid links, for viewers and other tools; what it leaves out is said on stderr."""
     from ..interchange.urdf_write import export_urdf
+    from ..progress import busy
     from ..simulation.runs import check_output, outputs
     from ..spec.load import one_line
-    from .output import busy, load_robot, notes, say
+    from .output import load_robot, notes, say
 
     check_output(output, (".urdf",))
     quiet = quiet or context.obj

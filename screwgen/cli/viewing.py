@@ -38,11 +38,12 @@ def view(
 ) -> None:
     """Write one HTML file that plays runs, the arm as it bends, energy, tip and torques; or a film of them."""
     from ..errors import UsageError
+    from ..progress import bar, busy
     from ..simulation.runs import check_output
     from ..viewer.page import SUFFIXES
     from ..viewer.view import MOST_RUNS, read_run
     from ..viewer.view import view as viewed
-    from .output import bar, busy, load_robot, notes, say
+    from .output import load_robot, notes, say
 
     quiet = quiet or context.obj
     if output is None and frames is None:
@@ -77,8 +78,9 @@ def view(
 
 def _looks(path: str, quiet: bool) -> Looks:
     """The visuals of a URDF, with notes on stderr on how much they are and what cannot be read."""
+    from ..progress import busy
     from ..viewer.meshes import read_looks
-    from .output import busy, notes
+    from .output import notes
 
     with busy("reading meshes", quiet):
         found = read_looks(path)

@@ -10,8 +10,9 @@ from typing import Annotated
 import typer
 
 from ..cli.main import EPILOG, Quiet
-from ..cli.output import busy, say
+from ..cli.output import say
 from ..errors import UsageError
+from ..progress import busy
 
 
 def add(app: typer.Typer) -> None:

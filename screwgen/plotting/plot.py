@@ -15,14 +15,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
-from ..simulation.inputs import started
 from ..simulation.motion import centrelines, displacements, twist
 from ..simulation.runs import Run, check_output, outputs
-from ..spec.base import POSE
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
 from . import look
-from .curves import MOST_POINTS, NOTHING, over_time, scale, thin
+from .curves import NOTHING, over_time, scale, thin
+from .demands import bounds_of, place_names, set_points
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
 from .strands import feet, strands
 
@@ -130,8 +129,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
     q, tau = partial(_lines, run, run.q, run.q_names), partial(_lines, run, run.tau, run.tau_names)
-    law = started(controller, run.q[0] if model else run.q[0, len(_place_names(run)) :], model)
-    goals, bounds = _goals(run, law), _bounds(law)
+    goals, bounds = set_points(run, model, controller), bounds_of(run, model, controller)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
     ends = None if model is None else model.chain.limits
     turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
@@ -162,14 +160,9 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     ]
 
 
-def _place_names(run: Run) -> list[str]:
-    """The names of a floating base's coordinates; none of a fixed one."""
-    return [name for name in run.q_names if name.removeprefix("base.") in POSE]
-
-
 def _base(run: Run) -> list[Panel]:
     """Where a floating base is, and how it has turned since the start: rotation vectors in inertial axes."""
-    if not _place_names(run):
+    if not place_names(run):
         return []
     turns = Rotation.from_quat(run.q[:, 3:7], scalar_first=True)
     turned = (turns * turns[0].inv()).as_rotvec()
@@ -241,20 +234,6 @@ def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.n
     return [line._replace(**{field: value}) for line, value in zip(lines, values[chosen], strict=True)]
 
 
-def _goals(run: Run, law: Any) -> np.ndarray | None:
-    """The set points (n_joints, N), rad and m, of a controller that states them."""
-    if not hasattr(law, "reference"):
-        return None
-    times = np.linspace(run.t[0], run.t[-1], min(len(run.t), MOST_POINTS))
-    return np.array([np.interp(run.t, times, x) for x in np.transpose([law.reference(t)[0] for t in times])])
-
-
-def _bounds(law: Any) -> np.ndarray | None:
-    """The limits of torques and forces (n_tau,), N·m and N, of a controller that states them."""
-    bounds = getattr(law, "bounds", getattr(law, "tau_max", None))
-    return None if bounds is None else np.array(bounds, float)
-
-
 # ------------------------------------------------------------------------------ how it is drawn
 
 
@@ -269,7 +248,10 @@ def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:
     ends = [x for line in panel.lines for x in line.ends]
     fitted = scale(t, [line.values for line in panel.lines] + goals, panel.unit, bounds, ends)
     for line in panel.lines:
-        for values, options in ((line.goal, GOAL), (line.values, {"linestyle": line.style, "label": line.label})):
+        for values, options in (
+            (line.goal, GOAL | {"linestyle": line.style}),
+            (line.values, {"linestyle": line.style, "label": line.label}),
+        ):
             if values is not None:
                 x, y = thin(t, values)
                 axes.plot(x, fitted.factor * y, color=line.color, **options)

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..backends.c.mpc import Fitted, MpcProject, Rest
 from ..backends.c.project import CProject
+from ..progress import busy
 from ..runtime.mpc import Mpc
 from ..spec.load import one_line
 from ..spec.mpc import load_mpc
@@ -43,8 +44,11 @@ def project(model: Model, file: str | os.PathLike[str] | None, *options: Any) ->
 
 
 def controller(model: Model, file: str | os.PathLike[str], **options: Any) -> Mpc:
-    """The implementation of :meth:`screwgen.Model.mpc`."""
-    return Mpc(model, fitted(model, file), **options)
+    """The implementation of :meth:`screwgen.Model.mpc`; a terminal is told of the minutes that it may take."""
+    with busy("linearising at the controller's goal", quiet=False):
+        fit = fitted(model, file)
+    with busy("generating and compiling the predictive controller, minutes for the first time", quiet=False):
+        return Mpc(model, fit, **options)
 
 
 def cost_to_go(model: Model, f: Fitted) -> np.ndarray:

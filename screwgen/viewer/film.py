@@ -17,7 +17,7 @@ from ..simulation.runs import Run
 from ..spec.load import one_line
 from .meshes import Looks, placed
 from .scene import scene
-from .solids import COLORS, Bend, Solid, solids
+from .solids import Bend, Solid, solids
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -32,7 +32,9 @@ OPENING = np.radians(32.0)
 FAINT = 0.3
 """How much of its colour a ghost has, over that of the paper."""
 PATH, SURVEYED = 400, 16
-"""Places of the tip along its path, and postures whose meshes must be in the picture."""
+"""Places of the tip along its path, and postures whose surfaces must be in the picture."""
+MARGINS = (50, 34, 20)
+"""Pixels that the title, the notes and the sides take."""
 
 
 class Camera(NamedTuple):
@@ -119,11 +121,8 @@ class Film:
         down = np.array(first["gravity"])
         turn = _down(down / np.linalg.norm(down)) if down.any() else np.eye(3)
         clouds = [np.reshape(x, (-1, 3)) @ turn.T for x in ends]
-        if looks is not None:
-            worn = (
-                a.faces(q).reshape(-1, 3) @ turn.T for a in self.actors for q in a.at(self.times[:: PATH // SURVEYED])
-            )
-            clouds += [np.array([x.min(axis=0), x.max(axis=0)]) for x in worn]
+        for a in self.actors:
+            clouds += [a.faces(q).reshape(-1, 3) @ turn.T for q in a.at(self.times[:: PATH // SURVEYED])]
         self.cloud = np.concatenate(clouds)
         self.camera = _camera(turn, self.cloud, first["size"], size)
         self._prepare(runs, magnified)
@@ -133,10 +132,10 @@ class Film:
         self.stage = Stage(self.size, PAPER)
         cell = self._floor()
         self.shadow = self.stage.polygons(1, SHADOW)
-        style = dict(color=COLORS[0], linewidth=1.4)
+        style = dict(color=INK, linewidth=1.4)
         flat = [self.camera.project(path) for path in self.paths]
         for path in flat:
-            self.stage.line(path, alpha=0.22, **style)
+            self.stage.line(path, alpha=0.4, **style)
         self.trails = [self.stage.line(path, alpha=0.45 if k else 0.95, **style) for k, path in enumerate(flat)]
         self.bodies = [self.stage.polygons(4 - k) for k in range(len(self.actors))]
         labels = " · ghost: ".join(one_line(label) for *_, label in runs)
@@ -224,14 +223,25 @@ def _down(way: np.ndarray) -> np.ndarray:
 def _camera(turn: np.ndarray, points: np.ndarray, reach: float, size: tuple[int, int]) -> Camera:
     """The camera that sees all points (N, 3), in the picture's axes; as `look` of templates/view/player.js."""
     low, high = points.min(axis=0), points.max(axis=0)
-    spread, aspect = high - low, size[0] / size[1]
-    across = np.arctan(np.tan(OPENING / 2) * min(aspect, 1.0))
+    spread, aspect, half = high - low, size[0] / size[1], float(np.tan(OPENING / 2))
     wide = spread[0] > 2.2 * spread[1]
     way = np.array([1.0, -0.42, 0.42] if spread[1] > 2.2 * spread[0] else [0.42 if wide else 0.75, -1.0, 0.45])
     way /= np.linalg.norm(way)
-    radius = max(float(np.linalg.norm(spread)) / 2, 0.45 * reach) * (0.86 if aspect > 1.4 else 1.02)
     right = np.cross([0.0, 0.0, 1.0], way)
     right /= np.linalg.norm(right)
-    return Camera(
-        turn, (low + high) / 2 + way * radius / np.sin(across), np.array([right, np.cross(way, right), way]), size
-    )
+    axes = np.array([right, np.cross(way, right), way])
+    x, y, depth = ((points - (low + high) / 2) @ axes.T).T
+    above, below, aside = (half * max(1 - 2 * pixels / size[1], 0.5) for pixels in MARGINS)
+    across = aside + half * (aspect - 1)
+    ways = _fitted(x, depth, across, across), _fitted(y, depth, below, above)
+    far = max(ways[0][0], ways[1][0], 0.45 * reach / (half * min(aspect, 1.0)))
+    middle = (low + high) / 2 + sum((a + b * far) * axis for (_, a, b), axis in zip(ways, axes, strict=False))
+    return Camera(turn, middle + way * far, axes, size)
+
+
+def _fitted(places: np.ndarray, depths: np.ndarray, below: float, above: float) -> tuple[float, float, float]:
+    """From how far all `places` on an axis of the picture are between −below and above, tangents from its middle, and
+    where that then is: the distance, a and b of a + b times the distance.
+    """
+    top, bottom = float((places + above * depths).max()), float((below * depths - places).max())
+    return (top + bottom) / (above + below), (top - bottom) / 2, (below - above) / 2

@@ -60,7 +60,9 @@ def _error(t: np.ndarray, values: np.ndarray, rows: np.ndarray, tolerance: np.nd
     return float((np.abs(lines - values) / tolerance).max(initial=0.0))
 
 
-def curve(label: str, t: np.ndarray, values: np.ndarray, color: int) -> dict[str, Any]:
-    """A curve over time, thinned without losing its peaks."""
+def curve(
+    label: str, t: np.ndarray, values: np.ndarray, color: str, dash: int = 0, goal: bool = False
+) -> dict[str, Any]:
+    """A curve over time, thinned without losing its peaks; `color`: its name on the page, `goal`: of set points."""
     x, y = thin(t, values, POINTS)
-    return {"label": label, "color": color, "x": floats(x), "y": floats(y)}
+    return {"label": label, "color": color, "dash": dash, "goal": goal, "x": floats(x), "y": floats(y)}

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..backends.templates import folder, markup, render
-from ..plotting.curves import NOTHING
 from ..simulation.runs import Run, check_output, outputs
 from .meshes import Looks, packed, placed
-from .pack import curve, kept, rounded
+from .pack import kept, rounded
+from .panels import panels
 from .scene import scene
 
 if TYPE_CHECKING:
@@ -61,8 +61,8 @@ def page(
     return View(render("view/page.html.jinja", title=title, data=markup(text), script=script, **shown))
 
 
-def clip_of(run: Run, model: Model, number: int, label: str) -> dict[str, Any]:
-    """A run for the page, of scene `number`."""
+def clip_of(run: Run, model: Model, number: int, label: str, goals: np.ndarray | None = None) -> dict[str, Any]:
+    """A run for the page, of scene `number`; `goals` (n_joints, N): set points of its joints."""
     size = scene_size(model)
     tolerance = np.full(model.nq, FINE)
     tolerance[model.chain.eta_q :] = FINER * size
@@ -78,7 +78,7 @@ def clip_of(run: Run, model: Model, number: int, label: str) -> dict[str, Any]:
         "t": rounded(run.t[rows, None], np.array([1e-6])),
         "q": rounded(run.q[rows], tolerance),
         "forces": rounded(forces[rows], coarse),
-        "panels": _panels(run),
+        "panels": panels(run, model, goals),
     }
 
 
@@ -93,32 +93,12 @@ def scene_size(model: Model) -> float:
     return sum(link.length or 0.0 for link in model.robot.links) or 1.0
 
 
-def _panels(run: Run) -> list[dict[str, Any]]:
-    """The curves below the picture: energy, place of the tip, and torques, forces."""
-    kinetic, potential = run.energy.T
-    energy = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
-    groups = [("Energy", "J", energy), ("Tip position", "m", dict(zip("xyz", run.tip_position.T, strict=True)))]
-    for part, title, unit in ((".torque[", "Torques", "N·m"), (".force[", "Forces of drives", "N")):
-        names = {_joint(x): run.tau[:, k] for k, x in enumerate(run.tau_names) if part in x}
-        groups.append((title, unit, names))
-    return [
-        {"title": title, "unit": unit, "curves": [curve(n, run.t, y, k) for k, (n, y) in enumerate(curves.items())]}
-        for title, unit, curves in groups
-        if max((np.abs(y).max() for y in curves.values()), default=0.0) > NOTHING
-    ]
-
-
-def _joint(name: str) -> str:
-    """`forearm` of `forearm.torque[0]`, `base 2` of `base.torque[1]`."""
-    link, _, rest = name.partition(".")
-    number = rest.partition("[")[2].rstrip("]")
-    return link.replace("_", " ") + (f" {int(number) + 1}" if number and number != "0" else "")
-
-
-def run_page(runs: Sequence[tuple[Run, Model, str]], looks: Looks | None = None) -> View:
+def run_page(
+    runs: Sequence[tuple[Run, Model, str]], looks: Looks | None = None, goals: np.ndarray | None = None
+) -> View:
     """The page of a run, and of a second one as its ghost; each with its model and what it is called.
 
-    `looks`: the visuals that they wear.
+    `looks`: the visuals that they wear; `goals` (n_joints, N): the set points of the first one's joints.
     """
     scenes = [scene(model, run.parameters) for run, model, _ in runs]
     if looks is not None:
@@ -130,5 +110,5 @@ def run_page(runs: Sequence[tuple[Run, Model, str]], looks: Looks | None = None)
         for x in scenes[1:]:
             if x["meshes"] == scenes[0]["meshes"]:
                 x["meshes"] = "as the first"
-    clips = [clip_of(run, model, k, label) for k, (run, model, label) in enumerate(runs)]
+    clips = [clip_of(run, model, k, label, None if k else goals) for k, (run, model, label) in enumerate(runs)]
     return page(runs[0][1].robot.name, scenes, clips, 1 if len(runs) > 1 else None)

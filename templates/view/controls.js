@@ -25,7 +25,8 @@ function theme(dark) {
   state.stale = true;
 }
 function legend() {
-  const links = [...new Map(robot.scene.links.filter((x) => x.radius && norm(x.reach) > 1e-9).map((x) => [x.owner, x])).values()];
+  const covered = new Set(state.shown.meshes ? [...robot.worn].map((part) => part.link) : []);
+  const links = [...new Map(robot.scene.links.filter((x) => !covered.has(x) && x.radius && norm(x.reach) > 1e-9).map((x) => [x.owner, x])).values()];
   const rows = links.slice(0, 8).map((x) => [`background:var(--c${x.owner % 8})`, "", x.name.replace(/\[0\]$/, "").replace(/_/g, " ")]);
   if (ghostly) rows.push(["background:var(--soft)", "faint", modes ? "at rest" : ghostly.label]);
   for (const [kind, [name, unit]] of Object.entries(KINDS))
@@ -110,7 +111,7 @@ function alone() {
 
 /** For tests and for scripts in the page: time, magnification, the camera, and the ends of links alone in plain colours. */
 window.screwgen = {
-  data, state, seek: (time) => { play(false); seek(time); draw(); }, play, look, magnify: (value) => { magnify(value); draw(); }, theme,
+  data, state, ground, seek: (time) => { play(false); seek(time); draw(); }, play, look, magnify: (value) => { magnify(value); draw(); }, theme,
   show: (name, on) => { state.shown[name] = on; legend(); draw(); },
   /** Where a point of the inertial frame is drawn: pixels of the page. */
   project: (point) => {

@@ -44,7 +44,7 @@ function unpacked(scene) {
     link.shape = floats(link.columns);
     link.rows = link.places.length;
     link.count = link.modes + link.pairs.length / 2;
-    link.corners = [];
+    [link.corners, link.ends] = [[], []]; // what rigid parts reach: in the frame of the link, and in that of its tip
   }
   scene.corners = [];
   for (const mesh of scene.meshes || []) {
@@ -54,7 +54,18 @@ function unpacked(scene) {
     const corners = mesh.link < 0 ? scene.corners : scene.links[mesh.link].corners;
     for (let k = 0; k < 8; k++) corners.push([ends[0][k & 1], ends[1][(k >> 1) & 1], ends[2][k >> 2]]);
   }
+  const worn = new Set((scene.meshes || []).filter((mesh) => mesh.link >= 0).map((mesh) => scene.links[mesh.link].owner));
+  for (const link of scene.links.filter((x) => !worn.has(x.owner)))
+    for (const body of link.bodies) (body.tip ? link.ends : link.corners).push(...surrounding(body, body.tip ? [0, 0, 0] : link.base));
   return scene;
+}
+
+/** Points of a body's surface, about a place in its frame: the corners of a box, or of a ball six and eight between them. */
+function surrounding(body, place) {
+  const signs = Array.from({ length: 8 }, (_, k) => [2 * (k & 1) - 1, (k & 2) - 1, (k >> 1 & 2) - 1]);
+  const ball = () => [...signs.map((x) => times(body.ball / Math.sqrt(3), x)), ...[0, 1, 2].flatMap((k) => [-1, 1].map((x) => [0, 1, 2].map((i) => (i === k ? x * body.ball : 0))))];
+  const points = body.box ? signs.map((x) => turned(body.turn, x.map((s, k) => (s * body.box[k]) / 2))) : ball();
+  return points.map((x) => plus(plus(x, body.at), place));
 }
 
 /** The modal coordinates of a link, magnified, and behind them their products. */

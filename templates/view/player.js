@@ -40,19 +40,22 @@ robot.triads = robot.parts.map((part) => {
   return out;
 });
 
-/** The places of all tips and of rigid meshes over a motion, in the axes of the page; the last link's as a path. */
+/** The places of all tips, bodies and rigid meshes over a motion, in the axes of the page; the last link's tip as a path. */
 const MOST = 1500;
+const SURVEYED = 60;
 function travelled(robot, motion, magnified) {
   const count = Math.min(motion.t.length, MOST);
   const path = new Float32Array(3 * count);
   const [low, high] = [new THREE.Vector3(Infinity, Infinity, Infinity), new THREE.Vector3(-Infinity, -Infinity, -Infinity)];
   const leaf = robot.scene.links.findLastIndex((link) => link.radius > 0 || link.bodies.length);
   const times = [];
-  const at = new THREE.Vector3();
+  const cloud = [];
+  let keep = true;
   const include = (p) => {
-    at.set(...p).applyQuaternion(world.quaternion);
+    const at = new THREE.Vector3(...p).applyQuaternion(world.quaternion);
     low.min(at);
     high.max(at);
+    if (keep) cloud.push(at);
   };
   robot.scene.corners.forEach(include);
   for (let k = 0; k < count; k++) {
@@ -60,12 +63,14 @@ function travelled(robot, motion, magnified) {
     const found = poses(robot.scene, motion.q.map((x) => x[row]), magnified);
     times.push(motion.t[row]);
     path.set(found[leaf].tip.at, 3 * k);
+    keep = k % Math.ceil(count / SURVEYED) === 0 || k === count - 1;
     found.forEach(({ frame, tip }, i) => {
       for (const p of [frame.at, tip.at]) include(p);
-      for (const p of robot.scene.links[i].corners) include(behind(frame, pose(p, ORIGIN.turn)).at);
+      for (const p of robot.scene.links[i].corners) include(plus(frame.at, turned(frame.turn, p)));
+      for (const p of robot.scene.links[i].ends) include(plus(tip.at, turned(tip.turn, p)));
     });
   }
-  return { path, times, low, high };
+  return { path, times, low, high, cloud };
 }
 const nice = (x) => {
   const power = 10 ** Math.floor(Math.log10(x));
@@ -90,7 +95,7 @@ for (const shadow of shadows) space.add(shadow.group);
 const trails = [robot, ghost].filter(Boolean).map((owner, k) => {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(new Float32Array(3 * MOST), 3));
-  const whole = new THREE.Line(geometry, new THREE.LineBasicMaterial({ transparent: true, opacity: 0.22 }));
+  const whole = new THREE.Line(geometry, new THREE.LineBasicMaterial({ transparent: true, opacity: 0.4 }));
   const done = new THREE.Line(geometry.clone(), new THREE.LineBasicMaterial({ transparent: true, opacity: k ? 0.45 : 0.95 }));
   whole.frustumCulled = done.frustumCulled = false;
   world.add(whole, done);
@@ -98,13 +103,10 @@ const trails = [robot, ghost].filter(Boolean).map((owner, k) => {
 });
 
 function retrace() {
-  if (!modes) frame = [low.clone(), high.clone()];
+  if (!modes) frame = framed.flatMap((x) => x.cloud);
   trails.forEach((trail, k) => {
-    const { path, times, ...corners } = travelled(trail.owner, k ? ghostly : motion(), state.magnified);
-    if (!modes) {
-      frame[0].min(corners.low);
-      frame[1].max(corners.high);
-    }
+    const { path, times, cloud } = travelled(trail.owner, k ? ghostly : motion(), state.magnified);
+    if (!modes) frame.push(...cloud);
     for (const line of [trail.whole, trail.done]) {
       line.geometry.attributes.position.array.set(path);
       line.geometry.attributes.position.needsUpdate = true;
@@ -166,7 +168,8 @@ function software() {
 }
 let renderer = null;
 let controls = null;
-let frame = [low, high]; // what the camera looks at: the corners of the motion, as it is magnified
+/** What the camera looks at: the places of the motion, as it is magnified; of modes the corners of where they may be. */
+let frame = Array.from({ length: 8 }, (_, k) => new THREE.Vector3(...[0, 1, 2].map((i) => (k >> i & 1 ? high : low).getComponent(i))));
 try {
   renderer = new THREE.WebGLRenderer({ canvas: find("space"), antialias: !software(), preserveDrawingBuffer: false });
 } catch {
@@ -174,17 +177,31 @@ try {
   find("failed").hidden = false;
 }
 
+/** Where on an axis of the picture, and from how far, all `places` are between -below and above, tangents from its middle. */
+function fitted(places, depths, below, above) {
+  const most = (sign, tangent) => places.reduce((a, x, k) => Math.max(a, sign * x + tangent * depths[k]), -Infinity);
+  const [top, bottom] = [most(1, above), most(-1, below)];
+  return { near: (top + bottom) / (above + below), at: (far) => (top - bottom + (below - above) * far) / 2 };
+}
+
+const MARGINS = [62, 44, 24]; // pixels that the title, the legend and the sides take
 function look() {
   const box = find("stage").getBoundingClientRect();
   camera.aspect = box.width / Math.max(box.height, 1);
-  const across = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(camera.aspect, 1));
-  const [first, last] = frame;
-  const spread = last.clone().sub(first);
-  const middle = first.clone().add(last).multiplyScalar(0.5);
+  const [first, last] = [frame.reduce((a, p) => a.min(p), frame[0].clone()), frame.reduce((a, p) => a.max(p), frame[0].clone())];
+  const [spread, middle] = [last.clone().sub(first), first.clone().add(last).multiplyScalar(0.5)];
   const wide = spread.x > 2.2 * spread.y;
   const way = (spread.y > 2.2 * spread.x ? new THREE.Vector3(1, -0.42, 0.42) : new THREE.Vector3(wide ? 0.42 : 0.75, -1, 0.45)).normalize();
-  const radius = Math.max(spread.length() / 2, 0.45 * robot.scene.size) * (camera.aspect > 1.4 ? 0.86 : 1.02);
-  camera.position.copy(middle).addScaledVector(way, radius / Math.sin(across));
+  const right = new THREE.Vector3(0, 0, 1).cross(way).normalize();
+  const up = way.clone().cross(right);
+  const [places, heights, depths] = [right, up, way].map((axis) => frame.map((p) => p.clone().sub(middle).dot(axis)));
+  const half = Math.tan((camera.fov * Math.PI) / 360);
+  const [above, below, aside] = MARGINS.map((pixels) => half * Math.max(1 - (2 * pixels) / Math.max(box.height, 1), 0.5));
+  const across = aside + half * (camera.aspect - 1);
+  const [x, y] = [fitted(places, depths, across, across), fitted(heights, depths, below, above)];
+  const far = Math.max(x.near, y.near, (0.45 * robot.scene.size) / (half * Math.min(camera.aspect, 1)));
+  middle.addScaledVector(right, x.at(far)).addScaledVector(up, y.at(far));
+  camera.position.copy(middle).addScaledVector(way, far);
   if (controls) {
     controls.target.copy(middle);
     controls.update();

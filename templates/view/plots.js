@@ -4,6 +4,8 @@ const css = (name) => getComputedStyle(document.documentElement).getPropertyValu
 const shown = (x) => (Math.abs(x) < 5e-5 ? "0" : Math.abs(x) >= 1e5 || Math.abs(x) < 1e-3 ? x.toExponential(2) : x.toPrecision(3)).replace("-", "−");
 const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"]];
 const LEFT = 46;
+/** Of a link's first, second and third axis or direction; set points are wide and pale, ghosts dotted. */
+const DASHES = [[], [8, 4], [8, 3, 2, 3]];
 const [TOP, BOTTOM, RIGHT] = [6, 20, 8];
 
 /** Round numbers between two ends, about `count` of them. */
@@ -21,7 +23,7 @@ class Panel {
   constructor(parent, sets, end, seek) {
     this.end = end;
     this.curves = sets.flatMap((panel, k) =>
-      panel.curves.map((c) => ({ label: c.label, color: `--c${c.color % 8}`, ghost: k > 0, x: floats(c.x), y: floats(c.y) })));
+      panel.curves.map((c) => ({ ...c, color: `--${c.color}`, ghost: k > 0, x: floats(c.x), y: floats(c.y) })));
     const largest = Math.max(...this.curves.map((c) => c.y.reduce((a, y) => Math.max(a, Math.abs(y)), 0)));
     const [factor, prefix] = PREFIXES.find(([f]) => largest >= f * 0.8) || [1, ""];
     this.factor = factor;
@@ -32,14 +34,15 @@ class Panel {
     const part = (name) => element.querySelector(name);
     part("h2").append(sets[0].title + " ", Object.assign(document.createElement("small"), { textContent: prefix + sets[0].unit }));
     [this.values, this.plot, this.canvas, this.cursor, this.pointer] = [".values", ".plot", "canvas", ".cursor", ".pointer"].map(part);
-    this.numbers = this.curves.map((c) => {
+    this.numbers = this.curves.filter((c) => !c.goal).map((c) => {
       const value = document.createElement("b");
       const own = c.ghost && this.values.querySelector(`[data-label="${CSS.escape(c.label)}"]`);
       const text = own || document.createElement("span");
       text.dataset.label = c.label;
       text.append(own ? " ┆ " : `${c.label} `, value);
       if (!own) this.values.append(text);
-      return { text, value };
+      text.classList.toggle(`dash${c.dash}`, c.dash > 0);
+      return { text, value, curve: c };
     });
     const time = (event) => {
       const box = this.plot.getBoundingClientRect();
@@ -68,18 +71,18 @@ class Panel {
     const x = (t) => LEFT + (t / this.end) * (box.width - LEFT - RIGHT);
     const y = (value) => TOP + ((high - value) / (high - low)) * (box.height - TOP - BOTTOM);
     this.axes(pen, box, low, high, x, y);
-    for (const curve of [...this.curves].reverse()) {
+    for (const curve of [...this.curves].sort((a, b) => b.goal - a.goal || b.ghost - a.ghost)) {
       pen.beginPath();
       pen.strokeStyle = css(curve.color);
-      pen.globalAlpha = curve.ghost ? 0.75 : 1;
-      pen.setLineDash(curve.ghost ? [5, 4] : []);
-      pen.lineWidth = 1.5;
+      pen.globalAlpha = curve.goal ? 0.35 : curve.ghost ? 0.75 : 1;
+      pen.setLineDash(curve.ghost ? [2, 3] : DASHES[curve.dash % DASHES.length]);
+      pen.lineWidth = curve.goal ? 5 : 1.5;
       pen.lineJoin = "round";
       curve.x.forEach((t, k) => pen[k ? "lineTo" : "moveTo"](x(t), y(curve.y[k] / this.factor)));
       pen.stroke();
     }
     pen.globalAlpha = 1;
-    this.numbers.forEach(({ text }, k) => { text.style.color = css(this.curves[k].color); });
+    for (const { text, curve } of this.numbers) text.style.color = css(curve.color);
     this.move(this.now);
   }
 
@@ -116,7 +119,7 @@ class Panel {
     this.pointer.style.display = this.hover === undefined ? "none" : "block";
     if (this.hover !== undefined) this.pointer.style.transform = place(this.hover);
     const at = this.hover ?? time;
-    this.curves.forEach((curve, k) => { this.numbers[k].value.textContent = shown(valueAt(curve, at) / this.factor); });
+    for (const { value, curve } of this.numbers) value.textContent = shown(valueAt(curve, at) / this.factor);
   }
 }
 

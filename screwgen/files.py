@@ -67,6 +67,7 @@ DAMAGE = (
     EOFError,
     LookupError,
     NotImplementedError,
+    OSError,
     RecursionError,
     RuntimeError,
     SyntaxError,

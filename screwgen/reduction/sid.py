@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import RobotFileError
+from ..errors import RobotFileError, one_line
 from ..files import NotRegularError, open_regular
 
 MAX_BYTES = 256 * 2**20
@@ -88,7 +88,7 @@ class Reader:
         self.last = Line(1, "")
 
     def error(self, line: int, what: str) -> RobotFileError:
-        return RobotFileError(f"{self.file}: line {line}: {what}")
+        return RobotFileError(one_line(f"{self.file}: line {line}: {what}"))
 
     def inside(self, end: str) -> Iterator[Line]:
         """The lines up to ``end``."""

@@ -60,6 +60,8 @@ SPARE, PACKED = 64 * 2**20, 100
 """What packed members may unpack to: so many bytes, and so many times the size of the file."""
 MOST_MEMBERS, ENTRY = 10_000, 46
 """Members of a .npz file at most, and the least bytes of one in the file's directory."""
+LARGEST = 1e30
+"""A number of a file beyond this measures nothing, and its powers overflow."""
 KINDS = "biufcU"
 """Of NumPy's types, those that are read: booleans, numbers and text."""
 DAMAGE = (
@@ -187,6 +189,11 @@ def mapped_array(path: str | os.PathLike[str]) -> np.memmap:
             raise ArrayFileError(f"its header promises {header.size} bytes, but there are {there}")
         order: Any = "F" if header.fortran else "C"
         return np.memmap(stream, header.dtype, "r", start, header.shape, order)
+
+
+def sound(values: np.ndarray) -> bool:
+    """Whether all numbers are finite, and none is beyond what measures anything."""
+    return bool((np.abs(values.astype(float)) < LARGEST).all())
 
 
 def _header(stream) -> Header:

@@ -143,6 +143,17 @@ def test_indices_outside_a_matrix_are_refused(where, value, tmp_path):
         load_npz(tmp_path / "mesh.npz", 2)
 
 
+def test_a_mesh_may_have_its_entries_in_any_order(tmp_path):
+    with np.load(io.BytesIO(damaged_files._mesh())) as data:
+        stored = dict(data)
+    np.savez(tmp_path / "a.npz", **stored)
+    rows = np.repeat(np.arange(len(stored["K_indptr"]) - 1), np.diff(stored["K_indptr"]))
+    order = np.lexsort((-stored["K_indices"], rows))
+    np.savez(tmp_path / "b.npz", **stored | {name: stored[name][order] for name in ("K_data", "K_indices")})
+    a, b = (load_npz(tmp_path / name, 2) for name in ("a.npz", "b.npz"))
+    assert np.array_equal(a.stiffness, b.stiffness)
+
+
 def test_matrices_of_a_sid_are_bounded(tmp_path):
     text = damaged_files._sid(tmp_path).decode()
     head = "order = 1\n nrow = 10000\n ncol = 10000\n nq = 10000\n nqn = 0\n structure = 3\n m0( 1, 1) = 1.0\n"

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import RobotFileError, one_line
+from ..files import LARGEST as BEYOND
 from ..files import NotRegularError, open_regular
 
 MAX_BYTES = 256 * 2**20
@@ -223,7 +224,7 @@ class Reader:
         index = [_whole(part.strip()) for part in match[1].split(",") if part.strip()] if match else []
         if len(index) != len(shape) or not all(1 <= i <= n for i, n in zip(index, shape, strict=True)):
             allowed = ", ".join(f"1 to {n}" for n in shape)
-            raise self.error(line.number, f"'{line.key}' must have the indices ({allowed})")
+            raise self.error(line.number, f"'{line.key[:40]}' must have the indices ({allowed})")
         return tuple(i - 1 for i in index)
 
     def _number(self, line: Line) -> float:
@@ -231,7 +232,7 @@ class Reader:
             value = float(line.value.replace("D", "E").replace("d", "e"))
         except ValueError:
             value = np.nan
-        if not np.isfinite(value):
+        if not abs(value) < BEYOND:
             raise self.error(line.number, f"'{line.value[:40]}' is no number; state a finite one after '='")
         return value
 

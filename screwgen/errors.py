@@ -1,6 +1,11 @@
 """The errors that users see, each with a text of one line."""
 
 
+def one_line(text: str) -> str:
+    """`text` with everything that is not printable escaped."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
 class ScrewgenError(Exception):
     """Base of every error that screwgen raises on purpose; `str(error)` is one line meant for a user."""
 

@@ -60,6 +60,10 @@ SPARE, PACKED = 64 * 2**20, 100
 """What packed members may unpack to: so many bytes, and so many times the size of the file."""
 MOST_MEMBERS, ENTRY = 10_000, 46
 """Members of a .npz file at most, and the least bytes of one in the file's directory."""
+PIECE = 2**22
+"""Bytes that are unpacked at once."""
+LARGEST = 1e30
+"""A number of a file beyond this measures nothing, and its powers overflow."""
 KINDS = "biufcU"
 """Of NumPy's types, those that are read: booleans, numbers and text."""
 DAMAGE = (
@@ -67,6 +71,7 @@ DAMAGE = (
     EOFError,
     LookupError,
     NotImplementedError,
+    OSError,
     RecursionError,
     RuntimeError,
     SyntaxError,
@@ -96,8 +101,8 @@ class Header(NamedTuple):
         """The bytes of the array."""
         return math.prod(self.shape) * self.dtype.itemsize
 
-    def array(self, content: bytes) -> np.ndarray:
-        """The array of these bytes."""
+    def array(self, content: bytearray) -> np.ndarray:
+        """The array in these bytes."""
         if self.dtype.kind == "U":
             _check_letters(np.frombuffer(content, self.dtype.byteorder.replace("|", "=") + "u4"))
         return np.frombuffer(content, self.dtype).reshape(self.shape, order="F" if self.fortran else "C")
@@ -110,7 +115,7 @@ class Arrays:
     """
 
     def __init__(self, file: zipfile.ZipFile, size: int):
-        self._file, self._left = file, SPARE + PACKED * size
+        self._file, self._size, self._left = file, size, SPARE + PACKED * size
         self._members = {info.filename.removesuffix(".npy"): info for info in file.infolist()}
         if (total := sum(info.file_size for info in self._members.values())) > MAX_BYTES:
             raise ArrayFileError(f"its arrays would take {_gigabytes(total)}; at most {_gigabytes(MAX_BYTES)} are read")
@@ -134,14 +139,15 @@ class Arrays:
             header = _header(stream)
             if (there := info.file_size - stream.tell()) != header.size:
                 raise ArrayFileError(f"its header promises {header.size} bytes, but there are {there}")
-            return header.array(stream.read(header.size + 1))
+            return header.array(_exactly(stream, header.size))
 
     def numbers(self, name: str) -> np.ndarray:
         """An array of numbers in double precision."""
         found = self[name]
         if found.dtype.kind not in "biuf":
             raise ArrayFileError(f"'{name}' holds {found.dtype}; it must hold numbers")
-        return found.astype(float)
+        with np.errstate(over="ignore"):
+            return found.astype(float)
 
     def texts(self, name: str) -> tuple[str, ...]:
         """The words of a list, or the only one."""
@@ -154,7 +160,7 @@ class Arrays:
         """Refuse a member that unpacks to far more than a file of this size holds."""
         if info.compress_type == zipfile.ZIP_DEFLATED:
             self._left -= info.file_size
-        elif info.file_size != info.compress_size:
+        elif info.file_size != info.compress_size or info.file_size > self._size:
             raise ArrayFileError(f"'{name}' is damaged: its sizes contradict each other")
         if self._left < 0:
             said = f"would unpack to {_gigabytes(info.file_size)}, too much for a file of this size"
@@ -186,6 +192,23 @@ def mapped_array(path: str | os.PathLike[str]) -> np.memmap:
             raise ArrayFileError(f"its header promises {header.size} bytes, but there are {there}")
         order: Any = "F" if header.fortran else "C"
         return np.memmap(stream, header.dtype, "r", start, header.shape, order)
+
+
+def sound(values: np.ndarray) -> bool:
+    """Whether all numbers are finite, and none is beyond what measures anything."""
+    with np.errstate(over="ignore"):
+        return bool((np.abs(values.astype(float)) < LARGEST).all())
+
+
+def _exactly(stream, size: int) -> bytearray:
+    """So many bytes, read in pieces."""
+    out, at = bytearray(size), 0
+    while piece := stream.read(min(PIECE, size - at + 1)):
+        out[at : at + len(piece)] = piece
+        at += len(piece)
+    if at != size:
+        raise EOFError("it is cut off")
+    return out
 
 
 def _header(stream) -> Header:

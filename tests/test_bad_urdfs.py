@@ -1,5 +1,7 @@
 """Wrong URDFs and side files: one line with file, line, element or key, fault and remedy; nothing is written."""
 
+import warnings
+
 import pytest
 
 from screwgen.cli.main import main
@@ -249,3 +251,14 @@ def test_the_command_refuses_in_one_line_and_writes_nothing(tmp_path, capsys, mo
 def test_a_missing_file_is_refused(tmp_path):
     with pytest.raises(RobotFileError, match="there is no such file"):
         import_urdf(tmp_path / "none.urdf")
+
+
+@pytest.mark.parametrize("size", ["1e-308", "5e-324", "1e-200", "1e6"])
+def test_an_axis_of_any_length_has_its_direction(tmp_path, size):
+    """Without a warning of NumPy: the square of a short one is zero."""
+    for name, axis in (("unit", "0 1 0"), ("scaled", f"0 {size} 0")):
+        (tmp_path / f"{name}.urdf").write_text(GOOD.replace('<axis xyz="0 1 0"/>', f'<axis xyz="{axis}"/>'))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        unit, scaled = (import_urdf(tmp_path / f"{name}.urdf").robot for name in ("unit", "scaled"))
+    assert unit.links == scaled.links

@@ -26,6 +26,7 @@ from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
 from screwgen.spec.loops import STABILISATION
 from screwgen.studies.assemble import redundant
+from screwgen.studies.modes import mode_shapes
 
 JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
 
@@ -176,6 +177,12 @@ def angles(crank: float) -> np.ndarray:
     tip = a + COUPLER * np.array([np.cos(coupler), np.sin(coupler)])
     rocker = np.arctan2(tip[1], tip[0] - GROUND)
     return -np.array([crank, coupler - crank, rocker])
+
+
+@pytest.mark.parametrize("loaded", [False, True])
+def test_rigid_bars_with_locked_joints_do_not_vibrate(four_bar, loaded):
+    found = mode_shapes(four_bar, angles(0.4), loaded=loaded)
+    assert found.frequencies.shape == (0,) and found.shapes.shape == (3, 0)
 
 
 def lagrangian(crank: float, rate: float) -> float:

@@ -18,14 +18,12 @@ import scipy.linalg
 import scipy.sparse as sparse
 from scipy.sparse.linalg import ArpackError, eigsh, splu
 
-from ..errors import RobotFileError
-from ..files import open_arrays
+from ..errors import RobotFileError, one_line
+from ..files import open_arrays, sound
 from . import INTERFACES
 from .invariants import EPS, Invariants, Node, hat
 from .standard import MOST_MODES
 
-LARGEST = 1e100
-"""An entry of a matrix or coordinate beyond this is no measure of a thing."""
 PARTS = ("data", "indices", "indptr", "shape")
 NOISE = 1e-11
 """Integrals below this, relative to what their factors allow, are rounding errors of zeros."""
@@ -101,14 +99,15 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
         raise RobotFileError(f"{file}: there is no such file; paths are relative to the robot file") from None
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or str(error)
-        raise RobotFileError(f"{file}: cannot be read as a .npz file: {why}; write it with numpy.savez") from None
-    fault = lambda what: RobotFileError(f"{file}: {what}")  # noqa: E731
+        what = f"cannot be read as a .npz file: {one_line(why)}"
+        raise RobotFileError(f"{file}: {what}; write it with numpy.savez") from None
+    fault = lambda what: RobotFileError(one_line(f"{file}: {what}"))  # noqa: E731
     if missing := [name for name in needed if name not in stored]:
         raise fault(f"has no '{missing[0]}'; it needs {', '.join(needed)} and sets of nodes")
     places = stored["nodes"]
     if places.ndim != 2 or places.shape[1] != 3 or places.dtype.kind != "f" or not len(places):
         raise fault("nodes must be an array (n, 3) of coordinates in m")
-    if not _is_finite(places):
+    if not sound(places):
         raise fault("nodes holds numbers that are not finite; give coordinates in m")
     M, K = (_matrix(stored, name, len(places), fault) for name in "MK")
     sets = {name[4:]: _set(stored, name, len(places), fault) for name in stored if name.startswith("set_")}
@@ -130,24 +129,20 @@ def _matrix(stored: Mapping[str, np.ndarray], name: str, n: int, fault) -> spars
         raise fault(f"{name} is no sparse matrix; store the parts of a scipy.sparse.csr_matrix") from None
     if out.shape not in ((3 * n, 3 * n), (6 * n, 6 * n)):
         raise fault(f"{name} is {out.shape[0]} x {out.shape[1]}; with {n} nodes it must have {3 * n} or {6 * n} rows")
-    if not _is_finite(out.data) or abs(out - out.T).max() > 1e-9 * abs(out).max():
+    if not sound(out.data) or abs(out - out.T).max() > 1e-9 * abs(out).max():
         raise fault(f"{name} is not finite and symmetric; it must be both")
     return ((out + out.T) / 2).tocsc()
 
 
 def _is_point(point: np.ndarray) -> bool:
-    return point.shape == (3,) and point.dtype.kind in "iuf" and _is_finite(point)
-
-
-def _is_finite(values: np.ndarray) -> bool:
-    return bool((np.abs(values.astype(float)) < LARGEST).all())
+    return point.shape == (3,) and point.dtype.kind in "iuf" and sound(point)
 
 
 def _set(stored: Mapping[str, np.ndarray], name: str, n: int, fault) -> np.ndarray:
     nodes = np.unique(stored[name])
     if nodes.dtype.kind not in "iu" or not len(nodes) or nodes[0] < 0 or nodes[-1] >= n:
         raise fault(f"{name} must be indices of nodes, from 0 to {n - 1}")
-    return nodes
+    return nodes.astype(np.intp)
 
 
 def reduced(
@@ -192,6 +187,8 @@ def _shapes(mesh: Mesh, modes, frequency, interface, base, tip, file) -> tuple[n
         V = splu(K).solve(unit)
     rigid = mesh.linear(np.zeros(3))[:, :3]
     mass = float(rigid[:, 0] @ (mesh.M @ rigid[:, 0]))
+    if not mass > 0:
+        raise np.linalg.LinAlgError
     seen = np.vstack([_motion(mesh, tip) @ T, rigid.T @ (mesh.M @ T) / mass])
     lowest = np.zeros((T.shape[1], 0))
     if modes != 0:

@@ -14,7 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import RobotFileError
+from ..errors import RobotFileError, one_line
+from ..files import LARGEST as BEYOND
 from ..files import NotRegularError, open_regular
 
 MAX_BYTES = 256 * 2**20
@@ -25,6 +26,8 @@ ZERO, DIAGONAL, SYMMETRIC, FULL, IDENTITY = range(5)
 HEAD = ("order", "nrow", "ncol", "nq", "nqn", "structure")
 ENTRY = re.compile(r"m([01])\s*\(([\d\s,]*)\)")
 LARGEST = 10_000
+MOST_NUMBERS = 32_000_000
+"""The numbers of all matrices of a file, at most."""
 
 
 @dataclass
@@ -86,9 +89,10 @@ class Reader:
         lines = (Line(i, " ".join(line.split())) for i, line in enumerate(text.splitlines(), 1))
         self.lines = iter([line for line in lines if line.text])
         self.last = Line(1, "")
+        self.left = MOST_NUMBERS
 
     def error(self, line: int, what: str) -> RobotFileError:
-        return RobotFileError(f"{self.file}: line {line}: {what}")
+        return RobotFileError(one_line(f"{self.file}: line {line}: {what}"))
 
     def inside(self, end: str) -> Iterator[Line]:
         """The lines up to ``end``."""
@@ -193,6 +197,13 @@ class Reader:
         rows, columns = head["nrow"], head["ncol"]
         if head["order"] == 1 and "nq" not in head:
             raise self.error(where, f"{opened.text} has order 1 but does not state nq; add it")
+        if head["structure"] in (DIAGONAL, SYMMETRIC) and rows != columns:
+            what = f"structure is {head['structure']} of a matrix of {rows} x {columns}"
+            raise self.error(where, f"{what}; state as many rows as columns, or structure = {FULL}")
+        self.left -= rows * columns * (1 + head["order"] * head.get("nq", 0))
+        if self.left < 0:
+            what = f"{opened.text} has {rows} x {columns} numbers, and as many for each mode"
+            raise self.error(where, f"{what}; all matrices together may have {MOST_NUMBERS}")
         m0 = np.eye(rows, columns) if head["structure"] == IDENTITY else np.zeros((rows, columns))
         m1 = np.zeros((rows, head["nq"], columns)) if head["order"] else None
         return Taylor(m0, m1, head["structure"], opened.number)
@@ -210,10 +221,10 @@ class Reader:
             into[(index[-1], *index[1:-1], index[0])] = into[index]
 
     def _index(self, line: Line, match: re.Match | None, shape: tuple[int, ...]) -> tuple[int, ...]:
-        index = [int(part) for part in match[1].split(",") if part.strip()] if match else []
+        index = [_whole(part.strip()) for part in match[1].split(",") if part.strip()] if match else []
         if len(index) != len(shape) or not all(1 <= i <= n for i, n in zip(index, shape, strict=True)):
             allowed = ", ".join(f"1 to {n}" for n in shape)
-            raise self.error(line.number, f"'{line.key}' must have the indices ({allowed})")
+            raise self.error(line.number, f"'{line.key[:40]}' must have the indices ({allowed})")
         return tuple(i - 1 for i in index)
 
     def _number(self, line: Line) -> float:
@@ -221,14 +232,20 @@ class Reader:
             value = float(line.value.replace("D", "E").replace("d", "e"))
         except ValueError:
             value = np.nan
-        if not np.isfinite(value):
+        if not abs(value) < BEYOND:
             raise self.error(line.number, f"'{line.value[:40]}' is no number; state a finite one after '='")
         return value
 
     def _count(self, line: Line) -> int:
-        if not line.value.isdigit() or int(line.value) > LARGEST:
+        if (count := _whole(line.value)) < 0:
             raise self.error(line.number, f"{line.key} must be a whole number from 0 to {LARGEST}")
-        return int(line.value)
+        return count
+
+
+def _whole(text: str) -> int:
+    """A whole number up to `LARGEST`, -1 where the text is none."""
+    value = int(text) if text.isdecimal() and len(text) <= len(str(LARGEST)) else -1
+    return value if value <= LARGEST else -1
 
 
 def read_sid(path: str | os.PathLike[str]) -> Sid:

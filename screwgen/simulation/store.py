@@ -99,7 +99,7 @@ class Store:
             raise UsageError(f"store '{path}': its name must end in {' or '.join(FORMATS)}")
         if not path.parent.is_dir():
             raise UsageError(f"store '{path}': there is no folder '{path.parent}'; make it first")
-        self.path, self.count = path, count
+        self.path, self.count, self.chunk = path, count, chunk
         self.rows = FORMATS[path.suffix](path, count, chunk)
         self.manifest = self.rows.manifest
         self.header = json.dumps({"sweep": digest, "count": count, "chunk": chunk})
@@ -120,7 +120,8 @@ class Store:
         if header != self.header:
             said = "is the store of another robot, other arguments or another version"
             raise UsageError(f"'{self.path}' {said}; remove '{self.manifest}' with it, or name another store")
-        self.done = {int(line) for line in lines[:-1] if line.isdigit()}  # the last is empty, or was cut off
+        listed = (line for line in lines[:-1] if line.isdecimal() and len(line) <= len(str(self.count)))
+        self.done = {int(line) for line in listed if int(line) * self.chunk < self.count}  # the last may be cut off
         if self.done:
             self._open()
         else:

@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from ..errors import RobotFileError, ScrewgenError, UsageError
+from ..errors import RobotFileError, ScrewgenError, UsageError, one_line
 from ..files import NotRegularError, open_regular
 from .axes import LETTERS
 from .messages import explain, first_error, key_path, link_label, reason
@@ -107,11 +107,6 @@ def syntax_error(message: str, text: str) -> str:
     what = one_line(message[: place.start()] if place else message)
     line = place[1] if place and place[1] else text.rstrip().count("\n") + 1
     return f"line {line}: is not valid TOML ({what[:1].lower()}{what[1:]}); see https://toml.io/en/v1.0.0"
-
-
-def one_line(text: str) -> str:
-    """`text` with everything that is not printable escaped."""
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def dump(robot: Robot) -> str:

@@ -181,7 +181,7 @@ def _resisted(K: np.ndarray, G: np.ndarray, free: np.ndarray) -> tuple[np.ndarra
     """
     vectors, count = np.linalg.qr(free, mode="complete")[0], free.shape[1]
     still, space = vectors[:, :count], vectors[:, count:]
-    if np.max(np.abs(still.T @ G @ still), initial=0.0) > NOTHING * np.max(np.abs(G)):
+    if np.max(np.abs(still.T @ G @ still), initial=0.0) > NOTHING * np.max(np.abs(G), initial=0.0):
         return K, np.eye(len(K))
     coupling = still.T @ G @ space
     return space.T @ K @ space + coupling.T @ coupling, space

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import RobotFileError, UsageError
+from ..files import sound
 from ..interchange.load import ImportNote
 from ..model import Model, derive
 from ..plotting.mode_plot import STATIONS, STEP, amplified, displaced, field, meaning
@@ -80,7 +81,7 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
         found = np.asarray(getattr(run, key))
         if found.shape != (len(run.t), *shape) or not len(run.t):
             raise UsageError(f"{one_line(name)}: {key} has the shape {found.shape}; it must be (samples, *{shape})")
-        if not np.isfinite(found).all():
+        if not sound(found):
             raise UsageError(f"{one_line(name)}: {key} holds numbers that are not finite; simulate again")
     if (np.diff(run.t) < 0).any():
         raise UsageError(f"{one_line(name)}: t falls; times must rise")

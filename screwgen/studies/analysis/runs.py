@@ -9,6 +9,7 @@ import numpy as np
 
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
+from ...files import sound
 from ...simulation.integrate import Evaluator
 from ...simulation.runs import run_arrays
 from ...simulation.validity import Validity, Watch
@@ -34,6 +35,8 @@ def read_motion(path: str, model: Model) -> dict[str, np.ndarray]:
     for name, size in sizes.items():
         if found[name].shape != (count, *size):
             raise UsageError(f"{shown}: {name} has the shape {found[name].shape}; this robot's is {(count, *size)}")
+        if not sound(found[name]):
+            raise UsageError(f"{shown}: {name} holds numbers that are not finite; simulate again")
     return found
 
 

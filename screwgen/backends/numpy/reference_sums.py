@@ -24,8 +24,9 @@ from ...integrators.se3 import unit
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae, space_of
+from .numeric import EPSILON
 from .own_forces import OwnForces
-from .reference import DOUBLE, Case, evaluation
+from .reference import Case, evaluation
 
 LONGEST = 0.05
 SHORTEST = 1e-9
@@ -74,7 +75,7 @@ class _Soft:
 
     def __init__(self, chain: Chain, case: Case):
         gravity = [p.value for p in parameters(chain.robot)[:3]]
-        apply = evaluation(chain, _rounded, DOUBLE)
+        apply = evaluation(chain, _rounded, EPSILON)
         self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, apply)
         self.tau, self.w_ext = case["tau"], case["w_ext"]
         M, K, D, *laws = (np.array(column) for column in fused.columns(chain, self.functions.constants).values())
@@ -164,7 +165,7 @@ def bearable(chain: Chain, case: Case) -> float:
     """
     constants, modes = fused.baked(chain), slice(chain.n_given - chain.n_modes, chain.n_given)
     gravity = [p.value for p in parameters(chain.robot)[:3]]
-    functions = Functions(chain, constants, gravity, evaluation(chain, _rounded, DOUBLE))
+    functions = Functions(chain, constants, gravity, evaluation(chain, _rounded, EPSILON))
     straight = [*case["q"][: chain.eta_q], *[0.0] * chain.n_modes]
     with mpmath.workdps(fused.DIGITS):
         force = functions.statics(straight, case["w_ext"])[0][chain.eta_v :]

@@ -78,12 +78,16 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
 
 
 def sums(chain: Chain, cases: Sequence[Case], methods: Iterable[Method]) -> dict[str, object]:
-    """The :class:`Sums` of the last case as C literals, and how its state is changed for a step; {} without cases."""
+    """The :class:`Sums` of the last case as C literals, and how its state is changed for a step; {} without cases.
+
+    ``share``: that of the loads under which rest is sought, if all are too much.
+    """
     if not cases:
         return {}
     found = reference_sums.sums(chain, cases[-1], tuple(methods))._asdict()
     found |= {"haste": reference_sums.HASTE}
-    return {name: _literals(value) for name, value in found.items()}
+    share = reference_sums.bearable(chain, cases[-1])
+    return {name: _literals(value) for name, value in found.items()} | {"share": literal(share) if share < 1 else ""}
 
 
 def _literals(value: Any) -> Any:

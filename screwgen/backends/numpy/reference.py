@@ -20,9 +20,6 @@ from ...topology.chain import Chain
 from .closing import OpenLoopError, closed
 from .numeric import Numeric
 
-DOUBLE = 2.0**-52
-"""The spacing of doubles at 1."""
-
 TRIES = 20
 Case = dict[str, list[float]]
 """A state, its inputs and its results by name."""
@@ -49,7 +46,7 @@ def cases(chain: Chain) -> Iterator[Case]:
 
 
 def evaluation(chain: Chain, unary: Callable, epsilon: float) -> Apply:
-    """Evaluates phases in numbers whose spacing at 1 is `epsilon`.
+    """Evaluates phases in numbers whose spacing at 1 is `epsilon`; 0 for as many digits as one likes.
 
     What it evaluates raises :class:`SingularError` where a guard fails, as the generated code does: out of a linkage's
     reach, where the mass matrix is not positive definite or rows of loops depend on each other.

@@ -24,8 +24,9 @@ from ...integrators.se3 import unit
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae, space_of
+from .numeric import EPSILON
 from .own_forces import OwnForces
-from .reference import DOUBLE, Case, evaluation
+from .reference import Case, evaluation
 
 LONGEST = 0.05
 SHORTEST = 1e-9
@@ -41,6 +42,9 @@ FULL_TURN = 6.28
 
 HASTE = 3.0
 """The factor of the case's rates, which makes terms of higher order visible."""
+
+FAR = 0.1
+"""m or rad: how far loads may bend a mode where rest is sought."""
 
 DEFECT, SLIGHT = 0.01, 1e-4
 """The largest defect; and that of rows that share forces, which depend on each other where loops are closed: farther
@@ -72,7 +76,7 @@ class _Soft:
 
     def __init__(self, chain: Chain, case: Case):
         gravity = [p.value for p in parameters(chain.robot)[:3]]
-        apply = evaluation(chain, _rounded, DOUBLE)
+        apply = evaluation(chain, _rounded, EPSILON)
         self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, apply)
         self.tau, self.w_ext = case["tau"], case["w_ext"]
         M, K, D, *laws = (np.array(column) for column in fused.columns(chain, self.functions.constants).values())
@@ -153,6 +157,23 @@ def _steps(
     except SingularError:
         return None
     return (joint, ends) if np.isfinite(joint).all() and np.isfinite(ends).all() else None
+
+
+def bearable(chain: Chain, case: Case) -> float:
+    """The share of weight and external wrenches that bends no mode beyond FAR in the posture of a case; 1 if all does.
+
+    Where they bend a mode by metres, the search for rest goes astray, and its results are those of rounding.
+    """
+    constants, modes = fused.baked(chain), slice(chain.n_given - chain.n_modes, chain.n_given)
+    gravity = [p.value for p in parameters(chain.robot)[:3]]
+    functions = Functions(chain, constants, gravity, evaluation(chain, _rounded, EPSILON))
+    straight = [*case["q"][: chain.eta_q], *[0.0] * chain.n_modes]
+    with mpmath.workdps(fused.DIGITS):
+        force = functions.statics(straight, case["w_ext"])[0][chain.eta_v :]
+    stiffness = np.array(fused.columns(chain, constants)["K"])[:, None]
+    K = chain.modal_product(stiffness, np.eye(chain.n_given))[modes, modes]
+    bent = np.abs(np.linalg.solve(K, np.array(force, float))).max(initial=0.0)
+    return min(1.0, float(f"{FAR / bent:.0e}")) if bent else 1.0
 
 
 def _poses(f: Functions, case: Case) -> list[float]:

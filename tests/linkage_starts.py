@@ -2,7 +2,7 @@
 
     python tests/linkage_starts.py 500
 
-divides so many starts among the linkages and prints a table: how many starts end with closed loops, by the motions that
+divides so many starts among the linkages, or among those that are named behind the number, and prints a table: how many starts end with closed loops, by the motions that
 the linkage has there, how many are refused, and how many end with a loop that is open by the definition of its joint.
 The last must be none.
 """
@@ -83,11 +83,11 @@ def found(model: Model, rng) -> np.ndarray | None:
         return None
 
 
-def main(count: int) -> None:
+def main(count: int, names: list[str]) -> None:
     print(f"{'linkage':20} {'closed':>7} {'refused':>8} {'open':>5} {'worst':>9}  motions there")
-    each = -(-count // len(MECHANISMS))
-    for k, (name, make) in enumerate(MECHANISMS.items()):
-        model, rng = model_of(make()), np.random.default_rng(k)
+    each = -(-count // len(names))
+    for k, name in enumerate(names):
+        model, rng = model_of(MECHANISMS[name]()), np.random.default_rng(k)
         ends = [found(model, rng) for _ in range(each)]
         closed = [q for q in ends if q is not None]
         worst = [openings(model, q) for q in closed]
@@ -98,4 +98,4 @@ def main(count: int) -> None:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]))
+    main(int(sys.argv[1]), sys.argv[2:] or list(MECHANISMS))

@@ -2,9 +2,9 @@
 
     python tests/linkage_starts.py 500
 
-divides so many starts among the linkages, or among those that are named behind the number, and prints a table: how many starts end with closed loops, by the motions that
-the linkage has there, how many are refused, and how many end with a loop that is open by the definition of its joint.
-The last must be none.
+divides so many starts among the linkages, or among those that are named behind the number, and prints a table: how many
+starts end with closed loops, by the motions that the linkage has there, how many are refused, and how many end with a
+loop that is open by the definition of its joint. The last must be none.
 """
 
 import sys
@@ -30,12 +30,9 @@ def openings(model: Model, q: np.ndarray) -> float:
 
 def poses(model: Model, q: np.ndarray) -> list[tuple]:
     """Of every loop: its screws, and rotation and place of its second frame in axes of the first."""
-    names, (R, r) = [link.name for link in model.robot.links], model.numpy().tip_poses(q)
-    out = []
-    for loop in model.robot.loops:
-        a, b = (model.chain.lasts[names.index(end.removesuffix(".tip"))] for end in loop.between)
-        out.append((loop.joint.screws, R[a].T @ R[b], R[a].T @ (r[b] - r[a])))
-    return out
+    (R, r), ends = model.numpy().tip_poses(q), [(j.first, j.second) for j in model.chain.junctions]
+    joints = [loop.joint.screws for loop in model.robot.loops]
+    return [(x, R[a].T @ R[b], R[a].T @ (r[b] - r[a])) for x, (a, b) in zip(joints, ends, strict=True)]
 
 
 def _opening(screws, turned: np.ndarray, apart: np.ndarray) -> float:

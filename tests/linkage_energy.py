@@ -2,9 +2,9 @@
 
     python tests/linkage_energy.py 10 1e-3 [names]
 
-runs each from where it is closed, at rates that keep it closed, without torques, in compiled C by every built-in method in
-both forms, and prints the largest change of its energy over the largest kinetic energy, and by how much its loops open,
-in m or of directions. A run that ends with a status says so.
+runs each from where it is closed, at rates that keep it closed, without torques, in compiled C by every built-in method
+in both forms, and prints the largest change of its energy over the largest kinetic energy, and by how much its loops
+open, in m or of directions. A run that ends with a status says so.
 """
 
 import sys
@@ -30,36 +30,36 @@ def start(model: Model) -> tuple[np.ndarray, np.ndarray]:
 def drift(model: Model, method: str, form: str, duration: float, step: float) -> tuple[float, float]:
     """The largest change of energy over the largest kinetic energy, and the largest offset of a loop."""
     compiled, (q, v) = quick(model), start(model)
-    stepper = {"joint": Joint, "dae": Dae}[form](compiled, q, v)
+    state, make = ((q, v), joint_steps) if form == "joint" else (compiled.dae_state(q, v), dae_steps)
+    moved = make(model, compiled, method, step, round(duration / step / SAMPLES))
     energies, worst = [compiled.energy(q, v)], 0.0
     for _ in range(SAMPLES):
-        q, v = stepper.moved(method, step, round(duration / step / SAMPLES))
+        state, (q, v) = moved(state)
         energies.append(compiled.energy(q, v))
         worst = max(worst, float(np.max(np.abs(model.numpy().offsets(q)))))
     totals = np.sum(energies, axis=1)
     return float(np.max(np.abs(totals - totals[0])) / np.max(np.array(energies)[:, 0])), worst
 
 
-class Joint:
-    """Steps of the joint form."""
+def joint_steps(_, compiled, method: str, step: float, count: int):
+    """A function that moves a state of the joint form by that many steps, and gives its coordinates and rates too."""
 
-    def __init__(self, compiled, q, v):
-        self.compiled, self.state = compiled, (q, v)
+    def moved(state):
+        state = compiled.step(*state, None, None, step, method, count)
+        return state, state
 
-    def moved(self, method: str, step: float, count: int) -> tuple[np.ndarray, np.ndarray]:
-        self.state = self.compiled.step(*self.state, None, None, step, method, count)
-        return self.state
+    return moved
 
 
-class Dae:
-    """Steps of the DAE form."""
+def dae_steps(model: Model, compiled, method: str, step: float, count: int):
+    """The same of the DAE form."""
+    coordinates = model.numpy().dae_functions.coordinates
 
-    def __init__(self, compiled, q, v):
-        self.compiled, self.state = compiled, compiled.dae_state(q, v)
+    def moved(x):
+        x = compiled.dae_step(x, None, None, step, method, count)
+        return x, tuple(np.array(part, float) for part in coordinates(x.tolist()))
 
-    def moved(self, method: str, step: float, count: int) -> tuple[np.ndarray, np.ndarray]:
-        self.state = self.compiled.dae_step(self.state, None, None, step, method, count)
-        return self.compiled.coordinates(self.state)
+    return moved
 
 
 def main(duration: float, step: float, names: list[str]) -> None:

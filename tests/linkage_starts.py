@@ -81,7 +81,7 @@ def found(model: Model, rng) -> np.ndarray | None:
 
 
 def main(count: int, names: list[str]) -> None:
-    print(f"{'linkage':20} {'closed':>7} {'refused':>8} {'open':>5} {'worst':>9}  motions there")
+    print(f"{'linkage':26} {'closed':>7} {'refused':>8} {'open':>5} {'worst':>9}  motions there")
     each = -(-count // len(names))
     for k, name in enumerate(names):
         model, rng = model_of(MECHANISMS[name]()), np.random.default_rng(k)
@@ -91,7 +91,8 @@ def main(count: int, names: list[str]) -> None:
         kinds = Counter(motions(model, q) for q in closed)
         shown = ", ".join(f"{n}: {times}" for n, times in sorted(kinds.items()))
         bad = sum(not w < CLOSED for w in worst)
-        print(f"{name:20} {len(closed):7} {each - len(closed):8} {bad:5} {max(worst, default=0.0):9.1e}  {shown}", flush=True)
+        counts = f"{len(closed):7} {each - len(closed):8} {bad:5}"
+        print(f"{name:26} {counts} {max(worst, default=0.0):9.1e}  {shown}", flush=True)
 
 
 if __name__ == "__main__":

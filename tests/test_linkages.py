@@ -138,7 +138,7 @@ def test_the_filter_keeps_an_overconstrained_linkage_closed(name):
 
 
 def test_acados_is_refused_where_forces_of_rows_are_not_unique():
-    with pytest.raises(UsageError, match="'bennett' is overconstrained.*no export to acados.*compiled C"):
+    with pytest.raises(UsageError, match=r"'bennett' is overconstrained.*no export to acados.*compiled C"):
         linkage("bennett").acados()
     linkage("hooke").acados()
 

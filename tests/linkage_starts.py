@@ -2,9 +2,9 @@
 
     python tests/linkage_starts.py 500
 
-divides so many starts among the linkages and prints a table: how many starts end with closed loops, by the motions that
-the linkage has there, how many are refused, and how many end with a loop that is open by the definition of its joint.
-The last must be none.
+divides so many starts among the linkages, or among those that are named behind the number, and prints a table: how many
+starts end with closed loops, by the motions that the linkage has there, how many are refused, and how many end with a
+loop that is open by the definition of its joint. The last must be none.
 """
 
 import sys
@@ -30,12 +30,9 @@ def openings(model: Model, q: np.ndarray) -> float:
 
 def poses(model: Model, q: np.ndarray) -> list[tuple]:
     """Of every loop: its screws, and rotation and place of its second frame in axes of the first."""
-    names, (R, r) = [link.name for link in model.robot.links], model.numpy().tip_poses(q)
-    out = []
-    for loop in model.robot.loops:
-        a, b = (model.chain.lasts[names.index(end.removesuffix(".tip"))] for end in loop.between)
-        out.append((loop.joint.screws, R[a].T @ R[b], R[a].T @ (r[b] - r[a])))
-    return out
+    (R, r), ends = model.numpy().tip_poses(q), [(j.first, j.second) for j in model.chain.junctions]
+    joints = [loop.joint.screws for loop in model.robot.loops]
+    return [(x, R[a].T @ R[b], R[a].T @ (r[b] - r[a])) for x, (a, b) in zip(joints, ends, strict=True)]
 
 
 def _opening(screws, turned: np.ndarray, apart: np.ndarray) -> float:
@@ -83,20 +80,20 @@ def found(model: Model, rng) -> np.ndarray | None:
         return None
 
 
-def main(count: int) -> None:
-    print(f"{'linkage':20} {'closed':>7} {'refused':>8} {'open':>5} {'worst':>9}  motions there")
-    each = -(-count // len(MECHANISMS))
-    for k, (name, make) in enumerate(MECHANISMS.items()):
-        model, rng = model_of(make()), np.random.default_rng(k)
+def main(count: int, names: list[str]) -> None:
+    print(f"{'linkage':26} {'closed':>7} {'refused':>8} {'open':>5} {'worst':>9}  motions there")
+    each = -(-count // len(names))
+    for k, name in enumerate(names):
+        model, rng = model_of(MECHANISMS[name]()), np.random.default_rng(k)
         ends = [found(model, rng) for _ in range(each)]
         closed = [q for q in ends if q is not None]
         worst = [openings(model, q) for q in closed]
         kinds = Counter(motions(model, q) for q in closed)
         shown = ", ".join(f"{n}: {times}" for n, times in sorted(kinds.items()))
         bad = sum(not w < CLOSED for w in worst)
-        counts = f"{name:20} {len(closed):7} {each - len(closed):8} {bad:5}"
-        print(f"{counts} {max(worst, default=0.0):9.1e}  {shown}", flush=True)
+        counts = f"{len(closed):7} {each - len(closed):8} {bad:5}"
+        print(f"{name:26} {counts} {max(worst, default=0.0):9.1e}  {shown}", flush=True)
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]))
+    main(int(sys.argv[1]), sys.argv[2:] or list(MECHANISMS))

@@ -7,7 +7,7 @@ import itertools
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.optimize import brentq
+from scipy.optimize import brentq, least_squares
 
 Joint = tuple[Sequence[float], object]
 """A place in the inertial frame and an axis as the robot file states it."""
@@ -49,13 +49,13 @@ def ring(joints: Sequence[Joint], name: str = "ring", gravity=(0.0, 0.0, -9.81))
     return {"name": name, "gravity": list(gravity), "links": links, "loops": [loop]}
 
 
-def denavit_hartenberg(angles, lengths, twists) -> tuple[list[Joint], np.ndarray]:
-    """The hinges of a chain by ``Rz(θ) Tx(a) Rx(α)``, and the transform (4, 4) behind the last of them."""
+def denavit_hartenberg(angles, lengths, twists, offsets=None) -> tuple[list[Joint], np.ndarray]:
+    """The hinges of a chain by ``Rz(θ) Tz(d) Tx(a) Rx(α)``, and the transform (4, 4) behind the last of them."""
     T, out = np.eye(4), []
-    for theta, a, alpha in zip(angles, lengths, twists, strict=True):
+    for theta, a, alpha, d in zip(angles, lengths, twists, offsets or [0.0] * len(lengths), strict=True):
         out.append((T[:3, 3].tolist(), T[:3, 2].tolist()))
         c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-        T = T @ np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, 0], [0, 0, 0, 1]])
+        T = T @ np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
     return out, T
 
 
@@ -84,6 +84,36 @@ def bricard(a=0.4, theta=1.0) -> dict:
     raise AssertionError("no closed posture")
 
 
+def bricard_in_a_line(lengths=(0.3, 0.4, 0.5), twists=(1.0, -0.8, 1.4)) -> dict:
+    """Six bars that a half turn about a line brings into each other."""
+
+    def chain(turns):
+        return denavit_hartenberg([*turns, *turns], lengths * 2, twists * 2)
+
+    return ring(chain(closing_turns(lambda turns: chain(turns)[1], 3))[0], "bricard_in_a_line")
+
+
+def schatz(a=0.4, offset=0.2) -> dict:
+    """Six hinges, two of them with offsets: the linkage of a mixer that turns its drum over."""
+    lengths, twists = [0.0, a, a, a, 0.0, np.sqrt(3) * a], [np.pi / 2] * 5 + [0.0]
+    offsets = [offset, 0.0, 0.0, 0.0, 0.0, -offset]
+    hinges = denavit_hartenberg(
+        closing_turns(lambda turns: denavit_hartenberg(turns, lengths, twists, offsets)[1], 6), lengths, twists, offsets
+    )[0]
+    return ring(hinges, "schatz")
+
+
+def closing_turns(end, count: int) -> np.ndarray:
+    """The angles (count,) with which the transform `end` of them is the identity, out of a seeded search."""
+    rng = np.random.default_rng(1)
+    apart = lambda turns: (end(turns) - np.eye(4))[:3].ravel()  # noqa: E731
+    for _ in range(100):
+        tried = least_squares(apart, rng.uniform(-3.0, 3.0, count), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        if tried.cost < 1e-24:
+            return tried.x
+    raise AssertionError("no closed posture")
+
+
 def spherical(axes=((1.0, 0.0, 0.0), (0.6, 0.7, 0.2), (0.0, 1.0, 0.3), (-0.4, 0.5, 0.9)), radius=0.4) -> dict:
     """Four hinges whose axes meet in a point."""
     units = [np.array(x) / np.linalg.norm(x) for x in axes]
@@ -101,6 +131,41 @@ def hooke(bend=0.6, arm=0.6) -> dict:
     end, bearing = place("end", "driven", second * arm, origin), place("bearing", "world", second * arm, origin)
     loop = {"between": ["end.tip", "bearing.tip"], "joint": {"axes": [second.tolist()]}}
     return {"name": "hooke", "gravity": [0.0, 0.0, 0.0], "links": [shaft, cross, driven, end, bearing], "loops": [loop]}
+
+
+def double_hooke(bend=0.5, arm=0.6) -> dict:
+    """Two parallel shafts and one between them, a cross at both of its ends: the driven shaft turns as the driving."""
+    second, across = np.array([np.cos(bend), np.sin(bend), 0.0]), np.array([-np.sin(bend), np.cos(bend), 0.0])
+    origin, there, ahead = np.zeros(3), arm * second, np.array([arm, 0.0, 0.0])
+    links = [
+        body("shaft", (-ahead, "x"), origin, -ahead / 2),
+        body("cross", (origin, "z"), -ahead, origin, 0.3),
+        body("middle", (origin, across.tolist()), origin, there / 2),
+        body("second_cross", (there, across.tolist()), origin, there, 0.3),
+        body("driven", (there, "z"), there, there + ahead / 2),
+        place("end", "driven", there + ahead, there),
+        place("bearing", "world", there + ahead, origin),
+    ]
+    loop = {"between": ["end.tip", "bearing.tip"], "joint": {"axes": ["x"]}}
+    return {"name": "double_hooke", "gravity": [0.0, 0.0, -9.81], "links": links, "loops": [loop]}
+
+
+def tripod(height=0.8) -> dict:
+    """A platform on three legs that lean in planes, slide out and end in ball joints."""
+    links, loops, origin = [], [], np.zeros(3)
+    for k, angle in enumerate(2 * np.pi * np.arange(3) / 3):
+        out, across = np.array([np.cos(angle), np.sin(angle), 0.0]), [-np.sin(angle), np.cos(angle), 0.0]
+        foot, top = 0.5 * out, 0.3 * out + [0.0, 0.0, height]
+        along = ((top - foot) / np.linalg.norm(top - foot)).tolist()
+        links.append(body(f"leg{k}", (foot, across), origin, (foot + top) / 2, parent="world"))
+        links.append(body(f"rod{k}", (foot, [{"slide": along}]), foot, top, parent=f"leg{k}"))
+        if k == 0:
+            first = top
+            links.append(body("platform", (top, ["x", "y", "z"]), foot, [0.0, 0.0, height], parent="rod0"))
+        else:
+            links += [place(f"end{k}a", f"rod{k}", top, foot), place(f"end{k}b", "platform", top, first)]
+            loops.append({"between": [f"end{k}a.tip", f"end{k}b.tip"], "joint": {"axes": ["x", "y", "z"]}})
+    return {"name": "tripod", "gravity": [0.0, 0.0, -9.81], "links": links, "loops": loops}
 
 
 def sarrus(arm=0.5) -> dict:
@@ -145,6 +210,23 @@ def locomotive() -> dict:
     bars |= {"second": ("world", (0.8, 0.0)), "third": ("world", (1.6, 0.0))}
     ends = [("rod", wheel, (x + tip[0], tip[1])) for wheel, x in (("second", 0.8), ("third", 1.6))]
     return planar("locomotive", bars, ends)
+
+
+def three_rockers() -> dict:
+    """A parallelogram with two rockers more."""
+    tip, feet = (0.3 * np.cos(1.0), 0.3 * np.sin(1.0)), (0.5, 1.0, 1.5)
+    bars = {"crank": ("world", (0.0, 0.0)), "coupler": ("crank", tip)}
+    bars |= {f"rocker{k}": ("world", (x, 0.0)) for k, x in enumerate(feet)}
+    return planar("three_rockers", bars, [("coupler", f"rocker{k}", (x + tip[0], tip[1])) for k, x in enumerate(feet)])
+
+
+def antiparallelogram(crank=0.3, ground=0.8) -> dict:
+    """The bars of a parallelogram, crossed."""
+    tip, foot = crank * np.array([np.cos(1.0), np.sin(1.0)]), np.array([ground, 0.0])
+    along = (foot - tip) / np.linalg.norm(foot - tip)
+    end = tip + 2 * (foot @ along) * along - foot  # the parallelogram's, mirrored in the diagonal
+    bars = {"crank": ("world", (0.0, 0.0)), "coupler": ("crank", tuple(tip)), "rocker": ("world", (ground, 0.0))}
+    return planar("antiparallelogram", bars, [("coupler", "rocker", tuple(end))])
 
 
 def watt() -> dict:
@@ -195,5 +277,15 @@ MECHANISMS = {
     "slider_weld": lambda: slider_crank("weld"),
     "parallelogram": parallelogram,
     "locomotive": locomotive,
+    "other_bennett": lambda: bennett(0.7, -2.0, -0.7),
+    "crossed_bennett": lambda: bennett(0.5, 1.2, -0.5, -0.6),
+    "bent_hooke": lambda: hooke(1.2),
+    "double_hooke": double_hooke,
+    "spherical_at_right_angles": lambda: spherical(((1, 0, 0), (0, 1, 0), (0, 0, 1), (0.5, 0.5, 0.8))),
+    "bricard_in_a_line": bricard_in_a_line,
+    "schatz": schatz,
+    "three_rockers": three_rockers,
+    "antiparallelogram": antiparallelogram,
+    "tripod": tripod,
 }
 """Linkages that move, by name."""

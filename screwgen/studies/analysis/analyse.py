@@ -108,7 +108,7 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
         singular = "the mass matrix is lost to rounding; masses or lengths differ by too many orders of magnitude"
     if system is not None and not system.regular and not singular:
         singular = f"M_sys has rank {system.rank} of {system.size}"
-    if loops is not None and not loops.regular and not singular:
+    if loops is not None and not loops.regular and not singular and not model.chain.overconstrained:
         singular = f"the rows of the loops have rank {loops.rank} of {loops.size}"
     turned = speed(model, state.v)
     return StateAnalysis(

@@ -133,11 +133,14 @@ def _loops(a: Findings) -> str:
     if not found:
         return ""
     worst, rows, all_ = max(x.condition_scaled for x in found), found[0].size, len(found)
-    bad = sum(not x.regular for x in found)
+    bad, most = sum(not x.regular for x in found), max(x.rank for x in found)
     rank = f"depend on each other in {bad} of {_count(all_, 'state')}" if bad else "are independent in all"
-    left = a.coordinates - rows
+    rank += f"; condition of J M⁻¹ Jᵀ {worst:.1e} at worst, equilibrated"
+    if any(s.loops and not s.loops.regular and s.well_posed for s in a.states):
+        rank = f"have rank {most} and share what they bear"
+    left = a.coordinates - most
     text = (
-        f"Loops: their {_count(rows, 'row')} {rank}; condition of J M⁻¹ Jᵀ {worst:.1e} at worst, equilibrated."
+        f"Loops: their {_count(rows, 'row')} {rank}."
         f" {_count(left, 'coordinate')} of {a.coordinates} {'moves' if left == 1 else 'move'} independently: the"
         " spectrum is theirs. M_sys and its blocks are those of the open tree. Steps must bear the loops'"
         " stabilisation, which no method takes implicitly."

@@ -1,0 +1,81 @@
+"""Energy and closure of every linkage of tests/mechanisms.py over ten seconds.
+
+    python tests/linkage_energy.py 10 1e-3 [names]
+
+runs each from where it is closed, at rates that keep it closed, without torques, in compiled C by every built-in method
+in both forms, and prints the largest change of its energy over the largest kinetic energy, and by how much its loops
+open, in m or of directions. A run that ends with a status says so.
+"""
+
+import sys
+
+import numpy as np
+from helpers import model_of, quick
+from mechanisms import MECHANISMS
+
+from screwgen import ScrewgenError
+from screwgen.backends.numpy.closing import moving
+from screwgen.integrators.methods import METHODS
+from screwgen.model import Model
+
+SAMPLES = 50
+
+
+def start(model: Model) -> tuple[np.ndarray, np.ndarray]:
+    """Where the linkage is closed, at random rates that keep it so, of half a radian per second or so."""
+    q = np.zeros(model.nq)
+    return q, moving(model.numpy(), q, 0.5 * np.random.default_rng(0).normal(size=model.nv))
+
+
+def drift(model: Model, method: str, form: str, duration: float, step: float) -> tuple[float, float]:
+    """The largest change of energy over the largest kinetic energy, and the largest offset of a loop."""
+    compiled, (q, v) = quick(model), start(model)
+    state, make = ((q, v), joint_steps) if form == "joint" else (compiled.dae_state(q, v), dae_steps)
+    moved = make(model, compiled, method, step, round(duration / step / SAMPLES))
+    energies, worst = [compiled.energy(q, v)], 0.0
+    for _ in range(SAMPLES):
+        state, (q, v) = moved(state)
+        energies.append(compiled.energy(q, v))
+        worst = max(worst, float(np.max(np.abs(model.numpy().offsets(q)))))
+    totals = np.sum(energies, axis=1)
+    return float(np.max(np.abs(totals - totals[0])) / np.max(np.array(energies)[:, 0])), worst
+
+
+def joint_steps(_, compiled, method: str, step: float, count: int):
+    """A function that moves a state of the joint form by that many steps, and gives its coordinates and rates too."""
+
+    def moved(state):
+        state = compiled.step(*state, None, None, step, method, count)
+        return state, state
+
+    return moved
+
+
+def dae_steps(model: Model, compiled, method: str, step: float, count: int):
+    """The same of the DAE form."""
+    coordinates = model.numpy().dae_functions.coordinates
+
+    def moved(x):
+        x = compiled.dae_step(x, None, None, step, method, count)
+        return x, tuple(np.array(part, float) for part in coordinates(x.tolist()))
+
+    return moved
+
+
+def main(duration: float, step: float, names: list[str]) -> None:
+    print(f"{'linkage':26} {'form':6} " + " ".join(f"{method:>20}" for method in METHODS))
+    for name in names:
+        model = model_of(MECHANISMS[name]())
+        for form in ("joint", "dae"):
+            cells = []
+            for method in METHODS:
+                try:
+                    energy, apart = drift(model, method, form, duration, step)
+                    cells.append(f"{energy:.1e}, {apart:.0e}")
+                except ScrewgenError as error:
+                    cells.append(type(error).__name__)
+            print(f"{name:26} {form:6} " + " ".join(f"{cell:>20}" for cell in cells), flush=True)
+
+
+if __name__ == "__main__":
+    main(float(sys.argv[1]), float(sys.argv[2]), sys.argv[3:] or list(MECHANISMS))

@@ -244,9 +244,9 @@ def run_analyse(
 ) -> None:
     """Print the report or the JSON, and draw the structure; of runs the limits of the model alone."""
     from ..simulation.controllers import read_controller
+    from ..simulation.linearised import check_step
     from ..simulation.runs import check_output, outputs, suffix
     from ..studies.analysis import SAMPLES, analyse, first_state, sample_states
-    from ..studies.analysis.spectrum import check_step
 
     check_step(step)
     if any(suffix(path) == ".npz" for path in states):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import fits, real_numbers
+from ..arguments import Numbers, fits, real_numbers
 from ..errors import ScrewgenError, UsageError
 
 if TYPE_CHECKING:
@@ -22,6 +22,18 @@ def started(controller: Any, q0: np.ndarray, model: Model | None = None, p: Any 
     if model is not None and hasattr(controller, "through"):
         controller = controller.through(model.chain, model.parameter_values if p is None else p)
     return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller
+
+
+def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | None = None) -> np.ndarray:
+    """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home.
+
+    Gears are then without load, with the ratios in `p`.
+    """
+    given = np.ravel(floats([] if values is None else values, name))
+    found = model.chain.complete(given, model.parameter_values if p is None else p, rates=name[0] == "v")
+    if isinstance(found, str):
+        raise UsageError(f"{name} {found}")
+    return found
 
 
 class Inputs:

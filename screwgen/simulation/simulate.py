@@ -17,7 +17,7 @@ from ..integrators.methods import method_of
 from . import hits, loop
 from .controllers import PD, Controller
 from .dae import DaeStepper
-from .inputs import Inputs, at_time, floats, started
+from .inputs import Inputs, at_time, coordinates, started
 from .integrate import JointStepper, Stepper, left
 from .mobility import check_closed
 from .recording import WATCH, Recorder, Table, Task, Walk, check_size, stored
@@ -198,18 +198,6 @@ def step_count(duration: float, step: float) -> int:
 def time_grid(duration: float, step: float, every=1) -> np.ndarray:
     """The times of every `every`-th step from 0 on, and `duration`; raises UsageError."""
     return np.append(step * np.arange(0, step_count(duration, step), every), float(duration))
-
-
-def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | None = None) -> np.ndarray:
-    """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home.
-
-    Gears are then without load, with the ratios in `p`.
-    """
-    given = np.ravel(floats([] if values is None else values, name))
-    found = model.chain.complete(given, model.parameter_values if p is None else p, rates=name[0] == "v")
-    if isinstance(found, str):
-        raise UsageError(f"{name} {found}")
-    return found
 
 
 def check_loops(model: Model, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...simulation.linearised import TOLERANCE
 from ...simulation.validity import Validity
 from ...spec.segments import owner
-from .step_limits import TOLERANCE, StepLimit
+from .step_limits import StepLimit
 
 if TYPE_CHECKING:
     from .findings import Findings, StateAnalysis

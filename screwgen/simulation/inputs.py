@@ -86,4 +86,6 @@ class at_time:
 
     def __exit__(self, kind: type | None, error: BaseException | None, _: object) -> None:
         if isinstance(error, ScrewgenError):
-            raise type(error)(f"t = {self.t:.6g} s: {error}") from None
+            timed = type(error)(f"t = {self.t:.6g} s: {error}")
+            timed.at = self.t
+            raise timed from None

@@ -73,6 +73,15 @@ class Held:
         )
         return not (turning & (z.real > allowed)).any()
 
+    def grows(self, method: str | Method, h: float, rate: float) -> bool:
+        """Whether an oscillation gains more than `rate`, 1/s, and more than a share a radian, under steps of `h` s."""
+        S = self.motion.step_map(method, h)
+        if not np.isfinite(S).all():
+            return True
+        z = exponents(np.linalg.eigvals(S))
+        fast = (np.abs(z) > self.noise(h)) & (np.abs(z.imag) > NOISE) & (np.abs(z) >= h * self.slowest)
+        return bool((fast & (z.real > np.maximum(TOLERANCE * np.abs(z), h * rate))).any())
+
     def noise(self, h: float) -> float:
         """Exponents over `h` seconds that are zero but for rounding."""
         return NOISE + h * STILL * self.largest
@@ -100,3 +109,9 @@ def first_failure(steps: np.ndarray, bears: Callable[[float], bool]) -> float | 
         middle = np.sqrt(low * high)
         low, high = (middle, high) if bears(middle) else (low, middle)
     return float(low)
+
+
+def shown_time(seconds: float, digits: int = 4) -> str:
+    """A time with its unit, `22 µs`."""
+    scale, unit = (1.0, "s") if seconds >= 0.1 else (1e3, "ms") if seconds >= 1e-4 else (1e6, "µs")
+    return f"{seconds * scale:.{digits}g} {unit}"

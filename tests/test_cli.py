@@ -198,8 +198,10 @@ def test_a_run_that_diverges_leaves_the_old_files(capsys, folder):
     status = main(["simulate", "ella.toml", *longer, "-o", "run.npz"])
     err = capsys.readouterr().err
     assert status == 1 and err.count("\n") == 1 and err.startswith("screwgen: error: t = 0.0")
-    assert Path("run.npz").read_text() == "old"
-    assert sorted(os.listdir()) == ["ella.toml", "gains.toml", "run.npz", "state.json"]
+    assert Path("run.npz").read_text() == "old" and "; run.failed.npz: the run until then" in err
+    assert sorted(os.listdir()) == ["ella.toml", "gains.toml", "run.failed.npz", "run.npz", "state.json"]
+    with np.load("run.failed.npz") as kept:
+        assert 1 < len(kept["t"]) < 1000 and "diverged" in str(kept["ended"]) and np.isfinite(kept["q"]).all()
 
 
 def test_singular_posture_names_the_link(capsys, folder):

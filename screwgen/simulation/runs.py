@@ -144,6 +144,12 @@ def suffix(path: str | os.PathLike[str]) -> str:
     return os.path.splitext(os.fsdecode(path))[1].lower()
 
 
+def failed_name(path: str | os.PathLike[str]) -> str:
+    """The name of what a run that failed leaves, `run.failed.npz`: it cannot be taken for a whole one."""
+    stem, end = os.path.splitext(os.fsdecode(path))
+    return f"{stem}.failed{end}"
+
+
 def check_output(path: str | os.PathLike[str], suffixes: Sequence[str] | dict) -> None:
     """Refuse, before any work is done, a path that cannot be written: suffix, folder, kind of file."""
     shown = one_line(os.fsdecode(path))

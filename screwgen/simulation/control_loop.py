@@ -66,25 +66,25 @@ class Sampled:
         if self.method is None or not self.controlled:
             return ""
         try:
-            loops = [loop for x in postures if (loop := self._loop(x, ended)) and loop.unstable]
-            return self._said(loops) if loops else ""
+            loops = [loop for x in postures if (loop := self._loop(x, self.method, ended)) and loop.unstable]
+            return self._said(loops, self.method) if loops else ""
         except (ScrewgenError, np.linalg.LinAlgError):
             return ""
 
-    def _loop(self, at: Posture, ended: bool) -> Loop | None:
+    def _loop(self, at: Posture, method: Method, ended: bool) -> Loop | None:
         found = gains_of(self.law, self.model, self.p, at, ended)
         if not found:
             return None
         tau, w_ext = self.given(at.t, at.q, at.v)
         kind = Shut if self.model.chain.closures else Linearised
-        motion = kind(self.model, at.q, at.v, tau, None, w_ext, self.p).trimmed()
-        return Loop(motion, found, self.method, self.step, np.log(GROWN) / self.duration)
+        motion = kind(self.model, at.q, at.v, tau, None, w_ext, self.p.tolist()).trimmed()
+        return Loop(motion, found, method, self.step, np.log(GROWN) / self.duration)
 
-    def _said(self, loops: Sequence[Loop]) -> str:
+    def _said(self, loops: Sequence[Loop], method: Method) -> str:
         at = f"unstable at a step of {shown_time(self.step, 3)}"
         if any(not loop.stable(0.0) for loop in loops):
-            other = "" if self.method.name == DEFAULT else f"take {DEFAULT}; or "
-            said = f"the integrator '{self.method}' is {at}, also without the controller"
+            other = "" if method.name == DEFAULT else f"take {DEFAULT}; or "
+            said = f"the integrator '{method}' is {at}, also without the controller"
             return f"{said}: {other}{_shorter(min(loop.longest() for loop in loops))}"
         factors = lowered(loops)
         rows = sorted({gain.joint for gain, s in zip(loops[0].gains, factors, strict=True) if s < 1})
@@ -147,7 +147,7 @@ def lowered(loops: Sequence[Loop]) -> np.ndarray:
         trial = np.where(np.arange(count) == k, 1.0, factors)
         if stable(trial):
             factors = trial
-    for k in np.flatnonzero(factors < 1):
+    for k in np.flatnonzero(factors < 1).tolist():
         one = np.arange(count) == k
         factors = np.where(one, largest(partial(_with, stable, factors, one), float(factors[k])), factors)
     return factors

@@ -71,7 +71,7 @@ class Judge:
         out = [Posture(0.0, self.q0, self.v0)]
         model, p, law = self.sampled.model, self.sampled.p, self.sampled.law
         for t, joints in law.set_points[::-1] if type(law) is PD else ():
-            q = model.chain.complete(np.array(joints, float), p)
+            q = np.array(model.chain.complete(np.array(joints, float), p), float)
             if len(out) < MOST and not any(np.allclose(q, x.q, atol=1e-3) for x in out):
                 out += self._closed(t, q)
         return out

@@ -69,6 +69,8 @@ def gains_of(law: Any, model: Model, p: np.ndarray, at: Posture, ended: bool) ->
     (`pure`), after one in any case.
     """
     plain = type(law) is PD
+    if plain and law.efforts is None and law.ahead_of_joints is None:
+        return _by_joint(_stated(law, model), law, model)
     if plain:
         law = replace(law, tau_max=None, gravity=None)
     given, space = Inputs(model, law, None), space_of(model.chain)
@@ -87,6 +89,15 @@ def gains_of(law: Any, model: Model, p: np.ndarray, at: Posture, ended: bool) ->
     finally:
         seen.restore()
     return _by_joint(G, law if plain else None, model)
+
+
+def _stated(law: PD, model: Model) -> np.ndarray:
+    """The derivatives of a law without transmissions, from its gains."""
+    places = np.arange(model.chain.base_v, model.chain.base_v + model.n_tau) if law.driven is None else law.driven
+    G, rows = np.zeros((model.n_tau, 2 * model.nv)), np.arange(model.n_tau)
+    for gains, first in ((law.kp, 0), (law.kd, model.nv)):
+        G[rows, first + np.array(places, int)] = -np.array(gains) / law.own_ratios**2
+    return G
 
 
 def _lasts(torque, at: Posture) -> float:

@@ -88,7 +88,8 @@ class Linearised:
         law = tau if controller is None else started(controller, self.q, model, self.p)
         self.given, self.space = Inputs(model, law, w_ext), space_of(model.chain)
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
-        self.vdot = model.numpy(self.p).forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
+        self.numeric = model.numpy(self.p)
+        self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
         self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
         own = self.dynamics.own
         self.own = own.acting(own.of(self.q), own.of(self.v))
@@ -137,7 +138,7 @@ class Linearised:
     @cached_property
     def mass_matrix(self) -> np.ndarray:
         """`M` (nv, nv) at the state."""
-        return self.model.numpy(self.p).mass_matrix(self.q) + np.diag(self.armature)
+        return self.numeric.mass_matrix(self.q) + np.diag(self.armature)
 
     @property
     def jacobian(self) -> np.ndarray:

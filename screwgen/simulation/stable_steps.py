@@ -36,17 +36,24 @@ class Held:
     """The linearised motions of an arm held at a state, and the methods' approximations of them."""
 
     def __init__(self, motion: Linearised):
-        self.motion, omega = motion, 1.0
-        self.eigenvalues, vectors = np.linalg.eig(motion.jacobian)
+        self.motion, self.slowest = motion, TURN * motion.turning
+        self.eigenvalues, self._vectors = np.linalg.eig(motion.jacobian)
         self.largest = float(np.abs(self.eigenvalues).max(initial=0.0))
+
+    @cached_property
+    def scale(self) -> np.ndarray:
+        """Coordinates and rates in the root of energy, so that eigenvectors can be compared."""
+        omega = 1.0
         if self.largest > 0:
             omega = float(np.exp(np.log(np.maximum(np.abs(self.eigenvalues), STILL * self.largest)).mean()))
-        root = np.linalg.cholesky(motion.inertia).T
+        root = np.linalg.cholesky(self.motion.inertia).T
         zero = np.zeros_like(root)
-        self.scale = np.block([[omega * root, zero], [zero, root]])
-        """Coordinates and rates in the root of energy, so that eigenvectors can be compared."""
-        self.vectors = unit(self.scale @ vectors)
-        self.slowest = TURN * motion.turning
+        return np.block([[omega * root, zero], [zero, root]])
+
+    @cached_property
+    def vectors(self) -> np.ndarray:
+        """The motions, scaled so, of length 1."""
+        return unit(self.scale @ self._vectors)
 
     @cached_property
     def steps(self) -> np.ndarray:

@@ -231,8 +231,9 @@ class Validity:
         """
         known = lambda finding: model is not None and model.made(_told(finding))  # noqa: E731
         if line := self.line(known):
-            for finding in self.findings if model is not None else ():
-                model.once(_told(finding), lambda: True)
+            for finding in self.findings:
+                if model is not None:
+                    model.once(_told(finding), lambda: True)
             warnings.warn(line, ModelValidityWarning, stacklevel=stacklevel + 1)
 
     def record(self) -> dict[str, Any]:

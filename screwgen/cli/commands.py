@@ -17,7 +17,8 @@ from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
-from .output import bar, busy, load_robot, say
+from ..studies.light_joints import light_joints
+from .output import bar, busy, load_robot, notes, say
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
@@ -54,6 +55,7 @@ def run_generate(
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
+    notes(robot, light_joints(model), quiet)
     with busy("generating", quiet), _stoppable():
         wanted = tuple(t for t in (*TARGETS, *UNITS) if t in (targets or TARGETS))
         with warnings.catch_warnings(record=True, action="always", category=TargetWarning) as noted:

@@ -97,20 +97,15 @@ class Sampled:
 
     def _rotors(self, loops: Sequence[Loop], rows: Sequence[int]) -> list[str]:
         """What rotors would help, where the joints have none."""
-        joints = [(link, k) for link in self.model.robot.links for k in range(len(link.joint.axes))]
-        if any(has_rotor(*joints[j]) for j in rows) or not (found := rotors(loops, rows)).size:
+        links = self.model.robot.links
+        stated = [link.joint.has_rotor(k) for link in links for k in range(len(link.joint.axes))]
+        found = np.zeros(0) if any(stated[j] for j in rows) else rotors(loops, rows)
+        if not found.size:
             return []
         values = _listed([f"{_rounded_up(x):g}" for x in found], quote="")
         unit = "kg·m²" if all(turning(self.model.robot)[j] for j in rows) else "kg·m² (slides: kg)"
         what = "inertia" if len(rows) == 1 else "inertias"
         return [f"state the {what} of the rotors, {values} {unit} or more (joint.armature)"]
-
-
-def has_rotor(link, axis: int) -> bool:
-    """Whether a joint states the inertia of its rotor."""
-    joint = link.joint
-    drive = joint.drives[axis] if joint.drives else None
-    return bool((joint.armature and joint.armature[axis]) or (drive and drive.rotor_inertia))
 
 
 class Loop:

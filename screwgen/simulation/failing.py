@@ -64,7 +64,7 @@ class Judge:
         numbers = self.sampled.model.numpy(self.sampled.p)
         measures = numbers.validity(self.q0, self.v0, *self.sampled.given(0.0, self.q0, self.v0))
         start = Validity(tuple(self.sampled.model.chain.names), measures)
-        return DivergedError(f"{error}; at the start {start.line()}") if start.buckled else error
+        return DivergedError(f"{when}the motion diverged; at the start {start.line()}") if start.buckled else error
 
     def _ahead(self) -> list[Posture]:
         """The start, and the set points of a PD law at rest."""

@@ -1,7 +1,7 @@
 """Loops of control that are unstable at their step, and the limits of real runs: `python tests/control_loops.py`.
 
 A run's own limit is found by bisection over runs in the compiled C that start at the goal with a small rate of every
-joint: a loop counts as unstable where rates grow as the examination of loops allows no oscillation to grow.
+coordinate: a loop counts as unstable where rates grow as the examination of loops allows no oscillation to grow.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from floating_robots import SATELLITE
 from helpers import example_dict, model_of
 
 from screwgen import Model, simulate
+from screwgen.backends.numpy.closing import closed, moving
 from screwgen.errors import ScrewgenError
 from screwgen.simulation.control_loop import GROWN, ControlLoopWarning
 from screwgen.simulation.controllers import PD
@@ -138,8 +139,6 @@ def model_of_case(name: str) -> Model:
 
 def start(model: Model, case: Case) -> np.ndarray:
     """The coordinates at which the law holds the robot, with closed loops."""
-    from screwgen.backends.numpy.closing import closed
-
     joints = np.zeros(model.n_joints) if case.q is None else np.array(case.q)
     q = model.chain.complete(joints, np.array(model.parameter_values))
     return closed(model.numpy(), q) if model.chain.closures else q
@@ -158,13 +157,8 @@ def law(model: Model, case: Case, q: np.ndarray, share: float = 1.0) -> Any:
 def moved(model: Model, case: Case, step: float, share: float = 1.0):
     """The run of a loop from its goal with a small rate."""
     q = start(model, case)
-    v = np.zeros(model.nv)
-    if not model.chain.closures:
-        v[model.chain.base_v : model.chain.base_v + model.n_joints] = KICK
-    else:
-        from screwgen.backends.numpy.closing import moving
-
-        v = moving(model.numpy(), q, np.full(model.nv, KICK))
+    v = np.full(model.nv, KICK)
+    v = moving(model.numpy(), q, v) if model.chain.closures else v
     given = {"q0": q, "v0": v, "controller": law(model, case, q, share)}
     return simulate(model, max(DURATION, 50 * step), step, integrator=case.integrator, form=case.form, **given)
 

@@ -61,10 +61,10 @@ def test_a_rotor_that_is_named_is_the_least_that_runs_bear():
 
 
 def test_an_integrator_that_fails_without_control_is_named_instead():
-    case, model = loops.UNSTABLE["a boom"]._replace(integrator="rk4", step=4e-3), loops.model_of_case("a boom")
+    case, model = loops.UNSTABLE["a boom"]._replace(integrator="rk4", step=20e-3), loops.model_of_case("a boom")
     (line,) = loops.said(lambda: loops.moved(model, case, case.step))
     assert line.startswith(
-        "the integrator 'rk4' is unstable at a step of 4 ms, also without the controller: take modal"
+        "the integrator 'rk4' is unstable at a step of 20 ms, also without the controller: take modal"
     )
     assert loops.grows(model, case._replace(kp=(0.0,), kd=(0.0,)), case.step)
     assert not loops.grows(model, case, loops.named_step(line) / 1.1)
@@ -85,12 +85,13 @@ def test_a_function_that_remembers_is_as_it_was():
             sums[0] += q[0]
             return [-3.0 * q[0] - 0.1 * v[0] - 1e-3 * sums[0]]
 
-        return torque, seen, sums
+        return torque, seen
 
-    torque, seen, sums = law(0, [], np.zeros(1))
+    torque, seen = law(0, [], np.zeros(1))
+    assert Seen(torque).admissible
     screwgen.simulate(model, 0.01, 1e-3, q0=[0.2], controller=torque)
-    assert len(seen) == 11 and torque.__closure__[1].cell_contents == 11
-    assert seen == pytest.approx(list(np.arange(11) * 1e-3))
+    assert seen == pytest.approx([0.0, *np.arange(11) * 1e-3])  # a run asks twice at its start
+    assert 12 in [cell.cell_contents for cell in torque.__closure__ if isinstance(cell.cell_contents, int)]
 
 
 def test_what_a_function_may_not_see_keeps_it_from_being_asked():
@@ -110,7 +111,7 @@ def test_what_a_function_may_not_see_keeps_it_from_being_asked():
     assert not Seen(objects).admissible and not Seen(noise).admissible
     assert Seen(lambda t, q, v: -gains[0] * q - gains[1] * np.sin(v)).admissible
     model = loops.model_of_case("a boom")
-    assert not loops.said(lambda: screwgen.simulate(model, 0.002, 1e-3, controller=objects)) and memory.called == 3
+    assert not loops.said(lambda: screwgen.simulate(model, 0.002, 1e-3, controller=objects)) and memory.called == 4
 
 
 def test_a_run_that_fails_may_ask_any_function():
@@ -121,9 +122,11 @@ def test_a_run_that_fails_may_ask_any_function():
             return [-30.0 * q[0] - 60.0 * v[0]]
 
     model = loops.model_of_case("a boom")
-    with warnings.catch_warnings(record=True, action="always") as noted:
-        with pytest.raises(DivergedError, match=r"^t = 0\.\d+ s: the motion diverged: with these gains .*'boom.joint"):
-            screwgen.simulate(model, 2.0, 1e-3, q0=[0.1], controller=Law())
+    with (
+        warnings.catch_warnings(record=True, action="always") as noted,
+        pytest.raises(DivergedError, match=r"^t = 0\.\d+ s: the motion diverged: with these gains .*'boom.joint"),
+    ):
+        screwgen.simulate(model, 2.0, 1e-3, q0=[0.1], controller=Law())
     assert not noted  # no link is blamed for it
 
 
@@ -152,7 +155,7 @@ def test_the_true_cause_is_named_and_the_run_is_kept(tmp_path, capsys):
     names = {"gains.toml", "run.failed.npz", "run.failed.png", "run.failed.html"}
     assert {path.name for path in tmp_path.iterdir()} == names
     with np.load(tmp_path / "run.failed.npz") as kept:
-        assert 0.1 < kept["t"][-1] < 2.0 and "unstable" in str(kept["ended"])
+        assert 0.0 < kept["t"][-1] < 2.0 and "unstable" in str(kept["ended"])
     assert main(["view", str(tmp_path / "run.failed.npz"), "-o", str(tmp_path / "seen.html")]) == 0
 
 

@@ -24,6 +24,8 @@ from screwgen.simulation.control_loop import GROWN, ControlLoopWarning
 from screwgen.simulation.controllers import PD
 
 KICK, DURATION = 1e-6, 0.5
+RUNAWAY = 1e4
+"""A rate of so many times the first one has grown, whatever became of it afterwards."""
 TIMES = {"s": 1.0, "ms": 1e-3, "µs": 1e-6}
 
 
@@ -172,7 +174,7 @@ def grows(model: Model, case: Case, step: float) -> bool:
     except ScrewgenError:
         return True
     part = max(1, len(rates) // 5)
-    return bool(rates[-part:].max() > GROWN**0.8 * rates[:part].max())
+    return bool(rates[-part:].max() > GROWN**0.8 * rates[:part].max() or rates.max() > RUNAWAY * KICK)
 
 
 def true_limit(model: Model, case: Case, near: float) -> float:

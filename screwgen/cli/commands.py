@@ -55,13 +55,13 @@ def run_generate(
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
-    notes(robot, light_joints(model), quiet)
     with busy("generating", quiet), _stoppable():
         wanted = tuple(t for t in (*TARGETS, *UNITS) if t in (targets or TARGETS))
         with warnings.catch_warnings(record=True, action="always", category=TargetWarning) as noted:
             files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
     for note in noted:
         print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
+    notes(robot, light_joints(model), quiet)
     say("\n".join(str(Path(output) / name) for name in files), quiet)
 
 

@@ -47,7 +47,8 @@ def steps_borne(model: Model) -> dict[str, float]:
     chain, rng = model.chain, np.random.default_rng(0)
     if not chain.n_modes:
         return {}
-    p, out = np.array(model.parameter_values), {}
+    out: dict[str, float] = {}
+    p = np.array(model.parameter_values)
     for joints in (np.zeros(model.n_joints), SPREAD * rng.uniform(-1, 1, model.n_joints)):
         q = np.array(chain.complete(joints, p), float)
         M = model.numpy().mass_matrix(q)

@@ -94,6 +94,18 @@ def test_a_function_that_remembers_is_as_it_was():
     assert 12 in [cell.cell_contents for cell in torque.__closure__ if isinstance(cell.cell_contents, int)]
 
 
+def test_a_function_that_keeps_a_log_is_examined_and_its_log_is_that_of_the_run():
+    case, model, log = loops.UNSTABLE["a boom"], loops.model_of_case("a boom"), []
+
+    def torque(t, q, v):
+        log.append(t)
+        return [-30.0 * q[0] - 6.0 * v[0]]
+
+    (line,) = loops.said(lambda: screwgen.simulate(model, 0.01, 1e-3, controller=torque))
+    assert log == pytest.approx([0.0, *np.arange(11) * 1e-3])
+    assert loops.named_step(line) < case.step
+
+
 def test_what_a_function_may_not_see_keeps_it_from_being_asked():
     class Memory:
         called = 0

@@ -37,6 +37,11 @@ MOST = 1e3
 """The largest rotor inertia that is proposed, over `kd h + kp h²`, and the inverse of the least."""
 
 
+LARGEST = {False: 40, True: 100}
+"""The most coordinates of a robot whose loop is examined before a run, and after one that failed: the derivatives take
+time with their square, milliseconds for a dozen and seconds for a hundred."""
+
+
 class ControlLoopWarning(UserWarning):
     """A loop of control that is unstable at the step of a run; the text is one line."""
 
@@ -63,7 +68,7 @@ class Sampled:
 
         `ended`: whether the run has ended, so that any function may be asked for torques.
         """
-        if self.method is None or not self.controlled:
+        if self.method is None or not self.controlled or self.model.nq > LARGEST[ended]:
             return ""
         try:
             loops = [loop for x in postures if (loop := self._loop(x, self.method, ended)) and loop.unstable]
@@ -75,9 +80,8 @@ class Sampled:
         found = gains_of(self.law, self.model, self.p, at, ended)
         if not found:
             return None
-        tau, w_ext = self.given(at.t, at.q, at.v)
         kind = Shut if self.model.chain.closures else Linearised
-        motion = kind(self.model, at.q, at.v, tau, None, w_ext, self.p.tolist()).trimmed()
+        motion = kind(self.model, at.q, at.v, None, None, self.given.constant_wrenches, self.p.tolist()).trimmed()
         return Loop(motion, found, method, self.step, np.log(GROWN) / self.duration)
 
     def _said(self, loops: Sequence[Loop], method: Method) -> str:

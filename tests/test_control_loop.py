@@ -185,7 +185,7 @@ def test_an_error_has_the_run_until_then():
     assert refused.value.run is None
 
 
-def test_readmes_gains_run_on_ella_with_the_rotors_that_it_states():
+def test_readmes_gains_run_on_ella_with_the_rotors_that_it_states(tmp_path):
     text = Path("README.md").read_text()
     gains = re.search(r"```toml\n(kp = .*?)```", text, re.DOTALL)[1]
     rotors = [[float(x) for x in found.split(",")] for found in re.findall(r"armature = \[([\d., ]+)\]", text)]
@@ -193,9 +193,8 @@ def test_readmes_gains_run_on_ella_with_the_rotors_that_it_states():
     for link, armature in zip(robot["links"], rotors, strict=True):
         link["joint"]["armature"] = armature
     model = model_of(robot)
-    Path("build").mkdir(exist_ok=True)
-    Path("build/readme_gains.toml").write_text(gains)
-    law = read_pd("build/readme_gains.toml", model)
+    (tmp_path / "gains.toml").write_text(gains)
+    law = read_pd(tmp_path / "gains.toml", model)
     with warnings.catch_warnings(record=True, action="always") as noted:
         run = screwgen.simulate(model, law.duration + 0.5, 1e-3, controller=law)
     assert not [w for w in noted if issubclass(w.category, ControlLoopWarning)]

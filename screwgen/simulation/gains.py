@@ -101,7 +101,8 @@ def _stated(law: PD, model: Model) -> np.ndarray:
 
 
 def _lasts(torque, at: Posture) -> float:
-    """How long a call takes, s."""
+    """How long a call takes, s: the second, since a first one may prepare something."""
+    torque(at.q, at.v)
     clock = time.perf_counter()
     torque(at.q, at.v)
     return time.perf_counter() - clock

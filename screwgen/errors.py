@@ -1,5 +1,7 @@
 """The errors that users see, each with a text of one line."""
 
+from typing import Any
+
 
 def one_line(text: str) -> str:
     """`text` with everything that is not printable escaped."""
@@ -7,7 +9,13 @@ def one_line(text: str) -> str:
 
 
 class ScrewgenError(Exception):
-    """Base of every error that screwgen raises on purpose; `str(error)` is one line meant for a user."""
+    """Base of every error that screwgen raises on purpose; `str(error)` is one line meant for a user.
+
+    `run`: of a run that failed the :class:`~screwgen.simulation.runs.Run` until then, `at` the time, s; else None.
+    """
+
+    run: Any = None
+    at: float | None = None
 
 
 class RobotFileError(ScrewgenError):

@@ -13,10 +13,11 @@ import screwgen
 from screwgen.integrators import METHODS
 from screwgen.simulation.controllers import PD
 from screwgen.simulation.integrate import Dynamics, Held
+from screwgen.simulation.linearised import Linearised
 from screwgen.simulation.state import State
 from screwgen.studies.analysis import sample_states
 from screwgen.studies.analysis.regularity import regularity
-from screwgen.studies.analysis.spectrum import Linearised, growth, jacobian, motions, step_map
+from screwgen.studies.analysis.spectrum import growth, jacobian, motions, step_map
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 SOFT = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}

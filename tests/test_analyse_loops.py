@@ -11,10 +11,11 @@ from test_loops import angles
 import screwgen
 from screwgen import UsageError
 from screwgen.backends.numpy.closing import moving
+from screwgen.simulation.linearised import Linearised
+from screwgen.simulation.linearised_loops import Shut
+from screwgen.simulation.stable_steps import Held
 from screwgen.studies.analysis.analyse import first_state, sample_states
-from screwgen.studies.analysis.shut import Shut
-from screwgen.studies.analysis.spectrum import Linearised, step_map
-from screwgen.studies.analysis.step_limits import Held
+from screwgen.studies.analysis.spectrum import step_map
 
 LENGTH, SPRING = 0.7, {"axes": ["y"], "stiffness": [900.0], "damping": [4.0], "armature": [0.5]}
 

@@ -13,7 +13,7 @@ from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.controllers import Holding
-from screwgen.studies.analysis.spectrum import speed
+from screwgen.simulation.linearised import speed
 
 GOALS = (1.6, 0.8, 0.5, 1.2)
 WEIGHT = 9.81 * (25.0 + 2700.0 * np.pi / 4 * (0.06**2 - 0.054**2) * 1.8)

@@ -10,8 +10,9 @@ import numpy as np
 import scipy.linalg
 
 from screwgen import PD, Model
+from screwgen.simulation.linearised import Linearised
 from screwgen.simulation.motion import modal_columns
-from screwgen.studies.analysis.spectrum import Linearised, growth, jacobian, step_map
+from screwgen.studies.analysis.spectrum import growth, jacobian, step_map
 from screwgen.studies.stiffness import stiffness
 
 from .arm import STEP, Arm, start

@@ -8,17 +8,18 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, BinaryIO, cast
 
 import numpy as np
 
-from ..errors import SingularError, StoppedError, TargetWarning, UsageError
+from ..errors import ScrewgenError, SingularError, StoppedError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
 from ..progress import bar, busy
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
-from .output import load_robot, say
+from ..studies.light_joints import light_joints
+from .output import load_robot, notes, say
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
@@ -61,6 +62,7 @@ def run_generate(
             files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
     for note in noted:
         print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
+    notes(robot, light_joints(model), quiet)
     say("\n".join(str(Path(output) / name) for name in files), quiet)
 
 
@@ -83,11 +85,11 @@ def run_simulate(
 ) -> None:
     """Simulate and store; the run and its pictures appear together or not at all, unless a stopped run is kept.
 
-    `pictures`: the files of --plot and --view.
+    `pictures`: the files of --plot and --view. What a run that fails had until then is in `run.failed.npz`, and so on.
     """
     from ..simulation.controllers import read_controller
     from ..simulation.hits import lines
-    from ..simulation.runs import FORMATS, check_output, outputs
+    from ..simulation.runs import FORMATS, check_output, failed_name, outputs
     from ..simulation.simulate import FORMS as known_forms
     from ..simulation.simulate import simulate, step_count
 
@@ -103,30 +105,47 @@ def run_simulate(
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
     ways: dict[str, Any] = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
-    wanted = [path for path in (None if keep else output, *pictures) if path]
-    with outputs(*wanted) as streams:
-        with bar("simulating", steps, quiet) as progress, _stoppable():
-            run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
-        if not keep:
-            run.write(streams.pop(0), output)
-        with busy("drawing", quiet):
-            for path, draw in zip(pictures, (_drawn, _viewed), strict=True):
-                if path is not None:
-                    streams.pop(0).write(draw(run, model, torque, output))
+    wanted = (None if keep else output, *pictures)
+    try:
+        with outputs(*filter(None, wanted)) as streams:
+            with bar("simulating", steps, quiet) as progress, _stoppable():
+                run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
+            with busy("drawing", quiet):
+                _write((run, model, torque, output), wanted, streams)
+    except ScrewgenError as error:
+        if error.run is None:
+            raise
+        failed = [None if path is None else failed_name(path) for path in (output, *pictures)]
+        with outputs(*filter(None, failed)) as streams:
+            _write((error.run, model, torque, failed_name(output)), failed, streams)
+        raise type(error)(f"{error}; {one_line(', '.join(filter(None, failed)))}: the run until then") from None
     say("\n".join(filter(None, (output, *pictures, *lines(run.hits)))), quiet)
 
 
-def _drawn(run: Any, model: Model, torque: Any, _: str) -> bytes:
+def _write(made: tuple[Any, Model, Any, str], paths: Sequence[str | None], streams: Iterable[BinaryIO]) -> None:
+    """Write a run, its plot and its page, as far as they have a path; `made`: run, model, torques, and its file."""
+    run, model, torque, name = made
+    drawn, viewed = (lambda: _drawn(run, model, torque)), (lambda: _viewed(run, model, torque, name))
+    writers: tuple[Callable[[], bytes], ...] = (drawn, viewed)
+    each = iter(streams)
+    if paths[0] is not None:
+        run.write(next(each), name)
+    for path, picture in zip(paths[1:], writers, strict=True):
+        if path is not None:
+            next(each).write(picture())
+
+
+def _drawn(run: Any, model: Model, torque: Any) -> bytes:
     from ..plotting.plot import png
 
     return png(run, model, torque)
 
 
-def _viewed(run: Any, model: Model, torque: Any, output: str) -> bytes:
+def _viewed(run: Any, model: Model, torque: Any, name: str) -> bytes:
     from ..plotting.demands import set_points
     from ..viewer.page import run_page
 
-    return run_page([(run, model, Path(output).name)], goals=set_points(run, model, torque)).html.encode()
+    return run_page([(run, model, Path(name).name)], goals=set_points(run, model, torque)).html.encode()
 
 
 @contextmanager
@@ -253,9 +272,9 @@ def run_analyse(
 ) -> None:
     """Print the report or the JSON, and draw the structure; of runs the limits of the model alone."""
     from ..simulation.controllers import read_controller
+    from ..simulation.linearised import check_step
     from ..simulation.runs import check_output, outputs, suffix
     from ..studies.analysis import SAMPLES, analyse, first_state, sample_states
-    from ..studies.analysis.spectrum import check_step
 
     check_step(step)
     if any(suffix(path) == ".npz" for path in states):

@@ -15,9 +15,10 @@ import numpy as np
 
 from ..errors import SingularError, UsageError
 from ..model import derive
+from ..simulation.inputs import coordinates
 from ..simulation.integrate import DivergedError
 from ..simulation.runs import Run
-from ..simulation.simulate import coordinates, time_grid
+from ..simulation.simulate import time_grid
 from ..spec.robot import Robot
 from ..topology.chain import Chain
 from .arm_state import ArmState

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import fits, real_numbers
+from ..arguments import Numbers, fits, real_numbers
 from ..errors import ScrewgenError, UsageError
 
 if TYPE_CHECKING:
@@ -24,6 +24,18 @@ def started(controller: Any, q0: np.ndarray, model: Model | None = None, p: Any 
     return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller
 
 
+def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | None = None) -> np.ndarray:
+    """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home.
+
+    Gears are then without load, with the ratios in `p`.
+    """
+    given = np.ravel(floats([] if values is None else values, name))
+    found = model.chain.complete(given, model.parameter_values if p is None else p, rates=name[0] == "v")
+    if isinstance(found, str):
+        raise UsageError(f"{name} {found}")
+    return found
+
+
 class Inputs:
     """Torques (n_tau,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing."""
 
@@ -33,6 +45,11 @@ class Inputs:
             _source(controller, "the controller", (model.n_tau,)),
             _source(w_ext, "w_ext", (model.n_links, 6)),
         )
+
+    @property
+    def constant_wrenches(self) -> np.ndarray | None:
+        """The tip wrenches (n, 6) where they are constant; None where a function gives them."""
+        return None if self.wrenches_vary else self.sources[1](0.0, None, None)
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         torque, wrench = self.sources
@@ -74,4 +91,6 @@ class at_time:
 
     def __exit__(self, kind: type | None, error: BaseException | None, _: object) -> None:
         if isinstance(error, ScrewgenError):
-            raise type(error)(f"t = {self.t:.6g} s: {error}") from None
+            timed = type(error)(f"t = {self.t:.6g} s: {error}")
+            timed.at = self.t
+            raise timed from None

@@ -99,6 +99,23 @@ def jacobian(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     return np.array(closing(model)(q, np.zeros(model.nv), np.zeros(len(model.chain.closures)), p)[1])
 
 
+def motions(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
+    """The numbers (d,) of independent coordinates, and T (2 nv, 2 d): all changes [δ; δv] by those of these.
+
+    Where `J δv + (∂(J v)/∂δ) δ = 0` rates change with the posture, as loops make them.
+    """
+    chain = model.chain
+    if not chain.closures:
+        return np.arange(chain.nv), np.eye(2 * chain.nv)
+    _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
+    check_closed(model.numpy(p), "q", q)
+    check_staying_closed(chain, "v", J @ v)
+    own, D, N = mobility(J, by_drive(chain))
+    turned = np.zeros_like(N)
+    turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]
+    return own, np.block([[N, np.zeros_like(N)], [turned, N]])
+
+
 def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(n_joints,) of bool: the joints whose coordinates may be stated, as many as the loops leave; all without loops.
 

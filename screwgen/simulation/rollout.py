@@ -164,7 +164,7 @@ def rollout(
         run = rolled(model, given, count, *how)
     else:
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
-    run.validity.warn(stacklevel=2)
+    run.validity.warn(model, stacklevel=2)
     return run
 
 

@@ -14,7 +14,7 @@ from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
 from ..integrators import se3
-from ..simulation.mobility import by_drive, check_closed, check_staying_closed, closing, mobility
+from ..simulation.mobility import motions
 from ..spec.load import one_line
 from ..spec.modes import DIRECTIONS
 from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
@@ -212,23 +212,6 @@ def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
     if isinstance(found, str):
         raise UsageError(f"q: {found}")
     return found
-
-
-def motions(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
-    """The numbers (d,) of independent coordinates, and T (2 nv, 2 d): all changes [δ; δv] by those of these.
-
-    Where `J δv + (∂(J v)/∂δ) δ = 0` rates change with the posture, as loops make them.
-    """
-    chain = model.chain
-    if not chain.closures:
-        return np.arange(chain.nv), np.eye(2 * chain.nv)
-    _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
-    check_closed(model.numpy(p), "q", q)
-    check_staying_closed(chain, "v", J @ v)
-    own, D, N = mobility(J, by_drive(chain))
-    turned = np.zeros_like(N)
-    turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]
-    return own, np.block([[N, np.zeros_like(N)], [turned, N]])
 
 
 def carried(chain: Chain, v: np.ndarray) -> np.ndarray:

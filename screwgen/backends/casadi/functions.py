@@ -164,34 +164,34 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
     return dict(x=given["x"], z=given["z"], u=u, p=given["p"], ode=ode, alg=M @ given["z"] + H - W)
 
 
-def modal_functions(chain: Chain) -> dict[str, ca.Function]:
+def modal_functions(chain: Chain) -> Made:
     """What integrators need: ``modal_dynamics``, ``modal_properties``, and those of the DAE form.
 
     ``dae_dynamics``, ``joint_rates``, ``project``.  ``f_eta`` belongs to the last ``chain.n_given`` of q, and so
     does ``m_eta``, which ends with the entries below the diagonal where modes are coupled.
     """
     given = symbols(chain, "q v tau w_ext m_eta f_eta x wrench motion p")
-    dynamics = expressions(fused.modal_dynamics(chain), given)
-    order = ("q", "v", "tau", "w_ext", "m_eta", "f_eta", "p")
-    wrench = ca.reshape(dynamics["wrench"], 6, chain.n)
-    properties = expressions(fused.modal_properties(chain), given)
-    dae, projected = expressions(fused.dae_dynamics(chain), given), expressions(fused.projection(chain), given)
-    dae["wrench"] = ca.reshape(dae["wrench"], 6, chain.n)
-    rates, measures = expressions(fused.joint_rates(chain), given), expressions(fused.measures(chain), given)
-    dae_order = ("x", "tau", "w_ext", "m_eta", "f_eta", "p")
-    return {
-        "dae_dynamics": function("dae_dynamics", {k: given[k] for k in dae_order}, **dae),
-        "joint_rates": function("joint_rates", {k: given[k] for k in ("x", "p")}, **rates),
-        "project": function("project", {k: given[k] for k in ("x", "p")}, **projected),
-        "modal_dynamics": function(
-            "modal_dynamics", {k: given[k] for k in order}, vdot=dynamics["vdot"], wrench=wrench
-        ),
-        "watched_dynamics": function(
-            "watched_dynamics", {k: given[k] for k in order}, wrench=wrench, motion=dynamics["motion"]
-        ),
-        "measures": function("measures", {k: given[k] for k in ("q", "wrench", "motion", "p")}, **measures),
-        "modal_properties": function("modal_properties", {"p": given["p"]}, **properties),
-    }
+
+    @cache
+    def found(program) -> dict[str, ca.SX]:
+        out = expressions(program(chain), given)
+        return out | ({"wrench": ca.reshape(out["wrench"], 6, chain.n)} if "wrench" in out else {})
+
+    def making(name: str, inputs: str, program, *results: str) -> Callable[[], ca.Function]:
+        taken = {k: given[k] for k in inputs.split()}
+        return lambda: function(name, taken, **{k: x for k, x in found(program).items() if k in results or not results})
+
+    joint, dae = "q v tau w_ext m_eta f_eta p", "x tau w_ext m_eta f_eta p"
+    rows = (
+        ("dae_dynamics", dae, fused.dae_dynamics),
+        ("joint_rates", "x p", fused.joint_rates),
+        ("project", "x p", fused.projection),
+        ("modal_dynamics", joint, fused.modal_dynamics, "vdot", "wrench"),
+        ("watched_dynamics", joint, fused.modal_dynamics, "wrench", "motion"),
+        ("measures", "q wrench motion p", fused.measures),
+        ("modal_properties", "p", fused.modal_properties),
+    )
+    return Made({row[0]: making(*row) for row in rows})
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:

@@ -15,6 +15,8 @@ import numpy as np
 from ...algorithms.transmissions import efforts
 from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...errors import SingularError, UsageError
+from ...simulation.linearised import Law, Linearised, check_step, speed
+from ...simulation.linearised_loops import Shut
 from ...simulation.mobility import loads_of_loops
 from ...simulation.state import State, state_of
 from ...spec.parameters import turning
@@ -22,8 +24,7 @@ from ...spec.reduced import elastic, reach, sizes
 from ...spec.robot import Link
 from .findings import Findings, StateAnalysis
 from .regularity import LinkBlock, link_blocks, loops_of, regularity, structure, with_projectors_alone
-from .shut import Shut
-from .spectrum import Law, Linearised, Motion, check_step, motions, speed
+from .spectrum import Motion, motions
 from .step_limits import StepLimit, paper_bound, step_limits
 from .text import report
 

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...simulation.integrate import DEFAULT
+from ...simulation.linearised import TOLERANCE
+from ...simulation.stable_steps import shown_time
 from ...simulation.validity import Validity
 from ...spec.segments import owner
-from .step_limits import TOLERANCE, StepLimit
+from .step_limits import StepLimit
 
 if TYPE_CHECKING:
     from .findings import Findings, StateAnalysis
@@ -54,13 +56,13 @@ def _stability(a: Findings) -> str:
     late = [(x.limit or 0.0, s) for s in found for x in s.limits if x.method == DEFAULT and not x.borne]
     if late:
         limit, s = min(late, key=lambda pair: pair[0])
-        most = f"bears {_time(limit)}" if limit else "bears no step"
-        text = f"UNSTABLE in steps of {_time(a.step)} ({loop}): {_where(s)} {DEFAULT} {most}"
+        most = f"bears {shown_time(limit)}" if limit else "bears no step"
+        text = f"UNSTABLE in steps of {shown_time(a.step)} ({loop}): {_where(s)} {DEFAULT} {most}"
         return f"{text}; the motion itself is stable"
     loose = dict.fromkeys(m.coordinate for s in found for m in s.motions if m.kind == "free")
     but = f"; {_count(len(loose), 'coordinate')} free" if loose else ""
     where = _where(found[0]) if len(found) == 1 else f"at {len(found)} states"
-    steps = f"; {DEFAULT} bears {_time(a.step)}" if any(s.limits for s in found) else ""
+    steps = f"; {DEFAULT} bears {shown_time(a.step)}" if any(s.limits for s in found) else ""
     return f"STABLE ({loop}): {where} no motion grows{steps}{but}"
 
 
@@ -263,7 +265,8 @@ def _limits(a: Findings) -> str:
         text += " takes the turning itself implicitly, so a step should be short against it, some 0.02 rad."
         lines.append(_wrapped(text))
     if a.paper_bound is not None:
-        text = f"The paper's (stability), 2/ω_max = 2 l²/(1.8751² n²) √(ρA/EI): {_time(a.paper_bound)} for this robot."
+        bound = shown_time(a.paper_bound)
+        text = f"The paper's (stability), 2/ω_max = 2 l²/(1.8751² n²) √(ρA/EI): {bound} for this robot."
         lines.append(_wrapped(f"{text} It does not hold, for forward Euler least of all (E19)."))
     return "\n".join(lines)
 
@@ -275,7 +278,8 @@ def _limit(k: int, states: Sequence[StateAnalysis]) -> tuple[str, ...]:
 
     worst, fastest = min(states, key=least), max(states, key=lambda s: s.limits[k].rate)
     limit: StepLimit = worst.limits[k]
-    text = f"any (to {limit.tried:.3g} s)" if limit.limit is None else _time(limit.limit) if limit.limit else "none"
+    found = shown_time(limit.limit) if limit.limit else "none"
+    text = f"any (to {limit.tried:.3g} s)" if limit.limit is None else found
     where = "" if limit.limit is None else worst.label
     borne = "borne" if all(s.limits[k].borne for s in states) else "TOO LONG"
     rate = fastest.limits[k].rate
@@ -283,11 +287,6 @@ def _limit(k: int, states: Sequence[StateAnalysis]) -> tuple[str, ...]:
 
 
 # ------------------------------------------------------------------------------ words and columns
-
-
-def _time(seconds: float) -> str:
-    scale, unit = (1.0, "s") if seconds >= 0.1 else (1e3, "ms") if seconds >= 1e-4 else (1e6, "µs")
-    return f"{seconds * scale:.4g} {unit}"
 
 
 def _number(x: float) -> str:

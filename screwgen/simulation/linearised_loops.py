@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...integrators.methods import method_of
-from ..linear import motions
-from .spectrum import Linearised
+from ..integrators.method import Method
+from ..integrators.methods import method_of
+from .linearised import Linearised
+from .mobility import motions
 
 
 class Shut(Linearised):
@@ -23,6 +24,9 @@ class Shut(Linearised):
         super().__init__(*given, **named)
         self.free, self.moves = motions(self.model, self.q, self.v, self.p)
         self.identity, self.gains = np.vsplit(np.eye(2 * len(self.free)), 2), self.gains @ self.moves
+
+    def with_gains(self, gains: np.ndarray) -> Linearised:
+        return super().with_gains(gains @ self.moves)
 
     @property
     def inertia(self) -> np.ndarray:
@@ -43,7 +47,7 @@ class Shut(Linearised):
         whole = self.moves @ np.vstack([q, v])
         return whole[: self.model.nv], whole[self.model.nv :]
 
-    def closing_factors(self, method: str, step: float) -> np.ndarray:
+    def closing_factors(self, method: str | Method, step: float) -> np.ndarray:
         """Of `g̈ + 2 c ġ + c² g = 0`, which no method takes implicitly, for every stabilisation c of the loops."""
         x, v = np.eye(2)[:, None]
         maps = [method_of(method).step(Gap(c.stabilisation), x, v, step) for c in self.model.chain.closures]

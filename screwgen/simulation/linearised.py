@@ -1,0 +1,257 @@
+"""Linearised motion about a state: its Jacobian, and the amplification matrices of integration methods.
+
+Everything is linearised at the state as it is, rates included. Where the state is no equilibrium these are frozen
+coefficients: they describe what happens near it, for as long as the motion stays near it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ..arguments import Numbers
+from ..backends.numpy.dae_step import space_of
+from ..errors import SingularError, UsageError
+from ..integrators.method import Method
+from ..integrators.methods import method_of
+from ..integrators.se3 import Space
+from ..spec.parameters import turning
+from . import mobility
+from .inputs import Inputs, coordinates, started
+from .integrate import Dynamics, Evaluator
+
+if TYPE_CHECKING:
+    from ..model import Model
+
+Parameters = Sequence[float] | Mapping[str, float]
+Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
+Torque = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+STILL = 3e-6
+"""Eigenvalues smaller than this, relative to the largest, are motions that nothing drives back."""
+TOLERANCE = 1e-4
+"""Growth per radian, relative to the amplitude, that counts as none."""
+DIFFERENCE = 1e-5
+"""The variation of a controller's arguments, relative if they exceed 1."""
+TINY = 1e-6
+"""The change of the pose of a floating base by which its direction in q is taken."""
+
+
+def speed(model: Model, v: np.ndarray) -> float:
+    """How fast the joints turn, rad/s: the norm of the rates of the axes that turn, of `v` (nv,)."""
+    first = model.chain.base_v
+    return float(np.linalg.norm(v[first : first + model.n_joints][turning(model.robot)]))
+
+
+def check_step(step: float) -> None:
+    """Refuse a step that is no time."""
+    if not (np.isfinite(step) and step > 0):
+        raise UsageError(f"the step is {step:g} s; it must be a finite number > 0")
+
+
+class Slopes(NamedTuple):
+    """Derivatives of the accelerations (nv,) by coordinates, rates, torques and the forces of modes and joints."""
+
+    q: np.ndarray
+    v: np.ndarray
+    tau: np.ndarray
+    force: np.ndarray
+
+
+class Linearised:
+    """The accelerations to first order about a state, as integration methods ask for them: see `integrate.Held`.
+
+    `q` (nq,), `v` (nv,); `tau` (n_tau,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` its torques at
+    t = 0 follow the motion instead. Motions are matrices, a column per motion, of small changes (nv,) of the
+    coordinates and of their rates; those of a floating base are in the axes of F_1. Raises UsageError where arguments
+    make no sense, SingularError where the mass matrix cannot be inverted.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        q: Numbers,
+        v: Numbers,
+        tau: Numbers | None = None,
+        controller: Law | None = None,
+        w_ext: Numbers | None = None,
+        p: Parameters | None = None,
+    ):
+        if controller is not None and tau is not None:
+            raise UsageError("torques are given beside a controller; leave one of them out")
+        self.model, self.p = model, model.chain.parameters.vector(p)
+        self.q, self.v = coordinates(q, "q", model, self.p), coordinates(v, "v", model, self.p)
+        law = tau if controller is None else started(controller, self.q, model, self.p)
+        self.given, self.space = Inputs(model, law, w_ext), space_of(model.chain)
+        self.tau, self.w_ext = self.given(0.0, self.q, self.v)
+        self.numeric = model.numpy(self.p)
+        self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
+        self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
+        own = self.dynamics.own
+        self.own = own.acting(own.of(self.q), own.of(self.v))
+        self.directional = model.once("slopes", lambda: _directional(model))
+        self.identity = np.vsplit(np.eye(2 * model.nv), 2)
+        self.gains = np.zeros((model.n_tau, 2 * model.nv)) if controller is None else self._gains()
+        self.trim: np.ndarray | None = None
+        self.armature = np.zeros(model.nv)
+        self._known: dict[float, Slopes] = {}
+
+    def trimmed(self) -> Linearised:
+        """The same about the same state, with constant generalised forces that make the accelerations zero."""
+        trim, out = self.mass_matrix @ self.vdot, copy(self)
+        out.trim, out._known = trim, {}
+        out.__dict__.pop("_light", None)
+        return out
+
+    def with_gains(self, gains: np.ndarray) -> Linearised:
+        """The same with torques that follow the motion by `gains` (n_tau, 2 nv)."""
+        out = copy(self)
+        out.gains = gains
+        return out
+
+    def with_armature(self, armature: np.ndarray) -> Linearised:
+        """The same, trimmed, with so much more inertia (nv,) of the coordinates."""
+        out = copy(self)
+        out.armature, out._known = armature, {}
+        out.__dict__.pop("mass_matrix", None)
+        return out
+
+    @property
+    def inertia(self) -> np.ndarray:
+        """That of the motions, `mass_matrix` where they are those of all coordinates."""
+        return self.mass_matrix
+
+    @property
+    def names(self) -> list[str]:
+        """The coordinates of the motions."""
+        return self.model.q_names
+
+    @property
+    def turning(self) -> float:
+        """How fast the joints turn at the state, rad/s: the norm of their rates."""
+        return speed(self.model, self.v)
+
+    @cached_property
+    def mass_matrix(self) -> np.ndarray:
+        """`M` (nv, nv) at the state."""
+        return self.numeric.mass_matrix(self.q) + np.diag(self.armature)
+
+    @property
+    def jacobian(self) -> np.ndarray:
+        """`A` (2 nv, 2 nv) of `d/dt [δq; δv] = A [δq; δv]`; where loops are open it closes them."""
+        return np.vstack([self.identity[1], self.explicit(*self.identity)])
+
+    def step_map(self, method: str | Method, step: float) -> np.ndarray:
+        """The amplification matrix (2 nv, 2 nv) of a method over `step` seconds."""
+        check_step(step)
+        return np.vstack(method_of(method).step(self, self.identity[0], self.identity[1], step))
+
+    def closing_factors(self, method: str | Method, step: float) -> np.ndarray:
+        """By what a step multiplies gaps of open loops; none without loops."""
+        return np.zeros(0)
+
+    def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """The accelerations of the motions `q`, `v` (nv, k); the torques are those of `identity`, held."""
+        return self.implicit(q, v, 0.0)
+
+    def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
+        """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
+        a, own = self.slopes(h), self.own
+        at_q, at_v = there or (q, v)
+        force = own.slopes.force(own.of(q), own.of(v), h)
+        if self.model.chain.dry:
+            force = force + own.softened(own.of(self.v), own.of(self._felt(h)), own.of(at_v))
+        return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
+
+    def _felt(self, h: float) -> np.ndarray:
+        """The rates (nv,) that dry friction resists: those `h` later, as the accelerations lead to them."""
+        if h == 0 or self.trim is not None:
+            return self.v
+        here = (self.q, self.v)
+        return self.v + h * self.dynamics.implicit(*here, self.tau, self.w_ext, h, here)
+
+    def slopes(self, h: float) -> Slopes:
+        """The derivatives of the accelerations with modes and sprung joints implicit over `h`."""
+        if h not in self._known:
+            self._known = {0.0: self._known[0.0]} if 0.0 in self._known else {}
+            if h == 0 and not self.armature.any():
+                self._known[h] = self._light
+            else:
+                self._known[h] = self._derivatives(h) if self.trim is None else self._heavier(h)
+        return self._known[h]
+
+    @cached_property
+    def _light(self) -> Slopes:
+        """Those without implicit forces and without inertia that was added."""
+        return self._derivatives(0.0)
+
+    def _heavier(self, h: float) -> Slopes:
+        """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes.
+
+        Where loops close the tree `M_h a_h − Jᵀ λ = M a` with `J a_h = J a`.
+        """
+        n, heavy = self.model.chain.n_given, self.mass_matrix.copy()
+        own = slice(self.model.nv - n, None)
+        heavy[own, own] += self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
+        factor = np.linalg.solve(heavy, self.mass_matrix - np.diag(self.armature))
+        if self.model.chain.closures:
+            J = mobility.jacobian(self.model, self.q, self.p)
+            reach = np.linalg.solve(heavy, J.T)
+            factor += reach @ self.numeric.row_forces(J @ reach, J @ (np.eye(len(heavy)) - factor))
+        return Slopes(*(factor @ slope for slope in self._light))
+
+    def _derivatives(self, h: float) -> Slopes:
+        if not self.model.nv:
+            return Slopes(*4 * [np.zeros((0, 0))])
+        own, chain = self.own, self.model.chain
+        nv, m, n, b = chain.nv, chain.n_tau, chain.n, chain.base_v
+        force, torque = own.force(own.of(self.q), own.of(self.v), h), self.tau
+        if self.trim is not None and chain.n_motors:
+            force = force + self.trim[b:]
+        elif self.trim is not None:
+            modes = np.append(np.zeros(chain.n_given - nv + b + m), self.trim[b + m :])
+            force, torque = force + modes, torque - self.trim[b : b + m]
+        parts = np.cumsum([nv, nv, m, chain.n_given])
+        seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
+        still = [np.zeros((parts[-1], k)) for k in (6 * n, chain.n_inertia, len(self.p))]
+        results = (np.zeros(nv), np.zeros((n, 6)))
+        place = (self.q, self.v, torque, self.w_ext, own.inertia(h), force, self.p)
+        q, v, tau, f = seeds
+        columns = self.directional(*place, *results, q @ self.moving, v, tau, still[0], still[1], f, still[2])[0]
+        if not np.isfinite(columns).all():
+            what = "the accelerations have no finite derivatives in this state"
+            raise SingularError(f"{what}; masses or stiffnesses differ by too many orders of magnitude")
+        return Slopes(*np.split(columns.reshape(parts[-1], nv).T, parts[:-1], axis=1))
+
+    def _gains(self) -> np.ndarray:
+        """The controller's derivatives by changes and rates (n_tau, 2 nv)."""
+        return slopes_of(lambda q, v: self.given(0.0, q, v)[0], self.q, self.v, self.space)
+
+    @cached_property
+    def moving(self) -> np.ndarray:
+        """(nv, nq): how the coordinates change with small changes, a row for each: the identity but for a base's."""
+        out, first = np.zeros((self.model.nv, self.model.nq)), self.model.chain.base_v
+        out[first:, self.model.chain.base_q :] = np.eye(self.model.nv - first)
+        for k, u in enumerate(TINY * np.eye(self.model.nv)[:first]):
+            out[k] = (self.space.moved(self.q, u) - self.space.moved(self.q, -u)) / (2 * TINY)
+        return out
+
+
+def slopes_of(torque: Torque, q: np.ndarray, v: np.ndarray, space: Space, width: float = DIFFERENCE) -> np.ndarray:
+    """The derivatives (n_tau, 2 nv) of torques `(q, v)` by changes and rates, by central differences of a width."""
+    change = lambda u, w: torque(space.moved(q, u), v + w)  # noqa: E731
+    size = width * np.maximum(1, np.abs(np.append(q[len(q) - len(v) :], v)))
+    pairs = (np.split(e, 2) for e in np.diag(size))
+    sides = [(change(*e) - change(*(-x for x in e))) / (2 * d) for e, d in zip(pairs, size, strict=True)]
+    return np.reshape(sides, (2 * len(v), -1)).T
+
+
+def _directional(model: Model) -> Evaluator:
+    """The derivatives of `modal_dynamics` in nv + nv + n_tau + n_given directions at once."""
+    function, chain = model.modal_functions["modal_dynamics"], model.chain
+    primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nv + chain.n_tau + chain.n_given
+    return Evaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))

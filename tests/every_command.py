@@ -50,8 +50,8 @@ class Outcome(NamedTuple):
     why: str = ""
 
 
-def commands(number: int, loops: bool) -> dict[str, list[str]]:
-    """The command lines for a robot with or without loops, in its folder, in their order."""
+def commands(number: int, case: Mixed) -> dict[str, list[str]]:
+    """The command lines for a robot, in its folder, in their order."""
     layout, *more = OPTIONS[number % len(OPTIONS)]
     more = ["--parameters", "baked"] if more == ["--baked"] else more
     run = ["simulate", "robot.toml", "--duration", "0.01", "--step", "0.001", "--state", "state.json"]
@@ -72,8 +72,9 @@ def commands(number: int, loops: bool) -> dict[str, list[str]]:
         "equilibrium hold": ["equilibrium", "robot.toml", "--hold", "--json"],
         "latex": ["latex", "robot.toml", "-o", "equations.html"],
     }
-    if loops:
-        lines["assemble"] = ["assemble", "robot.toml"]
+    if "loops" in case.robot:
+        joints = case.given[0][case.model.chain.base_q :][: case.model.n_joints]
+        lines["assemble"] = ["assemble", "robot.toml", f"--q={','.join(map(repr, map(float, joints)))}"]
     for backend in ("numpy", "casadi", "c"):
         for form in ("joint", "dae"):
             lines[f"evaluate {backend} {form}"] = ["evaluate", "robot.toml", *at, "--backend", backend, "--form", form]
@@ -102,7 +103,7 @@ def results(seed: int, wanted: frozenset[str] | None = None) -> tuple[str, dict[
         case = small(seed, folder)
         written(case, folder)
         found = {}
-        for key, line in commands(seed, "loops" in case.robot).items():
+        for key, line in commands(seed, case).items():
             if wanted is None or key in wanted:
                 os.environ["CC"] = GCC if key == "generate fmu" else TCC
                 found[key] = called(line)

@@ -212,7 +212,7 @@ def test_only_on_request():
 def test_long_derivatives_say_how_long_they_take_to_compile():
     """Functions are of bounded length, so the time grows with the operations alone: it is the user's to spend."""
     model = model_of(equal_links(11))
-    with pytest.warns(TargetWarning, match=r"derivatives of wrenches in C have \d+ operations, .* about 1\d s at -O2"):
+    with pytest.warns(TargetWarning, match=r"of wrenches in C have \d+ operations, .* about [3-6]\d s at -O2"):
         c = quick(model, derivatives=True)
     given = state(model)
     condition = np.linalg.cond(model.numpy().mass_matrix(given[0]))

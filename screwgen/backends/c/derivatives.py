@@ -18,11 +18,11 @@ from .pieces import piece_place, pieces
 FILES = ("derivatives.h", "derivatives.c", "wrench_derivatives.c")
 """The files that derivatives add, without the robot's name; their templates have the same names."""
 
-RATE = 4_500
-"""The operations that gcc -O2 compiles in a second, since no function is long: so the time grows with their number."""
+RATE = 1_500
+"""The operations that gcc -O2 compiles in a second of a busy processor; functions are of bounded length."""
 
 LIMIT = 45_000
-"""The operations, worth ten seconds, above which the time is said."""
+"""The operations, worth half a minute, above which the time is said."""
 
 SLOPES_OF_STUMPFF = {"c6", "c7"}
 
@@ -95,7 +95,7 @@ def say_time(chain: Chain, what: str, count: int) -> None:
     """A :class:`TargetWarning` where so many operations take long to compile."""
     if count > LIMIT:
         said = f"robot '{chain.robot.name}': its {what} in C have {count} operations"
-        said = f"{said}, over which gcc takes about {count / RATE:.0f} s at -O2; without optimising, a tenth of that"
+        said = f"{said}, over which gcc takes about {count / RATE:.0f} s at -O2 and a twentieth of that at -O0"
         warnings.warn(said, TargetWarning, stacklevel=2)
 
 

@@ -10,15 +10,17 @@ import mechanisms
 import numpy as np
 import pytest
 from helpers import model_of, quick, relative
+from linkage_energy import drift, start
 from linkage_starts import CLOSED, found, openings
 
 import screwgen
-from screwgen import UsageError, assemble, equilibrium
+from screwgen import UsageError, assemble, equilibrium, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
 from screwgen.runtime.estimator import Noise
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.mobility import jacobian
+from screwgen.studies.analysis.text import report
 
 OVERCONSTRAINED = ("bennett", "locomotive", "bricard", "sarrus", "double_hooke")
 
@@ -141,6 +143,32 @@ def test_acados_is_refused_where_forces_of_rows_are_not_unique():
     with pytest.raises(UsageError, match=r"'bennett' is overconstrained.*no export to acados.*compiled C"):
         linkage("bennett").acados()
     linkage("hooke").acados()
+
+
+def test_an_analysis_counts_the_rows_that_are_shared_and_the_coordinates_that_move():
+    model = linkage("bennett")
+    (found,) = screwgen.analyse(model, [{"q": [0.0] * model.nq}]).states
+    assert found.well_posed and (found.loops.rank, found.loops.size, len(found.motions)) == (2, 5, 1)
+    said = report(screwgen.analyse(model, [{"q": [0.0] * model.nq}]))
+    assert "their 5 rows have rank 2 and share what they bear. 1 coordinate of 3 moves" in said
+
+
+# ------------------------------------------------------------------------------ energy
+
+
+@pytest.mark.parametrize(("method", "bound"), [("rk4", 1e-4), ("modal_midpoint", 1e-3)])
+@pytest.mark.parametrize("form", ["joint", "dae"])
+@pytest.mark.parametrize("name", ["hooke", "bennett", "bricard"])
+def test_energy_stays_over_a_second_of_steps_of_a_millisecond(name, form, method, bound):
+    """In compiled C, over the largest kinetic energy; the DAE form closes the loops after every step."""
+    energy, apart = drift(linkage(name), method, form, 1.0, 1e-3)
+    assert energy < bound and apart < (1e-5 if form == "joint" else 1e-12)
+
+
+def test_a_run_in_c_is_that_in_numpy():
+    model = linkage("bennett")
+    runs = [simulate(model, 0.02, 1e-3, v0=start(model)[1], backend=backend) for backend in ("c", "numpy")]
+    assert np.max(np.abs(runs[0].q - runs[1].q)) < 1e-10
 
 
 # ------------------------------------------------------------------------------ links that must bend

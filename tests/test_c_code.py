@@ -265,7 +265,7 @@ def test_header_says_which_body_stands_where_and_in_which_order_tensors_are():
     assert "inertia[6]; /* kg*m^2: inertia about the centre of mass, [xx, yy, zz, xy, xz, yz] */" in header
     assert "com[3]; /* m: centre of mass, [x, y, z] */" in header
     assert "at the base in F_i axes from the joint point, at the tip in tip-frame axes from the tip point" in header
-    assert "inertia of the bodies at the base about the joint point" in header
+    assert "moment of the bodies at the base about the joint point" in header
     assert ": their" not in header
 
 

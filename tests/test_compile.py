@@ -10,6 +10,7 @@ from helpers import EPS32, arm, drawn, example, link, model_of, relative
 
 import screwgen
 from screwgen import ScrewgenError, SingularError, UsageError
+from screwgen.runtime import compiled
 from screwgen.runtime.compiled import Compiled
 
 
@@ -30,6 +31,24 @@ def state(model, seed=0):
 
 
 # -------- functions
+
+
+def test_the_dae_form_is_compiled_when_it_is_first_called(monkeypatch):
+    """By any instance, for all of them; what the joint form and simulations need does without it."""
+    asked = []
+    load = compiled.load
+    monkeypatch.setattr(compiled, "load", lambda files, **how: asked.append(sorted(files)) or load(files, **how))
+    model = model_of(arm(link("a", modes={"bending_y": 1}), link("b", axes="y")))
+    c = model.compile(flags=("-O0",), cache=False)
+    q, v, tau, w_ext = state(model)
+    other = c.fresh()
+    expected = other.forward_dynamics(q, v, tau, w_ext)
+    c.step(q, v, tau, w_ext, 1e-6), c.energy(q, v), c.mass_matrix(q), c.kinematics(q), c.gravity(q), c.validity(q, v)
+    assert len(asked) == 1 and not {"arm_dae.c", "dae_shim.c"} & set(asked[0])
+    found = other.forward_dynamics(q, v, tau, w_ext, form="dae")
+    assert relative(found[0], expected[0]) < 1e-10 and relative(found[1], expected[1]) < 1e-10
+    c.dae_step(c.dae_state(q, v), tau, w_ext, 1e-6), c.assemble(c.dae_state(q, v), tau, w_ext)
+    assert len(asked) == 2 and {"arm_dae.c", "dae_shim.c"} < set(asked[1])
 
 
 @pytest.mark.parametrize("seed", swept([2, 11], 2))

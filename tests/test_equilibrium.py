@@ -268,7 +268,7 @@ def test_an_overloaded_link_is_refused_by_name():
         ({"tau": [0.0]}, "tau: has 1 numbers; it must have 3"),
         ({"tau": [0.0, np.inf, 0.0]}, "tau: holds a number that is not finite"),
         ({"tau": [0.0] * 3, "hold": True}, "the torques follow where the joints are held"),
-        ({"p": [1.0]}, "parameters: has 1 numbers"),
+        ({"parameters": [1.0]}, "parameters: has 1 numbers"),
     ],
 )
 def test_bad_requests_are_one_line(options, message):

@@ -5,6 +5,7 @@ import os
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from conftest import require_tool
@@ -186,3 +187,15 @@ def test_a_compiler_that_is_none_is_one_line(tmp_path, text, message):
     with pytest.raises(ScrewgenError, match=message) as caught:
         library.load(SMALL, (), str(compiler) if text else f"{compiler} 'x", cache=tmp_path / "cache")
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.skipif("avx" not in Path("/proc/cpuinfo").read_text(), reason="the processor has no AVX")
+def test_functions_are_compiled_once_unless_the_caller_names_a_processor(monkeypatch):
+    """GCC for x86-64 alone compiles them twice otherwise."""
+    require_tool("gcc")
+    assert library._once(("gcc",), ("-O2",)) == ("-mavx",)
+    assert library._once(("gcc",), ("-O2", "-march=x86-64")) == ()
+    keys = []
+    monkeypatch.setattr(library, "_key", lambda files, flags, command: keys.append(flags) or "")
+    library.load({"a.c": "int a(void) { return 1; }\n"}, ["-O2"], "gcc", False)
+    assert keys == [("-O2", "-mavx")]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from ..algorithms.dae_functions import state_size, unknown_size
 from ..arguments import Given, array, choice, parameters_keyword, seconds, whole
 from ..backends.c.columns import rendered
+from ..backends.c.forms import split
 from ..backends.c.project import CProject
 from ..backends.c.shim import shims
 from ..errors import ScrewgenError, UsageError
@@ -18,6 +20,7 @@ from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
 from .differentiated import NO_METHOD, Differentiated
+from .forms import Forms
 from .library import load
 from .memory import Array, Motion, pointer
 from .pace import slices
@@ -84,7 +87,9 @@ class Compiled(Differentiated):
         options = {"derivatives": derivatives, "methods": methods}
         self.project = LeanProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
-        self.library = load(self.project.files() | shims(self.project), [*flags, *define], compiler, cache)
+        joint, dae = split(self.project, self.project.files() | shims(self.project))
+        compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
+        self.library = Forms(compiled(joint), partial(compiled, dae))
         self._place()
         self.prepare(None)
 
@@ -120,7 +125,7 @@ class Compiled(Differentiated):
         self, q, v, tau=None, w_ext=None, form="joint", out: tuple[Array, Array] | None = None
     ) -> tuple[Array, Array]:
         """``vdot`` (nq,) and the joint wrenches (n, 6); torques and tip wrenches left out are zero."""
-        call = self._forward if form == "joint" else self._forward_in[choice(form, FORMS, "there is no form")]
+        call = self._forward if form == "joint" else self._forward_of(form)
         with self._lock:
             self._set(q, v, tau, w_ext)
             if status := call(self.memory):
@@ -129,9 +134,13 @@ class Compiled(Differentiated):
                 return self.vdot.copy(), self.wrench.copy()
             return self._given(out, (self.vdot, self.wrench))
 
+    def _forward_of(self, form: str) -> Callable[..., int]:
+        dae = choice(form, FORMS, "there is no form") == "dae"
+        return self.library.shim_dae_forward if dae else self._forward
+
     def complete_dynamics(self, q, v, tau=None, w_ext=None, form="joint"):
         """``vdot``, wrenches, rotation (3, 3) and position (3,) of the last tip."""
-        call = self._forward_in[choice(form, FORMS, "there is no form")]
+        call = self._forward_of(form)
         with self._lock:
             self._set(q, v, tau, w_ext)
             self.check(call(self.memory))

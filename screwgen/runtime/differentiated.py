@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -39,7 +40,7 @@ def failure(chain: Chain, status: int, fault: int, otherwise: str = "") -> Screw
 class Scratch(dict):
     """Memory for the functions of derivatives, by name, as each is first called."""
 
-    def __init__(self, library: ctypes.CDLL):
+    def __init__(self, library: Any):
         super().__init__()
         self.library = library
 

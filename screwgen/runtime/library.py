@@ -54,7 +54,8 @@ def load(
     """
     used = {n: text for n, text in files.items() if n.endswith((".c", ".h")) and n not in PROGRAMS}
     command = compiler_command(compiler)
-    key = _key(used, tuple(flags), command)
+    flags = (*flags, *_once(tuple(command), tuple(flags)))
+    key = _key(used, flags, command)
     folder = cache_folder() if cache is True else Path(cache) if cache else None
     if folder is not None and _trusted(folder):
         if library := _kept(folder, key):
@@ -167,6 +168,18 @@ def _identity(command: tuple[str, ...], flags: tuple[str, ...]) -> tuple[str, ..
     """A text that identifies the compiler, its version, its target and the meaning of flags such as -march=native."""
     asked = ([*command, "--version"], [*command, *flags, "-dM", "-E", "-x", "c", os.devnull])
     return (*command, *(_run_compiler(line).stdout for line in asked))
+
+
+@lru_cache(maxsize=32)
+def _once(command: tuple[str, ...], flags: tuple[str, ...]) -> tuple[str, ...]:
+    """The flag by which GCC compiles for this processor alone what it would compile twice, with the same bits.
+
+    See `TARGETS` in the generated `real.h`. None beside options of the caller for processors.
+    """
+    if any(flag.startswith("-m") for flag in flags):
+        return ()
+    macros = _run_compiler([*command, "-march=native", "-dM", "-E", "-x", "c", os.devnull]).stdout.split()
+    return ("-mavx",) if "__AVX__" in macros and "__clang__" not in macros else ()
 
 
 def _trusted(folder: Path) -> bool:

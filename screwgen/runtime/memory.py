@@ -6,7 +6,7 @@ import ctypes
 import math
 import threading
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -43,7 +43,7 @@ class Motion(NamedTuple):
 class Block:
     """Memory for a struct of a library, and its members by name."""
 
-    def __init__(self, library: ctypes.CDLL, names: Sequence[str], real: np.dtype):
+    def __init__(self, library: Any, names: Sequence[str], real: np.dtype):
         offsets = (ctypes.c_size_t * (1 + len(names)))()
         library.shim_layout(offsets)
         size, *places = offsets
@@ -63,7 +63,7 @@ class Memory:
     """The memory of one instance of a library, and its lock."""
 
     chain: Chain
-    library: ctypes.CDLL
+    library: Any
     real: np.dtype
 
     def _place(self) -> None:
@@ -84,7 +84,6 @@ class Memory:
         self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nv, c.n_tau, 6 * c.n))
         self._w_shape = self.w_ext.shape
         self._forward, self._accelerations = self.library.shim_forward, self.library.shim_accelerations
-        self._forward_in = {"joint": self._forward, "dae": self.library.shim_dae_forward}
 
     @property
     def x(self) -> Array:

@@ -37,7 +37,7 @@ enum {
     ELLA_NTAU = 3, /* torques, one per axis */
     ELLA_NMODES = 14, /* modal coordinates */
     ELLA_NQ = 17, /* coordinates: joints, then modes, both link by link */
-    ELLA_NV = 17, /* their rates */
+    ELLA_NV = 17, /* rates of the coordinates */
     ELLA_NGIVEN = 14, /* coordinates with an inertia, spring and damper of their own, the last ones: the modes */
     ELLA_NX = 57, /* states of the DAE form */
     ELLA_NZ = 38, /* unknowns of the DAE form, rows of M_sys */
@@ -65,7 +65,7 @@ typedef enum {
 
 /* ------------------------------------------------------------------------------------ parameters */
 
-/* A rigid body: base bodies in F_i axes from the joint point, tip bodies in tip-frame axes from the tip. */
+/* A rigid body: at the base in F_i axes from the joint point, at the tip in tip-frame axes from the tip point. */
 typedef struct {
     ella_real mass; /* kg: mass of the body */
 } ella_body_parameters;
@@ -79,7 +79,7 @@ typedef struct {
     ella_real GJ; /* N*m^2: torsional stiffness */
     ella_real rhoIp; /* kg*m: spin inertia per length about the centreline */
     ella_real EA; /* N: axial stiffness; this model does not use it */
-    ella_body_parameters bodies[1];
+    ella_body_parameters bodies[1]; /* in the order of the robot file: [0] at the tip */
 } ella_link_parameters;
 
 typedef struct {
@@ -153,7 +153,7 @@ ella_status ella_prepare(const ella_parameters *p, ella_constants *c);
  */
 typedef struct {
     ella_real q[ELLA_LENGTH(ELLA_NQ)]; /* rad, m: coordinates */
-    ella_real v[ELLA_LENGTH(ELLA_NV)]; /* rad/s, m/s: their rates */
+    ella_real v[ELLA_LENGTH(ELLA_NV)]; /* rad/s, m/s: rates of the coordinates */
 } ella_state;
 
 typedef struct {
@@ -250,7 +250,7 @@ typedef struct {
     int fault; /* after ELLA_SINGULAR: the link whose joint cannot be solved for, from 0 */
     /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
     ella_real m_eta[ELLA_LENGTH(ELLA_NGIVEN)];
-    ella_real f_eta[ELLA_LENGTH(ELLA_NGIVEN)]; /* N, N*m: their stress and damping */
+    ella_real f_eta[ELLA_LENGTH(ELLA_NGIVEN)]; /* N, N*m: stress and damping of modes and sprung joints */
     /* rad/s, rad/s, m/s^2, N: angular velocity about y and z, axial motion and force, in F_i */
     ella_real motion[ELLA_NLINKS][4];
     ella_state stage, next;
@@ -262,7 +262,7 @@ typedef struct {
     int fault; /* as in ella_work */
     /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
     ella_real m_eta[ELLA_LENGTH(ELLA_NGIVEN)];
-    ella_real f_eta[ELLA_LENGTH(ELLA_NGIVEN)]; /* N, N*m: their stress and damping */
+    ella_real f_eta[ELLA_LENGTH(ELLA_NGIVEN)]; /* N, N*m: stress and damping of modes and sprung joints */
     ella_real qdot[ELLA_LENGTH(ELLA_NTAU)]; /* rad/s: joint rates */
     ella_real qddot[ELLA_LENGTH(ELLA_NTAU)]; /* rad/s^2: joint accelerations */
     ella_real etaddot[ELLA_LENGTH(ELLA_NMODES)]; /* m/s^2 (torsion: rad/s^2): modal accelerations */

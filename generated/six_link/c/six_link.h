@@ -37,7 +37,7 @@ enum {
     SIX_LINK_NTAU = 6, /* torques, one per axis */
     SIX_LINK_NMODES = 9, /* modal coordinates */
     SIX_LINK_NQ = 15, /* coordinates: joints, then modes, both link by link */
-    SIX_LINK_NV = 15, /* their rates */
+    SIX_LINK_NV = 15, /* rates of the coordinates */
     SIX_LINK_NGIVEN = 15, /* coordinates with an inertia, spring and damper of their own, the last ones: all */
     SIX_LINK_NX = 102, /* states of the DAE form */
     SIX_LINK_NZ = 81, /* unknowns of the DAE form, rows of M_sys */
@@ -69,18 +69,18 @@ typedef enum {
 
 /* ------------------------------------------------------------------------------------ parameters */
 
-/* A rigid body: base bodies in F_i axes from the joint point, tip bodies in tip-frame axes from the tip. */
+/* A rigid body: at the base in F_i axes from the joint point, at the tip in tip-frame axes from the tip point. */
 typedef struct {
     six_link_real mass; /* kg: mass of the body */
-    six_link_real com[3]; /* m: centre of mass, tip-frame axes, from the tip point */
-    six_link_real inertia[6]; /* kg*m^2: inertia about the centre of mass, tip-frame axes, from the tip point */
+    six_link_real com[3]; /* m: centre of mass, [x, y, z] */
+    six_link_real inertia[6]; /* kg*m^2: inertia about the centre of mass, [xx, yy, zz, xy, xz, yz] */
 } six_link_body_parameters;
 
 typedef struct {
-    six_link_real mount_xyz[3]; /* m: joint point from the parent's tip, tip frame */
+    six_link_real mount_xyz[3]; /* m: joint point from the parent's tip, tip frame, [x, y, z] */
     six_link_real armature[1]; /* kg*m^2: rotor inertia seen at the joint axis */
     six_link_real damping[1]; /* N*m*s/rad: viscous damping about the joint axis */
-    six_link_real mount_rpy[3]; /* rad: turn of the joint, Rz(y) Ry(p) Rx(r) */
+    six_link_real mount_rpy[3]; /* rad: turn of the joint, Rz(y) Ry(p) Rx(r), [roll, pitch, yaw] */
 } six_link_joint_parameters;
 
 /* The parameters of a link; members that the robot file does not state for a link are unused. */
@@ -94,6 +94,9 @@ typedef struct {
     six_link_real GJ; /* N*m^2: torsional stiffness */
     six_link_real damping_ratio; /* 1: damping ratio of each mode */
     six_link_joint_parameters joint;
+    /* in the order of the robot file: shoulder [0] at the tip; upper_arm [0] at the tip; forearm [0] at the base;
+     * flange [0] at the tip
+     */
     six_link_body_parameters bodies[1];
 } six_link_link_parameters;
 
@@ -109,19 +112,19 @@ void six_link_parameters_default(six_link_parameters *p);
 
 /* Constants that depend on the parameters of a link; members that a link does not need are unused. */
 typedef struct {
-    six_link_real I_T_xx; /* kg*m^2: their inertia about the tip point */
-    six_link_real I_T_yy; /* kg*m^2: their inertia about the tip point */
-    six_link_real I_T_zz; /* kg*m^2: their inertia about the tip point */
+    six_link_real I_T_xx; /* kg*m^2: inertia of the bodies at the tip about the tip point */
+    six_link_real I_T_yy; /* kg*m^2: inertia of the bodies at the tip about the tip point */
+    six_link_real I_T_zz; /* kg*m^2: inertia of the bodies at the tip about the tip point */
     six_link_real I_s; /* kg*m^2: spin inertia of the beam */
     six_link_real J_0_xx; /* kg*m^2: second moment, undeformed */
-    six_link_real J_B_xy; /* kg*m^2: their second moment about the joint point */
-    six_link_real J_B_xz; /* kg*m^2: their second moment about the joint point */
-    six_link_real J_B_yy; /* kg*m^2: their second moment about the joint point */
-    six_link_real J_B_yz; /* kg*m^2: their second moment about the joint point */
-    six_link_real J_B_zz; /* kg*m^2: their second moment about the joint point */
-    six_link_real J_T_xy; /* kg*m^2: their second moment about the tip point */
-    six_link_real J_T_xz; /* kg*m^2: their second moment about the tip point */
-    six_link_real J_T_yz; /* kg*m^2: their second moment about the tip point */
+    six_link_real J_B_xy; /* kg*m^2: second moment of the bodies at the base about the joint point */
+    six_link_real J_B_xz; /* kg*m^2: second moment of the bodies at the base about the joint point */
+    six_link_real J_B_yy; /* kg*m^2: second moment of the bodies at the base about the joint point */
+    six_link_real J_B_yz; /* kg*m^2: second moment of the bodies at the base about the joint point */
+    six_link_real J_B_zz; /* kg*m^2: second moment of the bodies at the base about the joint point */
+    six_link_real J_T_xy; /* kg*m^2: second moment of the bodies at the tip about the tip point */
+    six_link_real J_T_xz; /* kg*m^2: second moment of the bodies at the tip about the tip point */
+    six_link_real J_T_yz; /* kg*m^2: second moment of the bodies at the tip about the tip point */
     six_link_real Psi_c_y3; /* 1/m: turn of the tip section by each mode */
     six_link_real Psi_c_y4; /* 1/m: turn of the tip section by each mode */
     six_link_real Psi_c_z1; /* 1/m: turn of the tip section by each mode */
@@ -136,11 +139,11 @@ typedef struct {
     six_link_real R_m_zy; /* -: rotation of the mount */
     six_link_real R_m_zz; /* -: rotation of the mount */
     six_link_real S_0_x; /* kg*m: first moment, undeformed */
-    six_link_real S_B_y; /* kg*m: their first moment about the joint point */
-    six_link_real S_B_z; /* kg*m: their first moment about the joint point */
-    six_link_real S_T_x; /* kg*m: their first moment about the tip point */
-    six_link_real S_T_y; /* kg*m: their first moment about the tip point */
-    six_link_real S_T_z; /* kg*m: their first moment about the tip point */
+    six_link_real S_B_y; /* kg*m: first moment of the bodies at the base about the joint point */
+    six_link_real S_B_z; /* kg*m: first moment of the bodies at the base about the joint point */
+    six_link_real S_T_x; /* kg*m: first moment of the bodies at the tip about the tip point */
+    six_link_real S_T_y; /* kg*m: first moment of the bodies at the tip about the tip point */
+    six_link_real S_T_z; /* kg*m: first moment of the bodies at the tip about the tip point */
     six_link_real armature_1; /* kg*m^2: rotor inertias seen at the joint */
     six_link_real body0_mass; /* kg: mass of body 1 */
     six_link_real chi_1; /* kg*m: first moment of each mode shape */
@@ -197,7 +200,7 @@ six_link_status six_link_prepare(const six_link_parameters *p, six_link_constant
  */
 typedef struct {
     six_link_real q[SIX_LINK_LENGTH(SIX_LINK_NQ)]; /* rad, m: coordinates */
-    six_link_real v[SIX_LINK_LENGTH(SIX_LINK_NV)]; /* rad/s, m/s: their rates */
+    six_link_real v[SIX_LINK_LENGTH(SIX_LINK_NV)]; /* rad/s, m/s: rates of the coordinates */
 } six_link_state;
 
 typedef struct {
@@ -296,7 +299,7 @@ typedef struct {
     int fault; /* after SIX_LINK_SINGULAR: the link whose joint cannot be solved for, from 0 */
     /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
     six_link_real m_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)];
-    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)]; /* N, N*m: their stress and damping */
+    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)]; /* N, N*m: stress and damping of modes and sprung joints */
     /* rad/s, rad/s, m/s^2, N: angular velocity about y and z, axial motion and force, in F_i */
     six_link_real motion[SIX_LINK_NLINKS][4];
     six_link_state stage, next;
@@ -308,7 +311,7 @@ typedef struct {
     int fault; /* as in six_link_work */
     /* kg, kg*m^2: inertia of modes and sprung joints, implicit over a step */
     six_link_real m_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)];
-    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)]; /* N, N*m: their stress and damping */
+    six_link_real f_eta[SIX_LINK_LENGTH(SIX_LINK_NGIVEN)]; /* N, N*m: stress and damping of modes and sprung joints */
     six_link_real qdot[SIX_LINK_LENGTH(SIX_LINK_NTAU)]; /* rad/s: joint rates */
     six_link_real qddot[SIX_LINK_LENGTH(SIX_LINK_NTAU)]; /* rad/s^2: joint accelerations */
     six_link_real etaddot[SIX_LINK_LENGTH(SIX_LINK_NMODES)]; /* m/s^2 (torsion: rad/s^2): modal accelerations */

@@ -106,7 +106,7 @@ void six_link_parameters_default(six_link_parameters *p)
 static six_link_real constants_of_shoulder(const six_link_link_parameters *p, six_link_link_constants *c,
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
-    /* J_T: their second moment about the tip point */
+    /* J_T: second moment of the bodies at the tip about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
     const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
     const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
@@ -120,7 +120,7 @@ static six_link_real constants_of_shoulder(const six_link_link_parameters *p, si
         - p->bodies[0].inertia[5];
     const six_link_real J_T_zz = t3 + t1 + p->bodies[0].com[2] * p->bodies[0].com[2] * p->bodies[0].mass - t2;
 
-    /* I_T: their inertia about the tip point */
+    /* I_T: inertia of the bodies at the tip about the tip point */
     const six_link_real I_T_xx = J_T_yy + J_T_zz;
     const six_link_real I_T_yy = J_T_xx + J_T_zz;
     const six_link_real I_T_zz = J_T_xx + J_T_yy;
@@ -135,7 +135,7 @@ static six_link_real constants_of_shoulder(const six_link_link_parameters *p, si
     /* S_0: first moment, undeformed (27) */
     const six_link_real S_0_x = t4 * SIX_LINK_REAL(0.5) * p->rhoA;
 
-    /* S_T: their first moment about the tip point */
+    /* S_T: first moment of the bodies at the tip about the tip point */
     const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
     const six_link_real S_T_y = p->bodies[0].com[1] * p->bodies[0].mass;
     const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;
@@ -179,7 +179,7 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     six_link_real M_eta[], six_link_real K[], six_link_real D[],
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
-    /* J_T: their second moment about the tip point */
+    /* J_T: second moment of the bodies at the tip about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
     const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
     const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
@@ -193,7 +193,7 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
         - p->bodies[0].inertia[5];
     const six_link_real J_T_zz = t3 + t1 + p->bodies[0].com[2] * p->bodies[0].com[2] * p->bodies[0].mass - t2;
 
-    /* I_T: their inertia about the tip point */
+    /* I_T: inertia of the bodies at the tip about the tip point */
     const six_link_real I_T_xx = J_T_yy + J_T_zz;
     const six_link_real I_T_yy = J_T_xx + J_T_zz;
     const six_link_real I_T_zz = J_T_xx + J_T_yy;
@@ -215,7 +215,7 @@ static six_link_real constants_of_upper_arm(const six_link_link_parameters *p, s
     /* S_0: first moment, undeformed (27) */
     const six_link_real S_0_x = t4 * SIX_LINK_REAL(0.5) * p->rhoA;
 
-    /* S_T: their first moment about the tip point */
+    /* S_T: first moment of the bodies at the tip about the tip point */
     const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
     const six_link_real S_T_y = p->bodies[0].com[1] * p->bodies[0].mass;
     const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;
@@ -340,7 +340,7 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     /* I_s: spin inertia of the beam */
     const six_link_real I_s = p->length * p->rhoIp;
 
-    /* J_B: their second moment about the joint point */
+    /* J_B: second moment of the bodies at the base about the joint point */
     const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
     const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
     const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
@@ -383,7 +383,7 @@ static six_link_real constants_of_forearm(const six_link_link_parameters *p, six
     const six_link_real R_m_zy = t9 * t6;
     const six_link_real R_m_zz = t10 * t6;
 
-    /* S_B: their first moment about the joint point */
+    /* S_B: first moment of the bodies at the base about the joint point */
     const six_link_real S_B_x = p->bodies[0].com[0] * p->bodies[0].mass;
     const six_link_real S_B_y = p->bodies[0].com[1] * p->bodies[0].mass;
     const six_link_real S_B_z = p->bodies[0].com[2] * p->bodies[0].mass;
@@ -578,7 +578,7 @@ static six_link_real constants_of_wrist_pitch(const six_link_link_parameters *p,
 static six_link_real constants_of_flange(const six_link_link_parameters *p, six_link_link_constants *c,
         six_link_real M_q[], six_link_real K_q[], six_link_real D_q[])
 {
-    /* J_T: their second moment about the tip point */
+    /* J_T: second moment of the bodies at the tip about the tip point */
     const six_link_real t1 = p->bodies[0].inertia[1] * SIX_LINK_REAL(0.5);
     const six_link_real t2 = p->bodies[0].inertia[2] * SIX_LINK_REAL(0.5);
     const six_link_real t3 = p->bodies[0].inertia[0] * SIX_LINK_REAL(0.5);
@@ -592,7 +592,7 @@ static six_link_real constants_of_flange(const six_link_link_parameters *p, six_
         - p->bodies[0].inertia[5];
     const six_link_real J_T_zz = t3 + t1 + p->bodies[0].com[2] * p->bodies[0].com[2] * p->bodies[0].mass - t2;
 
-    /* I_T: their inertia about the tip point */
+    /* I_T: inertia of the bodies at the tip about the tip point */
     const six_link_real I_T_xx = J_T_yy + J_T_zz;
     const six_link_real I_T_yy = J_T_xx + J_T_zz;
     const six_link_real I_T_zz = J_T_xx + J_T_yy;
@@ -607,7 +607,7 @@ static six_link_real constants_of_flange(const six_link_link_parameters *p, six_
     /* S_0: first moment, undeformed (27) */
     const six_link_real S_0_x = t4 * SIX_LINK_REAL(0.5) * p->rhoA;
 
-    /* S_T: their first moment about the tip point */
+    /* S_T: first moment of the bodies at the tip about the tip point */
     const six_link_real S_T_x = p->bodies[0].com[0] * p->bodies[0].mass;
     const six_link_real S_T_y = p->bodies[0].com[1] * p->bodies[0].mass;
     const six_link_real S_T_z = p->bodies[0].com[2] * p->bodies[0].mass;

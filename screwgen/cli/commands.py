@@ -5,21 +5,20 @@ from __future__ import annotations
 import json as json_format
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, BinaryIO, cast
+from typing import Any, cast
 
 import numpy as np
 
-from ..errors import ScrewgenError, SingularError, StoppedError, TargetWarning, UsageError
+from ..errors import SingularError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
 from ..progress import bar, busy
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
 from ..studies.light_joints import light_joints
-from .output import load_robot, notes, say
+from .output import load_robot, notes, say, stoppable
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
@@ -56,7 +55,7 @@ def run_generate(
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
-    with busy("generating", quiet), _stoppable():
+    with busy("generating", quiet), stoppable():
         wanted = tuple(t for t in (*TARGETS, *UNITS) if t in (targets or TARGETS))
         with warnings.catch_warnings(record=True, action="always", category=TargetWarning) as noted:
             files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
@@ -64,99 +63,6 @@ def run_generate(
         print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
     notes(robot, light_joints(model), quiet)
     say("\n".join(str(Path(output) / name) for name in files), quiet)
-
-
-# ------------------------------------------------------------------------------ simulate
-
-
-def run_simulate(
-    robot: str,
-    duration: float,
-    step: float,
-    output: str,
-    state: str | None,
-    controller: str | None,
-    form: str,
-    integrator: str | None,
-    pictures: tuple[str | None, str | None],
-    every: int,
-    keep: bool,
-    quiet: bool,
-) -> None:
-    """Simulate and store; the run and its pictures appear together or not at all, unless a stopped run is kept.
-
-    `pictures`: the files of --plot and --view. What a run that fails had until then is in `run.failed.npz`, and so on.
-    """
-    from ..simulation.controllers import read_controller
-    from ..simulation.hits import lines
-    from ..simulation.runs import FORMATS, check_output, failed_name, outputs
-    from ..simulation.simulate import FORMS as known_forms
-    from ..simulation.simulate import simulate, step_count
-
-    check_output(output, FORMATS)
-    check_choice("--form", form, known_forms)
-    for path, end in zip(pictures, (".png", ".html"), strict=True):
-        if path is not None:
-            check_output(path, (end,))
-    steps = step_count(duration, step)
-    model = derive(load_robot(robot, quiet))
-    start = state_in(state, model)
-    torque = read_controller(controller, model) if controller is not None else start.tau
-    if controller is not None and start.tau.any():
-        raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
-    ways: dict[str, Any] = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
-    wanted = (None if keep else output, *pictures)
-    try:
-        with outputs(*filter(None, wanted)) as streams:
-            with bar("simulating", steps, quiet) as progress, _stoppable():
-                run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
-            with busy("drawing", quiet):
-                _write((run, model, torque, output), wanted, streams)
-    except ScrewgenError as error:
-        if error.run is None:
-            raise
-        failed = [None if path is None else failed_name(path) for path in (output, *pictures)]
-        with outputs(*filter(None, failed)) as streams:
-            _write((error.run, model, torque, failed_name(output)), failed, streams)
-        raise type(error)(f"{error}; {one_line(', '.join(filter(None, failed)))}: the run until then") from None
-    say("\n".join(filter(None, (output, *pictures, *lines(run.hits)))), quiet)
-
-
-def _write(made: tuple[Any, Model, Any, str], paths: Sequence[str | None], streams: Iterable[BinaryIO]) -> None:
-    """Write a run, its plot and its page, as far as they have a path; `made`: run, model, torques, and its file."""
-    run, model, torque, name = made
-    drawn, viewed = (lambda: _drawn(run, model, torque)), (lambda: _viewed(run, model, torque, name))
-    writers: tuple[Callable[[], bytes], ...] = (drawn, viewed)
-    each = iter(streams)
-    if paths[0] is not None:
-        run.write(next(each), name)
-    for path, picture in zip(paths[1:], writers, strict=True):
-        if path is not None:
-            next(each).write(picture())
-
-
-def _drawn(run: Any, model: Model, torque: Any) -> bytes:
-    from ..plotting.plot import png
-
-    return png(run, model, torque)
-
-
-def _viewed(run: Any, model: Model, torque: Any, name: str) -> bytes:
-    from ..plotting.demands import set_points
-    from ..viewer.page import run_page
-
-    return run_page([(run, model, Path(name).name)], goals=set_points(run, model, torque)).html.encode()
-
-
-@contextmanager
-def _stoppable() -> Iterator[None]:
-    """An interruption whose text names the remaining results becomes an error with that text."""
-    try:
-        yield
-    except KeyboardInterrupt as stop:
-        if not stop.args:
-            raise
-        raise StoppedError(str(stop)) from None
 
 
 # ------------------------------------------------------------------------------ evaluate

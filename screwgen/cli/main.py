@@ -140,7 +140,7 @@ def simulate(
     quiet: Quiet = False,
 ) -> None:
     """Simulate the robot and store t, q, v, tau, wrench, tip_position and energy at every step."""
-    from .commands import run_simulate
+    from .simulating import run_simulate
 
     quiet = quiet or context.obj
     run_simulate(robot, duration, step, output, state, controller, form, integrator, (plot, view), every, keep, quiet)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 
+from ..errors import StoppedError
 from ..interchange.load import import_urdf, is_urdf
 from ..spec.advice import advice
 from ..spec.load import load, one_line
@@ -29,3 +31,14 @@ def notes(path: str, lines: Iterable[str], quiet: bool) -> None:
     """Notes on a file, on stderr."""
     for line in () if quiet else lines:
         print(f"screwgen: note: {one_line(path)}: {line}", file=sys.stderr)
+
+
+@contextmanager
+def stoppable() -> Iterator[None]:
+    """An interruption whose text names the remaining results becomes an error with that text."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        if not stop.args:
+            raise
+        raise StoppedError(str(stop)) from None

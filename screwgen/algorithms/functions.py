@@ -254,7 +254,7 @@ class Functions:
         return self.solve_rows(A, wanted), [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
     def solve_rows(self, A: mx.Array, wanted: Sequence[Sequence[Value]]) -> list[list]:
-        """The rows' forces x of ``A x = b`` for each b that is wanted; rows that may depend on each other share them."""
+        """The rows' forces x of ``A x = b`` for each b wanted; rows that may depend on each other share them."""
         solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(A))
         apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
         try:

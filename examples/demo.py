@@ -32,6 +32,8 @@ that are stiffly tied to it, a few grams, which no loop of 1 kHz can damp."""
 
 def main() -> None:
     print("ELLA: two flexible links, universal base joint, elbow motor 3.3 kg, payload 2.1 kg")
+    stated = ", ".join(f"{x:g}" for rotors in ROTORS for x in rotors)
+    print(f"rotors in its joints    {stated} kg·m², which ella.toml does not state: a loop of 1 kHz needs some")
     clock = time.perf_counter()
     model = screwgen.derive(with_rotors(screwgen.load(ROOT / "examples" / "ella.toml")))
     files = model.write(FOLDER)

@@ -14,6 +14,7 @@ HOMES = {
     "errors": ("RobotFileError", "ScrewgenError", "SingularError", "UsageError"),
     "interchange.load": ("ImportNote", "load"),
     "model": ("Model", "derive"),
+    "simulation.control_loop": ("ControlLoopWarning",),
     "simulation.controllers": ("PD", "Holding"),
     "simulation.hits": ("Hit", "LimitWarning"),
     "simulation.integrate": ("DivergedError",),

@@ -9,6 +9,7 @@ from .interchange.load import ImportNote as ImportNote
 from .interchange.load import load as load
 from .model import Model as Model
 from .model import derive as derive
+from .simulation.control_loop import ControlLoopWarning as ControlLoopWarning
 from .simulation.controllers import PD as PD
 from .simulation.controllers import Holding as Holding
 from .simulation.hits import Hit as Hit

@@ -1,8 +1,16 @@
 """The errors that users see, each with a text of one line."""
 
+from typing import Any
+
 
 class ScrewgenError(Exception):
-    """Base of every error that screwgen raises on purpose; `str(error)` is one line meant for a user."""
+    """Base of every error that screwgen raises on purpose; `str(error)` is one line meant for a user.
+
+    `run`: of a run that failed the :class:`~screwgen.simulation.runs.Run` until then, `at` the time, s; else None.
+    """
+
+    run: Any = None
+    at: float | None = None
 
 
 class RobotFileError(ScrewgenError):

@@ -8,16 +8,17 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, BinaryIO, cast
 
 import numpy as np
 
-from ..errors import SingularError, StoppedError, TargetWarning, UsageError
+from ..errors import ScrewgenError, SingularError, StoppedError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
-from .output import bar, busy, load_robot, say
+from ..studies.light_joints import light_joints
+from .output import bar, busy, load_robot, notes, say
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
@@ -60,6 +61,7 @@ def run_generate(
             files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
     for note in noted:
         print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
+    notes(robot, light_joints(model), quiet)
     say("\n".join(str(Path(output) / name) for name in files), quiet)
 
 
@@ -82,11 +84,11 @@ def run_simulate(
 ) -> None:
     """Simulate and store; the run and its pictures appear together or not at all, unless a stopped run is kept.
 
-    `pictures`: the files of --plot and --view.
+    `pictures`: the files of --plot and --view. What a run that fails had until then is in `run.failed.npz`, and so on.
     """
     from ..simulation.controllers import read_controller
     from ..simulation.hits import lines
-    from ..simulation.runs import FORMATS, check_output, outputs
+    from ..simulation.runs import FORMATS, check_output, failed_name, outputs
     from ..simulation.simulate import FORMS as known_forms
     from ..simulation.simulate import simulate, step_count
 
@@ -102,29 +104,45 @@ def run_simulate(
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
     ways: dict[str, Any] = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
-    wanted = [path for path in (None if keep else output, *pictures) if path]
-    with outputs(*wanted) as streams:
-        with bar("simulating", steps, quiet) as progress, _stoppable():
-            run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
-        if not keep:
-            run.write(streams.pop(0), output)
-        with busy("drawing", quiet):
-            for path, draw in zip(pictures, (_drawn, _viewed), strict=True):
-                if path is not None:
-                    streams.pop(0).write(draw(run, model, torque, output))
+    wanted = (None if keep else output, *pictures)
+    try:
+        with outputs(*filter(None, wanted)) as streams:
+            with bar("simulating", steps, quiet) as progress, _stoppable():
+                run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
+            with busy("drawing", quiet):
+                _write((run, model, torque, output), wanted, streams)
+    except ScrewgenError as error:
+        if error.run is None:
+            raise
+        failed = [None if path is None else failed_name(path) for path in (output, *pictures)]
+        with outputs(*filter(None, failed)) as streams:
+            _write((error.run, model, torque, failed_name(output)), failed, streams)
+        raise type(error)(f"{error}; {one_line(', '.join(filter(None, failed)))}: the run until then") from None
     say("\n".join(filter(None, (output, *pictures, *lines(run.hits)))), quiet)
 
 
-def _drawn(run: Any, model: Model, torque: Any, _: str) -> bytes:
+def _write(made: tuple[Any, Model, Any, str], paths: Sequence[str | None], streams: Iterable[BinaryIO]) -> None:
+    """Write a run, its plot and its page, as far as they have a path; `made`: run, model, torques, and its file."""
+    run, model, torque, name = made
+    writers: tuple[Callable[[], bytes], ...] = (lambda: _drawn(run, model, torque), lambda: _viewed(run, model, name))
+    each = iter(streams)
+    if paths[0] is not None:
+        run.write(next(each), name)
+    for path, drawn in zip(paths[1:], writers, strict=True):
+        if path is not None:
+            next(each).write(drawn())
+
+
+def _drawn(run: Any, model: Model, torque: Any) -> bytes:
     from ..plotting.plot import png
 
     return png(run, model, torque)
 
 
-def _viewed(run: Any, model: Model, _: Any, output: str) -> bytes:
+def _viewed(run: Any, model: Model, name: str) -> bytes:
     from ..viewer.page import run_page
 
-    return run_page([(run, model, Path(output).name)]).html.encode()
+    return run_page([(run, model, Path(name).name)]).html.encode()
 
 
 @contextmanager

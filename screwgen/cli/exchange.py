@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from typing import Annotated
 
 import typer
@@ -41,11 +42,14 @@ def import_(
     """Write the robot file of a URDF. What is left out or changed is said on stderr and in the file's header."""
     from ..interchange.load import import_urdf
     from ..interchange.tree import Options
+    from ..model import derive
     from ..simulation.runs import check_output, outputs
+    from ..studies.light_joints import light_joints
     from .output import notes, say
 
     check_output(output, (".toml",))
     found = import_urdf(urdf, flexible, Options(keep_fixed, floating, mimic, tip, nearest_inertia))
+    found = replace(found, notes=(*found.notes, *light_joints(derive(found.robot))))
     with outputs(output) as (stream,):
         stream.write(found.text(os.path.dirname(os.path.abspath(output))).encode())
     quiet = quiet or context.obj

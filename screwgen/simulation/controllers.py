@@ -160,22 +160,23 @@ class PD:
         return 0.0 if self.ahead_of_joints is None else self.ahead_of_joints(q, x)
 
     @property
-    def _ratios(self) -> np.ndarray:
+    def own_ratios(self) -> np.ndarray:
+        """The ratios of elastic drives (n_tau,), 1 for the others."""
         return np.ones(len(self.q_des)) if self.ratios is None else np.array(self.ratios)
 
     def measured(self, x: np.ndarray, ahead: int = 0) -> np.ndarray:
         """The joints' part of `v` as the drives see it, or that of `q`, whose entries are so many places further on."""
-        return x[: len(self.q_des)] if self.driven is None else x[np.array(self.driven, int) + ahead] / self._ratios
+        return x[: len(self.q_des)] if self.driven is None else x[np.array(self.driven, int) + ahead] / self.own_ratios
 
     @property
     def bounds(self) -> np.ndarray | None:
         """The limits of the torques where they act; None without limits."""
-        return None if self.tau_max is None else np.array(self.tau_max) / self._ratios
+        return None if self.tau_max is None else np.array(self.tau_max) / self.own_ratios
 
     def scaled(self, name: str, power: int) -> np.ndarray | None:
         """Gains, angles or limits in terms of what the torques act on: times a power of the ratios."""
         value = getattr(self, name)
-        return None if value is None else np.array(value, float) * self._ratios**power
+        return None if value is None else np.array(value, float) * self.own_ratios**power
 
     @property
     def plain(self) -> bool:
@@ -205,7 +206,7 @@ class PD:
         (q_ref, v_ref), most = self.reference(t), self.bounds
         there = self.measured(q, self.ahead) + self._stretched(q, q)
         rate = self.measured(v) + self._stretched(q, v)
-        tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self._ratios
+        tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self.own_ratios
         if self.efforts is not None:
             tau = self.efforts(tau, there)
         if self.gravity is not None:

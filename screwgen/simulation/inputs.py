@@ -46,6 +46,11 @@ class Inputs:
             _source(w_ext, "w_ext", (model.n_links, 6)),
         )
 
+    @property
+    def constant_wrenches(self) -> np.ndarray | None:
+        """The tip wrenches (n, 6) where they are constant; None where a function gives them."""
+        return None if self.wrenches_vary else self.sources[1](0.0, None, None)
+
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         torque, wrench = self.sources
         return torque(t, q, v), wrench(t, q, v)
@@ -86,4 +91,6 @@ class at_time:
 
     def __exit__(self, kind: type | None, error: BaseException | None, _: object) -> None:
         if isinstance(error, ScrewgenError):
-            raise type(error)(f"t = {self.t:.6g} s: {error}") from None
+            timed = type(error)(f"t = {self.t:.6g} s: {error}")
+            timed.at = self.t
+            raise timed from None

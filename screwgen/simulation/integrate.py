@@ -117,10 +117,8 @@ class Held(NamedTuple):
 
 def diverged(method: Method) -> DivergedError:
     """The error of an integrator that is unstable at its step size."""
-    remedy = f"take a smaller step, or {DEFAULT}"
-    if method.name == DEFAULT:
-        remedy = "take a smaller step: torques are held over it, which a controller of high gain does not bear"
-    return DivergedError(f"the integrator '{method}' diverged; {remedy}")
+    other = "" if method.name == DEFAULT else f", or {DEFAULT}"
+    return DivergedError(f"the integrator '{method}' diverged; take a smaller step{other}")
 
 
 def left(method: Method, watch: Watch) -> DivergedError:

@@ -18,6 +18,7 @@ from ..backends.numpy.dae_step import space_of
 from ..errors import SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
+from ..integrators.se3 import Space
 from ..spec.parameters import turning
 from . import mobility
 from .inputs import Inputs, coordinates, started
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 Parameters = Sequence[float] | Mapping[str, float]
 Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
+Torque = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 STILL = 3e-6
 """Eigenvalues smaller than this, relative to the largest, are motions that nothing drives back."""
@@ -86,13 +88,14 @@ class Linearised:
         law = tau if controller is None else started(controller, self.q, model, self.p)
         self.given, self.space = Inputs(model, law, w_ext), space_of(model.chain)
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
-        self.vdot = model.numpy(self.p).forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
+        self.numeric = model.numpy(self.p)
+        self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
         self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
         own = self.dynamics.own
         self.own = own.acting(own.of(self.q), own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))
         self.identity = np.vsplit(np.eye(2 * model.nv), 2)
-        self.gains = np.zeros((model.n_tau, 2 * model.nv)) if controller is None else self.slopes_of_torques()
+        self.gains = np.zeros((model.n_tau, 2 * model.nv)) if controller is None else self._gains()
         self.trim: np.ndarray | None = None
         self.armature = np.zeros(model.nv)
         self._known: dict[float, Slopes] = {}
@@ -135,7 +138,7 @@ class Linearised:
     @cached_property
     def mass_matrix(self) -> np.ndarray:
         """`M` (nv, nv) at the state."""
-        return self.model.numpy(self.p).mass_matrix(self.q) + np.diag(self.armature)
+        return self.numeric.mass_matrix(self.q) + np.diag(self.armature)
 
     @property
     def jacobian(self) -> np.ndarray:
@@ -224,6 +227,10 @@ class Linearised:
             raise SingularError(f"{what}; masses or stiffnesses differ by too many orders of magnitude")
         return Slopes(*np.split(columns.reshape(parts[-1], nv).T, parts[:-1], axis=1))
 
+    def _gains(self) -> np.ndarray:
+        """The controller's derivatives by changes and rates (n_tau, 2 nv)."""
+        return slopes_of(lambda q, v: self.given(0.0, q, v)[0], self.q, self.v, self.space)
+
     @cached_property
     def moving(self) -> np.ndarray:
         """(nv, nq): how the coordinates change with small changes, a row for each: the identity but for a base's."""
@@ -233,13 +240,14 @@ class Linearised:
             out[k] = (self.space.moved(self.q, u) - self.space.moved(self.q, -u)) / (2 * TINY)
         return out
 
-    def slopes_of_torques(self, width: float = DIFFERENCE) -> np.ndarray:
-        """The controller's derivatives by changes and rates (n_tau, 2 nv), by central differences of that width."""
-        change = lambda u, w: self.given(0.0, self.space.moved(self.q, u), self.v + w)[0]  # noqa: E731
-        size = width * np.maximum(1, np.abs(np.append(self.q[len(self.q) - len(self.v) :], self.v)))
-        pairs = (np.split(e, 2) for e in np.diag(size))
-        sides = [(change(*e) - change(*(-x for x in e))) / (2 * d) for e, d in zip(pairs, size, strict=True)]
-        return np.array(sides).reshape(-1, self.model.n_tau).T
+
+def slopes_of(torque: Torque, q: np.ndarray, v: np.ndarray, space: Space, width: float = DIFFERENCE) -> np.ndarray:
+    """The derivatives (n_tau, 2 nv) of torques `(q, v)` by changes and rates, by central differences of a width."""
+    change = lambda u, w: torque(space.moved(q, u), v + w)  # noqa: E731
+    size = width * np.maximum(1, np.abs(np.append(q[len(q) - len(v) :], v)))
+    pairs = (np.split(e, 2) for e in np.diag(size))
+    sides = [(change(*e) - change(*(-x for x in e))) / (2 * d) for e, d in zip(pairs, size, strict=True)]
+    return np.reshape(sides, (2 * len(v), -1)).T
 
 
 def _directional(model: Model) -> Evaluator:

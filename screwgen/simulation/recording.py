@@ -102,7 +102,7 @@ class Table:
         ends = np.cumsum(list(widths.values()))
         self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}
         self.width = int(ends[-1])
-        self.rows = np.empty((len(times), self.width))
+        self.rows, self.count = np.empty((len(times), self.width)), 0
         self.watch, self.hits = Watch(model.chain.names), Hits(model, p)
         self.store: Store | None = None
 
@@ -114,17 +114,18 @@ class Table:
 
     def filled(self, count: int) -> None:
         """Report that the first `count` rows are filled."""
+        self.count = count
         if self.store is not None:
             self.store.filled(count)
 
-    def run(self) -> Run:
-        """The run."""
-        m = self.model
-        arrays: dict[str, Any] = {name: self.rows[:, place] for name, place in self.places.items()}
-        arrays |= {"t": self.rows[:, 0], "wrench": arrays["wrench"].reshape(len(self.rows), m.n_links, 6)}
+    def run(self, ended: str = "") -> Run:
+        """The run; `ended`: why it ended before its time, and then with the rows that are filled."""
+        m, rows = self.model, self.rows[: self.count] if ended else self.rows
+        arrays: dict[str, Any] = {name: rows[:, place] for name, place in self.places.items()}
+        arrays |= {"t": rows[:, 0], "wrench": arrays["wrench"].reshape(len(rows), m.n_links, 6)}
         arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
         arrays |= {"robot": m.robot, "parameters": np.array(self.p, float)}
-        return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all)
+        return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all, ended=ended)
 
 
 class Recorder:

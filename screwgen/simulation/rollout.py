@@ -116,7 +116,7 @@ def rollout(
         run = rolled(model, given, count, *how)
     else:
         run = joined(in_chunks(rolled, model, given, count, how, executor))
-    run.validity.warn(stacklevel=2)
+    run.validity.warn(model, stacklevel=2)
     return run
 
 

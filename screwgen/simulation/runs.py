@@ -58,10 +58,15 @@ class Run:
     """The robot; .npz files store it as the text of its file, where a file can state it."""
     parameters: np.ndarray | None = None
     """The values of its parameters; those of the file if None."""
+    ended: str = ""
+    """Why the run ended before its time; .npz files store it where it did."""
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
-        return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s, {joints} joints, {modes} modes>"
+        early = ", ended early" if self.ended else ""
+        return (
+            f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s{early}, {joints} joints, {modes} modes>"
+        )
 
     def _repr_html_(self) -> str:
         """The run in motion, and first, last and extreme values of the coordinates and of the tip position."""
@@ -107,6 +112,8 @@ def write_npz(run: Run, stream: BinaryIO) -> None:
         with suppress(UsageError):
             arrays["robot"] = np.array(dump(run.robot))
         arrays["parameters"] = run.parameters
+    if run.ended:
+        arrays["ended"] = np.array(run.ended)
     np.savez(stream, **arrays)
 
 
@@ -135,6 +142,12 @@ FORMATS: dict[str, Callable[[Run, BinaryIO], None]] = {".npz": write_npz, ".csv"
 def suffix(path: str | os.PathLike[str]) -> str:
     """The suffix of a path in lower case, `.npz`."""
     return os.path.splitext(os.fsdecode(path))[1].lower()
+
+
+def failed_name(path: str | os.PathLike[str]) -> str:
+    """The name of what a run that failed leaves, `run.failed.npz`: it cannot be taken for a whole one."""
+    stem, end = os.path.splitext(os.fsdecode(path))
+    return f"{stem}.failed{end}"
 
 
 def check_output(path: str | os.PathLike[str], suffixes: Sequence[str] | dict) -> None:

@@ -11,18 +11,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import MAX_STEPS, Given, Numbers, choice, seconds, whole
-from ..errors import DivergedError, UsageError
+from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from . import hits, loop
+from .control_loop import Sampled
 from .controllers import PD, Controller
 from .dae import DaeStepper
+from .failing import Judge
 from .inputs import Inputs, at_time, coordinates, started
 from .integrate import JointStepper, Stepper, left
 from .mobility import check_closed
 from .recording import WATCH, Recorder, Table, Task, Walk, check_size, stored
 from .runs import FORMATS, Run, check_output
-from .validity import ModelLeftError
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -77,14 +78,19 @@ def simulate(
     fields are those of the run) or `run.part.csv`. A run that is stopped, fails or is killed leaves that file.
 
     The samples, and every eighth step at least, are watched for the limits of the model: `run.validity`, and a
-    :class:`ModelValidityWarning` where one is passed.
+    :class:`ModelValidityWarning` where one is passed, once for a model, link and measure.
+
+    With a controller the loop is examined beforehand as it is sampled, about the start and the set points of a
+    :class:`PD`: a :class:`ControlLoopWarning` says where it is unstable at this step, and which step, gain or rotor
+    would make it stable. Of other functions the gains are taken by differences where these are smooth, and where asking
+    them leaves no trace.
 
     Joints beyond their limits are looked for at every step: `run.hits`. A :class:`LimitWarning` says where one leaves a
     range that has no stop, and where the set points of a :class:`PD` lie beyond a limit.
 
     Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
     inverted, DivergedError when the method does not hold at this step, ModelLeftError, which is one too, when a link
-    bends by more than its length.
+    bends by more than its length. Such an error has the run until then as `error.run`.
     """
     steps, p = step_count(duration, step), model.chain.parameters.vector(parameters)
     if store is not None:
@@ -99,19 +105,16 @@ def simulate(
         hits.warn_goals(model, p, law.set_points)
     given = Inputs(model, law, w_ext)
     table = Table(model, time_grid(duration, step, every), p)
-    diverged = False
+    judge = Judge(Sampled(model, p, given, law, method_used(form, integrator), step, duration), q0, v0)
     try:
-        with stored(table, store):
+        with stored(table, store), judge.of(table):
             walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
             run = table.run()
             hits.warn(run.hits)
             return run
-    except DivergedError as error:
-        diverged = not isinstance(error, ModelLeftError)
+    except ScrewgenError as error:
+        error.run = table.run(str(error)) if table.count else None
         raise
-    finally:
-        if not diverged:  # if the method diverges, the measures say nothing about the model
-            table.watch.validity().warn()
 
 
 def _in_c(backend: str | None, form: str | MakeStepper, model: Model, integrator: str | Method | None) -> bool:
@@ -130,6 +133,15 @@ def _in_c(backend: str | None, form: str | MakeStepper, model: Model, integrator
 def _method(integrator: str | Method | None) -> Method:
     """The method that steps the joint form."""
     return method_of(JointStepper.default if integrator is None else integrator)
+
+
+def method_used(form: str | MakeStepper, integrator: str | Method | None) -> Method | None:
+    """The method that a form steps by, as far as it is one of ours."""
+    default = getattr(FORMS.get(form) if isinstance(form, str) else form, "default", None)
+    try:
+        return method_of(integrator or default or "")
+    except UsageError:
+        return None
 
 
 def _c_walk(model: Model, integrator: str | Method | None, form: str, p: np.ndarray) -> Walk:

@@ -36,17 +36,24 @@ class Held:
     """The linearised motions of an arm held at a state, and the methods' approximations of them."""
 
     def __init__(self, motion: Linearised):
-        self.motion, omega = motion, 1.0
-        self.eigenvalues, vectors = np.linalg.eig(motion.jacobian)
+        self.motion, self.slowest = motion, TURN * motion.turning
+        self.eigenvalues, self._vectors = np.linalg.eig(motion.jacobian)
         self.largest = float(np.abs(self.eigenvalues).max(initial=0.0))
+
+    @cached_property
+    def scale(self) -> np.ndarray:
+        """Coordinates and rates in the root of energy, so that eigenvectors can be compared."""
+        omega = 1.0
         if self.largest > 0:
             omega = float(np.exp(np.log(np.maximum(np.abs(self.eigenvalues), STILL * self.largest)).mean()))
-        root = np.linalg.cholesky(motion.inertia).T
+        root = np.linalg.cholesky(self.motion.inertia).T
         zero = np.zeros_like(root)
-        self.scale = np.block([[omega * root, zero], [zero, root]])
-        """Coordinates and rates in the root of energy, so that eigenvectors can be compared."""
-        self.vectors = unit(self.scale @ vectors)
-        self.slowest = TURN * motion.turning
+        return np.block([[omega * root, zero], [zero, root]])
+
+    @cached_property
+    def vectors(self) -> np.ndarray:
+        """The motions, scaled so, of length 1."""
+        return unit(self.scale @ self._vectors)
 
     @cached_property
     def steps(self) -> np.ndarray:
@@ -72,6 +79,15 @@ class Held:
             own.real > TOLERANCE * np.abs(own), 2 * h * own.real + OWN * np.abs(z), TOLERANCE * np.abs(z)
         )
         return not (turning & (z.real > allowed)).any()
+
+    def grows(self, method: str | Method, h: float, rate: float) -> bool:
+        """Whether an oscillation gains more than `rate`, 1/s, and more than a share a radian, under steps of `h` s."""
+        S = self.motion.step_map(method, h)
+        if not np.isfinite(S).all():
+            return True
+        z = exponents(np.linalg.eigvals(S))
+        fast = (np.abs(z) > self.noise(h)) & (np.abs(z.imag) > NOISE) & (np.abs(z) >= h * self.slowest)
+        return bool((fast & (z.real > np.maximum(TOLERANCE * np.abs(z), h * rate))).any())
 
     def noise(self, h: float) -> float:
         """Exponents over `h` seconds that are zero but for rounding."""
@@ -100,3 +116,9 @@ def first_failure(steps: np.ndarray, bears: Callable[[float], bool]) -> float | 
         middle = np.sqrt(low * high)
         low, high = (middle, high) if bears(middle) else (low, middle)
     return float(low)
+
+
+def shown_time(seconds: float, digits: int = 4) -> str:
+    """A time with its unit, `22 µs`."""
+    scale, unit = (1.0, "s") if seconds >= 0.1 else (1e3, "ms") if seconds >= 1e-4 else (1e6, "µs")
+    return f"{seconds * scale:.{digits}g} {unit}"

@@ -113,11 +113,13 @@ def sweep(
         with target:
             if executor is None:
                 with ThreadPoolExecutor(1) as own:
-                    _run(own, task, target, progress)
+                    found = _run(own, task, target, progress)
             else:
-                _run(executor, task, target, progress)
+                found = _run(executor, task, target, progress)
     finally:
         HERE.pop(task.digest, None)
+    for validity in found:
+        validity.warn(model, stacklevel=2)
     return Sweep(*target.result())
 
 
@@ -191,7 +193,10 @@ def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
     return values.astype(values.dtype.char, copy=False), run.status.astype(np.uint8), run.validity
 
 
-def _run(executor: Executor, task: Task, target: Store, progress: Callable[[int, int], object] | None) -> None:
+def _run(
+    executor: Executor, task: Task, target: Store, progress: Callable[[int, int], object] | None
+) -> list[Validity]:
+    """Store what the workers find; the measures of all scenarios, if there were any."""
     validities: list[Validity] = []
     done = sum(task.size(k) for k in target.done)
     missing = (k for k in range(task.chunks) if k not in target.done)
@@ -201,5 +206,4 @@ def _run(executor: Executor, task: Task, target: Store, progress: Callable[[int,
         done += task.size(k)
         if progress is not None:
             progress(done, task.count)
-    for validity in validities:
-        validity.warn(stacklevel=4)
+    return validities

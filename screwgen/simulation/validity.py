@@ -15,7 +15,7 @@ import math
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -24,6 +24,9 @@ from ..bodies.validity import MEASURES
 from ..errors import DivergedError
 from ..spec.needs import MOST_SEGMENTS
 from ..spec.segments import owner
+
+if TYPE_CHECKING:
+    from ..model import Model
 
 FAR = 1.0
 """Deflection over length at which a run ends."""
@@ -212,17 +215,25 @@ class Validity:
         named = owner(self.links[i]), self.links[i], count
         return Finding(*named, name, value, BOUND[name], KINDS[name].error(value), first, at)
 
-    def line(self) -> str:
-        """One line on the farthest; empty if all are within their bounds."""
+    def line(self, known: Callable[[Finding], bool] = lambda _: False) -> str:
+        """One line on the farthest that is not `known`; empty if all are within their bounds, or known."""
         found = self.findings
-        if not found:
+        new = next((finding for finding in found if not known(finding)), None)
+        if new is None:
             return ""
         more = f"; {len(found) - 1} more past their bounds, see analyse" if len(found) > 1 else ""
-        return f"{found[0].text()}; {found[0].remedy()}{more}"
+        return f"{new.text()}; {new.remedy()}{more}"
 
-    def warn(self, stacklevel: int = 2) -> None:
-        """Give the line as a :class:`ModelValidityWarning`, if there is one."""
-        if line := self.line():
+    def warn(self, model: Model | None = None, stacklevel: int = 2) -> None:
+        """Give the line as a :class:`ModelValidityWarning`, if there is one.
+
+        With a `model` each measure of each link of it is warned of once.
+        """
+        known = lambda finding: model is not None and model.made(_told(finding))  # noqa: E731
+        if line := self.line(known):
+            for finding in self.findings:
+                if model is not None:
+                    model.once(_told(finding), lambda: True)
             warnings.warn(line, ModelValidityWarning, stacklevel=stacklevel + 1)
 
     def record(self) -> dict[str, Any]:
@@ -248,6 +259,11 @@ class Validity:
             lines.append(f"{link:{width}}" + "".join(cells))
         lines.append(f"{'bound':{width}}" + "".join(f"{bound:>13g} " for bound in BOUNDS))
         return "\n".join(lines)
+
+
+def _told(finding: Finding) -> tuple[str, str, str]:
+    """What stands for a warning."""
+    return "told", finding.link, finding.measure
 
 
 @dataclass

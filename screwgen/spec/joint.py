@@ -72,6 +72,11 @@ class Joint(Part):
         tables = {k: [given[k]] for k in ("drives", "limits") if isinstance(given.get(k), dict | Drive | Limit)}
         return given | alone | tables
 
+    def has_rotor(self, axis: int) -> bool:
+        """Whether the inertia of the rotor of an axis is stated."""
+        drive = self.drives[axis] if self.drives else None
+        return bool((self.armature and self.armature[axis]) or (drive and drive.rotor_inertia))
+
     @property
     def screws(self) -> tuple[Screw, ...]:
         """The degrees of freedom in order."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...simulation.linearised import TOLERANCE
+from ...simulation.stable_steps import shown_time
 from ...simulation.validity import Validity
 from ...spec.segments import owner
 from .step_limits import StepLimit
@@ -211,7 +212,8 @@ def _limits(a: Findings) -> str:
         text += " takes the turning itself implicitly, so a step should be short against it, some 0.02 rad."
         lines.append(_wrapped(text))
     if a.paper_bound is not None:
-        text = f"The paper's (stability), 2/ω_max = 2 l²/(1.8751² n²) √(ρA/EI): {_time(a.paper_bound)} for this robot."
+        bound = shown_time(a.paper_bound)
+        text = f"The paper's (stability), 2/ω_max = 2 l²/(1.8751² n²) √(ρA/EI): {bound} for this robot."
         lines.append(_wrapped(f"{text} It does not hold, for forward Euler least of all (E19)."))
     return "\n".join(lines)
 
@@ -223,7 +225,8 @@ def _limit(k: int, states: Sequence[StateAnalysis]) -> tuple[str, ...]:
 
     worst, fastest = min(states, key=least), max(states, key=lambda s: s.limits[k].rate)
     limit: StepLimit = worst.limits[k]
-    text = f"any (to {limit.tried:.3g} s)" if limit.limit is None else _time(limit.limit) if limit.limit else "none"
+    found = shown_time(limit.limit) if limit.limit else "none"
+    text = f"any (to {limit.tried:.3g} s)" if limit.limit is None else found
     where = "" if limit.limit is None else worst.label
     borne = "borne" if all(s.limits[k].borne for s in states) else "TOO LONG"
     rate = fastest.limits[k].rate
@@ -231,11 +234,6 @@ def _limit(k: int, states: Sequence[StateAnalysis]) -> tuple[str, ...]:
 
 
 # ------------------------------------------------------------------------------ words and columns
-
-
-def _time(seconds: float) -> str:
-    scale, unit = (1.0, "s") if seconds >= 0.1 else (1e3, "ms") if seconds >= 1e-4 else (1e6, "µs")
-    return f"{seconds * scale:.4g} {unit}"
 
 
 def _number(x: float) -> str:

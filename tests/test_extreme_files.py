@@ -16,7 +16,7 @@ from screwgen import load
 from screwgen.cli.main import main
 from screwgen.simulation import loop
 from screwgen.spec.ranges import RANGES
-from screwgen.studies.analysis import spectrum
+from screwgen.simulation import linearised
 
 SHORT = "simulate arm.toml --duration 2e-3 --step 1e-3 -o run.csv --state state.json"
 COMMANDS = (
@@ -99,9 +99,9 @@ def test_a_mass_matrix_that_rounding_ends_is_said(capsys, monkeypatch, tmp_path)
 
 
 def test_derivatives_that_are_not_finite_are_said(capsys, monkeypatch, tmp_path):
-    real = spectrum._directional
+    real = linearised._directional
     lost = lambda chain: lambda *given: [real(chain)(*given)[0] * np.inf]  # noqa: E731
-    monkeypatch.setattr(spectrum, "_directional", lost)
+    monkeypatch.setattr(linearised, "_directional", lost)
     path = tmp_path / "arm.toml"
     path.write_text(robot(np.random.default_rng(0), 0.0))
     with np.errstate(invalid="ignore"):

@@ -30,7 +30,7 @@ RESTLESS = 1e-6
 def report(a: Findings) -> str:
     """The whole report."""
     parts = [
-        _stability(a),
+        _wrapped(_stability(a)),
         _verdict(a),
         _systems(a),
         _loops(a),

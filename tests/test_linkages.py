@@ -18,6 +18,7 @@ from screwgen import UsageError, assemble, equilibrium, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation.controllers import Holding
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.mobility import jacobian
 from screwgen.studies.analysis.text import report
@@ -108,6 +109,16 @@ def test_rest_is_the_same_in_statics_and_in_dynamics(name):
     assert relative(numeric.loop_wrenches(rest.q, still, rest.tau, None), rest.loop_wrench) < 1e-6
     assert relative(wrench, rest.wrench) < 1e-6
     assert len(rest.following) == model.n_joints - motions(model, rest.q).shape[1]
+
+
+@pytest.mark.parametrize("name", ["bennett", "three_rockers", "watt"])
+def test_gravity_compensation_holds_a_linkage_where_it_is(name):
+    """With the torque of the joints that may be stated alone; nothing accelerates."""
+    model = model_of(mechanisms.MECHANISMS[name]())
+    q, rest = np.zeros(model.nq), np.zeros(model.nv)
+    falling = model.numpy().forward_dynamics(q, rest, None, None)[0]
+    held = model.numpy().forward_dynamics(q, rest, Holding(model)(q), None)[0]
+    assert np.max(np.abs(held)) < 1e-9 * np.max(np.abs(falling))
 
 
 def test_a_linear_model_of_an_overconstrained_linkage_has_the_frequency_of_its_fall():

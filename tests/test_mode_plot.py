@@ -156,3 +156,14 @@ def test_words_on_modes_stay_in_their_panel():
     assert len(picture.axes) == 3 and not collisions(picture) and not outside(picture)
     words = [text.get_window_extent() for text in picture.texts if text.get_text()]
     assert all(box.width < picture.bbox.width / 3 for box in words)
+
+
+def test_the_height_is_named_beside_its_numbers():
+    """And not midway to the next panel."""
+    model = example("gantry")
+    picture = laid_out(figure(model, np.zeros(model.nq), mode_shapes(model)))
+    renderer = picture.canvas.get_renderer()
+    for axis in (axes.zaxis for axes in picture.axes):
+        word, both = axis.label.get_window_extent().width, axis.get_tightbbox(renderer).width
+        axis.label.set_text("")
+        assert word < both - axis.get_tightbbox(renderer).width < 3 * word

@@ -58,8 +58,8 @@ SMALL = 7.5
 """Points: the size of notes."""
 FLATTEST = 0.3
 """The least extent of axes in space, over the largest."""
-LABEL_PAD, TICK_PAD, OFFSETS = 27.0, 10.0, (21.0, 8.0)
-"""How far names and numbers stand off the edges of a cube, and how much of that matplotlib adds by itself."""
+LABEL_PADS, TICK_PAD, OFFSETS = (27.0, 27.0, 20.0), 10.0, (21.0, 8.0)
+"""How far names, of x, y and z, and numbers stand off the edges of a cube, and what of that matplotlib adds itself."""
 MARGIN = 16
 """Pixels left free at either side of a view in space."""
 VIEWS = ((22.0, -58.0), (22.0, 32.0), (55.0, -58.0), (55.0, 32.0))
@@ -224,10 +224,11 @@ def _frame(axes: Axes, points: np.ndarray) -> None:
     half = np.ptp(points, axis=0) / 2
     half = 1.05 * np.maximum(half, max(FLATTEST * float(half.max()), 1e-3))
     shares = half / half.max()
+    stand_off = dict(zip("xyz", LABEL_PADS, strict=True))
     for k, (name, centre) in enumerate(zip("xyz", (points.max(0) + points.min(0)) / 2, strict=True)):
         axis, depth = getattr(axes, f"{name}axis"), float(np.sqrt(np.mean(np.delete(shares, k) ** 2)))
         getattr(axes, f"set_{name}lim")(centre - half[k], centre + half[k])
-        getattr(axes, f"set_{name}label")(f"{name} (m)", labelpad=LABEL_PAD / depth**0.8 - OFFSETS[0])
+        getattr(axes, f"set_{name}label")(f"{name} (m)", labelpad=stand_off[name] / depth**0.8 - OFFSETS[0])
         axis.set_tick_params(pad=TICK_PAD / depth**0.5 - OFFSETS[1], labelsize=SMALL)
         axis.set_major_locator(MaxNLocator(max(2, round(5 * shares[k]))))
         axis.set_pane_color(PANE)

@@ -104,7 +104,7 @@ def nearest(
         out[free] = x
         return out
 
-    if not free.any():
+    if not free.any() or rows == []:
         return q
     first, own = numeric.chain.base_v, free[numeric.chain.base_q :]
     if rows is None:

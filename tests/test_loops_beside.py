@@ -5,7 +5,7 @@ import pytest
 from helpers import arm, link, model_of, quick, quick_batch
 from mechanisms import bennett, beside, carried, parallelogram, place
 
-from screwgen import rollout, simulate
+from screwgen import assemble, rollout, simulate
 from screwgen.backends.numpy.closing import moving
 
 BOOM = link("boom", 0.5, "z", 2.0, modes={"bending_y": 1, "bending_z": 1}, section={"EIy": 500.0, "EIz": 500.0})
@@ -40,3 +40,13 @@ def test_loops_that_no_motion_opens_bear_no_rows(axes):
     assert not quick(model).loop_mismatch(np.zeros(1)).any()
     off = {"a.joint.mount.xyz[1]": [0.0, 0.1]}
     assert rollout(model, np.zeros((2, 2)), step=1e-3, steps=3, parameters=off).status.tolist() == [0, 3]
+
+
+@pytest.mark.parametrize("away", [1e-4, 0.05])
+def test_assembling_leaves_alone_what_the_loops_leave_free(away):
+    """A four-bar on a boom, a little open: the boom stays, and no bar turns by much more than it was off."""
+    model = model_of(carried(parallelogram(), BOOM))
+    q = np.array([0.3, away, 0.0, 0.0, 0.0, 0.0])
+    found = assemble(model, q)
+    assert np.max(model.numpy().mismatch(found)) < 1e-12
+    assert found[0] == pytest.approx(0.3, abs=1e-12) and np.max(np.abs(found - q)) < 2 * away

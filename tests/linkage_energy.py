@@ -8,6 +8,7 @@ open, in m or of directions. A run that ends with a status says so.
 """
 
 import sys
+from functools import cache
 
 import numpy as np
 from helpers import model_of, quick
@@ -17,6 +18,7 @@ from screwgen import ScrewgenError
 from screwgen.backends.numpy.closing import moving
 from screwgen.integrators.methods import METHODS
 from screwgen.model import Model
+from screwgen.runtime.compiled import Compiled
 
 SAMPLES = 50
 
@@ -27,9 +29,17 @@ def start(model: Model) -> tuple[np.ndarray, np.ndarray]:
     return q, moving(model.numpy(), q, 0.5 * np.random.default_rng(0).normal(size=model.nv))
 
 
-def drift(model: Model, method: str, form: str, duration: float, step: float) -> tuple[float, float]:
+@cache
+def built(name: str) -> tuple[Model, Compiled]:
+    """The linkage of that name, derived and compiled."""
+    model = model_of(MECHANISMS[name]())
+    return model, quick(model)
+
+
+def drift(name: str, method: str, form: str, duration: float, step: float) -> tuple[float, float]:
     """The largest change of energy over the largest kinetic energy, and the largest offset of a loop."""
-    compiled, (q, v) = quick(model), start(model)
+    model, compiled = built(name)
+    q, v = start(model)
     state, make = ((q, v), joint_steps) if form == "joint" else (compiled.dae_state(q, v), dae_steps)
     moved = make(model, compiled, method, step, round(duration / step / SAMPLES))
     energies, worst = [compiled.energy(q, v)], 0.0
@@ -65,12 +75,11 @@ def dae_steps(model: Model, compiled, method: str, step: float, count: int):
 def main(duration: float, step: float, names: list[str]) -> None:
     print(f"{'linkage':26} {'form':6} " + " ".join(f"{method:>20}" for method in METHODS))
     for name in names:
-        model = model_of(MECHANISMS[name]())
         for form in ("joint", "dae"):
             cells = []
             for method in METHODS:
                 try:
-                    energy, apart = drift(model, method, form, duration, step)
+                    energy, apart = drift(name, method, form, duration, step)
                     cells.append(f"{energy:.1e}, {apart:.0e}")
                 except ScrewgenError as error:
                     cells.append(type(error).__name__)

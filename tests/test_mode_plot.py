@@ -147,3 +147,12 @@ def test_without_modes_there_is_nothing_to_draw():
     model = model_of(arm(link("rod")))
     with pytest.raises(UsageError, match="no modes to draw"):
         figure(model, np.zeros(1), mode_shapes(model))
+
+
+def test_words_on_modes_stay_in_their_panel():
+    name = "the_second_link_of_the_machines_left_arm"
+    model = model_of(arm(link(name, 1.0, [], modes={"bending_y": 3}), gravity=(0, 0, 0)))
+    picture = laid_out(figure(model, np.zeros(model.nq), mode_shapes(model)))
+    assert len(picture.axes) == 3 and not collisions(picture) and not outside(picture)
+    words = [text.get_window_extent() for text in picture.texts if text.get_text()]
+    assert all(box.width < picture.bbox.width / 3 for box in words)

@@ -10,6 +10,7 @@ from helpers import arm, example, link, model_of
 from screwgen import PD, Run
 from screwgen.plotting import plot
 from screwgen.plotting.look import canvas
+from screwgen.simulation.motion import displacements
 
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 LAW = PD((400.0,) * 3, (28.0,) * 3, SET_POINTS, duration=1.5, tau_max=(90.0, 60.0, 30.0))
@@ -78,7 +79,7 @@ def test_the_checks_see_what_collides():
 
 
 def test_a_spike_leaves_the_forces_readable():
-    forces = panel(picture("ella"), "Joint forces")
+    forces = panel(picture("ella"), "Joint forces in x")
     shown = [np.ptp(line.get_ydata()[20:]) for line in forces.lines]
     assert max(shown) > 0.5 * np.ptp(forces.get_ylim())
     assert [text.get_text()[:24] for text in forces.texts] == ["start off scale: 1·10⁶ N"]
@@ -131,5 +132,40 @@ def test_colors_of_the_key_are_those_of_the_curves():
     figure, names = picture("eight"), [f"a_link_with_a_name_{i}" for i in range(8)]
     entries = zip(key(figure).get_texts(), key(figure).legend_handles, strict=True)
     colors = {text.get_text(): handle.get_color() for text, handle in entries}
-    assert [line.get_color() for line in panel(figure, "Joint forces").lines] == [colors[name] for name in names]
+    for axes in (axes for axes in figure.axes if axes.get_title(loc="left")):
+        here = {x.get_text() for x in axes.get_legend().get_texts()}
+        named = {line.get_label() for line in axes.lines if not line.get_label().startswith("_")}
+        assert here == named and named, "each panel names its curves"
+    assert [line.get_color() for line in panel(figure, "Joint forces in x").lines] == [colors[name] for name in names]
     assert len({colors[name] for name in names}) == len(names)
+
+
+def test_deflections_of_tips_stand_in_place_of_modal_coordinates():
+    model = example("ella")
+    run = swing(model)
+    shown = {panel.title: panel for panel in plot.panels(run, model=model)}
+    u = displacements(model, run.q, 1, [1.0])[:, 0]
+    for k, axis in ((1, "y"), (2, "z")):
+        bent = shown[f"Deflection of tips in {axis}"]
+        assert [line.label for line in bent.lines] == ["upper_arm", "forearm"] and bent.unit == "m"
+        assert np.allclose(bent.lines[1].values, u[:, k]) and np.abs(u[:, k]).max() > 1e-3
+    assert not any("η" in panel.symbol for panel in shown.values())
+    assert any("η" in panel.symbol for panel in plot.panels(run) if panel.lines), "all there is"
+
+
+def test_forces_keep_their_signs():
+    """A force that passes zero is a smooth curve through it, not a cusp."""
+    model = example("ella")
+    run = swing(model)
+    shown = {panel.title: panel.lines for panel in plot.panels(run, model=model)}
+    for k, axis in enumerate("xyz"):
+        for what, row in (("forces", 3), ("moments", 0)):
+            lines = shown[f"Joint {what} in {axis}"][:2]
+            assert all(np.array_equal(x.values, run.wrench[:, i, row + k]) for i, x in enumerate(lines))
+            assert min(lines[0].values) < 0 < max(lines[0].values)
+
+
+def test_axes_of_a_joint_are_named_beside_their_curves():
+    legend = panel(picture("ella"), "Joint angles").get_legend()
+    assert [text.get_text() for text in legend.get_texts()] == ["upper_arm y", "upper_arm z", "forearm"]
+    assert len({handle.get_linestyle() for handle in legend.legend_handles[:2]}) == 2

@@ -245,10 +245,11 @@ def test_figures_show_links():
     run = screwgen.simulate(model, 0.01, 1e-3)
     shown = {panel.title: panel.lines for panel in plot.panels(run, model=model)}
     assert plot.link_names(run) == ["boom", "jib"]
-    assert len(shown["Joint forces"]) == 2 and len(shown["Bending in y"]) == len(shown["Bending in z"]) == 1
-    (line,) = shown["Bending in z"]
+    assert len(shown["Joint forces in x"]) == 2
+    assert len(shown["Deflection of tips in y"]) == len(shown["Deflection of tips in z"]) == 1
+    (line,) = shown["Deflection of tips in z"]
     assert np.allclose(line.values, motion.displacements(model, run.q, 0, [1.0])[:, 0, 2]) and line.values.max() > 0
-    assert len({panel.title: panel.lines for panel in plot.panels(run)}["Bending in y"]) == 6
+    assert len({panel.title: panel.lines for panel in plot.panels(run)}["Modes, bending in y"]) == 6
     shape = mode_shapes(model).shapes[:, 0]
     assert mode_plot.meaning(model, shape).startswith("bending in y of boom, 100 %")
     assert mode_plot.field(model, np.zeros(model.nq), shape).motion.shape == (2, 25, 3)

@@ -207,6 +207,19 @@ def test_a_stopped_run_keeps_its_samples_and_fails(tmp_path, capsys):
     assert main(arguments) == 1 and not out.exists()
 
 
+def test_a_limit_is_warned_of_once_for_a_model_and_link():
+    """Runs and rollouts of other numbers say no more of it; another model does."""
+    model, other = limits.beam(1.0), limits.beam(1.0)
+    with warnings.catch_warnings(record=True, action="always") as noted:
+        screwgen.simulate(model, 0.6, 2e-3, backend="numpy")
+        screwgen.simulate(model, 0.7, 2e-3, backend="numpy", v0=0.01 * np.ones(model.nv))
+        for rate in (0.0, 0.01):
+            screwgen.rollout(model, np.r_[np.zeros(model.nq), np.full(model.nv, rate)], step=2e-3, steps=300)
+        said = len(noted)
+        screwgen.simulate(other, 0.6, 2e-3, backend="numpy")
+    assert (said, len(noted)) == (1, 2) and all(w.category is ModelValidityWarning for w in noted)
+
+
 def test_peaks_between_samples_are_seen():
     model = limits.beam(1.0)
     find = lambda every: screwgen.simulate(model, 1.0, 2e-3, every=every, backend="numpy").validity  # noqa: E731

@@ -1,4 +1,4 @@
-"""What a controller asks of a run and is bound by, where it states them: set points and limits of torques."""
+"""What is asked of the axes of a run, where a controller states it: set points, limits of torques; names of axes."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from ..simulation.inputs import started
 from ..simulation.runs import Run
 from ..spec.base import POSE
+from ..spec.robot import Link
 from .curves import MOST_POINTS
 
 if TYPE_CHECKING:
@@ -18,6 +19,15 @@ if TYPE_CHECKING:
 def place_names(run: Run) -> list[str]:
     """The names of a floating base's coordinates; none of a fixed one."""
     return [name for name in run.q_names if name.removeprefix("base.") in POSE]
+
+
+def axis_word(link: Link, axis: int) -> str:
+    """Which of the axes of a link's joint it is: about what it turns, along what it slides; empty of a single one."""
+    screws = link.joint.screws
+    if len(screws) < 2:
+        return ""
+    way = np.abs(screws[axis].axis)
+    return "xyz"[int(way.argmax())] if np.isclose(way.max(), np.linalg.norm(way)) else f"axis {axis + 1}"
 
 
 def set_points(run: Run, model: Model | None, controller: Any) -> np.ndarray | None:

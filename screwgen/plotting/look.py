@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.gridspec import GridSpec, SubplotSpec
     from matplotlib.legend import Legend
     from matplotlib.lines import Line2D
+    from matplotlib.text import Text
 
 PALETTE = ("#2b6cb0", "#dd6b20", "#2f855a", "#b83280", "#6b46c1", "#0987a0", "#744210", "#718096")
 STYLES = ("-", "--", ":", "-.")
@@ -59,7 +60,7 @@ FLATTEST = 0.3
 """The least extent of axes in space, over the largest."""
 LABEL_PAD, TICK_PAD, OFFSETS = 27.0, 10.0, (21.0, 8.0)
 """How far names and numbers stand off the edges of a cube, and how much of that matplotlib adds by itself."""
-MARGIN = 8
+MARGIN = 16
 """Pixels left free at either side of a view in space."""
 VIEWS = ((22.0, -58.0), (22.0, 32.0), (55.0, -58.0), (55.0, 32.0))
 """Elevations and azimuths, degrees, to look from."""
@@ -107,13 +108,22 @@ def filled(grid: GridSpec, count: int, columns: int, top: int = 0) -> list[Subpl
     return out
 
 
-def legend_above(axes: Axes, columns: int | None = None) -> Legend | None:
-    """The legend of axes to the right of their title, so that it covers no curve."""
-    handles, labels = axes.get_legend_handles_labels()
+def legend_above(axes: Axes, width: float = np.inf) -> Legend | None:
+    """The legend of axes above them, so that it covers no curve: beside their title, or where both take more than
+    `width`, pixels, between title and curves, in as many rows as it needs."""
+    handles = axes.get_legend_handles_labels()[0]
     if not handles:
         return None
-    place = dict(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1, borderpad=0.2)
-    return axes.legend(handles, labels, ncols=columns or len(handles), **place)
+    place, title = dict(borderaxespad=0.1, borderpad=0.2), axes.title if axes.title.get_text() else axes._left_title
+    beside = width - title.get_window_extent().width
+    out = axes.legend(handles=handles, ncols=len(handles), loc="lower right", bbox_to_anchor=(1.0, 1.0), **place)
+    if out.get_window_extent().width <= beside:
+        return out
+    out.remove()
+    out = fitted_legend(axes, handles, width, loc="lower left", bbox_to_anchor=(0.0, 1.0), **place)
+    points = out.get_window_extent().height * 72 / axes.figure.dpi
+    axes.set_title(axes.get_title(loc="left"), loc="left", pad=points + 3)
+    return out
 
 
 def legend_below(axes: Axes, columns: int, handles: Sequence | None = None) -> Legend:
@@ -179,7 +189,7 @@ def fit(axes: Axes, points: np.ndarray, title: str, subtitle: str = "") -> None:
     middle, top = (place.x0 + place.x1) / 2, place.y1
     for text, options in ((title, dict(weight="bold", size=10)), (subtitle, dict(color=GREY))):
         if text:
-            line = figure.text(middle, top, text, ha="center", va="top", **options)
+            line = _within(figure.text(middle, top, text, ha="center", va="top", **options), place.width)
             top -= 1.25 * line.get_window_extent().height / figure.bbox.height
     _frame(axes, points)
     room = Bbox([[place.x0, place.y0], [place.x1, top]]).transformed(figure.transFigure).padded(-MARGIN, 0)
@@ -191,6 +201,18 @@ def fit(axes: Axes, points: np.ndarray, title: str, subtitle: str = "") -> None:
             drawn = _drawn(axes)
             centre = centre + _centre(room) - _centre(drawn)
             side *= 0.99 * min(room.width / drawn.width, room.height / drawn.height)
+
+
+def _within(text: Text, width: float) -> Text:
+    """The text in as many lines as a `width`, of the figure's, asks for."""
+    words, room = text.get_text().split(), 0.95 * width * text.figure.bbox.width
+    lines = words[:1]
+    for word in words[1:]:
+        text.set_text(f"{lines[-1]} {word}")
+        fits = text.get_window_extent().width <= room
+        lines = [*lines[:-1], text.get_text()] if fits else [*lines, word]
+    text.set_text("\n".join(lines))
+    return text
 
 
 def _centre(box: Bbox) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -15,13 +15,14 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
-from ..simulation.motion import centrelines, displacements, twist
+from ..simulation.motion import centrelines, modal_columns, tip_deflections, twist
 from ..simulation.runs import Run, check_output, outputs
+from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
 from . import look
 from .curves import NOTHING, over_time, scale, thin
-from .demands import bounds_of, place_names, set_points
+from .demands import axis_word, bounds_of, place_names, set_points
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
 from .strands import feet, strands
 
@@ -46,7 +47,14 @@ MARK = dict(marker="o", linestyle="none", markersize=6)
 START, END = PALETTE[2], PALETTE[3]
 
 
-AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2}
+AXES = (".joint[", ".slide[", ".torque[", ".force[")
+"""What the names of joint axes' quantities have."""
+TIPS = (
+    ("Deflection of tips in y", "y", ("bending_y", "shear_y", ELASTIC)),
+    ("Deflection of tips in z", "z", ("bending_z", "shear_z", ELASTIC)),
+    ("Elongation", "x", ("axial", ELASTIC)),
+)
+"""Title, axis of the link, and the directions of modes that move the tip along it."""
 
 
 class Line(NamedTuple):
@@ -80,9 +88,9 @@ class Panel(NamedTuple):
 def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figure:
     """The figure of a run; quantities that are always zero are named, not drawn.
 
-    `model`: that of the run, to draw the arm, and of links with segments the displacement of the tip in place of the
-    segments' modes. `controller`: its set points (`reference(t)`) and torque limits
-    (`tau_max`) are drawn where it states them.
+    `model`: that of the run, to draw the arm, and the displacements of tips in place of modal coordinates.
+    Displacements, forces and moments are along the axes of their links. `controller`: its set points
+    (`reference(t)`) and torque limits (`tau_max`) are drawn where it states them.
     """
     shown, silent = sift(panels(run, controller, model))
     below = max(len(shown) - SPACE[0], 0)
@@ -123,12 +131,11 @@ def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
 
 def panels(run: Run, controller: Any = None, model: Model | None = None) -> list[Panel]:
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
-    modes, norms = partial(_modes, run, model), partial(_norms, run)
-    eta = "η, tip" if model is not None and model.n_links > len(model.robot.links) else "η"
     kinetic, potential = run.energy.T
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
     energy.append(Line(kinetic + potential, INK, "--", "total"))
-    q, tau = partial(_lines, run, run.q, run.q_names), partial(_lines, run, run.tau, run.tau_names)
+    lines = partial(_lines, run, model)
+    q, tau = partial(lines, run.q, run.q_names), partial(lines, run.tau, run.tau_names)
     goals, bounds = set_points(run, model, controller), bounds_of(run, model, controller)
     turns = np.array([".torque[" in name for name in run.tau_names], bool)
     ends = None if model is None else model.chain.limits
@@ -146,15 +153,8 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
         Panel("Rotors ahead of their cylinders", "e", "m", q(".stretch[")),
         Panel("Torques" if rotors else "Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
         Panel(forces, "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
-        Panel("Bending in y", eta, "m", modes("bending_y")),
-        Panel("Bending in z", eta, "m", modes("bending_z")),
-        Panel("Shear in y", eta, "m", modes("shear_y")),
-        Panel("Shear in z", eta, "m", modes("shear_z")),
-        Panel("Axial modes", eta, "m", modes("axial")),
-        Panel("Torsion modes", eta, "rad", modes("torsion")),
-        Panel("Modes of bodies from files", "η", "m", modes(ELASTIC)),
-        Panel("Joint forces", "|F|", "N", norms(slice(3, 6))),
-        Panel("Joint moments", "|τ|", "N·m", norms(slice(0, 3))),
+        *(_tips(run, model) if model else _modes(q)),
+        *_wrenches(run),
         Panel("Energy", "E", "J", energy),
         Panel("Tip, inertial frame", "r", "m", place),
     ]
@@ -189,42 +189,55 @@ def color(link: int, n: int) -> tuple | str:
     return PALETTE[link % len(PALETTE)] if n <= len(PALETTE) else colormaps["viridis"](0.95 * link / (n - 1))
 
 
-def _lines(run: Run, values: np.ndarray, names: tuple[str, ...], part: str) -> list[Line]:
+def _lines(run: Run, model: Model | None, values: np.ndarray, names: tuple[str, ...], part: str) -> list[Line]:
     """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link."""
-    links = link_names(run)
+    links, given = link_names(run), {x.name: x for x in model.robot.links} if model else {}
     found: list[tuple] = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
-    return [
-        Line(values[:, k], color(links.index(owner(link)), len(links)), STYLES[int(member[:-1]) % len(STYLES)])
-        for k, link, member in found
+    out = []
+    for k, link, member in found:
+        i, own, number = links.index(owner(link)), owner(link), int(member[:-1])
+        word = axis_word(given[own], number) if part in AXES and own in given else str(number + 1) if number else ""
+        label = _few(f"{own} {word}".strip(), len(links))
+        out.append(Line(values[:, k], color(i, len(links)), STYLES[number % len(STYLES)], label))
+    return out
+
+
+def _modes(q: Callable[[str], list[Line]]) -> list[Panel]:
+    """The modal coordinates of a run whose model is not at hand."""
+    titles = {d: f"Modes, {d.replace('_', ' in ')}" for d in DIRECTIONS} | {ELASTIC: "Modes of bodies from files"}
+    units = {"torsion": "rad"}
+    return [Panel(title, "η", units.get(d, "m"), q(f".eta.{d}[")) for d, title in titles.items()]
+
+
+def _tips(run: Run, model: Model) -> list[Panel]:
+    """How far the tips of flexible links are from those of the undeformed links, and how far they are twisted."""
+    tips, names, n = tip_deflections(model, run.q), [x.name for x in model.robot.links], len(link_names(run))
+    has = lambda i, kinds: any(modal_columns(model, i, kind) for kind in kinds)  # noqa: E731
+    named = lambda i, values: Line(values, color(i, n), "-", _few(names[i], n))  # noqa: E731
+    moved = [
+        Panel(title, f"$u_{axis}$", "m", [named(i, u[:, "xyz".index(axis)]) for i, u in tips.items() if has(i, kinds)])
+        for title, axis, kinds in TIPS
     ]
+    twisted = [named(i, twist(model, run.q, i, [1.0])[:, 0]) for i in tips if has(i, ("torsion",))]
+    return [*moved, Panel("Twist of tips", "φ", "rad", twisted)]
 
 
-def _modes(run: Run, model: Model | None, direction: str) -> list[Line]:
-    """The modal coordinates of a direction; of a link with segments, if `model` is given, how far its tip is moved.
-
-    Shear moves the tip of such a link along with bending, whose panel shows it.
-    """
-    split = {i: x.name for i, x in enumerate(model.robot.links) if x.pieces > 1} if model else {}
-    part = f".eta.{direction}["
-    kept = tuple("" if owner(name) in split.values() else name for name in run.q_names)
-    moved = [(i, x) for i, x in split.items() if any(part in name and owner(name) == x for name in run.q_names)]
-    shown = moved if direction in (*AXIS, "torsion") else []
-    own = [Line(_tip(model, run.q, i, direction), color(i, len(link_names(run)))) for i, _ in shown]
-    return _lines(run, run.q, kept, part) + own
-
-
-def _tip(model: Model | None, q: np.ndarray, link: int, direction: str) -> np.ndarray:
-    """The displacement of a link's tip, m, or its torsion, rad, along a direction."""
-    assert model is not None
-    if direction == "torsion":
-        return twist(model, q, link, [1.0])[:, 0]
-    return displacements(model, q, link, [1.0])[:, 0, AXIS[direction]]
-
-
-def _norms(run: Run, part: slice) -> list[Line]:
+def _wrenches(run: Run) -> list[Panel]:
+    """The forces and moments at the bases of links, each along an axis of its link, with their signs."""
     joints = [i for i, name in enumerate(run.wrench_names[::6]) if owner(name) == name.rpartition(".")[0]]
-    sizes = (np.linalg.norm(run.wrench[:, i, part], axis=1) for i in joints)
-    return [Line(size, color(i, len(joints))) for i, size in enumerate(sizes)]
+    names, n = link_names(run), len(joints)
+    return [
+        Panel(f"Joint {what}s in {axis}", f"${letter}_{axis}$", unit, [
+            Line(run.wrench[:, i, row + k], color(j, n), "-", _few(names[j], n)) for j, i in enumerate(joints)
+        ])
+        for what, letter, unit, row in (("force", "F", "N", 3), ("moment", "M", "N·m", 0))
+        for k, axis in enumerate("xyz")
+    ]  # fmt: skip
+
+
+def _few(name: str, n: int) -> str | None:
+    """The name of a curve beside its panel's title, unless links are so many that their colours are a scale."""
+    return name if n <= len(PALETTE) else None
 
 
 def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[Line]:
@@ -261,18 +274,18 @@ def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:
         for place in (fitted.factor * x for x in line.ends if fitted.low <= fitted.factor * x <= fitted.high):
             axes.axhline(place, color=line.color, **END_OF_RANGE)
     over_time(axes, t, panel.title, f"{panel.symbol} ({fitted.unit})", fitted)
-    legend_above(axes)
+    legend_above(axes, 0.8 * len(axes.get_subplotspec().colspan) / GRID * axes.figure.bbox.width)
 
 
 def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
     """What colours and styles mean, for all panels, in a strip of its own."""
-    links, lines = link_names(run), [line for panel in shown for line in panel.lines if line.label is None]
+    links, lines = link_names(run), [line for panel in shown for line in panel.lines]
     n, every = len(links), (run.t[-1] - run.t[0]) / (POSTURES - 1)
     entries: list[tuple[str, dict]] = [
         (name, dict(color=color(i, n))) for i, name in enumerate(links) if n <= len(PALETTE)
     ]
     for style, word in zip(STYLES[1:], ("second", "third", "fourth"), strict=True):
-        if any(line.style == style for line in lines):
+        if any(line.style == style and line.label is None for line in lines):
             entries.append((f"{word} axis or mode of a link", dict(linestyle=style)))
     if any(line.goal is not None for line in lines):
         entries.append(("set point", GOAL))

@@ -79,6 +79,8 @@ class Holding:
         return efforts(self.chain, torques, x[:m], self.p)
 
     def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
+        if self.chain.overconstrained:  # rows share what they bear, so their forces are not unique
+            return np.linalg.lstsq(A, b, rcond=1e-8)[0]
         try:
             return np.linalg.solve(A, b)
         except np.linalg.LinAlgError:

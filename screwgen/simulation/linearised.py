@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..arguments import Numbers
+from ..arguments import Numbers, parameters_keyword
 from ..backends.numpy.dae_step import space_of
 from ..errors import SingularError, UsageError
 from ..integrators.method import Method
@@ -71,6 +71,7 @@ class Linearised:
     make no sense, SingularError where the mass matrix cannot be inverted.
     """
 
+    @parameters_keyword
     def __init__(
         self,
         model: Model,
@@ -79,11 +80,11 @@ class Linearised:
         tau: Numbers | None = None,
         controller: Law | None = None,
         w_ext: Numbers | None = None,
-        p: Parameters | None = None,
+        parameters: Parameters | None = None,
     ):
         if controller is not None and tau is not None:
             raise UsageError("torques are given beside a controller; leave one of them out")
-        self.model, self.p = model, model.chain.parameters.vector(p)
+        self.model, self.p = model, model.chain.parameters.vector(parameters)
         self.q, self.v = coordinates(q, "q", model, self.p), coordinates(v, "v", model, self.p)
         law = tau if controller is None else started(controller, self.q, model, self.p)
         self.given, self.space = Inputs(model, law, w_ext), space_of(model.chain)

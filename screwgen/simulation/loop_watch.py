@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 WARNED = 1e-3
 """Mismatch, over the size of the robot or in rad, that is worth a warning."""
 ERROR = 1e-2
-"""The error of a step's energy, over the largest kinetic energy of the run, that is worth a warning."""
-FIELDS = tuple("most[0] most[1] mismatch[0] mismatch[1] at[0] at[1] which[0] which[1] total kinetic error when".split())
+"""The error of a step's energy, or of all steps, over the largest kinetic energy of the run, worth a warning."""
+PAIRS = ("most", "mismatch", "at", "which")
+FIELDS = (*(f"{name}[{k}]" for name in PAIRS for k in range(2)), "total", "kinetic", "error", "when", "sum")
 
 
 class LoopWarning(UserWarning):
@@ -40,7 +41,7 @@ class LoopWatch:
 
     `most`: the mismatch, m and rad, at which the run ends; `mismatch`, `at`, `which`: the largest ones, when and of
     which loop; `total`: the energy at the last step, J; `kinetic`: the largest kinetic energy; `error`, `when`: of the
-    step whose energy is farthest from that of several shorter ones.
+    step whose energy is farthest from that of several shorter ones; `sum`: of these errors.
     """
 
     def __init__(self, model: Model, p: np.ndarray, q: np.ndarray):
@@ -69,14 +70,15 @@ class LoopWatch:
             kinetic, potential = energy()
             self.values[8:10] = kinetic + potential, kinetic
 
-    def weigh(self, t: float, energy: np.ndarray, again: Callable[[], np.ndarray]) -> None:
-        """Note the energy after a step; `again` gives that after shorter ones from its start."""
+    def weigh(self, t: float, energy: np.ndarray, work: float, again: Callable[[], np.ndarray]) -> None:
+        """Note the energy after a step over which torques do `work`; `again` gives that after shorter ones."""
         v, total = self.values, float(np.sum(energy))
         v[9] = max(v[9], energy[0])
-        if abs(total - v[8]) > CHANGE * v[9]:
+        if abs(total - v[8] - work) > CHANGE * v[9]:
             error = abs(float(np.sum(again())) - total)
+            v[12] += error
             if error > v[10]:
-                v[10:] = error, t
+                v[10:12] = error, t
         v[8] = total
 
     def opened(self) -> OpenedError:
@@ -94,11 +96,11 @@ class LoopWatch:
         kind = int(np.argmax(v[2:4] / self.sizes))
         if self and WARNED < v[2 + kind] / self.sizes[kind] <= OPENED:
             said.append(f"{self._said(kind)} at t = {v[4 + kind]:.3g} s; take a smaller step, or form 'dae'")
-        if self and v[10] > ERROR * v[9]:
-            share = f"{100 * v[10] / v[9]:.2g} % of the largest kinetic energy"
-            said.append(
-                f"at t = {v[11]:.3g} s a step gets the energy wrong by {share}, which happens where loops are nearly"
-                " singular; take a smaller step"
-            )
+        if self and v[12] > ERROR * v[9]:
+            one = v[10] > ERROR * v[9]
+            what = f"at t = {v[11]:.3g} s a step gets" if one else "steps get"
+            share = f"{100 * v[10 if one else 12] / v[9]:.2g} % of the largest kinetic energy"
+            where = "which happens where loops are nearly singular; take a smaller step"
+            said.append(f"{what} the energy wrong by {share}{'' if one else ' in all'}, {where}")
         if said:
             warnings.warn("; ".join(said), LoopWarning, stacklevel=stacklevel)

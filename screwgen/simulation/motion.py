@@ -62,6 +62,15 @@ def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np
     return out
 
 
+def tip_deflections(model: Model, q: np.ndarray) -> dict[int, np.ndarray]:
+    """By how much the tips of flexible links are displaced, (N, 3) m in F_i components, by the number of the link.
+
+    From the tip of the undeformed link, as `displacements` is, whose axes they have: elongation, then across the link.
+    """
+    flexible = [i for i, first in enumerate(model.chain.firsts) if model.chain.keys[first].modes]
+    return {i: displacements(model, q, i, [1.0])[:, 0] for i in flexible}
+
+
 def twist(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`.
 

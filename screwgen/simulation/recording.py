@@ -165,8 +165,10 @@ class Recorder:
                 state = plant.step(state, tau, w_ext, dt / PARTS)
             return energy(state)
 
+        tau, _, dt = held
+        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.driven]
         self.table.loops.begin(lambda: energy(before))
-        self.table.loops.weigh(t, energy(after), again)
+        self.table.loops.weigh(t, energy(after), float(tau @ rates) / 2 * dt, again)
 
     def check(self) -> None:
         """Raise SingularError if a joint wrench is not finite."""

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ..plotting.curves import NOTHING
-from ..simulation.motion import displacements
+from ..plotting.demands import axis_word
+from ..simulation.motion import tip_deflections
 from ..simulation.runs import Run
 from .pack import POINTS, curve
 
@@ -70,27 +71,14 @@ def _of_axes(run: Run, model: Model, where: str, part: str, goals: np.ndarray | 
         link, number = name.split(part)
         axis, i = int(number[:-1]), owners.index(link)
         goal = goals[joints.index(name)] if where == "q" and goals is not None else None
-        label = _axis(model.robot.links[i], axis)
+        label = f"{link.replace('_', ' ')} {axis_word(model.robot.links[i], axis)}".strip()
         out.append(Curve(label, getattr(run, where)[:, k], f"c{i % COLORS}", axis, goal))
     return out
 
 
-def _axis(link: Any, axis: int) -> str:
-    """What an axis is called: its link, and of several about what it turns, or along what it slides."""
-    name, screws = link.name.replace("_", " "), link.joint.screws
-    if len(screws) < 2:
-        return str(name)
-    way = np.abs(screws[axis].axis)
-    letter = "xyz"[int(way.argmax())] if np.isclose(way.max(), np.linalg.norm(way)) else f"axis {axis + 1}"
-    return f"{name} {letter}"
-
-
 def _tips(model: Model, q: np.ndarray) -> Iterator[Curve]:
     """How far the tips of flexible links are from their undeformed centrelines, across these, link by link."""
-    for i, link in enumerate(model.robot.links):
-        if not model.chain.keys[model.chain.firsts[i]].modes:
-            continue
-        u = displacements(model, q, i, [1.0])[:, 0]
+    for i, u in tip_deflections(model, q).items():
         for k, letter in ((1, "y"), (2, "z")):
             if np.abs(u[:, k]).max() > NOTHING:
-                yield Curve(f"{link.name.replace('_', ' ')} {letter}", u[:, k], f"c{i % COLORS}", k - 1)
+                yield Curve(f"{model.robot.links[i].name.replace('_', ' ')} {letter}", u[:, k], f"c{i % COLORS}", k - 1)

@@ -28,8 +28,8 @@ VIEWS = (
 """The members of an instance's memory that callers see."""
 PARTS = 8
 """Steps beside which one that changes the energy of a robot with loops is held."""
-CHANGE = 1e-3
-"""The change of energy, over the largest kinetic energy so far, from which it is."""
+CHANGE = 1e-4
+"""The change of energy besides the work of the torques, over the largest kinetic energy so far, from which it is."""
 
 
 def shims(project: CProject) -> dict[str, str]:

@@ -56,6 +56,8 @@ def evaluation(chain: Chain, unary: Callable, epsilon: float) -> Apply:
         try:
             outputs, guards = run(program, inputs, unary, epsilon)
         except ZeroDivisionError:
+            if not epsilon:  # the inertia is zero, and not lost to rounding
+                raise
             raise chain.singular(link) from None
         if not all(guard > 0 for guard in guards):
             raise chain.singular(link)

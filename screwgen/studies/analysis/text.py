@@ -30,7 +30,7 @@ RESTLESS = 1e-6
 def report(a: Findings) -> str:
     """The whole report."""
     parts = [
-        _stability(a),
+        _wrapped(_stability(a)),
         _verdict(a),
         _systems(a),
         _loops(a),
@@ -309,4 +309,4 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
 
 
 def _wrapped(text: str, indent: str = "") -> str:
-    return fill(text, WIDTH, initial_indent=indent, subsequent_indent=indent + "  ")
+    return fill(text, WIDTH, initial_indent=indent, subsequent_indent=indent + "  ", break_on_hyphens=False)

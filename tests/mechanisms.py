@@ -70,6 +70,7 @@ def bennett(a=0.6, alpha=np.pi / 3, beta=np.pi / 4, theta=0.9) -> dict:
 
 def bricard(a=0.4, theta=1.0) -> dict:
     """Six equal bars whose hinges are at right angles in turn (threefold symmetric)."""
+
     def apart(other: float) -> float:
         turns = [theta, other] * 3
         return denavit_hartenberg(turns, [a] * 6, [np.pi / 2, -np.pi / 2] * 3)[1][0, 3]
@@ -262,6 +263,25 @@ def slider_crank(kind: str = "slide", crank=0.3, rod=0.7) -> dict:
         axes, between = [], ["end.tip", "piston.tip"]
     loop = {"between": between, "joint": {"axes": axes}}
     return {"name": f"slider_{kind}", "gravity": [0.0, 0.0, -9.81], "links": links, "loops": [loop]}
+
+
+def carried(robot: dict, boom: dict) -> dict:
+    """A robot on the tip of a link."""
+    stood = [link | {"parent": "boom"} if link.get("parent") == "world" else link for link in robot["links"][1:]]
+    return robot | {"links": [boom | {"name": "boom"}, robot["links"][0] | {"parent": "boom"}, *stood]}
+
+
+def beside(robot: dict, other: dict) -> dict:
+    """Two robots on one base; the names of the other's links begin with `other_`."""
+    links, before = [], "world"
+    for link in other["links"]:
+        parent = link.get("parent", before)
+        links.append(
+            link | {"name": f"other_{link['name']}", "parent": parent if parent == "world" else f"other_{parent}"}
+        )
+        before = link["name"]
+    loops = [loop | {"between": [f"other_{end}" for end in loop["between"]]} for loop in other["loops"]]
+    return robot | {"links": [*robot["links"], *links], "loops": [*robot["loops"], *loops]}
 
 
 MECHANISMS = {

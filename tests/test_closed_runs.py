@@ -10,6 +10,7 @@ from mechanisms import bennett, sarrus, slider_crank
 from screwgen import ScrewgenError, SingularError, UsageError, assemble, rollout, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation import rollout_loops
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.loop_watch import LoopWarning, OpenedError
 
@@ -152,6 +153,17 @@ def test_a_scenario_that_opens_its_loop_keeps_its_last_closed_state():
     assert np.array_equal(run.q[0, k], run.q[0, -1])
     apart = [np.max(model.numpy().mismatch(q)) for q in run.q[0, k - 3 : k + 1]]
     assert max(apart) < 0.01
+
+
+def test_few_samples_of_closed_scenarios_are_looked_at_and_the_first_open_one_is_found(planar, monkeypatch):
+    """Of a thousand samples; one scenario opens between those that are looked at."""
+    looked = []
+    open_ = rollout_loops._open
+    monkeypatch.setattr(rollout_loops, "_open", lambda *given: looked.append(given[2].shape[:2]) or open_(*given))
+    q = np.tile(assemble(planar, [-0.4, 0.0, -1.0], hold=["crank.joint[0]"]), (3, 1000, 1))
+    q[1, 700:, 1] += 0.1
+    assert rollout_loops.opened(planar, np.array([planar.parameter_values]), q).tolist() == [1000, 700, 1000]
+    assert looked[1:] == [(1, 1000)] and looked[0][1] < 20
 
 
 # ------------------------------------------------------------------------------ filters

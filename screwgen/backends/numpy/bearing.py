@@ -11,7 +11,7 @@ from ...errors import UsageError
 from ...joints.constraints import Distance
 from ...spec.parameters import turning
 from ...topology.chain import Chain
-from .closing import OpenLoopError, closed, jacobian, modes, nearest
+from .closing import TOLERANCES, OpenLoopError, closed, jacobian, modes, nearest
 from .numeric import Numeric
 
 APART = 1e-9
@@ -23,8 +23,6 @@ SPREAD = 0.6
 """rad or m: how far the random postures spread from which the search for a closed one begins."""
 STROLL, BEND = 0.1, 0.02
 """How far a motion goes that must keep closed what follows from other rows: joints, rad or lengths; modes, lengths."""
-KEPT = 0.5
-"""The part of such a motion that must remain when all loops are closed again."""
 AT_FIRST = (
     "opens by {} in a motion that keeps the other rows closed, from which it follows only at first; "
     "give links axial modes, or a joint that lets the loop move"
@@ -111,16 +109,25 @@ def _farther(chain: Chain, q: np.ndarray, steps: np.ndarray, reach: np.ndarray) 
 def _goes_on(numeric: Numeric, rows: list[int], q: np.ndarray) -> bool:
     """Whether the robot can go on from `q`, with all loops closed, in every motion that the `rows` allow at first.
 
-    Some way along it the loops are closed again; what is left of the motion then tells.
+    Some way along it the loops must close again, no part of the motion taken back.
     """
-    chain, (steps, reach) = numeric.chain, _motions(numeric, q, rows)
-    free = np.arange(chain.nq) >= chain.base_q
-    for there in _farther(chain, q, steps, reach):
-        found = nearest(numeric, there, free, hasty=True)
-        back, way = (np.linalg.norm((x - there)[chain.base_q :] / reach) for x in (found, q))
-        if np.max(np.abs(numeric.offsets(found))) > APART or back > KEPT * way:
-            return False
-    return len(steps) > 0
+    steps, reach = _motions(numeric, q, rows)
+    ends = [_going(numeric, there, steps / reach) for there in _farther(numeric.chain, q, steps, reach)]
+    return len(steps) > 0 and max(np.max(np.abs(numeric.offsets(end))) for end in ends) < APART
+
+
+def _going(numeric: Numeric, there: np.ndarray, motions: np.ndarray) -> np.ndarray:
+    """Where the loops close near `there`, as far along every one of the `motions` as that is.
+
+    A search of the loops alone would wander: along what they leave free, nothing holds it.
+    """
+    from scipy.optimize import least_squares
+
+    first, rates = numeric.chain.base_q, slice(numeric.chain.base_v, None)
+    at = lambda x: np.append(there[:first], x)  # noqa: E731
+    apart = lambda x: np.append(numeric.offsets(at(x)), motions @ (x - there[first:]))  # noqa: E731
+    slopes = lambda x: np.vstack([numeric.offset_slopes(at(x))[:, rates], motions])  # noqa: E731
+    return at(least_squares(apart, there[first:], slopes, x_scale="jac", **TOLERANCES).x)
 
 
 def _refuse_apart(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -25,6 +25,10 @@ CLOSED = 1e-12
 OPENED = 1e-2
 """Mismatch of a loop, over the size of the robot or in rad, at which runs end."""
 ATTEMPTS = 8
+CORRECTIONS, NEAR, LEAST = 12, 0.5, 1e-6
+"""How many of Newton's corrections there may be, the largest of them, rad or m, and the part of the largest slope below
+which a direction is not corrected."""
+Function = Callable[[np.ndarray], np.ndarray]
 
 
 class OpenLoopError(ScrewgenError):
@@ -104,7 +108,7 @@ def nearest(
         out[free] = x
         return out
 
-    if not free.any():
+    if not free.any() or rows == []:
         return q
     first, own = numeric.chain.base_v, free[numeric.chain.base_q :]
     if rows is None:
@@ -112,12 +116,31 @@ def nearest(
     else:
         apart, by = (lambda x: numeric.gaps(at(x), None)[0][rows]), lambda q: numeric.gap_slopes(q)[rows]
     slopes = lambda x: by(at(x))[:, first:][:, own]  # noqa: E731
+    found = _corrected(apart, slopes, q[free])
+    if found is not None:
+        return at(found)
     found = q[free]
     if hasty:
         found = least_squares(apart, found, slopes, **COARSE).x
         if np.max(np.abs(apart(found))) > FAR:
             return at(found)
     return at(least_squares(apart, found, slopes, **TOLERANCES).x)
+
+
+def _corrected(apart: Function, slopes: Function, x: np.ndarray) -> np.ndarray | None:
+    """Where the least corrections of Newton's method end; None where they do not close the loops, or only far away.
+
+    They leave alone what the loops leave free; a search by least squares wanders there.
+    """
+    for _ in range(CORRECTIONS):
+        gaps = apart(x)
+        if np.max(np.abs(gaps)) < 0.1 * CLOSED:
+            return x
+        step = np.linalg.lstsq(slopes(x), gaps, rcond=LEAST)[0]
+        if np.max(np.abs(step)) > NEAR:
+            return None
+        x = x - step
+    return None
 
 
 def extent(numeric: Numeric, q: Numbers) -> float:

@@ -14,8 +14,9 @@ REASONS = (
     "the search leaves what a model of small deflections can say",
     "the links find no steady deflection",
     "its mass matrix is no longer positive definite",
+    "has opened by",
 )
-"""What a robot may be refused for: what there is not of floating bases, and loads that it does not bear."""
+"""What a robot may be refused for: what there is not of floating bases, loads that it does not bear, steps too long."""
 
 
 def judge(found) -> None:

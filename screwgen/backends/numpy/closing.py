@@ -12,8 +12,8 @@ from ...errors import ScrewgenError
 from ...topology.chain import Chain
 from .numeric import Numeric
 
-TOLERANCES = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-15)
-COARSE = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-7)
+TOLERANCES = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-15) | {"max_nfev": 200}
+COARSE = dict.fromkeys(("xtol", "ftol", "gtol"), 1e-7) | {"max_nfev": 25}
 AGAIN = 0.15
 """rad or m: by how much farther every further search begins."""
 HALF_A_TURN = 1.999
@@ -24,7 +24,8 @@ CLOSED = 1e-12
 """Offset, in m or of directions, below which a loop counts as closed."""
 OPENED = 1e-2
 """Mismatch of a loop, over the size of the robot or in rad, at which runs end."""
-ATTEMPTS = 8
+ATTEMPTS, FEWER = 8, 4
+"""How often a search begins; and one that is hasty."""
 CORRECTIONS, NEAR, LEAST = 12, 0.5, 1e-6
 """How many of Newton's corrections there may be, the largest of them, rad or m, and the part of the largest slope below
 which a direction is not corrected."""
@@ -60,7 +61,7 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
     free[: chain.base_q] = False
     rng, ends = np.random.default_rng(0), []
     joints = free & (np.arange(len(q)) < chain.eta_q)
-    for attempt in range(ATTEMPTS if joints.any() else 1):
+    for attempt in range((FEWER if hasty else ATTEMPTS) if joints.any() else 1):
         start = q + joints * rng.normal(scale=AGAIN * attempt, size=len(q))
         found = nearest(numeric, start, free, hasty)
         worst = float(np.max(np.abs(numeric.offsets(found)), initial=0.0))

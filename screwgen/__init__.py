@@ -18,6 +18,7 @@ HOMES = {
     "simulation.controllers": ("PD", "Holding"),
     "simulation.hits": ("Hit", "LimitWarning"),
     "simulation.integrate": ("DivergedError",),
+    "simulation.loop_watch": ("LoopWarning", "OpenedError"),
     "simulation.rollout": ("Rollout", "rollout"),
     "simulation.runs": ("Run",),
     "simulation.simulate": ("simulate",),

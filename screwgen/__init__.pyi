@@ -15,6 +15,8 @@ from .simulation.controllers import Holding as Holding
 from .simulation.hits import Hit as Hit
 from .simulation.hits import LimitWarning as LimitWarning
 from .simulation.integrate import DivergedError as DivergedError
+from .simulation.loop_watch import LoopWarning as LoopWarning
+from .simulation.loop_watch import OpenedError as OpenedError
 from .simulation.rollout import Rollout as Rollout
 from .simulation.rollout import rollout as rollout
 from .simulation.runs import Run as Run

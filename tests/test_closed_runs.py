@@ -7,12 +7,20 @@ import pytest
 from helpers import QUICK, arm, link, model_of, quick, quick_batch
 from mechanisms import bennett, sarrus, slider_crank
 
-from screwgen import ScrewgenError, SingularError, UsageError, assemble, rollout, simulate
+from screwgen import (
+    LoopWarning,
+    OpenedError,
+    ScrewgenError,
+    SingularError,
+    UsageError,
+    assemble,
+    rollout,
+    simulate,
+)
 from screwgen.backends.numpy.closing import moving
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation import rollout_loops
 from screwgen.simulation.estimator import Estimator
-from screwgen.simulation.loop_watch import LoopWarning, OpenedError
 
 
 def moving_off(model, fast: float) -> np.ndarray:

@@ -106,7 +106,7 @@ class Loop:
         arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
         run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
         self.plan = _Run(*run, WATCH, FAR, *arrays, ctypes.addressof(table.hits.plan) if table.hits.bounds else None)
-        self.plan.loops = table.loops.values.ctypes.data
+        self.plan.loops = ctypes.addressof(table.loops.seen)
         c.q[:], c.v[:] = task.q0, task.v0
         with at_time(0.0):
             c.tau[:], c.w_ext[:] = task.given(0.0, task.q0, task.v0)

@@ -20,7 +20,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from pydantic import BaseModel
 
 from ..arguments import whole
 from ..errors import UsageError
@@ -160,7 +159,7 @@ def _digest(model: Model, draw: Draw, keep: Keep, options: dict, *numbers: int) 
 def _said(what: Any) -> str:
     """What tells one sweep from another: numbers, robots, the source of functions and what is bound to them."""
     if hasattr(what, "robot"):
-        return BaseModel.__repr__(what.robot)  # all that the file states
+        return repr(what.robot.model_dump())
     if isinstance(what, partial):
         return _said((what.func, what.args, what.keywords))
     if isinstance(what, dict):

@@ -79,7 +79,7 @@ def test_saving_follows_a_link_and_refuses_what_is_no_file(tmp_path):
 def test_figure_names_quantities_and_units():
     labels = [axes.get_ylabel() for axes in plot.figure(short_run()).axes]
     assert labels[:2] == ["q (rad)", "τ (N·m)"]
-    assert {"|F| (N)", "|τ| (N·m)", "E (J)", "r (m)"} <= set(labels)
+    assert {"$F_x$ (N)", "$M_z$ (N·m)", "E (J)", "r (m)"} <= set(labels)
     assert any(label in ("η (m)", "η (mm)") for label in labels)
 
 

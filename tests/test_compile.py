@@ -1,6 +1,5 @@
 """`model.compile`: the C as functions on NumPy arrays."""
 
-import os
 import threading
 
 import numpy as np
@@ -11,7 +10,6 @@ from helpers import EPS32, arm, drawn, example, link, model_of, relative
 import screwgen
 from screwgen import ScrewgenError, SingularError, UsageError
 from screwgen.runtime import compiled
-from screwgen.runtime.compiled import Compiled
 
 
 @pytest.fixture(autouse=True)
@@ -343,9 +341,3 @@ def test_parameters_of_no_robot_are_refused_wherever_they_enter(ella):
     body = arm(link("a", bodies=[{"at": "tip", "mass": 1.0, "inertia": [0.1, 0.1, 0.1, 0.0, 0.0, 0.0]}]))
     with pytest.raises(UsageError, match=r"a\.bodies\[0\]\.inertia is an inertia that no body has"):
         model_of(body).numpy({"a.bodies[0].inertia[0]": 1.0})
-
-
-def test_nothing_is_left_in_the_folder_of_work(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    c = Compiled(example("ella"), flags=("-O0",))
-    assert np.isfinite(c.forward_dynamics(np.zeros(9), np.zeros(9))[0]).all() and os.listdir() == []

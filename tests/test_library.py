@@ -7,12 +7,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from conftest import require_tool
 from helpers import ROOT, arm, example, link
 
 from screwgen import ScrewgenError
 from screwgen.runtime import library
+from screwgen.runtime.compiled import Compiled
 
 
 @pytest.fixture(autouse=True)
@@ -199,3 +201,9 @@ def test_functions_are_compiled_once_unless_the_caller_names_a_processor(monkeyp
     monkeypatch.setattr(library, "_key", lambda files, flags, command: keys.append(flags) or "")
     library.load({"a.c": "int a(void) { return 1; }\n"}, ["-O2"], "gcc", False)
     assert keys == [("-O2", "-mavx")]
+
+
+def test_nothing_is_left_in_the_folder_of_work(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    c = Compiled(example("ella"), flags=("-O0",))
+    assert np.isfinite(c.forward_dynamics(np.zeros(9), np.zeros(9))[0]).all() and os.listdir() == []

@@ -17,7 +17,7 @@ from . import target_files
 from .algorithms.dae_functions import dae_names
 from .algorithms.scope import derived
 from .arguments import Given, choice, parameters_keyword
-from .backends.numpy.bearing import choose_rows
+from .backends.numpy.loop_rows import choose_rows
 from .backends.numpy.numeric import Numeric
 from .errors import UsageError
 from .folder import check_folder, write_folder

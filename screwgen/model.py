@@ -50,7 +50,7 @@ class Model:
         self.robot = robot
         self._given_plugins = plugins
         self.chain = Chain(robot)
-        if robot.loops:
+        if self.chain.closures:
             choose_rows(self.chain)
         names = coordinate_names(robot)
         self.q_names, self.v_names = list(names.q), list(names.v)

@@ -117,7 +117,7 @@ WRONG = [
         DYNAMICS.replace('"0.2"', '"1e20"'),
         "line 22: joint 'shoulder': dynamics friction: is 1e+20; it must be 0",
     ),
-    (DYNAMICS, '<mimic joint="elbow"/>', "line 22: joint 'shoulder': mimic: couples two joints, and a robot file has"),
+    (DYNAMICS, '<mimic joint="elbows"/>', "line 22: joint 'shoulder': mimic joint: names \"elbows\", which is no"),
     ('type="continuous"', 'type="floating"', "line 24: joint 'elbow': type: is floating, which only the joint of the"),
     ('<joint name="elbow"/>', "", "line 29: transmission 'gear': has no <joint>; state <joint name="),
     (
@@ -232,7 +232,7 @@ def test_a_wrong_side_file_is_refused_in_one_line(tmp_path, monkeypatch, content
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ("--mimic hold", "mimic: there is no 'hold'; choose refuse, free or weld"),
+        ("--mimic hold", "mimic: there is no 'hold'; choose couple, free, weld or refuse"),
         ("--tip wrist", 'tip: bot.urdf has no link "wrist"; name one'),
         ("--flexible none.toml", "none.toml: there is no such file"),
         ("--flexible bad.toml", "bad.toml: links[0].section (link upper): is missing"),

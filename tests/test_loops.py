@@ -67,7 +67,7 @@ def roll_pitch_yaw(R: np.ndarray) -> list[float]:
 def rows(oracle: Oracle, robot: dict) -> list[ca.SX]:
     """The gaps of all rows, written anew from the joint's definition: what a motion of the joint leaves at zero."""
     names, out = [x["name"] for x in robot["links"]], []
-    for loop in robot["loops"]:
+    for loop in robot.get("loops", ()):
         ends = ((names.index(name), marker) for name, marker in (end.split(".") for end in loop["between"]))
         places = [(i, named(robot["links"][i], marker)) for i, marker in ends]
         (R_a, a), (R_b, b) = (oracle.section(i, oracle.clouds[i], s) for i, s in places)
@@ -84,7 +84,17 @@ def rows(oracle: Oracle, robot: dict) -> list[ca.SX]:
                 out += [ca.dot(n, R @ x) for n in null([x])]
             case [x, y]:
                 out.append(ca.dot(x, R @ y) - x @ y)
+    axes = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
+    for coupling in robot.get("couplings", ()):
+        follows, other = (oracle.q[axes.index(plain(coupling[key]))] for key in ("axis", "of"))
+        out.append(follows - coupling["ratio"] * other - coupling["offset"])
     return out
+
+
+def plain(name: str) -> str:
+    """`finger.0` of `finger.joint[0]` or `finger.slide[0]`."""
+    owner, _, axis = name.partition(".")
+    return f"{owner}.{axis.partition('[')[2][:-1]}"
 
 
 def unit(axis) -> np.ndarray:

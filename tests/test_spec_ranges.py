@@ -20,6 +20,8 @@ KEYS = {
     "frequency": r"frequencies = \{ bending_y = \[",
     "damping ratio": "ratio = ",
     "armature": r"armature = \[",
+    "coupling ratio": r"\bratio = ",
+    "coupling offset": r"\boffset = ",
     "damping": r"\ndamping = \[",
     "stiffness": r"stiffness = \[",
     "inertia": r"inertia = \[",
@@ -50,6 +52,8 @@ TEXTS |= dict.fromkeys(
 TEXTS["stabilisation"] = (
     f'{GOOD}\n[[loops]]\nbetween = ["upper.tip", "fore.tip"]\njoint = {{ axes = [] }}\nstabilisation = 9.0\n'
 )
+COUPLED = f'couplings = [{{ axis = "fore.joint[0]", of = "upper.joint[0]", ratio = 2.0, offset = 0.5 }}]\n{GOOD}'
+TEXTS |= dict.fromkeys(("coupling ratio", "coupling offset"), COUPLED)
 TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""
 

@@ -282,8 +282,8 @@ def test_names_become_c_identifiers(file):
 def test_mimic_is_refused_or_left_out_as_asked(file):
     mimic = joint("finger", "fore", "thumb", "prismatic", '<mimic joint="elbow" offset="0.2"/>')
     path = file(ARM.replace("</robot>", f'<link name="thumb">{BODY}</link>{mimic}</robot>'))
-    with pytest.raises(RobotFileError, match=r"line 1: joint 'finger': mimic: couples two joints.*--mimic free"):
-        import_urdf(path)
+    with pytest.raises(RobotFileError, match=r"line 1: joint 'finger': mimic: couples two joints.*--mimic couple"):
+        import_urdf(path, None, Options(mimic="refuse"))
     assert len(import_urdf(path, None, Options(mimic="free")).robot.links) == 3
     welded = import_urdf(path, None, Options(mimic="weld")).robot.links
     assert len(welded) == 2 and welded[1].bodies[0].mass == 4.0

@@ -7,14 +7,17 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from conftest import lacking
+from helpers import relative
 from urdf_judge import Pair
 
 import screwgen
 from screwgen.cli.main import main
 from screwgen.errors import RobotFileError
 from screwgen.interchange.load import import_urdf
+from screwgen.model import derive
 
 pytestmark = pytest.mark.examples
 
@@ -87,6 +90,21 @@ def test_every_robot_equals_pinocchios(name):
 @pytest.mark.parametrize("name", sorted(FLOATING - NOT_BY_ITSELF))
 def test_robots_with_a_floating_root_equal_pinocchios(name):
     assert Pair(path_of(name), floating=True).misfit() < 1e-12
+
+
+def test_a_panda_whose_finger_mimics_the_other_equals_pinocchios():
+    path = path_of("panda_description/urdf/panda")
+    robot = import_urdf(path).robot
+    model, theirs = derive(robot), pin.buildModelFromUrdf(str(path), mimic=True)
+    assert (model.nv, theirs.nv, len(robot.couplings)) == (9, 8, 1)
+    data, rng = theirs.createData(), np.random.default_rng(5)
+    q, tau, still = rng.uniform(-1, 1, 8), rng.normal(size=8), np.zeros(8)
+    both = lambda x: np.append(x, x[-1])  # noqa: E731
+    vdot, _ = model.numpy().forward_dynamics(both(q), both(still), [*tau, 0.0], None)
+    M = np.triu(pin.crba(theirs, data, q))
+    M = M + np.triu(M, 1).T
+    expected = np.linalg.solve(M, tau - pin.nonLinearEffects(theirs, data, q, still))
+    assert relative(vdot, both(expected)) < 1e-12
 
 
 SIDE = """\

@@ -16,7 +16,20 @@ from pydantic.fields import FieldInfo
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from screwgen.spec import drive, four_bar, joint, limit, loops, markers, modes, profile, reduced, section, stations  # noqa: E402
+from screwgen.spec import (  # noqa: E402  # noqa: E402
+    couplings,
+    drive,
+    four_bar,
+    joint,
+    limit,
+    loops,
+    markers,
+    modes,
+    profile,
+    reduced,
+    section,
+    stations,
+)
 from screwgen.spec import robot as spec  # noqa: E402
 from screwgen.spec.part import Part  # noqa: E402
 
@@ -40,7 +53,7 @@ PARTS = (
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
     *(drive.Friction, drive.Transmission, four_bar.FourBar, limit.Limit, spec.Body, reduced.Reduced),
-    *(loops.Loop, markers.Marker),
+    *(loops.Loop, couplings.Coupling, markers.Marker),
 )
 
 

@@ -117,7 +117,7 @@ class DaeFunctions(Functions):
 
     def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
         if self.chain.closures:
-            w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
+            tau, w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
         return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
 
@@ -175,7 +175,7 @@ class DaeFunctions(Functions):
         The wrenches of loops on the tips are part of ``W_sys``.
         """
         if self.chain.closures:
-            w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
+            tau, w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
         state = self._with_terms(self.unpack(x), "eta")
         links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._stacked(links)

@@ -173,7 +173,7 @@ class Functions(LoopFunctions):
 
     def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
-        links, _ = self.forward(q, v, tau, self.with_loops(q, v, tau, w_ext))
+        links, _ = self.forward(q, v, *self.with_loops(q, v, tau, w_ext))
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
 

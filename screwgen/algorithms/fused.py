@@ -197,9 +197,13 @@ def modal_properties(f: Functions):
 
 @program("q v tau w_ext m_eta f_eta")
 def loop_wrenches(f: Functions, q, v, tau, w_ext, m_eta, f_eta):
-    """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included."""
+    """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included.
+
+    With couplings also ``closed_tau``, the torques of all axes, those of the couplings included.
+    """
     f.given = (m_eta, f_eta)
-    return {"closed": f.with_loops(q, v, tau, w_ext)}
+    found = f.with_loops(q, v, tau, w_ext)
+    return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.couplings else {})
 
 
 @program("q v")

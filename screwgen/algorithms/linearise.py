@@ -24,6 +24,7 @@ from .elastic_gears import GEAR_SLOPES
 from .functions import Functions
 from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
+from .loops import Loads
 from .schedule import COLUMNS
 from .scope import OF_TIP
 from .signals import STORE, at_station, edge_name, plain
@@ -66,12 +67,12 @@ def closed_slopes(f: Functions, q, v, tau, w_ext, section: Section, own=True) ->
     """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
     chain = f.chain
     shut, forces = f.loop_forces(q, v, tau, w_ext)
-    loads = [a + b for a, b in zip(w_ext, shut.wrenches(forces), strict=True)]
-    links, places = f.forward(q, v, tau, loads)
+    loads = Loads(tau, w_ext).plus(shut.loads(forces))
+    links, places = f.forward(q, v, *loads)
     vdot = chain.join(links, "qddot", "etaddot")
-    found, at = _slopes(f, q, v, vdot, loads, tau, section, tips(chain), own)
+    found, at = _slopes(f, q, v, vdot, loads.w_ext, tau, section, tips(chain), own)
     with section("loops: their rows, and what their wrenches do as the tips move"):
-        rows, bend = loop_changes(chain, shut, shut.accelerations(places), forces, at, f.apply)
+        rows, bend = loop_changes(chain, shut, shut.accelerations(links, places).tips, forces, at, f.apply)
         found.f_q = found.f_q - bend
     return vdot, found, rows
 

@@ -33,17 +33,26 @@ class LoopFunctions:
     def loop_forces(self, q, v, tau, w_ext) -> tuple[loops.Shut, list]:
         """The loops in a state, and the forces of their rows."""
         shut = self._shut(q, v)
-        free = shut.accelerations(self.forward(q, v, tau, w_ext)[1])
+        free = shut.accelerations(*self.forward(q, v, tau, w_ext))
         inertia = self.given[0] if self.given else self._inertia()
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
             wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
         return shut, self._row_forces(q, shut, inertia, wanted)[0][0]
 
-    def with_loops(self, q, v, tau, w_ext) -> Sequence:
-        """The wrenches on the tips, those of the loops included."""
+    def with_loops(self, q, v, tau, w_ext) -> loops.Loads:
+        """Torques and wrenches on the tips, those of the loops included."""
+        given = loops.Loads(tau, w_ext)
         if not self.chain.closures:
-            return w_ext
-        return [a + b for a, b in zip(w_ext, self.loop_wrenches(q, v, tau, w_ext), strict=True)]
+            return given
+        shut, forces = self.loop_forces(q, v, tau, w_ext)
+        with self.section("loops: their wrenches on the tips"):
+            found = shut.loads(forces)
+        return given.plus(found)
+
+    def coupling_torques(self, q, v, tau, w_ext) -> list:
+        """The torques (n_tau,) with which couplings act on the joint axes, forces on those that slide."""
+        shut, forces = self.loop_forces(q, v, tau, w_ext)
+        return shut.torques(forces)
 
     def close(self, q, v) -> tuple[list, list]:
         """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
@@ -65,8 +74,8 @@ class LoopFunctions:
 
     def offsets(self, q, v) -> list[loops.Offsets]:
         """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
-        tips = self._shut(q, v).tips
-        return [loops.offsets(junction, tips) for junction in self.chain.junctions]
+        shut = self._shut(q, v)
+        return [loops.offsets(junction, shut.tips, shut.axes) for junction in self.chain.junctions]
 
     def openings(self, q) -> list:
         """The squares of how far each loop is from closed: of the distance, m², and of the angle; two for each loop."""
@@ -75,13 +84,13 @@ class LoopFunctions:
 
     def idle_gaps(self) -> list:
         """The gaps of the rows that no motion changes, which depend on parameters alone: those at home."""
-        tips = self._shut(self.chain.home, [0.0] * self.chain.nv).tips
-        return [loops.condition(row, tips).gap for row in self.chain.idle]
+        shut = self._shut(self.chain.home, [0.0] * self.chain.nv)
+        return [loops.condition(row, shut.tips, shut.axes).gap for row in self.chain.idle]
 
-    def loops_at(self, q, forces) -> tuple[list, list]:
-        """The gap of every row, and the wrenches on the tips of forces of the rows, in the order of ``w_ext``."""
+    def loops_at(self, q, forces) -> tuple[list, loops.Loads]:
+        """The gap of every row, and what forces of the rows exert."""
         shut = self._shut(q, [0.0] * self.chain.nv)
-        return [c.gap for c in shut.conditions], shut.wrenches(forces)
+        return [c.gap for c in shut.conditions], shut.loads(forces)
 
     def _row_forces(
         self, q, shut: loops.Shut, inertia: Sequence, *wanted: Sequence[Value]
@@ -92,9 +101,9 @@ class LoopFunctions:
         """
         still = copy(self)
         still.gravity, still.given, still.section = [0.0] * 3, (inertia, [0.0] * self.chain.n_given), nullcontext
-        rest, nothing = [0.0] * self.chain.nv, [0.0] * self.chain.n_tau
-        found = [still.forward(q, rest, nothing, unit) for unit in shut.units()]
-        answers = [shut.accelerations(places) for _, places in found]
+        rest = [0.0] * self.chain.nv
+        found = [still.forward(q, rest, *unit) for unit in shut.units()]
+        answers = [shut.accelerations(*one) for one in found]
         with self.section("loops: accelerations of the gaps by unit forces of the rows"):
             A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
         return self.solve_rows(A, wanted), [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
@@ -117,5 +126,6 @@ class LoopFunctions:
         links, places = self._run(MOTION, self._state(q, v))
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
         tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
+        axes = loops.Axes(self.chain.of_joints(q), self.chain.of_joints(v, rates=True))
         with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
-            return loops.Shut(self.chain.closures, tips, nodes, [mx.array(link["R"], (3, 3)) for link in links])
+            return loops.Shut(self.chain.closures, tips, axes, nodes, [mx.array(link["R"], (3, 3)) for link in links])

@@ -15,10 +15,11 @@ import numpy as np
 
 from ..ir.derivative import columns, tangents
 from ..ir.program import Array, Node, Program, Tracer, Value
+from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from ..topology.loops import Closure
 from . import matrices as mx
-from .loops import Shut, Tip, condition
+from .loops import Axes, Motion, Shut, Tip, condition
 from .rows import cross_columns
 from .schedule import Apply
 
@@ -59,7 +60,8 @@ class RowChange:
 
 def tips(chain: Chain) -> list[int]:
     """The links at whose tips loops act, in the order of the file."""
-    return list(dict.fromkeys(i for c in chain.closures for i in (c.first, c.second)))
+    wrenching = (c for c in chain.closures if not isinstance(c.row, Ratio))
+    return list(dict.fromkeys(i for c in wrenching for i in (c.first, c.second)))
 
 
 def loop_changes(
@@ -75,13 +77,16 @@ def loop_changes(
     bend, nv = mx.zeros(chain.nv, chain.nv), chain.nv
     for loop in dict.fromkeys(c.loop for c in chain.closures):
         own = [(k, c) for k, c in enumerate(chain.closures) if c.loop == loop]
+        if isinstance(own[0][1].row, Ratio):
+            _add_coupling(chain, own[0][1], rows)
+            continue
         first, second = own[0][1].first, own[0][1].second
         a, b = shut.tips[first], shut.tips[second]
         twists = [mx.rotate_wrench(tip.R.T, tip.twist) for tip in (a, b)]
         given = {"R": list(mx.multiply(a.R.T, b.R).flat), "d": list(mx.multiply(a.R.T, b.r - a.r))}
         given |= {"V_A": list(twists[0]), "V_B": list(twists[1]), "forces": [forces[k] for k, _ in own]}
         given |= {f"acc_{x}": list(mx.rotate_wrench(t.R.T, acc[i])) for x, t, i in (("A", a, first), ("B", b, second))}
-        program = slopes_of_rows(tuple(replace(c, loop=0, first=0, second=1) for _, c in own))
+        program = slopes_of_rows(tuple(replace(c, loop=0, first=0, second=1, name="") for _, c in own))
         found = {k: mx.array(x, (-1, 12)) for k, x in apply(second, 0, program, given).items()}
         ends = at[first], at[second]
         J = np.vstack([end.J for end in ends])
@@ -93,6 +98,16 @@ def loop_changes(
         rows[2].append(mx.multiply(by_twist, J) + mx.multiply(units, acc_v))
         bend = bend + mx.chain(J.T, found["bend"], J)
     return RowChange(*(np.vstack([mx.zeros(0, nv), *x]) for x in rows)), bend
+
+
+def _add_coupling(chain: Chain, coupling: Closure, rows: list[list[Array]]) -> None:
+    """The row of a coupling, which is linear in coordinates and rates."""
+    assert isinstance(coupling.row, Ratio)
+    J, c = mx.zeros(1, chain.nv), coupling.stabilisation
+    for axis, entry in ((coupling.row.axis, 1.0), (coupling.row.of, -coupling.row.ratio)):
+        J[0, chain.base_v + axis] = entry
+    for matrices, value in zip(rows, (J, c * c * J, 2 * c * J), strict=True):
+        matrices.append(value)
 
 
 @cache
@@ -110,8 +125,9 @@ def slopes_of_rows(rows: tuple[Closure, ...]) -> Program:
     forces = tracer.input("forces", len(rows))
     a = Tip(mx.identity(3), mx.zeros(3), *np.split(V_A, 2))
     b = Tip(R, d, *np.split(mx.rotate_wrench(R, V_B), 2))
-    found = [condition(c, [a, b]) for c in rows]
-    values = [c.power([acc_A, mx.rotate_wrench(R, acc_B)]) + c.drift for c in found]
+    found = [condition(c, [a, b], Axes((), ())) for c in rows]
+    acc = Motion([acc_A, mx.rotate_wrench(R, acc_B)], ())
+    values = [c.power(acc) + c.drift for c in found]
     units = [np.concatenate([c.wrenches[0], mx.rotate_wrench(R.T, c.wrenches[1])]) for c in found]
     wrenches = sum((unit * force for unit, force in zip(units, forces, strict=True)), mx.zeros(12))
     by_pose = mx.array([tangents([*values, *wrenches], seed) for seed in _motions(R, d)]).T

@@ -5,6 +5,9 @@ and `g̈ = Σ Wᵀ a + γ` with the accelerations `a` of the tips. With `M⁻¹`
 the rows' forces λ follow from `(J M⁻¹ Jᵀ) λ = −(J v̇ + γ + 2 c ġ + c² g)`, where `v̇` are the accelerations of the open
 tree and `c` is the loop's stabilisation. All vectors are in inertial axes.
 
+A coupling of two axes is a row among coordinates, `g = q_b − r q_a − c`: its force acts on the two axes, as their
+torques do, and its acceleration is that of their coordinates.
+
 Where the rows of an overconstrained mechanism depend on each other, as those of four hinges whose axes meet in a point,
 that matrix is singular and they share what they bear: :func:`sharing_solver`.
 """
@@ -19,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..ir.program import Array, Program, Tracer, Value
-from ..joints.constraints import Alignment, Angle, Demand, Distance
+from ..joints.constraints import Alignment, Angle, Distance, Ratio
 from ..topology.chain import Chain
 from ..topology.loops import Closure, Junction
 from . import matrices as mx
@@ -46,35 +49,66 @@ class Tip:
         return np.concatenate([self.omega, self.v])
 
 
+class Motion(NamedTuple):
+    """What loops ask about: a quantity (6,) of every tip, and one of every joint axis (n_joints,)."""
+
+    tips: Sequence[Array] | Mapping[int, Array]
+    axes: Sequence[Value]
+
+
+class Axes(NamedTuple):
+    """Coordinates and rates (n_joints,) of the joint axes."""
+
+    q: Sequence[Value]
+    qdot: Sequence[Value]
+
+
 @dataclass(frozen=True)
 class Condition:
-    """A row in a state: its `gap`, and its unit wrenches (6,) on the two tips, by the numbers of their links.
+    """A row in a state: its `gap`, and what a unit force of it exerts.
 
-    `rate`: of the gap. `drift`: γ and the stabilisation.
+    `wrenches`: on tips (6,), by the numbers of their links; `torques`: on joint axes, by theirs. `rate`: of the gap.
+    `drift`: γ and the stabilisation.
     """
 
     gap: Value
     wrenches: Mapping[int, Array]
+    torques: Mapping[int, float]
     rate: Value
     drift: Value
 
-    def power(self, motions: Sequence[Array]) -> Value:
-        """The work of the unit wrenches at accelerations of all tips."""
-        return _power(self.wrenches, motions)
+    def power(self, motion: Motion) -> Value:
+        """The work of the unit force at accelerations of all tips and axes."""
+        return _power(self.wrenches, self.torques, motion)
 
 
-def _power(wrenches: Mapping[int, Array], motions: Sequence[Array]) -> Value:
-    first, second = ((w, motions[i]) for i, w in wrenches.items())
-    return mx.dot(*first) + mx.dot(*second)
+def _power(wrenches: Mapping[int, Array], torques: Mapping[int, float], motion: Motion) -> Value:
+    parts = [mx.dot(w, motion.tips[i]) for i, w in wrenches.items()]
+    parts += [torque * motion.axes[k] for k, torque in torques.items()]
+    return sum(parts[1:], parts[0])
 
 
-def condition(closure: Closure, tips: Sequence[Tip]) -> Condition:
-    """A row in a state of all tips."""
-    a, b, row, c = tips[closure.first], tips[closure.second], closure.row, closure.stabilisation
-    gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
-    wrenches = dict(zip((closure.first, closure.second), both, strict=True))
-    rate = _power(wrenches, {closure.first: a.twist, closure.second: b.twist})
-    return Condition(gap, wrenches, rate, gamma + 2 * c * rate + c * c * gap)
+def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
+    """A row in a state of all tips and axes."""
+    row, c = closure.row, closure.stabilisation
+    if isinstance(row, Ratio):
+        gap, wrenches, torques, gamma = _ratio_gap(row, axes.q), {}, _torques(row), 0.0
+    else:
+        a, b, torques = tips[closure.first], tips[closure.second], {}
+        gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
+        wrenches = dict(zip((closure.first, closure.second), both, strict=True))
+    rate = _power(wrenches, torques, Motion({i: tips[i].twist for i in wrenches}, axes.qdot))
+    return Condition(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
+
+
+def _ratio_gap(row: Ratio, q: Sequence[Value]) -> Value:
+    """``g = q_b − r q_a − c``."""
+    return q[row.axis] - row.ratio * q[row.of] - row.offset
+
+
+def _torques(row: Ratio) -> dict[int, float]:
+    """What a unit force of a coupling exerts on its axes."""
+    return {row.axis: 1.0, row.of: -row.ratio}
 
 
 Parts = tuple[Value, Array, Array, Value]
@@ -108,18 +142,22 @@ class Offsets(NamedTuple):
     turn_rates: list[Value]
 
 
-def offsets(junction: Junction, tips: Sequence[Tip]) -> Offsets:
-    """The offsets of a loop in a state of all tips."""
+def offsets(junction: Junction, tips: Sequence[Tip], axes: Axes) -> Offsets:
+    """The offsets of a loop in a state of all tips and axes."""
     a, b, out = tips[junction.first], tips[junction.second], Offsets([], [], [], [])
     for demand in junction.demands:
-        found, rates = _offset(demand, a, b)
-        turns = not isinstance(demand, Distance)
+        if isinstance(demand, Ratio):
+            found, turns = [_ratio_gap(demand, axes.q)], demand.unit == "rad"
+            rates = [_power({}, _torques(demand), Motion((), axes.qdot))]
+        else:
+            found, rates = _offset(demand, a, b)
+            turns = not isinstance(demand, Distance)
         out[turns].extend(found)
         out[2 + turns].extend(rates)
     return out
 
 
-def _offset(demand: Demand, a: Tip, b: Tip) -> tuple[list[Value], list[Value]]:
+def _offset(demand: Distance | Angle | Alignment, a: Tip, b: Tip) -> tuple[list[Value], list[Value]]:
     if isinstance(demand, Alignment):
         x, y = (mx.multiply(tip.R, mx.array(demand.direction)) * demand.weight for tip in (a, b))
         return list(x - y), list(mx.cross(a.omega, x) - mx.cross(b.omega, y))
@@ -127,18 +165,32 @@ def _offset(demand: Demand, a: Tip, b: Tip) -> tuple[list[Value], list[Value]]:
     return [gap], [mx.dot(first, a.twist) + mx.dot(second, b.twist)]
 
 
+class Loads(NamedTuple):
+    """What acts on a tree: torques (n_tau,) of the axes, and wrenches on all tips in their tip frames (6 n,)."""
+
+    tau: Sequence[Value]
+    w_ext: Sequence[Value]
+
+    def plus(self, more: Loads) -> Loads:
+        """The sum of both."""
+        return Loads(*([a + b for a, b in zip(x, y, strict=True)] for x, y in zip(self, more, strict=True)))
+
+
 class Shut:
     """The loops in a state; `nodes` and `rotations`: the tip node of every link, and the rotation of its F_i."""
 
-    def __init__(self, closures: Sequence[Closure], tips: Sequence[Tip], nodes: Sequence[int], rotations: Sequence):
-        self.tips, self.nodes, self.rotations = tips, nodes, rotations
-        self.conditions = [condition(c, tips) for c in closures]
+    def __init__(
+        self, closures: Sequence[Closure], tips: Sequence[Tip], axes: Axes, nodes: Sequence[int], rotations: Sequence
+    ):
+        self.tips, self.axes, self.nodes, self.rotations = tips, axes, nodes, rotations
+        self.conditions = [condition(c, tips, axes) for c in closures]
 
-    def accelerations(self, places: Sequence[Mapping[str, Sequence]]) -> list[Array]:
-        """[angular; of the point, less free fall] of all tips after forward dynamics."""
+    def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> Motion:
+        """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""
         nodes = [places[k] for k in self.nodes]
         sums = [[a + b for a, b in zip(node["acc_0"], node["delta"], strict=True)] for node in nodes]
-        return [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
+        tips = [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
+        return Motion(tips, [x for link in links for x in link["qddot"]])
 
     def wrenches(self, forces: Sequence[Value]) -> list[Value]:
         """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""
@@ -148,10 +200,22 @@ class Shut:
                 total[i] = total[i] + wrench * force
         return [x for tip, w in zip(self.tips, total, strict=True) for x in mx.rotate_wrench(tip.R.T, w)]
 
-    def units(self) -> Iterator[list[Value]]:
-        """The wrenches on all tips of a unit force of each row."""
+    def torques(self, forces: Sequence[Value]) -> list[Value]:
+        """The torques on all axes of forces of the rows: those of couplings."""
+        total: list[Value] = [0.0] * len(self.axes.q)
+        for found, force in zip(self.conditions, forces, strict=True):
+            for k, torque in found.torques.items():
+                total[k] = total[k] + torque * force
+        return total
+
+    def loads(self, forces: Sequence[Value]) -> Loads:
+        """Both."""
+        return Loads(self.torques(forces), self.wrenches(forces))
+
+    def units(self) -> Iterator[Loads]:
+        """What a unit force of each row exerts."""
         count = len(self.conditions)
-        return (self.wrenches([float(j == k) for j in range(count)]) for k in range(count))
+        return (self.loads([float(j == k) for j in range(count)]) for k in range(count))
 
 
 @cache

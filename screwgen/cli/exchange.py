@@ -29,8 +29,8 @@ def import_(
         bool, typer.Option("--floating", help="The root link floats, instead of being the world.")
     ] = False,
     mimic: Annotated[
-        str, typer.Option(metavar="HOW", help="Joints that mimic others: refuse, free (move on their own) or weld.")
-    ] = "refuse",
+        str, typer.Option(metavar="HOW", help="Joints that mimic others: couple, free (both move), weld or refuse.")
+    ] = "couple",
     tip: Annotated[
         str | None, typer.Option(metavar="LINK", help="The link that comes last, though it be fixed: the tip.")
     ] = None,

@@ -62,7 +62,7 @@ def load(
     *,
     keep_fixed: bool = False,
     floating: bool = False,
-    mimic: str = "refuse",
+    mimic: str = "couple",
     tip: str | None = None,
     nearest_inertia: bool = False,
 ) -> Robot:

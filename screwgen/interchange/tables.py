@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from ..spec.base import FLOATING
 from ..spec.parents import WORLD
+from ..spec.values import quoted
 from .rigid import LAST_DIGIT, cleaned
 from .tree import Node, Tree
 from .urdf import SLIDING, UrdfJoint
@@ -21,6 +23,8 @@ def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, 
     robot: dict[str, Any] = {"name": tree.name, "gravity": GRAVITY} | tree.side.robot
     if tree.floating:
         robot["base"] = FLOATING
+    if couplings := list(_couplings(tree)):
+        robot["couplings"] = couplings
     robot["links"] = [_link(tree, i, node) for i, node in enumerate(tree.nodes)]
     tree.notes += _limits_note(tree, "effort", "as tau_max of a controller") + _limits_note(
         tree, "velocity", "rad/s, m/s"
@@ -32,6 +36,25 @@ def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, 
         if node.joint is not None and node.axes:
             joints[node.joint.name] = coordinates(node)
     return robot, comments, joints
+
+
+def _couplings(tree: Tree) -> Iterator[dict[str, Any]]:
+    """The couplings of joints that mimic others; what they mimic may have been welded for want of mass."""
+    nodes = {node.joint.name: node for node in tree.nodes if node.joint is not None and node.axes}
+    for node in nodes.values():
+        if node.joint is None or node.joint.mimic is None or tree.options.mimic != "couple":
+            continue
+        other, ratio, offset = node.joint.mimicked
+        if other not in tree.urdf.joints or other == node.joint.name:
+            raise node.joint.mimic.fault(f"names {quoted(other)}, which is no other joint; name one", "joint")
+        if other not in nodes:
+            what = f"its <mimic> is left out, for joint '{other}' does not move"
+            tree.notes.append(f"joint '{node.joint.name}': {what}; it moves on its own")
+            continue
+        if len(node.axes) > 1 or len(nodes[other].axes) > 1:
+            raise node.joint.mimic.fault("couples a planar joint, which has several coordinates; leave it out")
+        (axis,), (of,) = coordinates(node), coordinates(nodes[other])
+        yield {"axis": axis, "of": of, "ratio": ratio} | ({"offset": offset} if offset else {})
 
 
 def coordinates(node: Node) -> tuple[str, ...]:

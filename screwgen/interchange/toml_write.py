@@ -25,8 +25,9 @@ def document(
     of bodies' files are relative to, `to_folder`: where the text will be.
     """
     lines = [f"# {one_line(line)}" for line in head]
-    lines += ["", *assignments("", {k: v for k, v in tables.items() if k not in ("links", "loops")})]
-    for kind in ("links", "loops"):
+    kinds = ("links", "loops", "couplings")
+    lines += ["", *assignments("", {k: v for k, v in tables.items() if k not in kinds})]
+    for kind in kinds:
         for table in tables.get(kind, ()):
             lines.append("")
             if comment := comments.get(table.get("name", "")):

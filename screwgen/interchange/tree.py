@@ -21,7 +21,8 @@ from .flexible import Shape, SideFile, shape_of
 from .rigid import HERE, Inertial, Pose, cleaned, nearest, possible, together
 from .urdf import FIXED, FREE, SLIDING, Urdf, UrdfJoint
 
-MIMIC = ("refuse", "free", "weld")
+MIMIC = ("couple", "free", "weld", "refuse")
+"""What becomes of joints that mimic others."""
 
 
 @dataclass(frozen=True)
@@ -29,14 +30,14 @@ class Options:
     """How a URDF is read.
 
     ``keep_fixed``: fixed joints stay welded links instead of being merged; ``floating``: the root link is the floating
-    base; ``mimic``: joints that mimic others are refused, left to move on their own (``"free"``) or welded
-    (``"weld"``); ``tip``: the link that comes last, even where it is fixed, so that it is *the tip*;
-    ``nearest_inertia``: replaces inertias that no body has by the nearest that one has.
+    base; ``mimic``: joints that mimic others are coupled to these, left to move on their own (``"free"``), welded
+    (``"weld"``) or refused (``"refuse"``); ``tip``: the link that comes last, even where it is fixed, so that it is
+    *the tip*; ``nearest_inertia``: replaces inertias that no body has by the nearest that one has.
     """
 
     keep_fixed: bool = False
     floating: bool = False
-    mimic: str = "refuse"
+    mimic: str = "couple"
     tip: str | None = None
     nearest_inertia: bool = False
 
@@ -143,11 +144,11 @@ class Tree:
         if joint.child not in self.heavy:
             self.notes.append(f"joint '{joint.name}': moves nothing that has mass; it is welded")
             return True
-        if joint.mimic is None:
+        if joint.mimic is None or self.options.mimic == "couple":
             return False
         if self.options.mimic == "refuse":
-            what = "couples two joints, and a robot file has no such coupling"
-            raise joint.mimic.fault(f"{what}; let both move (--mimic free) or hold this one (--mimic weld)")
+            what = "couples two joints"
+            raise joint.mimic.fault(f"{what}; keep it (--mimic couple), let both move (free) or hold this one (weld)")
         said = {"free": "moves on its own", "weld": "is welded where the other joint is at 0"}[self.options.mimic]
         self.notes.append(f"joint '{joint.name}': its <mimic> is left out; it {said}")
         return self.options.mimic == "weld"

@@ -70,6 +70,13 @@ class UrdfJoint:
         return pose(self.xyz, self.rpy)
 
     @property
+    def mimicked(self) -> tuple[str, float, float]:
+        """Of a joint that mimics another: the other's name, and ratio and offset of what it does."""
+        assert self.mimic is not None
+        offset = self.mimic.number("offset", "coupling offset", "0")
+        return self.mimic.string("joint"), self.mimic.number("multiplier", "coupling ratio", "1"), offset
+
+    @property
     def mimicking(self) -> Pose:
         """The motion of a joint that mimics one at 0; none of others."""
         offset = self.mimic.number("offset", "limit", "0") if self.mimic is not None else 0.0

@@ -12,6 +12,7 @@ from ..backends.numpy.numeric import Numeric
 from ..errors import UsageError
 from ..reduction.invariants import hat
 from ..spec.base import FLOATING
+from ..spec.couplings import Axis, coupled_axis
 from ..spec.joint import Joint
 from ..spec.markers import carried_at
 from ..spec.parents import WORLD, parents
@@ -138,6 +139,7 @@ class _Writer:
             update={
                 "links": (link.model_copy(update=update),),
                 "loops": (),
+                "couplings": (),
                 "base": FLOATING,
                 "gravity": (0.0, 0.0, 0.0),
             }
@@ -191,11 +193,22 @@ class _Writer:
         for k, screw in enumerate(joint.screws):
             last = k == len(joint.screws) - 1
             below = link.name if last else self._between(link, k)
-            name = f"{link.name}_joint" + ("" if len(joint.screws) == 1 else f"_{k}")
-            self._joint(name, *self._motion(joint, k, screw, above, below, origin))
+            kind, above, below, parts = self._motion(joint, k, screw, above, below, origin)
+            self._joint(_joint_name(link, k), kind, above, below, [*parts, *self._mimic(Axis(i, k))])
             if not last:
                 self.lines.append(f'  <link name="{below}"/>')
             above, origin = below, ""
+
+    def _mimic(self, axis: Axis) -> Iterator[str]:
+        """The coupling of an axis that follows another; a URDF has one at most."""
+        links = self.robot.links
+        own = [c for c in self.robot.couplings if coupled_axis(links, c.axis) == axis]
+        for coupling in own[:1]:
+            other, number = coupled_axis(links, coupling.of)
+            said = f'joint="{_joint_name(links[other], number)}" multiplier={_row([coupling.ratio])}'
+            yield f"<mimic {said} offset={_row([coupling.offset])}/>"
+        if len(own) > 1:
+            self.notes.append(f"{own[0].axis}: {len(own) - 1} of its couplings are left out; a URDF has one a joint")
 
     def _above(self, i: int) -> str:
         return self.root if self.carriers[i] < 0 else self.names[self.carriers[i]]
@@ -242,7 +255,6 @@ class _Writer:
     def _transmissions(self) -> None:
         """Rotors, with the reduction of their gears; the tag rotorInertia is one that only some tools read."""
         for link in self.robot.links:
-            several = len(link.joint.screws) > 1
             for k in range(len(link.joint.screws)):
                 drive = link.joint.drives[k] if link.joint.drives else None
                 armature = link.joint.armature[k] if link.joint.armature else 0.0
@@ -250,7 +262,7 @@ class _Writer:
                 if drive and drive.rotor_inertia is not None and drive.transmission is None:
                     rotor, ratio = drive.rotor_inertia + armature / (drive.ratio or 1.0) ** 2, drive.ratio or 1.0
                 if rotor:
-                    name = f"{link.name}_joint" + (f"_{k}" if several else "")
+                    name = _joint_name(link, k)
                     self.lines += [
                         f'  <transmission name="{name}_drive">',
                         "    <type>transmission_interface/SimpleTransmission</type>",
@@ -261,6 +273,11 @@ class _Writer:
                         "    </actuator>",
                         "  </transmission>",
                     ]
+
+
+def _joint_name(link: Link, k: int) -> str:
+    """The name of the joint of an axis."""
+    return f"{link.name}_joint" + (f"_{k}" if len(link.joint.screws) > 1 else "")
 
 
 def _row(values) -> str:

@@ -3,6 +3,8 @@
 A loop joins the tip frames A and B of two links. With `d` from A's point to B's, every row is one of two scalars that
 vanish where the loop is closed: `n · d` with `n` fixed in A, or `x · y − c` with `x` fixed in A and `y` in B.
 
+A coupling of two axes is a loop with one row, a :class:`Ratio` of their coordinates.
+
 Rows bear the loop's forces, but they do not tell a closed loop from every open one: the cosines of a hinge and of a
 weld also vanish half a turn away. Whether a loop is closed say its :func:`demands`.
 """
@@ -47,8 +49,24 @@ class Alignment:
     weight: float = 1.0
 
 
-Row = Distance | Angle
-Demand = Distance | Angle | Alignment
+@dataclass(frozen=True)
+class Ratio:
+    """The coordinate of the joint axis `axis` is `ratio` times that of `of`, plus `offset`.
+
+    Axes are meant by their numbers among the robot's joint coordinates; `names`: of these coordinates, `unit`: of the
+    first, rad or m.
+    """
+
+    axis: int
+    of: int
+    ratio: float
+    offset: float
+    unit: str
+    names: tuple[str, str]
+
+
+Row = Distance | Angle | Ratio
+Demand = Distance | Angle | Alignment | Ratio
 
 
 def rows(screws: Sequence[Screw]) -> tuple[Row, ...]:

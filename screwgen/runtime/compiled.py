@@ -264,6 +264,15 @@ class Compiled(Differentiated):
                 self.check(self.library.shim_loop_mismatch(self.memory, pointer(out)))
         return out
 
+    def coupling_torques(self, q, v=None, tau=None, w_ext=None) -> Array:
+        """(n_tau,): the torques with which couplings act on the joint axes, N·m, N on those that slide."""
+        out = np.zeros(max(self.chain.n_tau, 1), self.real)
+        if self.chain.couplings:
+            with self._lock:
+                self._set(q, self._no_v if v is None else v, tau, w_ext)
+                self.check(self.library.shim_coupling_torques(self.memory, pointer(out)))
+        return out[: self.chain.n_tau]
+
     # DAE form ---------------------------------------------------------------------------------
 
     def dae_state(self, q, v) -> Array:

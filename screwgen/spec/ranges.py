@@ -61,6 +61,8 @@ RANGES = {
     "frequency": Range(positive, 1e-6, 1e9, "Hz"),
     "damping ratio": Range(non_negative, 1e-12, 1e6, "1"),
     "stabilisation": Range(non_negative, 1e-6, 1e6, "1/s"),
+    "coupling ratio": Range(number, 0.0, 1e6, "1, rad/m or m/rad"),
+    "coupling offset": Range(number, 0.0, 1e6, "rad or m"),
     "armature": Range(non_negative, 1e-12, 1e12, "kg·m² or kg"),
     "damping": Range(non_negative, 1e-12, 1e18, "N·m·s/rad or N·s/m"),
     "stiffness": Range(non_negative, 1e-12, 1e24, "N·m/rad or N/m"),

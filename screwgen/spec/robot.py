@@ -11,6 +11,7 @@ from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..errors import UsageError
 from .base import FIXED, FLOATING, check_floating
+from .couplings import Coupling, refuse_couplings
 from .frequencies import Frequencies
 from .joint import Joint, Position
 from .loops import Loop, refuse_loops
@@ -179,6 +180,9 @@ class Robot(Part):
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
     loops: tuple[Loop, ...] = Field((), description="joints between markers of two links, [[loops]] tables")
+    couplings: tuple[Coupling, ...] = Field(
+        (), description="axes that follow others in a fixed ratio, [[couplings]] tables"
+    )
 
     @property
     def floating(self) -> bool:
@@ -216,6 +220,7 @@ class Robot(Part):
             check_floating(self.links)
         refuse_axes(self)
         refuse_loops(self.links, self.loops)
+        refuse_couplings(self.links, self.couplings)
         distinct_names(self)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:

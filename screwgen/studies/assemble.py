@@ -40,8 +40,9 @@ def assemble(
     loops close with other ones alone; gears are without load. A floating base stays as well. `parameters`: their
     values. Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
     """
-    if not model.robot.loops:
-        raise UsageError(f"robot '{model.robot.name}' has no loops; state [[loops]] tables, or leave this out")
+    if not model.chain.junctions:
+        said = f"robot '{model.robot.name}' has neither loops nor couplings"
+        raise UsageError(f"{said}; state [[loops]] or [[couplings]] tables, or leave this out")
     for name in hold:
         choice(name, model.q_names, "hold: there is no coordinate")
     held, p = [name in hold for name in model.q_names], model.chain.parameters.vector(parameters)

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..arguments import Numbers, Parameters, array
 from ..errors import SingularError, UsageError
+from ..joints.constraints import Ratio
 from ..spec.drive import Drive
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
@@ -48,6 +49,11 @@ class Chain(Coordinates):
         """The rows that no motion changes: parameters alone can open them."""
         self.overconstrained = False
         """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
+
+    @property
+    def couplings(self) -> list[Closure]:
+        """The rows of couplings, which act on axes."""
+        return [closure for closure in self.closures if isinstance(closure.row, Ratio)]
 
     @property
     def serial(self) -> bool:

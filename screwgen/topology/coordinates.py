@@ -184,6 +184,11 @@ class Coordinates:
         """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
         return np.append(self.relaxed(joints, p), np.zeros(self.n_modes))
 
+    def of_joints(self, x: Any, rates: bool = False) -> Any:
+        """The entries (n_joints,) of the joint axes of all coordinates (nq,), or of all rates (nv,)."""
+        first = self.base_v if rates else self.base_q
+        return x[first : first + self.n_joints]
+
     def at_rotors(self, tau: Any, p: Any) -> np.ndarray:
         """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
         out = np.array(tau, float)

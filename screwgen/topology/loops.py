@@ -1,11 +1,12 @@
-"""Loops of a robot: which segments they join, and the rows that close them."""
+"""Loops of a robot: which segments they join, and the rows that close them; couplings of axes are loops of one row."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..joints.constraints import Demand, Distance, Row, demands, rows
+from ..joints.constraints import Angle, Demand, Distance, Ratio, Row, demands, rows
+from ..spec.couplings import coupled_axis
 from ..spec.loops import joined
 from ..spec.robot import Robot
 from ..spec.segments import Segment
@@ -14,7 +15,7 @@ from .stations import section
 
 @dataclass(frozen=True)
 class Closure:
-    """One scalar condition of a loop between the tips of two segments."""
+    """One scalar condition of a loop between the tips of two segments, or of the axes of their joints."""
 
     loop: int
     first: int
@@ -22,17 +23,19 @@ class Closure:
     row: Row
     stabilisation: float
     """1/s: the rate at which a gap closes."""
-
-    @property
-    def name(self) -> str:
-        return f"loop[{self.loop}]"
+    name: str
+    """`loop[0]` or `coupling[0]`, with its number in the robot file."""
 
     @property
     def text(self) -> str:
         """The row in words, with directions in the axes of the tips."""
         if isinstance(self.row, Distance):
             return f"{self.name}, distance along {_shown(self.row.normal)}"
-        return f"{self.name}, angle between {_shown(self.row.first)} and {_shown(self.row.second)}"
+        if isinstance(self.row, Angle):
+            return f"{self.name}, angle between {_shown(self.row.first)} and {_shown(self.row.second)}"
+        axis, of = self.row.names
+        shift = f" {'-' if self.row.offset < 0 else '+'} {abs(self.row.offset):g}" if self.row.offset else ""
+        return f"{self.name}, {axis} = {self.row.ratio:g} {of}{shift}"
 
 
 @dataclass(frozen=True)
@@ -43,10 +46,7 @@ class Junction:
     first: int
     second: int
     demands: tuple[Demand, ...]
-
-    @property
-    def name(self) -> str:
-        return f"loop[{self.loop}]"
+    name: str
 
 
 def _shown(direction: Sequence[float]) -> str:
@@ -63,18 +63,32 @@ def _segment(robot: Robot, segments: Sequence[Segment], link: int, s: float) -> 
 
 
 def junctions(robot: Robot, segments: Sequence[Segment]) -> tuple[Junction, ...]:
-    """The loops in the order of the file."""
+    """The loops in the order of the file, then the couplings."""
     out = []
     for k, loop in enumerate(robot.loops):
         first, second = (_segment(robot, segments, *joined(robot.links, loop, end)) for end in range(2))
-        out.append(Junction(k, first, second, demands(loop.joint.screws)))
+        out.append(Junction(k, first, second, demands(loop.joint.screws), f"loop[{k}]"))
+    firsts = [i for i, segment in enumerate(segments) if segment.first]
+    for k, coupling in enumerate(robot.couplings):
+        axes = [coupled_axis(robot.links, name) for name in (coupling.of, coupling.axis)]
+        of, axis = (sum(len(link.joint.axes) for link in robot.links[: a.link]) + a.number for a in axes)
+        unit = "rad" if robot.links[axes[1].link].joint.screws[axes[1].number].turn else "m"
+        ratio = Ratio(axis, of, coupling.ratio, coupling.offset, unit, (coupling.axis, coupling.of))
+        ends = (firsts[a.link] for a in axes)
+        out.append(Junction(len(robot.loops) + k, *ends, (ratio,), f"coupling[{k}]"))
     return tuple(out)
 
 
 def closures(robot: Robot, junctions: Sequence[Junction]) -> tuple[Closure, ...]:
-    """All rows of all loops, in the order of the file."""
-    return tuple(
-        Closure(j.loop, j.first, j.second, row, loop.stabilisation)
-        for j, loop in zip(junctions, robot.loops, strict=True)
+    """All rows of all loops, in the order of the file, then those of couplings."""
+    loops = (
+        Closure(j.loop, j.first, j.second, row, loop.stabilisation, j.name)
+        for j, loop in zip(junctions, robot.loops, strict=False)
         for row in rows(loop.joint.screws)
     )
+    couplings = (
+        Closure(j.loop, j.first, j.second, row, coupling.stabilisation, j.name)
+        for j, coupling in zip(junctions[len(robot.loops) :], robot.couplings, strict=True)
+        for row in j.demands
+    )
+    return (*loops, *couplings)

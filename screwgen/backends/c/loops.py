@@ -20,6 +20,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         "m_eta": lambda k: f"m_eta[{k}]",
         "f_eta": lambda k: f"f_eta[{k}]",
         "closed": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]",
+        "closed_tau": lambda k: f"work->input.tau[{k}]",
         "new_q": lambda k: f"work->state.q[{k}]",
         "new_v": lambda k: f"work->state.v[{k}]",
         "openings": lambda k: f"mismatch[{k // 2}][{k % 2}]",
@@ -34,8 +35,8 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         )
     }
     kept = max(part["kept"] for part in made.values())
-    rows = [closure.text for closure in chain.closures]
-    return made | {"rows": rows, "kept": kept, "rounds": ROUNDS, "count": len(chain.junctions)}
+    rows = {"rows": [closure.text for closure in chain.closures], "couplings": bool(chain.couplings)}
+    return made | rows | {"kept": kept, "rounds": ROUNDS, "count": len(chain.junctions)}
 
 
 def rows(chain: Chain, place: Place) -> dict:

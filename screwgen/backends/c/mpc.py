@@ -66,6 +66,7 @@ class Fitted:
         self.chain, self.wrench_names, self.said, self.file = chain, wrench_names, said, file
         for asked, what in (
             (bool(chain.robot.loops), "loops"),
+            (bool(chain.robot.couplings), "couplings"),
             (chain.keys[0].free, "a floating base"),
             (bool(chain.n_motors), "elastic drives"),
             (bool(chain.cranked), "transmissions"),

@@ -116,12 +116,14 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     rates = coordinate_rates(chain, q, v, p)
     vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
     z = ca.SX.sym("force", len(chain.closures))
-    rows, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closures else (ca.SX(0, 1), 0)
+    rows, torques, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closures else (ca.SX(0, 1), 0, 0)
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
     driven[chain.driven] = tau * functions["levers"](q, p) if chain.cranked else tau
     for joint, place in chain.loose.items():
         driven[place] = tau[joint]
+    if chain.couplings:
+        driven[chain.base_v : chain.base_v + chain.n_joints] += torques
     implicit = ca.vertcat(xdot[:nq] - rates, force - driven, rows)
     return {
         "x": x,
@@ -140,20 +142,21 @@ def _row_names(chain: Chain) -> tuple[str, ...]:
     return tuple(f"{c.name}.force[{loops[:k].count(c.loop)}]" for k, c in enumerate(chain.closures))
 
 
-def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """The rows of the loops at given accelerations, and the wrenches (6 x n) on the tips of the rows' forces."""
+def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """The rows of the loops at given accelerations, and what their forces exert: on axes, and on tips (6 x n)."""
     given = {"q": q, "v": v, "forces": forces, "p": p}
 
     def body(f: Functions, x):
-        gap, wrench = f.loops_at(x["q"], x["forces"])
-        return {"gap": gap, "rate": f.gaps(x["q"], x["v"])[1], "wrench": wrench}
+        gap, loads = f.loops_at(x["q"], x["forces"])
+        return {"gap": gap, "rate": f.gaps(x["q"], x["v"])[1], "torque": loads.tau, "wrench": loads.w_ext}
 
     sizes = {"q": chain.nq, "v": chain.nv, "forces": len(chain.closures)}
     found = expressions(fused.fuse(chain, "closing", sizes, body), given)
     c, rate = ca.DM([closure.stabilisation for closure in chain.closures]), found["rate"]
     rates = coordinate_rates(chain, q, v, p)
     acceleration = along(rate, q, rates) + along(rate, v, vdot)
-    return acceleration + 2 * c * rate + c**2 * found["gap"], ca.reshape(found["wrench"], 6, chain.n)
+    rows = acceleration + 2 * c * rate + c**2 * found["gap"]
+    return rows, found["torque"], ca.reshape(found["wrench"], 6, chain.n)
 
 
 def _dae(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:

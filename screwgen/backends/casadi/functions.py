@@ -114,7 +114,9 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
     )
     levers = (("levers", "q p", lambda: outputs(fused.levers)),) if chain.cranked else ()
     loops = (("loop_wrenches", "q v tau w_ext p", closing_wrenches),) if chain.closures else ()
-    return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers, *loops)}
+    torques = lambda: outputs(coupling_torques)  # noqa: E731
+    couplings = (("coupling_torques", "q v tau w_ext p", torques),) if chain.couplings else ()
+    return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers, *loops, *couplings)}
 
 
 @fused.program("q", "mass_matrix")
@@ -123,6 +125,12 @@ def _inertia(f: Functions, q):
     rest, nothing = [0.0] * f.chain.nv, [0.0] * 6 * f.chain.n
     M = slopes(f, q, rest, rest, nothing, [0.0] * f.chain.n_tau).M
     return {"lower": [M[i, j] for i in range(f.chain.nv) for j in range(i + 1)]}
+
+
+@fused.program("q v tau w_ext")
+def coupling_torques(f: Functions, q, v, tau, w_ext):
+    """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""
+    return {"torque": f.coupling_torques(q, v, tau, w_ext)}
 
 
 @fused.program("q v tau w_ext")

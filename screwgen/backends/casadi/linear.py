@@ -46,8 +46,8 @@ def closing(chain: Chain) -> ca.Function:
     given = symbols(chain, "q v") | {"forces": ca.SX.sym("forces", rows)} | symbols(chain, "p")
 
     def body(f: Functions, x):
-        gap, wrench = f.loops_at(x["q"], x["forces"])
-        return {"gap": gap, "wrench": wrench}
+        gap, loads = f.loops_at(x["q"], x["forces"])
+        return {"gap": gap, "wrench": loads.w_ext}
 
     found = expressions(fused.fuse(chain, "closing", {"q": chain.nq, "forces": rows}, body), given)
     q, v, qdot = given["q"], given["v"], coordinate_rates(chain, given["q"], given["v"], given["p"])

@@ -28,7 +28,7 @@ from ...integrators.se3 import FLAT, programs
 from ...ir.adjoint import only
 from ...ir.program import Program
 from ...topology.chain import Chain
-from ..casadi.functions import Made, loop_wrenches
+from ..casadi.functions import Made, coupling_torques, loop_wrenches
 from .programs import Evaluator, Values, straight
 
 PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
@@ -154,6 +154,8 @@ class Own:
             rows.append(("levers", "q p", one(fused.levers, "levers")))
         if self.chain.closures:
             rows.append(("loop_wrenches", "q v tau w_ext p", one(loop_wrenches, "loop_wrench", *whole)))
+            if self.chain.couplings:
+                rows.append(("coupling_torques", "q v tau w_ext p", one(coupling_torques, "torque")))
             rows.append(("correct", "q v p", lambda x: tuple(run(fused.correction, "new_q new_v", x))))
         return {name: partial(self.function, inputs, body) for name, inputs, body in rows}
 

@@ -185,6 +185,8 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         tree=not chain.tree.is_chain,
         stations=any(chain.tree.stations),
         loops=bool(chain.closures),
+        joined=bool(robot.loops),
+        couplings=bool(robot.couplings),
         markers=any(segment.marker is not None for segment in chain.segments),
         floating=chain.floating,
         drives=any(key.drives for key in chain.keys),

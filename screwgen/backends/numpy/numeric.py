@@ -101,6 +101,11 @@ class Numeric:
         given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
         return np.array(self._functions(FORWARD, MOTION).loop_wrenches(*given)).reshape(self.chain.n, 6)
 
+    def coupling_torques(self, q, v, tau, w_ext) -> np.ndarray:
+        """The torques (n_tau,) with which couplings act on the joint axes, N·m, N on those that slide."""
+        given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        return np.array(self._functions(FORWARD, MOTION).coupling_torques(*given))
+
     def gaps(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""
         gap, rate = self._functions(MOTION).gaps(*self._rows(q=q, v=v))

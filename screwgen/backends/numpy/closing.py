@@ -9,6 +9,7 @@ import numpy as np
 
 from ...arguments import Numbers
 from ...errors import ScrewgenError
+from ...joints.constraints import Ratio
 from ...topology.chain import Chain
 from .numeric import Numeric
 
@@ -63,12 +64,26 @@ def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | Non
     joints = free & (np.arange(len(q)) < chain.eta_q)
     for attempt in range((FEWER if hasty else ATTEMPTS) if joints.any() else 1):
         start = q + joints * rng.normal(scale=AGAIN * attempt, size=len(q))
-        found = nearest(numeric, start, free, hasty)
+        found = unwound(chain, nearest(numeric, start, free, hasty), q)
         worst = float(np.max(np.abs(numeric.offsets(found)), initial=0.0))
         if worst < CLOSED:
             return found
         ends.append((worst, found))
     raise _open(numeric, min(ends, key=lambda end: end[0])[1])
+
+
+def unwound(chain: Chain, found: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """The same posture with the angles of hinges no more than half a turn from those of `start`.
+
+    A search may leave one that it does not need thousands of turns away, where single precision is of no use. The
+    coordinates of screws and of coupled axes are left as they are: whole turns of theirs are other postures.
+    """
+    coupled = {axis for c in chain.closures if isinstance(c.row, Ratio) for axis in (c.row.axis, c.row.of)}
+    screws = [screw for link in chain.robot.links for screw in link.joint.screws]
+    hinges = [k for k, s in enumerate(screws) if s.turn and not s.slides and k not in coupled]
+    out, at = found.copy(), np.array(hinges, int) + chain.base_q
+    out[at] -= 2 * np.pi * np.round((found[at] - start[at]) / (2 * np.pi))
+    return out
 
 
 def closed_softly(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray) -> np.ndarray:

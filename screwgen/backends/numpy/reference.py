@@ -28,6 +28,8 @@ Case = dict[str, list[float]]
 def cases(chain: Chain) -> Iterator[Case]:
     """States that the robot can be in, with their inputs, ``vdot``, wrenches and tip pose; the first without wrenches.
 
+    ``extent``: how far from the origin a frame or a tip is at most, along an axis, m; 1 where all are there.
+
     There loops are closed, linkages reach their links, and the mass matrix is positive definite. Raises
     :class:`SingularError` or :class:`OpenLoopError` where none of TRIES states is such.
     """
@@ -71,34 +73,73 @@ def _real(op: str, x: mpmath.mpf) -> mpmath.mpf:
     return mpmath.nan if op == "sqrt" and x < 0 else fused.precise(op, x)
 
 
+DRAWS = 16
+"""How often a state is evaluated with rounding: at the numbers as they are stored, and at neighbours of these."""
+REALS: dict[int, type] = {24: np.float32, 53: np.float64}
+"""The numbers of so many bits."""
+
+
 def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
     """How far arithmetic of so many bits is from a case's results: each part over its own largest entry.
 
-    Infinite where rounding makes the posture singular. The second is that of the joint wrenches by inverse dynamics
-    from the rounded accelerations; it is larger where inertial forces that are large beside the wrenches cancel, as in
-    many welded links.
+    What rounding does to a result is one draw of a random number, which another order of operations draws anew. So the
+    program of the fused layout, preparation included, runs DRAWS times, with inputs and parameters up to one unit in
+    the last place apart, and the largest error counts. Infinite where rounding makes the posture singular. The second
+    is that of the joint wrenches by inverse dynamics from the rounded accelerations; it is larger where inertial forces
+    that are large beside the wrenches cancel, as in many welded links.
     """
-    try:
-        return _rounding_errors(chain, case, bits)
-    except SingularError:
+    program, real = rounded_dynamics(chain), REALS[bits]
+    exact = {name: case[name] for name in ("q", "v", "tau", "w_ext", "vdot")} | {"p": chain.parameters.values}
+    rng, size = np.random.default_rng(0), 2.0 ** (1 - bits)
+    inputs = {name: [_neighbours(float(x), rng, real, size) for x in exact[name]] for name in program.inputs}
+    with np.errstate(all="ignore"):
+        found, guards = run(program, inputs, _elementwise(real), real(size), real)
+    if not all(np.all(guard > 0) for guard in guards):
         return math.inf, math.inf
+    draws = [{name: [np.broadcast_to(x, DRAWS)[k] for x in found[name]] for name in found} for k in range(DRAWS)]
+    errors = [_errors(chain, case, **draw) for draw in draws]
+    return max(error for error, _ in errors), max(error for _, error in errors)
 
 
-def _rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
-    with mpmath.workprec(bits):
-        p, constants = fused.exact(chain)
-        given = {name: [+mpmath.mpf(x) for x in case[name]] for name in ("q", "v", "tau", "w_ext", "vdot")}
-        rounded = [{name: [+x for x in column] for name, column in link.items()} for link in constants]
-        functions = Functions(chain, rounded, [+g for g in p[:3]], evaluation(chain, _real, 2.0 ** (1 - bits)))
-        vdot, wrench = functions.forward_dynamics(given["q"], given["v"], given["tau"], given["w_ext"])
-        on_tips = functions.with_loops(given["q"], given["v"], given["tau"], given["w_ext"]).w_ext
-        inverse = functions.loads(given["q"], given["v"], given["vdot"], on_tips)[1]
+@fused.program("q v tau w_ext vdot")
+def rounded_dynamics(f: Functions, q, v, tau, w_ext, vdot):
+    """Forward dynamics, the pose of the last tip, and the ``inverse`` dynamics' wrenches at accelerations ``vdot``."""
+    found, wrench = f.forward_dynamics(q, v, tau, w_ext)
+    R, position = f.poses(q)[1][f.chain.last]
+    inverse = f.loads(q, v, vdot, f.with_loops(q, v, tau, w_ext).w_ext)[1]
+    return {"found": found, "wrench": wrench, "R": R, "position": position, "inverse": inverse}
+
+
+def _neighbours(x: float, rng: np.random.Generator, real: type, size: float) -> np.ndarray:
+    """(DRAWS,): a number, and others that are at most one unit in the last place away; those of zero are zero."""
+    moves = rng.uniform(-0.5, 0.5, DRAWS)
+    moves[0] = 0.0
+    return (x * (1.0 + size * moves)).astype(real)
+
+
+def _elementwise(real: type) -> Callable:
+    """The unary primitives on arrays, each number rounded to the nearest: the same on every machine."""
+
+    def apply(op: str, x: np.ndarray) -> np.ndarray:
+        if op in ("neg", "on"):
+            return -x if op == "neg" else (x > 0).astype(real)
+        return np.array([real(_real(op, mpmath.mpf(float(entry)))) for entry in np.atleast_1d(x)])
+
+    return apply
+
+
+def _errors(
+    chain: Chain, case: Case, found: list, wrench: list, R: list, position: list, inverse: list
+) -> tuple[float, float]:
+    """The errors of accelerations, wrenches and pose, and of the wrenches of inverse dynamics."""
     ends = (0, chain.eta_v - chain.n_motors, chain.eta_v, chain.nv)
-    parts = [(vdot[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]
+    parts = [(found[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
     of = lambda found, kind: [x for i, x in enumerate(found) if i % 6 // 3 == kind]  # noqa: E731
-    parts.append((of(wrench, 0), of(case["wrench"], 0)))
-    return _worst(parts), _worst([(of(inverse, kind), of(case["wrench"], kind)) for kind in (0, 1)])
+    parts += [(of(wrench, 0), of(case["wrench"], 0)), (R, case["tip_rotation"])]
+    (extent,) = case["extent"]
+    placed = max(abs(float(x) - r) for x, r in zip(position, case["tip_position"], strict=True)) / extent
+    return max(placed, _worst(parts)), _worst([(of(inverse, kind), of(case["wrench"], kind)) for kind in (0, 1)])
 
 
 def _worst(parts: Sequence[tuple[list, list[float]]]) -> float:
@@ -116,8 +157,10 @@ def _case(chain: Chain, functions: Functions, number: int) -> Case:
     state = _state(chain, functions, number)
     exact = {name: [mpmath.mpf(x) for x in entries] for name, entries in state.items()}
     vdot, wrench = functions.forward_dynamics(exact["q"], exact["v"], exact["tau"], exact["w_ext"])
-    R, position = functions.poses(exact["q"])[1][chain.last]
+    frames, tips = functions.poses(exact["q"])
+    (R, position), places = tips[chain.last], [x for _, r in (*frames, *tips) for x in r]
     results = {"vdot": vdot, "wrench": wrench, "tip_rotation": R, "tip_position": position}
+    results["extent"] = [max(map(abs, places)) or 1.0]
     return state | {name: [float(x) for x in entries] for name, entries in results.items()}
 
 

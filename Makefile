@@ -1,17 +1,20 @@
 # make demo: derive, generate, compile and run the two-link arm. make paper: the paper's Section 7 run again, with its
-# figures and a report. make test: the test suite, every feature. make examples: every example and guide, in short form.
-# make test-long: the rest of the sweeps.
-# All make .venv on first use; nothing but Python 3.11, gcc, make and git is needed.
+# figures and a report. make test: the tests that try every feature. make test-all: all that CI runs.
+# make examples: every example and guide, in short form. make test-long: the rest of the sweeps.
+# All make .venv on first use, with the packages that the program needs; those of the tests come when tests are asked for.
+# Nothing but Python 3.11, gcc, make and git is needed.
 PYTHON ?= python3.11
 VENV = .venv
 BIN = $(VENV)/bin
 READY = $(VENV)/.ready
+TESTS = $(VENV)/.tests
 BENCH = .venv-bench
 MINIMA = .venv-minima
 ROBOTS = $(VENV)/.robots
 WORKERS ?= 2
 # Puts packages into the environment $(1): by pip, or by uv where UV gives its command, in a sixth of the time.
-install = $(if $(UV),VIRTUAL_ENV=$(1) $(UV) pip,$(1)/bin/python -m pip --disable-pip-version-check) install --quiet
+# Neither compiles Python that nothing may import: what a program imports it compiles, once.
+install = $(if $(UV),VIRTUAL_ENV=$(1) $(UV) pip install,$(1)/bin/python -m pip --disable-pip-version-check install --no-compile) --quiet
 QUIET = -q -p no:cacheprovider
 # Compiled Python is kept, but not beside its sources. Without it each process compiles sympy again, for seconds.
 unexport PYTHONDONTWRITEBYTECODE
@@ -40,12 +43,16 @@ acados: $(READY)
 nmpc-acados: acados
 	$(BIN)/python examples/nmpc_acados.py
 
-test: $(READY)
+test: $(TESTS)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
+
+# All that CI runs: also every example and guide, the sweeps and the analysers over generated C.
+test-all: $(TESTS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'not long' $(ARGS)
 
 # The examples in their short forms with their assertions, and every block of the guides; what they compile is not
 # optimised.
-examples: $(READY)
+examples: $(TESTS)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'examples and not long' $(ARGS)
 
 # Every URDF of example-robot-data against Pinocchio. The package, 130 MB to load, is an extra of its own.
@@ -55,23 +62,23 @@ robots: $(ROBOTS)
 # What both leave out: the rest of the sweeps over random robots, layouts, bindings, compilers, bases and numbers of
 # modes; documents of more robots; more mutants of robot files; ten thousand steps of the filter and a million of ELLA;
 # the short form of `make firmware`. About half an hour.
-test-long: $(READY)
+test-long: $(TESTS)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m long $(ARGS)
 
 # The guides: runs every block of them, takes their pictures to docs/pictures, builds build/docs. What the examples draw takes some minutes, once.
-docs: $(READY) build/bode_ella.png build/ekf_ella.png build/bracket/bracket.png build/mpc/report.html build/ella_paper/report.html build/nmpc_acados/results.json build/viewer/viewer.png
+docs: $(TESTS) build/bode_ella.png build/ekf_ella.png build/bracket/bracket.png build/mpc/report.html build/ella_paper/report.html build/nmpc_acados/results.json build/viewer/viewer.png
 	$(BIN)/python docs/tools/pages.py build/guides
 	$(BIN)/python docs/tools/pictures.py
 	$(BIN)/mkdocs build --quiet
 	@echo "build/docs/index.html"
 
-build/bode_ella.png: examples/bode_ella.py | $(READY)
+build/bode_ella.png: examples/bode_ella.py | $(TESTS)
 	$(BIN)/python $<
 
 build/ekf_ella.png: examples/ekf_ella.py | $(READY)
 	$(BIN)/python $<
 
-build/bracket/bracket.png: examples/bracket.py | $(READY)
+build/bracket/bracket.png: examples/bracket.py | $(TESTS)
 	$(BIN)/python $<
 
 build/viewer/viewer.png: examples/view_ella.py examples/demo.py $(wildcard templates/view/*) | $(READY)
@@ -92,7 +99,7 @@ minima: $(MINIMA)/.ready
 	$(MINIMA)/bin/python tests/minima.py
 
 # Style and types of the Python.
-style: $(READY)
+style: $(TESTS)
 	$(BIN)/ruff check --no-cache screwgen tests examples bench firmware docs
 	$(BIN)/mypy
 
@@ -112,7 +119,7 @@ exact-beams: $(BENCH)/.ready
 	$(BENCH)/bin/python bench/exact_slider_crank.py
 
 # Which basis, how many modes: errors against finite elements, and operations. Some minutes.
-mode-table: $(READY)
+mode-table: $(TESTS)
 	$(BIN)/python tests/mode_table.py $(ARGS)
 
 # What ELLA costs on a Cortex-M4F, a Cortex-M7 and a RISC-V: cross-compiled, run under QEMU, held against the budgets.
@@ -123,15 +130,15 @@ firmware: $(READY)
 
 # Every analyser over the C of three robots in all layouts and precisions: gcc -fanalyzer, clang-tidy, cppcheck with its
 # MISRA addon, sanitizers, valgrind. Some minutes.
-analyse-c: $(READY)
+analyse-c: $(TESTS)
 	$(BIN)/python tests/analyse_c.py
 
 # Ten million steps of ELLA: what drifts. Some minutes.
-long-run: $(READY)
+long-run: $(TESTS)
 	$(BIN)/python tests/long_run.py
 
 # Three hundred random robots with everything at once, of which every eighth is compiled, against the oracle. An hour.
-mixed-arms: $(READY)
+mixed-arms: $(TESTS)
 	$(BIN)/python tests/mixed_arms.py 0 300
 
 # Regenerate the committed output of the examples.
@@ -139,12 +146,17 @@ generated: $(READY)
 	$(BIN)/python examples/regenerate.py
 
 $(READY): pyproject.toml constraints.txt
-	@echo "making $(VENV), once: about a minute"
+	@echo "making $(VENV), once: about half a minute"
 	$(PYTHON) -m venv $(VENV)
+	$(call install,$(VENV)) --constraint constraints.txt --editable .
+	touch $@
+
+$(TESTS): $(READY)
+	@echo "adding the packages of the tests to $(VENV), once: about a minute"
 	$(call install,$(VENV)) --constraint constraints.txt --editable '.[test]'
 	touch $@
 
-$(ROBOTS): $(READY)
+$(ROBOTS): $(TESTS)
 	$(call install,$(VENV)) --constraint constraints.txt --editable '.[robots]'
 	touch $@
 
@@ -168,4 +180,4 @@ $(MINIMA)/.ready: pyproject.toml tests/minima.py
 clean:
 	rm -rf $(VENV) $(BENCH) $(MINIMA) build
 
-.PHONY: demo paper mpc acados nmpc-acados docs test examples robots test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean
+.PHONY: demo paper mpc acados nmpc-acados docs test test-all examples robots test-long style lint bench exact-beams mode-table analyse-c long-run mixed-arms firmware generated minima clean

@@ -8,7 +8,6 @@ import numpy as np
 from helpers import relative
 
 from screwgen.algorithms import fused
-from screwgen.algorithms.axis_laws import STOP, secants
 from screwgen.algorithms.exponential import Series
 from screwgen.backends.casadi.functions import expressions
 from screwgen.backends.casadi.motion import step
@@ -97,12 +96,26 @@ class Precise:
             D[i] += self.own["coulomb"][k] / mpmath.sqrt(later[i] ** 2 + self.own["speed"][k])
         m, f = M + h * (D + h * K), chain.modal_product(K, x + h * rate) + chain.modal_product(D, rate)
         for k, (i, side) in enumerate(chain.stops):
-            columns = (self.own[name][k] for name in STOP)
-            linear = secants(side, x[i], rate[i], later[i], h, *columns, lambda a: mpmath.mpf(a > 0))
-            m[i] += h * (linear.damping + h * linear.stiffness)
-            f[i] += linear.stiffness * (x[i] - linear.rest + h * rate[i]) + linear.damping * rate[i]
+            columns = (self.own[name][k] for name in ("stop_at", "stop_K", "stop_D"))
+            stiffness, damping, rest = stop_secants(side, x[i], rate[i], later[i], h, *columns)
+            m[i] += h * (damping + h * stiffness)
+            f[i] += stiffness * (x[i] - rest + h * rate[i]) + damping * rate[i]
         given = self.given | {"q": list(q_there), "v": list(v_there), "m_eta": list(m), "f_eta": list(f)}
         return np.array(run(self.program, given, fused.precise)[0]["vdot"], dtype=object)
+
+
+def stop_secants(side, x, w, there, h, at, k, d):
+    """Stiffness, damping and rest of a stop over a step, branch by branch."""
+    start, rate = side * (x - at), max(side * w, side * there)
+    end = start + 2 * h * rate
+    low, high = min(start, end), max(start, end)
+    if high <= 0:
+        return 0, 0, at
+    outside = min(low, 0)
+    share = high / (high - outside)
+    if k * (start + h * rate - outside / 2) + d * rate <= 0:
+        share = 0
+    return k * share, d * share, at + side * outside / 2
 
 
 def by_differences(model, method, q, v, tau, w_ext, h):

@@ -121,7 +121,7 @@ def test_a_wrong_line_is_found_in_float(built):
 def test_the_tolerances_are_the_usual_where_rounding_is_small():
     project = CProject(model_of(BENDS).chain, "")
     check, extents = project.check, [x for case in project._cases for x in case["extent"]]
-    assert check.pop("extent") == f"{max(extents):.6g}"
+    assert check.pop("extent") == repr(float(f"{max(extents):.6g}"))
     assert check == {"tolerance": {"single": "1e-04", "double": "1e-10"}, "inverse": {}, "lost": ""}
 
 

@@ -17,7 +17,7 @@ from ..spec.link_class import DriveClass, LinkClass
 from . import elastic_gears as eg
 from . import matrices as mx
 from . import transmissions as tm
-from .axis_laws import stop_energy, stop_torque
+from .axis_laws import axis_forces, stop_energy
 from .scope import Scope
 
 NONE = DriveClass()
@@ -182,11 +182,9 @@ def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
         tau[axis] = -(of("gear_stiffness", axis) * s.read("theta")[k])
         if drive_of(s.key, axis).damping:
             tau[axis] = tau[axis] - of("gear_damping", axis) * s.read("thetadot")[k]
-    for axis in (axis for axis in s.key.rubbed if axis not in s.key.motors):
-        speed = of("drive_velocity", axis)
-        size = s.tracer.call("sqrt", qdot[axis] * qdot[axis] + speed * speed)
-        tau[axis] = tau[axis] - of("drive_coulomb", axis) / size * qdot[axis]
-    return (tau + stop_torque(s, q, qdot) if s.key.stops else tau), inertia
+    for axis, force in axis_forces(s, q, qdot):
+        tau[axis] = tau[axis] - force
+    return tau, inertia
 
 
 def spring(s: Scope) -> Array:

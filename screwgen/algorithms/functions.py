@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 
+from ..elements import Law
+from ..elements.law import forces
 from ..ir.program import Value
-from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from . import dae, given_motion, transmissions, validity
 from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
-from .axis_laws import STOP, friction, stop
+from .axis_laws import Place, of_link
 from .columns import LAWS
 from .drives import rotor_accelerations
 from .loop_functions import MOTION as MOTION
@@ -125,29 +126,20 @@ class Functions(LoopFunctions):
             for n, axis in enumerate(key.motors):
                 out["f_theta"][n] = out["f_theta"][n] + K[n] * x["q"][axis] + D[n] * x["qdot"][axis]
                 out["f_q"][axis] = out["f_q"][axis] + K[n] * x["theta"][n] + D[n] * x["thetadot"][n]
-        for (part, n), force in zip(dry_places(key), self.friction(i, x)["force"], strict=True):
+        for _, (part, n), force, _, _ in self.laws(i, x):
             out[f"f_{part}"][n] = out[f"f_{part}"][n] + force
-        for (axis, _), force in zip(key.stops, self.stop(i, x)["force"], strict=True):
-            out["f_q"][axis] = out["f_q"][axis] + force
         return out
 
-    def friction(self, i: int, x: Mapping[str, list]) -> Mapping[str, list]:
-        """Dry friction of a link's axes at the rates of ``x``: ``force`` and ``slope``."""
-        key = self.chain.keys[i]
-        if not key.rubbed:
-            return {"force": [], "slope": []}
-        given = {name: self.constants[i][name] for name in COLUMNS["dry"]}
-        given["w"] = [x[f"{part}dot"][n] for part, n in dry_places(key)]
-        return self.apply(i, -1, friction(len(key.rubbed)), given)
-
-    def stop(self, i: int, x: Mapping[str, list]) -> Mapping[str, list]:
-        """The stops of a link's axes in the state ``x``: ``force``, ``slope_x`` and ``slope_w``."""
-        key = self.chain.keys[i]
-        if not key.stops:
-            return {"force": [], "slope_x": [], "slope_w": []}
-        given = {name: self.constants[i][name] for name in STOP}
-        given |= {"x": [x["q"][axis] for axis, _ in key.stops], "w": [x["qdot"][axis] for axis, _ in key.stops]}
-        return self.apply(i, -1, stop(tuple(side for _, side in key.stops)), given)
+    def laws(self, i: int, x: Mapping[str, list]) -> Iterator[tuple[Law, Place, Value, Value, Value]]:
+        """The forces that laws exert on a link's coordinates in the state ``x``, and their derivatives with these and
+        their rates."""
+        for law, places, sides in of_link(self.chain.keys[i]):
+            given = {name: self.constants[i][name] for name in law.constants}
+            given |= {"x": [x[part][n] for part, n in places], "w": [x[f"{part}dot"][n] for part, n in places]}
+            found = self.apply(i, -1, forces(law, sides), given)
+            columns = (found[name] for name in ("force", "by_x", "by_w"))
+            for place, force, by_x, by_w in zip(places, *columns, strict=True):
+                yield law, place, force, by_x, by_w
 
     def _coupled_terms(self, i: int, x: Mapping[str, list], span: slice, force: Sequence) -> dict[str, list]:
         """The inertia of coupled modes; their forces are added to ``force`` unless they are given."""
@@ -237,11 +229,6 @@ class Functions(LoopFunctions):
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
-
-
-def dry_places(key: LinkClass) -> list[tuple[str, int]]:
-    """Where the dry friction of each axis acts: the part of the coordinates, ``q`` or ``theta``, and the place."""
-    return [("theta", key.motors.index(axis)) if axis in key.motors else ("q", axis) for axis in key.rubbed]
 
 
 def axial_motions(links: Sequence[Mapping[str, list]]) -> list:

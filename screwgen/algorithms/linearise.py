@@ -20,6 +20,7 @@ from ..topology.chain import Chain
 from ..topology.tree import BASE, TIP
 from . import matrices as mx
 from . import rows as rw
+from .axis_laws import of_robot
 from .elastic_gears import GEAR_SLOPES
 from .functions import Functions
 from .fused import fuse, inputs
@@ -172,9 +173,9 @@ def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> N
 def _drives(f: Functions, q, v, out: Slopes) -> None:
     """The rows and columns of rotors, and the slopes of dry friction and stops."""
     chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
-    state, rotors, dry = chain.split(v, "qdot", "etadot"), enumerate(chain.geared, first), iter(chain.dry)
-    state = [a | b for a, b in zip(state, chain.split(q, "q", "eta"), strict=True)] if chain.stops else state
-    stops = iter(chain.stops)
+    rotors, pairs = enumerate(chain.geared, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
+    state = [a | b for a, b in zip(*pairs, strict=True)]
+    coordinates = {one.law: iter(one.coordinates) for one in of_robot(chain)}
     for i, key in enumerate(chain.keys):
         own = f.constants[i]
         for k in range(len(key.motors)):
@@ -184,14 +185,10 @@ def _drives(f: Functions, q, v, out: Slopes) -> None:
                 J[rotor, rotor] = J[rotor, rotor] + own[f"{name}_theta"][k]
                 if key.motors[k] not in key.loose:
                     J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
-        for slope in f.friction(i, state[i])["slope"]:
-            place = next(dry) + chain.base_v
-            out.f_v[place, place] = out.f_v[place, place] + slope
-        found = f.stop(i, state[i])
-        for slope_x, slope_w in zip(found["slope_x"], found["slope_w"], strict=True):
-            place = next(stops)[0] + chain.base_v
-            out.f_q[place, place] = out.f_q[place, place] + slope_x
-            out.f_v[place, place] = out.f_v[place, place] + slope_w
+        for law, _, _, by_x, by_w in f.laws(i, state[i]):
+            place = next(coordinates[law]) + chain.base_v
+            out.f_q[place, place] = out.f_q[place, place] + by_x
+            out.f_v[place, place] = out.f_v[place, place] + by_w
 
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own: bool) -> list[Sequence[Value]]:

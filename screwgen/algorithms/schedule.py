@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
+from ..elements import FRICTION, STOP
 from ..errors import SingularError
 from ..ir.block import Binding
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from .axis_laws import STOP, constant_of_stop
+from .axis_laws import constant_of_stop
 from .drives import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import AT_TIP, Layout, Scope, derived, owner_of
@@ -25,18 +26,18 @@ COLUMNS = {
     "theta": ("M_theta", "K_theta", "D_theta"),
     "gear": ("M_gear", "K_gear", "D_gear"),
     "below": ("M_below", "K_below", "D_below"),
-    "dry": ("coulomb", "speed"),
-    "stop": STOP,
+    "dry": FRICTION.constants,
+    "stop": STOP.constants,
 }
 """Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
 of the rotors of elastic drives, the entries that couple these with their axes,
 and those below the diagonal where modes are coupled (``LinkClass.coupled``);
-dry friction, and limit, stiffness and damping of stops (:mod:`.axis_laws`)."""
+dry friction, and limit, stiffness and damping of stops (:mod:`..elements`)."""
 OF_AXES = {
     "q": ("armature", "joint_stiffness", "joint_damping"),
     "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
     "gear": ("gear_inertia", "gear_stiffness", "gear_damping"),
-    "dry": ("coulomb", "speed"),
+    "dry": FRICTION.constants,
 }
 """The constants of axes that the columns of joints and drives hold, see :mod:`.drives`."""
 FEW, MANY = 3, 12
@@ -125,7 +126,7 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
         for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
             if axes:
                 scope.write(name, [constant(scope, label, axis) for axis in axes])
-    for name in STOP if key.stops else ():
+    for name in STOP.constants if key.stops else ():
         scope.write(name, [constant_of_stop(scope, name, where) for where in key.stops])
     return scope.program("prepare")
 

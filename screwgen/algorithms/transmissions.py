@@ -22,6 +22,7 @@ from functools import cache, partial
 import numpy as np
 
 from ..arguments import Numbers
+from ..elements import FRICTION
 from ..errors import SingularError
 from ..ir.program import Array, Program, Tracer, Value
 from ..ir.replay import run
@@ -158,9 +159,8 @@ def _friction(s: Scope, axis: int, rate: Value) -> Value:
     if drive.viscous:
         total = s.constant(f"drive_viscous_{axis + 1}") * rate
     if drive.coulomb:
-        speed = s.constant(f"drive_velocity_{axis + 1}")
-        size = s.tracer.call("sqrt", rate * rate + speed * speed)
-        total = total + s.constant(f"drive_coulomb_{axis + 1}") / size * rate
+        velocity, coulomb = (s.constant(f"drive_{x}_{axis + 1}") for x in ("velocity", "coulomb"))
+        total = total + FRICTION.force(s.tracer, 1.0, 0.0, rate, coulomb, velocity * velocity)
     return total
 
 

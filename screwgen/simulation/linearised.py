@@ -164,8 +164,8 @@ class Linearised:
         a, own = self.slopes(h), self.own
         at_q, at_v = there or (q, v)
         force = own.slopes.force(own.of(q), own.of(v), h)
-        if self.model.chain.dry:
-            force = force + own.softened(own.of(self.v), own.of(self._felt(h)), own.of(at_v))
+        if own.laws:
+            force = force + own.softened(*map(own.of, (self.q, self.v, self._felt(h), at_v)))
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
 
     def _felt(self, h: float) -> np.ndarray:

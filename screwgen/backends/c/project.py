@@ -17,7 +17,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import batch, check, derivatives, estimator, files, levers, loops, steps
+from . import batch, check, derivatives, estimator, files, laws, levers, loops, steps
 from .code import Writer, literal, singular, sizes, trimmed, with_unused
 from .columns import rendered
 from .fields import (
@@ -124,6 +124,7 @@ class CProject:
             **{name: getattr(chain, name) for name in ("n", "n_modes", "nq", "nv", "n_tau")},
             **{name: getattr(chain, name) for name in ("sprung", "slides", "sliding")},
             **given_coordinates(chain),
+            "acting": laws.content(chain),
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),

@@ -8,8 +8,9 @@ from functools import partial
 import casadi as ca
 
 from ...algorithms import fused
-from ...algorithms.axis_laws import STOP, Secants, secants
+from ...algorithms.axis_laws import of_robot
 from ...algorithms.schedule import COLUMNS
+from ...elements.law import stage
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
 from ...integrators.se3 import FLAT, programs
@@ -45,35 +46,18 @@ class Held:
 
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
-        own = slice(q.numel() - self.chain.n_given, None)
+        x, rate, later = (x[x.numel() - self.chain.n_given :, 0] for x in (q, v, v_there))
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
-        D, times = D + self._friction(v_there), self.chain.modal_product
-        of_rates = slice(v.numel() - self.chain.n_given, None)
-        x, rate = q[own, 0], v[of_rates, 0]
+        times = self.chain.modal_product
         felt = {"m_eta": M + h * D + h**2 * K, "f_eta": times(K, x + h * rate) + times(D, rate)}
-        for i, found in self._stops(x, rate, v_there[of_rates], h):
-            stiffness, damping, rest = found
-            felt["m_eta"][i] += h * (damping + h * stiffness)
-            felt["f_eta"][i] += stiffness * (x[i] - rest + h * rate[i]) + damping * rate[i]
+        for law, coordinates, sides in of_robot(self.chain):
+            for k, (i, side) in enumerate(zip(coordinates, sides, strict=True)):
+                constants = {name: self.properties[name][k] for name in law.constants}
+                state = {"side": ca.SX(side), "x": x[i], "w": rate[i], "there": later[i], "h": ca.SX(h)}
+                found = expressions(stage(law), state | constants)
+                felt["m_eta"][i] += found["inertia"]
+                felt["f_eta"][i] += found["force"]
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
-
-    def _stops(self, x: ca.SX, rate: ca.SX, there: ca.SX, h: ca.SX | float) -> list[tuple[int, Secants]]:
-        """The coordinate of every stop, and what it exerts as a linear force ``h`` after ``x`` with ``rate``."""
-        columns = [self.properties[name] for name in STOP] if self.chain.stops else []
-        out = []
-        for k, (i, side) in enumerate(self.chain.stops):
-            at, stiffness, damping = (column[k] for column in columns)
-            state = x[i], rate[i], there[i], h
-            out.append((i, secants(side, *state, at, stiffness, damping, lambda x: x > 0)))
-        return out
-
-    def _friction(self, v: ca.SX) -> ca.SX:
-        """What dry friction adds to the damping at the rates."""
-        out = ca.SX(self.chain.n_inertia, 1)
-        if self.chain.dry:
-            rates, places = v[v.numel() - self.chain.n_given :], self.chain.dry
-            out[places] = self.properties["coulomb"] / ca.sqrt(rates[places] ** 2 + self.properties["speed"])
-        return out
 
 
 class Curved:

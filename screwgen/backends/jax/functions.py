@@ -17,10 +17,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from ...algorithms import fused
-from ...algorithms.axis_laws import STOP, secants
+from ...algorithms.axis_laws import of_robot
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...bodies.validity import MEASURES
+from ...elements.law import replayed, stage
 from ...errors import UsageError
 from ...integrators.method import Method, Motion
 from ...integrators.methods import with_built_in
@@ -192,7 +193,8 @@ class Held:
     def __init__(self, own: Own, x: Values):
         self.own, self.chain = own, own.chain
         self.given = {name: x[name] for name in ("tau", "w_ext", "p")}
-        names = [*COLUMNS["eta"], *(COLUMNS["dry"] if self.chain.dry else ()), *(STOP if self.chain.stops else ())]
+        self.laws = of_robot(self.chain)
+        names = [*COLUMNS["eta"], *(name for one in self.laws for name in one.law.constants)]
         values = own.run(fused.modal_properties, " ".join(names), {"p": x["p"]})
         self.properties = dict(zip(names, values, strict=True))
 
@@ -203,16 +205,12 @@ class Held:
         q_there, v_there = there or (q, v)
         x, rate, later = (values[len(values) - self.chain.n_given :] for values in (q, v, v_there))
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
-        if dry := list(self.chain.dry):
-            coulomb, speed = (self.properties[name] for name in COLUMNS["dry"])
-            D = D.at[jnp.array(dry)].add(coulomb / jnp.sqrt(later[jnp.array(dry)] ** 2 + speed))
         inertia, force = M + h * D + h**2 * K, self._product(K, x + h * rate) + self._product(D, rate)
-        for k, (i, side) in enumerate(self.chain.stops):
-            at, stiffness, damping = (self.properties[name][k] for name in STOP)
-            on = lambda x: (x > 0).astype(self.own.real)  # noqa: E731
-            K_s, D_s, rest = secants(side, x[i], rate[i], later[i], h, at, stiffness, damping, on)
-            inertia = inertia.at[i].add(h * (D_s + h * K_s))
-            force = force.at[i].add(K_s * (x[i] - rest + h * rate[i]) + D_s * rate[i])
+        for law, coordinates, sides in self.laws:
+            at, side = jnp.array(coordinates), jnp.array(sides, self.own.real)
+            state = {"side": side, "x": x[at], "w": rate[at], "there": later[at], "h": h}
+            found = replayed(stage(law), state | {name: self.properties[name] for name in law.constants}, _unary)
+            inertia, force = inertia.at[at].add(found["inertia"]), force.at[at].add(found["force"])
         given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
         return self.own.run(fused.modal_dynamics, "vdot", given)[0]
 
@@ -243,3 +241,10 @@ def _moved(chain: Chain) -> Program:
 
 def _rate(chain: Chain) -> Program:
     return programs(chain.nq, chain.nv)[1]
+
+
+def _unary(op: str, x: Any) -> Any:
+    """The unary primitives of laws on arrays."""
+    if op == "neg":
+        return -x
+    return (x > 0).astype(x.dtype) if op == "on" else getattr(jnp, op)(x)

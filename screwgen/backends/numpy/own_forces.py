@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
-from ...algorithms.axis_laws import Secants, secants
+from ...algorithms.axis_laws import OfRobot, of_robot
+from ...elements.law import Secant, replayed, secants, stage_slopes
 from ...topology.chain import Chain
 
-NONE = np.zeros(0)
 
+class Acting(NamedTuple):
+    """A law on its coordinates, with its constants by name; over a step the linear force of ``held``."""
 
-def on(x: np.ndarray) -> np.ndarray:
-    """1 where x > 0, else 0."""
-    return (x > 0).astype(float)
+    law: OfRobot
+    constants: Mapping[str, np.ndarray]
+    held: Secant | None = None
+
+    def stage(self, x: np.ndarray, rate: np.ndarray, there: np.ndarray, h: float) -> dict[str, np.ndarray]:
+        """The inputs of its programs."""
+        at = self.law.coordinates
+        state = {"side": np.array(self.law.sides, float), "x": x[at], "w": rate[at], "there": there[at]}
+        return state | {"h": np.full(len(at), h)} | dict(self.constants)
 
 
 @dataclass
@@ -23,71 +32,52 @@ class OwnForces:
     """Inertia, stiffness and damping of these coordinates, the last ``n_given`` of ``q``.
 
     ``M``, ``K``, ``D`` (n_inertia, ...): the diagonal, then the entries below it where modes or rotors are coupled;
-    ``coulomb``, ``speed``: dry friction of the coordinates in ``chain.dry`` and the squares of its velocities;
-    ``stop_at``, ``stop_K``, ``stop_D``: limit, stiffness and damping of ``chain.stops``; ``pressed``: what these exert,
-    as linear forces, which :meth:`acting` sets.
+    ``laws``: what else acts, as linear forces once :meth:`acting` has set them.
     """
 
     chain: Chain
     M: np.ndarray
     K: np.ndarray
     D: np.ndarray
-    coulomb: np.ndarray = field(default_factory=lambda: NONE)
-    speed: np.ndarray = field(default_factory=lambda: NONE)
-    stop_at: np.ndarray = field(default_factory=lambda: NONE)
-    stop_K: np.ndarray = field(default_factory=lambda: NONE)
-    stop_D: np.ndarray = field(default_factory=lambda: NONE)
-    pressed: Secants | None = None
+    laws: Sequence[Acting] = ()
 
     @classmethod
     def of_columns(cls, chain: Chain, columns: Sequence[np.ndarray]) -> OwnForces:
         """Out of the robot's columns, in the order of :func:`...algorithms.columns.columns`."""
-        M, K, D, *laws = columns
-        dry, stops = (laws[:2], laws[2:]) if chain.dry else ((NONE, NONE), laws)
-        return cls(chain, M, K, D, *dry, *stops)
+        M, K, D, *rest = columns
+        own, laws = iter(rest), of_robot(chain)
+        return cls(chain, M, K, D, [Acting(one, {name: next(own) for name in one.law.constants}) for one in laws])
 
     def of(self, x: np.ndarray) -> np.ndarray:
         """The part of ``q`` or ``v`` (nq, ...) that belongs to these coordinates."""
         return x[len(x) - self.chain.n_given :]
 
     def acting(self, x: np.ndarray, rate: np.ndarray, h: float = 0.0, there: np.ndarray | None = None) -> OwnForces:
-        """The same with dry friction and stops as linear forces ``h`` after the coordinates ``x`` with ``rate``.
+        """The same with the laws as linear forces ``h`` after the coordinates ``x`` with ``rate``.
 
         ``x``, ``rate`` (n_given,); ``there``: the rates at the stage, those of ``rate`` by default.
         """
-        there, chain = rate if there is None else there, self.chain
-        D, pressed = self.D, None
-        if chain.dry:
-            D = self.D.copy()
-            D[chain.dry] += self.coulomb / np.sqrt(there[chain.dry] ** 2 + self.speed)
-        if chain.stops:
-            k, side = self._stops
-            columns = (self.stop_at, self.stop_K, self.stop_D)
-            pressed = secants(side, x[k], rate[k], there[k], h, *columns, on)
-        return replace(self, D=D, pressed=pressed)
-
-    @property
-    def _stops(self) -> tuple[np.ndarray, np.ndarray]:
-        """Coordinates and sides of the stops."""
-        return tuple(np.array(self.chain.stops, int).T)  # type: ignore[return-value]
+        there = rate if there is None else there
+        found = (replayed(secants(one.law.law), one.stage(x, rate, there, h)) for one in self.laws)
+        return replace(self, laws=[a._replace(held=Secant(**held)) for a, held in zip(self.laws, found, strict=True)])
 
     @property
     def slopes(self) -> OwnForces:
-        """The same for small changes of coordinates and rates: stops are then at rest at zero."""
-        if self.pressed is None:
-            return self
-        return replace(self, pressed=self.pressed._replace(rest=np.zeros(len(self.stop_at))))
+        """The same for small changes of coordinates and rates: laws are then at rest at zero."""
+        at_zero = [one._replace(held=one.held._replace(rest=0.0)) if one.held else one for one in self.laws]
+        return replace(self, laws=at_zero)
 
-    def softened(self, rate: np.ndarray, felt: np.ndarray, change: np.ndarray) -> np.ndarray:
-        """(n_given, ...): what the fall of dry friction's secant adds to its force by a ``change`` of the rates.
+    def softened(self, x: np.ndarray, rate: np.ndarray, felt: np.ndarray, change: np.ndarray) -> np.ndarray:
+        """(n_given, ...): what the secants of laws on rates alone add to their forces by a ``change`` of the rates.
 
-        ``felt`` (n_given,): the rates that the secant multiplies.
+        ``felt`` (n_given,): the rates that the secants multiply.
         """
-        out, dry = np.zeros_like(change), self.chain.dry
-        if dry:
-            w, shape = rate[dry], (-1, *(1,) * (change.ndim - 1))
-            fall = -self.coulomb * w * felt[dry] / (w**2 + self.speed) ** 1.5
-            out[dry] = fall.reshape(shape) * change[dry]
+        out, shape = np.zeros_like(change), (-1, *(1,) * (change.ndim - 1))
+        for one in self.laws:
+            if not one.law.law.positional:
+                at, given = one.law.coordinates, one.stage(x, felt, rate, 0.0) | {"a": 0.0}
+                fall = replayed(stage_slopes(one.law.law), given)["by_there"]
+                np.add.at(out, at, np.reshape(fall, shape) * change[at])
         return out
 
     def inertia(self, h: float) -> np.ndarray:
@@ -97,16 +87,18 @@ class OwnForces:
     def added(self, h: float) -> np.ndarray:
         """(n_inertia,): what the forces add to the inertia."""
         out = h * (self.D + h * self.K)
-        if self.pressed is not None:
-            np.add.at(out, self._stops[0], h * (self.pressed.damping + h * self.pressed.stiffness))
+        for one in self.laws:
+            if one.held is not None:
+                np.add.at(out, one.law.coordinates, h * (one.held.damping + h * one.held.stiffness))
         return out
 
     def force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
         """(n_given, ...): the force ``h`` after ``x``, ``rate`` (n_given, ...) without the accelerations' part."""
-        column = lambda A: A.reshape(-1, *(1,) * (x.ndim - 1))  # noqa: E731
+        column = lambda A: np.reshape(A, (-1, *(1,) * (x.ndim - 1)))  # noqa: E731
         K, D = column(self.K), column(self.D)
         out = self.chain.modal_product(K, x + h * rate) + self.chain.modal_product(D, rate)
-        if self.pressed is not None:
-            k, (stiffness, damping, rest) = self._stops[0], map(column, self.pressed)
-            np.add.at(out, k, stiffness * (x[k] - rest + h * rate[k]) + damping * rate[k])
+        for one in self.laws:
+            if one.held is not None:
+                k, (stiffness, damping, rest) = one.law.coordinates, map(column, one.held)
+                np.add.at(out, k, stiffness * (x[k] - rest + h * rate[k]) + damping * rate[k])
         return out

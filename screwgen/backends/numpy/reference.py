@@ -10,9 +10,9 @@ import mpmath
 import numpy as np
 
 from ...algorithms import fused
-from ...algorithms.axis_laws import STOP
 from ...algorithms.functions import Functions
 from ...algorithms.schedule import Apply
+from ...elements import STOP
 from ...errors import ScrewgenError, SingularError
 from ...ir.program import Program
 from ...ir.replay import run
@@ -180,7 +180,8 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
     turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
     turned = _stretched(chain, functions, number, turned) if chain.loose else turned
-    stops = zip(chain.stops, *([x for c in functions.constants for x in c.get(name, ())] for name in STOP), strict=True)
+    of_stops = ([x for c in functions.constants for x in c.get(name, ())] for name in STOP.constants)
+    stops = zip(chain.stops, *of_stops, strict=True)
     for (joint, side), at, k, _ in list(stops)[number % 2 :: 2]:
         pressed = float(at + side * 20 / k)
         q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]

@@ -1,0 +1,75 @@
+"""The laws of single coordinates in C: for each a loop over its coordinates, with the traced programs inside."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...algorithms.axis_laws import OfRobot, of_robot
+from ...elements.law import STAGE, stage, stage_slopes
+from ...ir.program import Program
+from ...topology.chain import Chain
+from .batch import LaneWriter
+from .code import Place, Writer, trimmed
+
+RESULTS = {
+    "force": "f[i]",
+    "inertia": "m[i]",
+    "by_x": "by_q[i * ($$_NV + 1)]",
+    "by_w": "by_v[i * ($$_NV + 1)]",
+    "by_there": "by_there[i * ($$_NV + 1)]",
+}
+"""Where the results are added."""
+LOCAL = {name: name for name in STAGE} | {"h": "dt", "there": "w_there", "a": "vdot[i]"}
+"""The C names of the inputs of a stage."""
+TAKEN = frozenset("c k i m f q qdot theta thetadot rotor rotors s dt vdot by_q by_v by_there".split())
+
+
+def content(chain: Chain) -> list[dict]:
+    """The laws for the templates.
+
+    ``at``, ``side``: coordinates and sides; ``on_rotors``: whether some are those of rotors; ``terms`` and
+    ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
+    adds the derivatives; ``reads``: which of the stage's inputs they need.
+    """
+    return [_law(chain, one) for one in of_robot(chain)]
+
+
+def _law(chain: Chain, one: OfRobot) -> dict:
+    terms, slopes = stage(one.law), stage_slopes(one.law)
+    return {
+        "name": one.law.name.upper(),
+        "words": one.law.words,
+        "at": one.coordinates,
+        "side": one.sides,
+        "on_rotors": any(k >= chain.n_joints for k in one.coordinates),
+        "terms": _body(Writer, terms),
+        "lane_terms": _body(LaneWriter, terms),
+        "slopes": _body(Writer, slopes),
+        "reads": {name: _reads(terms, name) for name in STAGE},
+        "slopes_read": {name: _reads(slopes, name) for name in STAGE},
+        "switches": "on" in terms.operations,
+    }
+
+
+def _body(writer: type[Writer], program: Program) -> list[str]:
+    """The statements for one coordinate."""
+    names = TAKEN | set(LOCAL.values())
+    lines = writer(program, _place(program), None, set(names), optional={"inertia": "m"}, adding=frozenset(RESULTS))
+    return [line for line in trimmed(lines.lines()) if line.strip() not in ("", "/* outputs */")]
+
+
+def _place(program: Program) -> Place:
+    constants = program.inputs.keys() - LOCAL.keys()
+
+    def place(name: str, k: int) -> str | None:
+        if name in RESULTS:
+            return RESULTS[name] if not isinstance(program.outputs[name][k], float) else None
+        return f"c->{name}[k]" if name in constants else LOCAL[name]
+
+    return place
+
+
+def _reads(program: Program, name: str) -> bool:
+    """Whether a program needs one of its inputs."""
+    entries: Iterable = (node.args for node in program.nodes if node.op == "input")
+    return any(owner == name for owner, _ in entries)

@@ -1,0 +1,54 @@
+"""Compliant stops: a spring and a damper in parallel beyond a limit, which never pull.
+
+With the penetration ``p > 0`` a stop pushes back with ``max(0, k p + d pdot)``. The potential ``k p² / 2`` is stored,
+all else dissipated. Over a step it is linear by secants, which follow from the way of the coordinate as its rate
+predicts it: ``share`` of the way is beyond the limit, and ``k`` and ``d`` times the share act on the mean penetration
+of that part. A body that hits a stop of any stiffness gets no more energy back than it brought; in contact throughout
+it is the midpoint rule.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..ir.program import Tracer, Value
+from .law import Secant, named
+
+
+@dataclass(frozen=True)
+class Stop:
+    """The law; ``side``: 1 at an upper limit, -1 at a lower one."""
+
+    name: str = "stop"
+    words: str = "stops"
+    constants: tuple[str, ...] = ("stop_at", "stop_K", "stop_D")
+    positional: bool = True
+
+    def force(self, t: Tracer, side: Value, x: Value, w: Value, at: Value, k: Value, d: Value) -> Value:
+        depth, rate = side * (x - at), side * w
+        push = k * depth + d * rate
+        return side * (t.call("on", depth) * t.call("on", push) * push)
+
+    def energy(self, t: Tracer, side: Value, x: Value, at: Value, k: Value) -> Value:
+        """Twice the potential."""
+        depth = side * (x - at)
+        return t.call("on", depth) * (k * depth * depth)
+
+    def secant(
+        self, t: Tracer, side: Value, x: Value, w: Value, there: Value, h: Value, at: Value, k: Value, d: Value
+    ) -> Secant:
+        """A step is taken to end ``2 h`` after its start; of the rates at start and stage the one that leads deeper
+        counts."""
+        on = lambda value: t.call("on", value)  # noqa: E731
+        start, before, later = named("start", side * (x - at)), named("before", side * w), named("later", side * there)
+        rate = named("rate", before + (later - before) * on(later - before))
+        way = named("way", 2.0 * h * rate)
+        low, high = named("low", start + way * on(-way)), named("high", start + way * on(way))
+        outside, beyond = named("outside", low * on(-low)), named("beyond", on(high))
+        part = named("part", beyond * high / (beyond * high - outside + (1.0 - beyond)))
+        push = named("push", k * (start + 0.5 * way - 0.5 * outside) + d * rate)
+        share = named("share", part * on(push))
+        return Secant(named("K_s", k * share), named("D_s", d * share), named("rest", at + side * (0.5 * outside)))
+
+
+STOP = Stop()

@@ -185,8 +185,8 @@ def test_an_error_has_the_run_until_then():
     assert refused.value.run is None
 
 
-def test_readmes_gains_run_on_ella_with_the_rotors_that_it_states(tmp_path):
-    text = Path("README.md").read_text()
+def test_the_guides_gains_run_on_ella_with_the_rotors_that_it_states(tmp_path):
+    text = Path("docs/commands.md").read_text()
     gains = re.search(r"```toml\n(kp = .*?)```", text, re.DOTALL)[1]
     rotors = [[float(x) for x in found.split(",")] for found in re.findall(r"armature = \[([\d., ]+)\]", text)]
     robot = example_dict("converged")

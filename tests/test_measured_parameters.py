@@ -152,7 +152,7 @@ def test_equivalent_stiffness_of_a_link_that_is_no_uniform_beam():
 
 
 def test_the_equivalent_stiffness_of_the_readmes_link():
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "frequencies.md").read_text(encoding="utf-8")
     table = tomllib.loads(re.search(r"```toml\n(section = .*?frequencies.*?)```", text, re.DOTALL)[1])
     found = equivalent_stiffness(Link(name="upper_arm", length=0.95, joint={"axes": ["y", "z"]}, **table))
     first, second = found["bending_y"]

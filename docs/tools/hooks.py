@@ -28,7 +28,7 @@ LEXERS = {".py": "python", ".c": "c", ".h": "c", ".toml": "toml", ".ld": "text"}
 BEHIND = "---\nsearch: {boost: 0.2}\n---\n"
 """Head of a page with a file's lines: a search finds the guides before it."""
 SITEMAP = "sitemap.xml"
-NAVIGATION = ("NOTATION.md", "DESIGN.md", "firmware/README.md")
+NAVIGATION = ("NOTATION.md", "DESIGN.md", "CONTRIBUTING.md", "firmware/README.md")
 """Pages of the repository that the navigation names."""
 
 

@@ -2,8 +2,9 @@
 
 An example: dry friction ``F = c w / sqrt(w² + s²)`` at a rate w. Three things are needed of it. The dynamics need F.
 An implicit method takes it as the damping ``c / sqrt(w² + s²)`` at the rates of a stage, times the rate after the
-step. The derivative of that step needs the slopes of both. A law states the first two; the tracer derives the third, and every
-back end replays or prints these programs: NumPy, CasADi and JAX on arrays of all coordinates of a kind, C in a loop.
+step. The derivative of that step needs the slopes of both. A law states the first two; the tracer derives the third,
+and every back end replays or prints these programs: NumPy, CasADi and JAX on arrays of all coordinates of a kind, C in
+a loop.
 """
 
 from __future__ import annotations
@@ -52,9 +53,7 @@ class Law(Hashable, Protocol):
     def force(self, t: Tracer, side: Value, x: Value, w: Value, *constants: Value) -> Value:
         """The force in a state."""
 
-    def secant(
-        self, t: Tracer, side: Value, x: Value, w: Value, there: Value, h: Value, *constants: Value
-    ) -> Secant:
+    def secant(self, t: Tracer, side: Value, x: Value, w: Value, there: Value, h: Value, *constants: Value) -> Secant:
         """What implicit methods take ``h`` after ``x`` and ``w``; ``there``: the rate at the stage."""
 
 

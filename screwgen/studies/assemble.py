@@ -31,9 +31,7 @@ def bent(model: Model, start: Numbers, found: np.ndarray) -> list[str]:
 
 
 @parameters_keyword
-def assemble(
-    model: Model, q: Numbers | None = None, hold: Sequence[str] = (), parameters: Given = None
-) -> np.ndarray:
+def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), parameters: Given = None) -> np.ndarray:
     """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
 
     `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, unless the

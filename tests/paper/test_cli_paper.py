@@ -15,7 +15,7 @@ from screwgen.paper.plain import WIDTH, shown
 from screwgen.paper.register import equations, errata
 
 ROOT = Path(__file__).resolve().parents[2]
-ERRATA_PAGE, README = ROOT / "docs" / "errata.md", ROOT / "README.md"
+ERRATA_PAGE, PAPER_PAGE, README = ROOT / "docs" / "errata.md", ROOT / "docs" / "paper.md", ROOT / "README.md"
 
 
 def output(capsys, *arguments):
@@ -142,7 +142,7 @@ def test_the_readme_says_where_the_command_is_before_its_first_use():
 
 
 def test_the_readme_shows_what_is_printed(capsys):
-    block = re.search(r"\$ screwgen paper 34\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)[1]
+    block = re.search(r"\$ screwgen paper 34\n(.*?)```", PAPER_PAGE.read_text(encoding="utf-8"), re.DOTALL)[1]
     text = output(capsys, "34")
     for part in block.split("...\n"):
         assert part.rstrip() in text

@@ -231,6 +231,7 @@ class Model:
         functions: str | Sequence[str] | None = None,
         methods: Sequence[Method] = (),
         mpc: str | os.PathLike | None = None,
+        outputs=False,
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
@@ -242,10 +243,11 @@ class Model:
         ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
-        of a predictive controller in C.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
+        of a predictive controller; ``outputs``: also C of what runs report.  Writes all or nothing; refuses folders
+        with other files (:class:`UsageError`).
         """
         options = {"parameters": parameters, "layout": layout, "methods": methods}
-        more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "mpc": mpc}
+        more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "mpc": mpc, "outputs": outputs}
         check_folder(Path(folder))
         makers = {
             "c": lambda: self.c_files(**options, **more),
@@ -260,17 +262,13 @@ class Model:
         return write_folder(folder, files, tuple(targets))
 
     def c_files(
-        self,
-        parameters="runtime",
-        layout="auto",
-        batch=False,
-        derivatives=False,
-        estimator=False,
-        methods: Sequence[Method] = (),
-        mpc: str | os.PathLike | None = None,
+        self, parameters="runtime", layout="auto", mpc: str | os.PathLike | None = None, **options
     ) -> dict[str, bytes]:
-        """The files of the C target; a PrecisionWarning where float will not do, UsageError where double will not."""
-        return target_files.c_files(self, parameters, layout, batch, derivatives, estimator, methods, mpc)
+        """The files of the C target, ``options`` as :meth:`write` takes them.
+
+        Gives a PrecisionWarning where float will not do, raises UsageError where double will not.
+        """
+        return target_files.c_files(self, mpc, parameters, layout, **options)
 
     def compile(
         self,
@@ -289,7 +287,7 @@ class Model:
         libraries, True for that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.  Raises
         :class:`ScrewgenError` where there is no compiler.
         """
-        from .runtime.compiled import compile_model
+        from .runtime.compiling import compile_model
 
         return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods)
 

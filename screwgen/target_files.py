@@ -5,10 +5,9 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .errors import PrecisionWarning
-from .integrators.method import Method
 from .plugins import Plugin
 from .spec.robot import Robot
 from .version import __version__ as VERSION
@@ -17,20 +16,11 @@ if TYPE_CHECKING:
     from .model import Model
 
 
-def c_files(
-    model: Model,
-    parameters: str,
-    layout: str,
-    batch: bool,
-    derivatives: bool,
-    estimator: bool,
-    methods: Sequence[Method],
-    mpc: str | os.PathLike | None,
-) -> dict[str, bytes]:
-    """Of C, as :meth:`screwgen.Model.c_files` says."""
+def c_files(model: Model, mpc: str | os.PathLike | None, *given: Any, **options: Any) -> dict[str, bytes]:
+    """Of C, as :meth:`screwgen.Model.c_files` says; the rest as :class:`~screwgen.backends.c.project.CProject`."""
     from .studies import predictive
 
-    project = predictive.project(model, mpc, parameters, layout, batch, derivatives, estimator, methods)
+    project = predictive.project(model, mpc, *given, **options)
     files = {name: text.encode() for name, text in project.files().items()}
     if lost := project.check["lost"]:
         said = f"robot '{model.robot.name}': the C is of no use in float: rounding may change results by {lost}"

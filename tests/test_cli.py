@@ -96,7 +96,7 @@ def test_evaluate_agrees_with_the_oracle(capsys, folder, cell):
         require_tool("cc")
     options = ("--state", "state.json", "--backend", backend, "--form", form)
     found = json.loads(run(capsys, "evaluate", "ella.toml", *options))
-    names = {"vdot", "links", "wrench", "tip_position", "tip_rotation", "kinetic", "potential", "validity"}
+    names = {"vdot", "links", "wrench", "tip_position", "tip_rotation", "kinetic", "potential", "power", "validity"}
     assert set(found) == names and found["links"] == ["upper_arm", "forearm"]
     oracle = Oracle(tomllib_of(folder / "ella.toml"))
     assert max(oracle.errors(STATE, found["vdot"], found["wrench"]).values()) < oracle.tolerance(STATE["q"])

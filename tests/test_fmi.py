@@ -16,6 +16,7 @@ from fmpy.validation import validate_fmu
 from helpers import arm, link, model_of, quick, relative
 
 from screwgen.algorithms import fused
+from screwgen.algorithms.robot_functions import function_named
 from screwgen.backends.casadi.functions import coordinate_rates, expressions, rotations
 from screwgen.backends.casadi.linear import base_strains
 from screwgen.bodies.validity import MEASURES
@@ -94,6 +95,7 @@ def responses(model) -> ca.Function:
     parts += [poses["tip_position"][3 * i : 3 * i + 3] for i in tips]
     parts += [ca.vec(R[:, 3 * i : 3 * i + 3].T) for i in tips]
     parts += [dynamics["wrench"], base_strains(chain, given["q"], given["p"]), energy["kinetic"], energy["potential"]]
+    parts.append(expressions(function_named("drive_power").program(chain), given)["power"])
     point = ca.vertcat(*(ca.vec(given[name]) for name in sizes))
     return ca.Function("responses", [point], [ca.jacobian(ca.vertcat(*parts), point)])
 

@@ -11,6 +11,7 @@ from screwgen import PD, Run
 from screwgen.plotting import plot
 from screwgen.plotting.look import canvas
 from screwgen.simulation.motion import displacements
+from screwgen.simulation.runs import OWN
 
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 LAW = PD((400.0,) * 3, (28.0,) * 3, SET_POINTS, duration=1.5, tau_max=(90.0, 60.0, 30.0))
@@ -28,9 +29,9 @@ def swing(model, samples=200, size=1.0, spike=0.0) -> Run:
     tips = np.array([model.numpy().tip_poses(x)[1][-1] for x in q[rows]])
     path = np.array([np.interp(t, t[rows], x) for x in tips.T]).T
     energy = size * np.column_stack([wave[:, 0] ** 2, 1 - wave[:, 0]])
-    columns = (t, q, 0 * q, 50 * q[:, :m], wrench, path, energy)
-    names = (getattr(model, f"{kind}_names") for kind in ("q", "v", "tau", "wrench"))
-    return Run(model.robot.name, *columns, *map(tuple, names))
+    arrays = dict(zip(OWN, (t, q, 0 * q, 50 * q[:, :m], wrench, path), strict=True))
+    names = {f"{kind}_names": tuple(getattr(model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
+    return Run(model.robot.name, **arrays, **names, reports={"energy": energy})
 
 
 def chain(count: int):

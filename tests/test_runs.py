@@ -37,7 +37,8 @@ def test_csv_reads_back_bit_for_bit(tmp_path):
     model = soft()
     names = [*model.q_names, *model.v_names, *model.tau_names, *model.wrench_names]
     assert header[: 1 + len(names)] == ["t", *names] and len(set(header)) == len(header)
-    assert header[-5:] == ["tip_position.x", "tip_position.y", "tip_position.z", "energy.kinetic", "energy.potential"]
+    told = [f"tip_position.{axis}" for axis in "xyz"] + ["energy.kinetic", "energy.potential"]
+    assert header[1 + len(names) :] == [*told, *(name.replace(".torque[", ".power[") for name in model.tau_names)]
     assert np.array_equal(np.loadtxt(tmp_path / "run.csv", delimiter=",", skiprows=1), run.table)
 
 

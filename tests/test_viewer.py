@@ -141,7 +141,7 @@ def test_panels_tell_links_axes_and_set_points():
     law = PD((9.0,) * 3, (2.0,) * 3, (0.1, 0.2, 0.3), duration=0.02, q_start=(0.0,) * 3)
     run = screwgen.simulate(model, 0.02, 1e-3, controller=law)
     shown = {x["title"]: x["curves"] for x in panels(run, model, set_points(run, model, law))}
-    assert list(shown) == ["Joint angles", "Torques", "Bending at tips", "Tip position", "Energy"]
+    assert list(shown) == ["Joint angles", "Torques", "Power of drives", "Bending at tips", "Tip position", "Energy"]
     styles = [(c["label"], c["color"], c["dash"]) for c in shown["Torques"]]
     assert styles == [("base arm z", "c0", 0), ("base arm y", "c0", 1), ("fore", "c1", 0)]
     goals = [np.frombuffer(b64decode(c["y"]), "<f4")[-1] for c in shown["Joint angles"] if c["goal"]]

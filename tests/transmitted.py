@@ -13,12 +13,14 @@ GAINS = (4e3, 1e3), (4e2, 90.0)
 
 
 def power(model: Model, start: np.ndarray, controller) -> None:
-    """The work of the inputs along their travels is the gain of energy."""
+    """The work of the inputs along their travels is the gain of energy, and the integral of their powers."""
     run = simulate(model, 0.4, 1e-4, q0=start, controller=controller)
     ways = np.array([travels(model.chain, q, model.parameter_values)[0] for q in run.q])
     work = np.sum((run.tau[1:] + run.tau[:-1]) / 2 * np.diff(ways, axis=0))
     gained = run.energy.sum(axis=1)[-1] - run.energy.sum(axis=1)[0]
     assert abs(work) > 20 and work == pytest.approx(gained, rel=2e-4)
+    powers = run.drive_power.sum(axis=1)
+    assert np.sum((powers[1:] + powers[:-1]) / 2 * np.diff(run.t)) == pytest.approx(gained, rel=2e-4)
 
 
 def same_motion(model: Model, start: np.ndarray, tau: np.ndarray, integrator: str) -> None:

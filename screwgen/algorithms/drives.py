@@ -164,6 +164,19 @@ def rotor_accelerations(s: Scope) -> None:
     s.write("thetaddot", (torque - s.read("f_theta")) / s.read("m_theta"))
 
 
+def drive_power(s: Scope) -> None:
+    """The power of the drives of a joint: torque times the rate of joint or rotor, force times that of the travel."""
+    if not s.key.joints:
+        s.write("power", mx.zeros(0))
+        return
+    tau, rates = s.read("tau"), s.read("qdot").copy()
+    for k, axis in enumerate(s.key.motors):
+        rates[axis] = s.read("thetadot")[k]
+    for axis in s.key.cranked:
+        rates[axis] = tm.travel_rate(s, axis, tm.of_axis(s, axis, s.read("q"))[0], s.read("qdot"))
+    s.write("power", tau * rates)
+
+
 def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
     """What acts on the joint's axes besides dampers and springs with one end at rest, and the inertia of the axes.
 

@@ -15,7 +15,7 @@ from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .columns import LAWS
-from .drives import rotor_accelerations
+from .drives import drive_power, rotor_accelerations
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
@@ -32,6 +32,7 @@ MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers, INWARD))
 
 LEVERS: Algorithm = (Phase(transmissions.levers, OUTWARD),)
+POWER: Algorithm = (Phase(drive_power, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
 ROTORS: Algorithm = (Phase(rotor_accelerations, OUTWARD),)
@@ -88,10 +89,12 @@ class Functions(LoopFunctions):
                 link.update(more)
         return execute(self.chain, algorithm, links, places, self.apply), places
 
-    def _state(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
+    def _motion(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
         position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
-        state = [a | b for a, b in zip(position, velocity, strict=True)]
-        return self._with_terms(state)
+        return [a | b for a, b in zip(position, velocity, strict=True)]
+
+    def _state(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
+        return self._with_terms(self._motion(q, v))
 
     def _with_terms(self, state: Sequence[Mapping], *parts: str) -> list[dict[str, list]]:
         """The state with inertia and force of the modes and of sprung joints, or of the named ``parts`` alone."""
@@ -204,6 +207,10 @@ class Functions(LoopFunctions):
     def levers(self, q) -> list:
         """What the torque of each axis is multiplied by: the travel of its transmission per rad, or 1."""
         return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
+
+    def drive_power(self, q, v, tau) -> list:
+        """The power that each drive gives to the arm."""
+        return [x for link in self._run(POWER, self._motion(q, v), self._torques(tau))[0] for x in link["power"]]
 
     def sensitivities(self, q, v, vdot, w_ext, tau) -> list[dict[str, list]]:
         """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""

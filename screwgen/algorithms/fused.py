@@ -140,6 +140,7 @@ def program(
 
         named = update_wrapper(make, body, updated=())
         del named.__wrapped__  # the signature is that of make
+        named.body = body
         return named
 
     return made

@@ -12,13 +12,15 @@ from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from .functions import Functions
 from .fused import fuse, prepared
+from .robot_functions import FUNCTIONS, entries, reported
 
 Values = Mapping[str, Sequence[Value]]
 
 POINT = ("q", "v", "tau", "w_ext")
 """States and inputs, in the order of a direction."""
 
-ANSWERS = ("qdot", "vdot", "position", "rotation", "wrench", "strain", "energy")
+REPORTS = tuple(row.name for row in FUNCTIONS if row.in_c)
+ANSWERS = ("qdot", "vdot", "position", "rotation", "wrench", "strain", *REPORTS)
 """Rates of the states and outputs, in the order of a direction's image."""
 
 
@@ -26,13 +28,18 @@ def sizes(chain: Chain) -> dict[str, int]:
     """The lengths of all of them; poses are those of the tips of the robot's links."""
     tips, gauged = len(chain.lasts), sum(len(strains(chain.keys[i], 0.0)) for i in chain.firsts)
     point = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
-    outputs = {"position": 3 * tips, "rotation": 9 * tips, "wrench": 6 * chain.n, "strain": gauged, "energy": 2}
+    outputs = {"position": 3 * tips, "rotation": 9 * tips, "wrench": 6 * chain.n, "strain": gauged}
+    told = {row.name: entries(row, chain) for row in reported(chain)}
+    outputs |= {name: told.get(name, 0) for name in REPORTS}
     return point | {"qdot": chain.nq, "vdot": chain.nv} | outputs
 
 
 def observation(chain: Chain, constants="constants") -> Program:
-    """``(q, v, length) -> (qdot, strain, energy)``; ``length`` (n) has the lengths of the links' segments."""
-    return fuse(chain, "observation", _given(chain, constants, "q", "v"), _observed, constants)
+    """``(q, v, tau, w_ext, length) -> (qdot, strain, energy, drive_power)``.
+
+    ``length`` (n) has the lengths of the links' segments.
+    """
+    return fuse(chain, "observation", _given(chain, constants, *POINT), _observed, constants)
 
 
 def tangent(chain: Chain, constants="constants") -> Program:
@@ -103,8 +110,7 @@ def _answers(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         "position": [value for i in f.chain.lasts for value in tips[i][1]],
         "rotation": [value for i in f.chain.lasts for value in tips[i][0]],
         "wrench": wrench,
-        "strain": own["strain"],
-        "energy": own["energy"],
+        **{name: own[name] for name in ("strain", *REPORTS)},
     }
 
 
@@ -123,11 +129,14 @@ def _fold(f: Functions) -> None:
 
 
 def _observed(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
-    return {
+    out: dict[str, Sequence[Value]] = {
         "qdot": f.coordinate_rates(x["q"], x["v"]) if f.chain.floating else list(x["v"]),
         "strain": _strains(f.chain, x["q"], x.get("length")),
-        "energy": list(f.energy(x["q"], x["v"])),
     }
+    for row in reported(f.chain):
+        found = row.program.body(f, **{name: x[name] for name in row.names})  # type: ignore[attr-defined]
+        out[row.name] = [value for values in found.values() for value in values]
+    return dict.fromkeys(REPORTS, ()) | out
 
 
 def _strains(chain: Chain, q: Sequence[Value], lengths: Sequence[Value] | None) -> list[Value]:

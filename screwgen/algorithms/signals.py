@@ -149,6 +149,7 @@ CALL: dict[str, Signal] = {
     "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "angular velocity about y and z, axial motion and force"),
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
     "levers": Signal(("m",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
+    "power": Signal(("m",), "W", "-", "power that each drive gives to the arm"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
 }

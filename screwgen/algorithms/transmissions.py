@@ -135,10 +135,7 @@ def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
     out = Cranks(mx.array([1.0] * m), mx.zeros(m), mx.zeros(m), mx.zeros(m))
     for axis in s.key.cranked:
         slope, curve = of_axis(s, axis, q)
-        rate = slope * qdot[axis]
-        if axis in s.key.loose and rubs(s, axis):
-            rate = rate + s.read("thetadot")[s.key.motors.index(axis)]
-        force = _friction(s, axis, rate)
+        force = _friction(s, axis, travel_rate(s, axis, slope, qdot)) if rubs(s, axis) else 0.0
         if s.key.drives[axis].rotor_inertia:
             mass = s.constant(f"crank_inertia_{axis + 1}")
             out.inertia[axis] = mass * slope * slope
@@ -151,6 +148,12 @@ def rubs(s: Scope, axis: int) -> bool:
     """Whether friction acts along the travel of an axis."""
     drive = s.key.drives[axis]
     return drive.coulomb or drive.viscous
+
+
+def travel_rate(s: Scope, axis: int, slope: Value, qdot: Array) -> Value:
+    """The rate of the travel of a transmission, with that of the rotor ahead of it where the gear is elastic."""
+    rate = slope * qdot[axis]
+    return rate + s.read("thetadot")[s.key.motors.index(axis)] if axis in s.key.loose else rate
 
 
 def _friction(s: Scope, axis: int, rate: Value) -> Value:
@@ -169,9 +172,7 @@ def kinetic(s: Scope, q: Array, qdot: Array) -> Value:
     total: Value = 0.0
     for axis in s.key.cranked if s.key.swung else ():
         if s.key.drives[axis].rotor_inertia:
-            rate = of_axis(s, axis, q, guarded=False)[0] * qdot[axis]
-            if axis in s.key.loose:
-                rate = rate + s.read("thetadot")[s.key.motors.index(axis)]
+            rate = travel_rate(s, axis, of_axis(s, axis, q, guarded=False)[0], qdot)
             total = total + s.constant(f"crank_inertia_{axis + 1}") * rate * rate
     return total
 

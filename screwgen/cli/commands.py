@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from ..algorithms.robot_functions import reported
 from ..errors import SingularError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
 from ..plugins import Formulation, plugins
@@ -141,15 +142,18 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
     valid = model.validity(*s)
     valid.warn()
     R, position = reference.tip_pose(s.q)
-    kinetic, potential = reference.energy(s.q, s.v)
+    told: dict = {}
+    for row in reported(model.chain):
+        found = getattr(reference, row.name)(*(getattr(s, name) for name in row.names))
+        values = found if len(row.results) > 1 else (found,)
+        told |= {name: (np.asarray(x) + 0.0).tolist() for name, x in zip(row.results, values, strict=True)}
     loops = reference.loop_wrenches(*s) if model.chain.closures else None
     return {
         "vdot": (np.ravel(vdot) + 0.0).tolist(),
         "wrench": (np.reshape(wrench, (model.n_links, 6))[model.chain.firsts] + 0.0).tolist(),
         "tip_position": position.tolist(),
         "tip_rotation": R.tolist(),
-        "kinetic": float(kinetic),
-        "potential": float(potential),
+        **told,
         "validity": valid.record(),
         "links": [link.name for link in model.robot.links],
         **({} if loops is None else {"loop_wrenches": (loops + 0.0).tolist(), "loops": _loops(model)}),

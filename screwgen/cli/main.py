@@ -87,6 +87,9 @@ def generate(
             help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
         ),
     ] = False,
+    outputs: Annotated[
+        bool, typer.Option("--outputs", help="Also C of what runs report: energies, the power of each drive.")
+    ] = False,
     mpc: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.")
     ] = None,
@@ -105,8 +108,9 @@ def generate(
     """
     from .commands import run_generate
 
-    more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "functions": functions or None}
-    run_generate(robot, output, target, parameters, layout, quiet or context.obj, mpc=mpc, **more)
+    more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "outputs": outputs}
+    said = {"mpc": mpc, "functions": functions or None}
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)  # type: ignore[arg-type]
 
 
 @app.command(short_help="Simulate and store the run.", epilog=EPILOG)

@@ -17,7 +17,7 @@ from ..errors import SingularError, UsageError
 from ..model import derive
 from ..simulation.inputs import coordinates
 from ..simulation.integrate import DivergedError
-from ..simulation.runs import Run
+from ..simulation.runs import OWN, Run
 from ..simulation.simulate import time_grid
 from ..spec.robot import Robot
 from ..topology.chain import Chain
@@ -126,9 +126,10 @@ class PrintedModel:
                 if k + 1 < len(times):
                     h = times[k + 1] - t
                     q, v = q + h * v, v + h * vdot
-        columns = [np.array(column) for column in zip(*rows, strict=True)]
-        names = [tuple(getattr(self.model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")]
-        return Run(self.robot.name, times, *columns, *names)
+        *columns, energy = (np.array(column) for column in zip(*rows, strict=True))
+        arrays = dict(zip(OWN, (times, *columns), strict=True))
+        names = {f"{kind}_names": tuple(getattr(self.model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
+        return Run(self.robot.name, **arrays, **names, reports={"energy": energy})
 
     def _rates(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         largest = max(np.abs(q).max(initial=0.0), np.abs(v).max(initial=0.0))

@@ -28,6 +28,33 @@ PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
+class AxisCurves(NamedTuple):
+    """A panel of quantities that joint axes or their drives have: the columns of one array whose names have a word."""
+
+    title: str
+    symbol: str
+    unit: str
+    array: str
+    """The attribute of a run."""
+    word: str
+    """What the names of the panel's columns have behind that of the link."""
+    kind: str = ""
+    """What stands beside the curves: the `goal` of an angle or a slide, the `bound` of a torque or a force."""
+
+
+AXIS_CURVES = (
+    AxisCurves("Joint angles", "q", "rad", "q", ".joint[", "goal"),
+    AxisCurves("Slides", "q", "m", "q", ".slide[", "goal"),
+    AxisCurves("Rotor angles", "θ", "rad", "q", ".theta["),
+    AxisCurves("Rotors ahead of their cranks", "e", "rad", "q", ".gear["),
+    AxisCurves("Rotors ahead of their cylinders", "e", "m", "q", ".stretch["),
+    AxisCurves("Torques", "τ", "N·m", "tau", ".torque[", "bound"),
+    AxisCurves("Forces of drives", "f", "N", "tau", ".force[", "bound"),
+    AxisCurves("Power of drives", "P", "W", "drive_power", ".power["),
+)
+"""The panels of axes, for figures and for the viewer."""
+
+
 class Scale(NamedTuple):
     """The limits of an axis in `unit`, which is SI over `factor`, and a text on values beyond them, perhaps empty."""
 

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
-from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib import colormaps
@@ -13,17 +11,13 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from scipy.spatial.transform import Rotation
 
-from ..simulation.motion import centrelines, modal_columns, tip_deflections, twist
+from ..simulation.motion import centrelines
 from ..simulation.runs import Run, check_output, outputs
-from ..spec.modes import DIRECTIONS
-from ..spec.reduced import ELASTIC
-from ..spec.segments import owner
 from . import look
-from .curves import NOTHING, over_time, scale, thin
-from .demands import axis_word, bounds_of, place_names, set_points
+from .curves import over_time, scale, thin
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
+from .run_panels import Panel, color, link_names, panels, sift
 from .strands import feet, strands
 
 if TYPE_CHECKING:
@@ -45,43 +39,6 @@ PATH = dict(color=INK, linewidth=0.9)
 EARLIER = dict(color=PALE, linewidth=1.6)
 MARK = dict(marker="o", linestyle="none", markersize=6)
 START, END = PALETTE[2], PALETTE[3]
-
-
-AXES = (".joint[", ".slide[", ".torque[", ".force[")
-"""What the names of joint axes' quantities have."""
-TIPS = (
-    ("Deflection of tips in y", "y", ("bending_y", "shear_y", ELASTIC)),
-    ("Deflection of tips in z", "z", ("bending_z", "shear_z", ELASTIC)),
-    ("Elongation", "x", ("axial", ELASTIC)),
-)
-"""Title, axis of the link, and the directions of modes that move the tip along it."""
-
-
-class Line(NamedTuple):
-    """A curve over time with colour, style and label, and the goal and the bound that are drawn with it."""
-
-    values: np.ndarray
-    color: Any
-    style: str = "-"
-    label: str | None = None
-    goal: np.ndarray | None = None
-    bound: float | None = None
-    ends: Sequence[float] = ()
-    """The limits of a joint axis, infinite where there is none."""
-
-
-class Panel(NamedTuple):
-    """One set of axes over time."""
-
-    title: str
-    symbol: str
-    unit: str
-    lines: list[Line]
-
-    @property
-    def largest(self) -> float:
-        """The largest magnitude of all, in SI units."""
-        return max(float(np.abs(line.values).max()) for line in self.lines)
 
 
 @styled
@@ -124,127 +81,6 @@ def save(run: Run, path: str | os.PathLike[str], model: Model | None = None, con
 def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
     """The figure as PNG, without date or version; arguments as of `figure`."""
     return look.png(figure(run, model, controller))
-
-
-# ------------------------------------------------------------------------------ what is shown
-
-
-def panels(run: Run, controller: Any = None, model: Model | None = None) -> list[Panel]:
-    """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
-    kinetic, potential = run.energy.T
-    energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
-    energy.append(Line(kinetic + potential, INK, "--", "total"))
-    lines = partial(_lines, run, model)
-    q, tau = partial(lines, run.q, run.q_names), partial(lines, run.tau, run.tau_names)
-    goals, bounds = set_points(run, model, controller), bounds_of(run, model, controller)
-    turns = np.array([".torque[" in name for name in run.tau_names], bool)
-    ends = None if model is None else model.chain.limits
-    turning = np.array([".joint[" in name for name in run.q_names if ".joint[" in name or ".slide[" in name], bool)
-    rotors = any(".theta[" in name for name in run.q_names) or (model is not None and bool(model.chain.linked))
-    pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
-    forces = "Forces of drives" if pushed else "Forces on slides"
-    place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
-    return [
-        *_base(run),
-        Panel("Joint angles", "q", "rad", _with(_with(q(".joint["), "goal", goals, turning), "ends", ends, turning)),
-        Panel("Slides", "q", "m", _with(_with(q(".slide["), "goal", goals, ~turning), "ends", ends, ~turning)),
-        Panel("Rotor angles", "θ", "rad", q(".theta[")),
-        Panel("Rotors ahead of their cranks", "e", "rad", q(".gear[")),
-        Panel("Rotors ahead of their cylinders", "e", "m", q(".stretch[")),
-        Panel("Torques" if rotors else "Joint torques", "τ", "N·m", _with(tau(".torque["), "bound", bounds, turns)),
-        Panel(forces, "f", "N", _with(tau(".force["), "bound", bounds, ~turns)),
-        *(_tips(run, model) if model else _modes(q)),
-        *_wrenches(run),
-        Panel("Energy", "E", "J", energy),
-        Panel("Tip, inertial frame", "r", "m", place),
-    ]
-
-
-def _base(run: Run) -> list[Panel]:
-    """Where a floating base is, and how it has turned since the start: rotation vectors in inertial axes."""
-    if not place_names(run):
-        return []
-    turns = Rotation.from_quat(run.q[:, 3:7], scalar_first=True)
-    turned = (turns * turns[0].inv()).as_rotvec()
-    place, turn = (
-        [Line(x, shade, "-", name) for name, x, shade in zip("xyz", values.T, PALETTE, strict=False)]
-        for values in (run.q[:, :3], turned)
-    )
-    return [Panel("Base, inertial frame", "r", "m", place), Panel("Turn of the base", "θ", "rad", turn)]
-
-
-def sift(given: list[Panel]) -> tuple[list[Panel], list[str]]:
-    """The panels with something to show, and the titles of those that are zero throughout."""
-    full = [panel for panel in given if panel.lines]
-    return [p for p in full if p.largest > NOTHING], [p.title.lower() for p in full if p.largest <= NOTHING]
-
-
-def link_names(run: Run) -> list[str]:
-    """The names of the links, base to tip."""
-    return list(dict.fromkeys(map(owner, run.wrench_names)))
-
-
-def color(link: int, n: int) -> tuple | str:
-    """The colour of a link: by name while there are few, on a scale from base to tip when there are many."""
-    return PALETTE[link % len(PALETTE)] if n <= len(PALETTE) else colormaps["viridis"](0.95 * link / (n - 1))
-
-
-def _lines(run: Run, model: Model | None, values: np.ndarray, names: tuple[str, ...], part: str) -> list[Line]:
-    """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link."""
-    links, given = link_names(run), {x.name: x for x in model.robot.links} if model else {}
-    found: list[tuple] = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
-    out = []
-    for k, link, member in found:
-        i, own, number = links.index(owner(link)), owner(link), int(member[:-1])
-        word = axis_word(given[own], number) if part in AXES and own in given else str(number + 1) if number else ""
-        label = _few(f"{own} {word}".strip(), len(links))
-        out.append(Line(values[:, k], color(i, len(links)), STYLES[number % len(STYLES)], label))
-    return out
-
-
-def _modes(q: Callable[[str], list[Line]]) -> list[Panel]:
-    """The modal coordinates of a run whose model is not at hand."""
-    titles = {d: f"Modes, {d.replace('_', ' in ')}" for d in DIRECTIONS} | {ELASTIC: "Modes of bodies from files"}
-    units = {"torsion": "rad"}
-    return [Panel(title, "η", units.get(d, "m"), q(f".eta.{d}[")) for d, title in titles.items()]
-
-
-def _tips(run: Run, model: Model) -> list[Panel]:
-    """How far the tips of flexible links are from those of the undeformed links, and how far they are twisted."""
-    tips, names, n = tip_deflections(model, run.q), [x.name for x in model.robot.links], len(link_names(run))
-    has = lambda i, kinds: any(modal_columns(model, i, kind) for kind in kinds)  # noqa: E731
-    named = lambda i, values: Line(values, color(i, n), "-", _few(names[i], n))  # noqa: E731
-    moved = [
-        Panel(title, f"$u_{axis}$", "m", [named(i, u[:, "xyz".index(axis)]) for i, u in tips.items() if has(i, kinds)])
-        for title, axis, kinds in TIPS
-    ]
-    twisted = [named(i, twist(model, run.q, i, [1.0])[:, 0]) for i in tips if has(i, ("torsion",))]
-    return [*moved, Panel("Twist of tips", "φ", "rad", twisted)]
-
-
-def _wrenches(run: Run) -> list[Panel]:
-    """The forces and moments at the bases of links, each along an axis of its link, with their signs."""
-    joints = [i for i, name in enumerate(run.wrench_names[::6]) if owner(name) == name.rpartition(".")[0]]
-    names, n = link_names(run), len(joints)
-    return [
-        Panel(f"Joint {what}s in {axis}", f"${letter}_{axis}$", unit, [
-            Line(run.wrench[:, i, row + k], color(j, n), "-", _few(names[j], n)) for j, i in enumerate(joints)
-        ])
-        for what, letter, unit, row in (("force", "F", "N", 3), ("moment", "M", "N·m", 0))
-        for k, axis in enumerate("xyz")
-    ]  # fmt: skip
-
-
-def _few(name: str, n: int) -> str | None:
-    """The name of a curve beside its panel's title, unless links are so many that their colours are a scale."""
-    return name if n <= len(PALETTE) else None
-
-
-def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[Line]:
-    """The lines with one field each from the `chosen` ones of `values`, one per joint axis, if there are any."""
-    if values is None or len(values) != len(chosen):
-        return lines
-    return [line._replace(**{field: value}) for line, value in zip(lines, values[chosen], strict=True)]
 
 
 # ------------------------------------------------------------------------------ how it is drawn

@@ -10,12 +10,13 @@ from typing import Protocol
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
+from ..algorithms.robot_functions import BY_NAME, RobotFunction, results
 from ..arguments import Given, array, choice, parameters_keyword, seconds, whole
 from ..backends.c.columns import rendered
 from ..backends.c.forms import split
 from ..backends.c.project import CProject
 from ..backends.c.shim import shims
-from ..errors import ScrewgenError, UsageError
+from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
@@ -26,9 +27,6 @@ from .memory import Array, Motion, pointer
 from .pace import slices
 from .stepper import Stepper
 
-PRECISIONS = ("double", "single")
-LAYOUTS = ("auto", "fused", "modular")
-BINDINGS = ("runtime", "baked")
 FORMS = ("joint", "dae")
 
 
@@ -84,7 +82,7 @@ class Compiled(Differentiated):
         self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
-        options = {"derivatives": derivatives, "methods": methods}
+        options = {"derivatives": derivatives, "methods": methods, "outputs": True}
         self.project = LeanProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
         joint, dae = split(self.project, self.project.files() | shims(self.project))
@@ -161,13 +159,19 @@ class Compiled(Differentiated):
                 self.check(status)
             return self.vdot.copy() if out is None else self._given((out,), (self.vdot,))[0]
 
-    def energy(self, q, v) -> tuple[float, float]:
-        """Kinetic and potential energy, J."""
+    def __getattr__(self, name: str) -> Callable:
+        """What ``<robot>_outputs.c`` reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
+        row = BY_NAME.get(name)
+        if row is None or not row.in_c:
+            raise AttributeError(f"'Compiled' has no attribute '{name}'", name=name, obj=self)
+        return partial(self._report, row)
+
+    def _report(self, row: RobotFunction, q, v=None, tau=None, w_ext=None):
+        """The results of a function: arrays, numbers, a tuple where they are several."""
         with self._lock:
-            self._set(q, v)
-            self.check(self.library.shim_energy(self.memory))
-            kinetic, potential = self._energy.tolist()
-            return kinetic, potential
+            self._set(q, self._no_v if v is None else v, tau, w_ext)
+            self.check(getattr(self.library, f"shim_{row.name}")(self.memory))
+            return results(row, self.chain, self._reports[row.name].copy())
 
     def inverse_dynamics(self, q, v, vdot, w_ext=None) -> tuple[Array, Array]:
         """The generalised forces (nv,) and the joint wrenches (n, 6) of a motion."""
@@ -309,19 +313,6 @@ class Compiled(Differentiated):
         columns = np.zeros(unknown_size(self.chain) + 1, np.int32)
         self.library.shim_pattern(pointer(rows), pointer(columns))
         return rows, columns
-
-
-def compile_model(
-    model: Derived, layout: str, precision: str, derivatives: bool, flags, cache, parameters: str, methods
-) -> Compiled:
-    """The implementation of :meth:`screwgen.Model.compile`."""
-    choices = (("layout", layout, LAYOUTS), ("precision", precision, PRECISIONS), ("parameters", parameters, BINDINGS))
-    for name, given, known in choices:
-        choice(given, known, f"{name}: there is no")
-    if isinstance(flags, str):
-        raise UsageError("flags is a string; give a sequence such as ('-O3', '-march=native')")
-    single = precision == "single"
-    return Compiled(model, layout, parameters, single, tuple(flags), None, derivatives, cache, tuple(methods))
 
 
 def _compiled_anew(model: Derived, said: tuple, p: Array | None) -> Compiled:

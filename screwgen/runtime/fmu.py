@@ -57,7 +57,7 @@ def unit_files(
 
 def _common(model: Keeping, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
     """What the units of both versions share: the library, the programs besides, and what is compiled of them."""
-    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods)
+    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods, outputs=True)
     return project, content(project), {}
 
 

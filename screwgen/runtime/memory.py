@@ -10,8 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..algorithms.robot_functions import entries, reported
 from ..arguments import array
-from ..backends.c.shim import VIEWS
+from ..backends.c.shim import views
 from ..bodies.validity import MEASURES
 from ..errors import UsageError
 from ..topology.chain import Chain
@@ -69,13 +70,14 @@ class Memory:
     def _place(self) -> None:
         """Allocate the memory and find the views in it."""
         self._lock = threading.Lock()
-        c, self._block = self.chain, Block(self.library, VIEWS, self.real)
+        c, self._block = self.chain, Block(self.library, views(self.chain), self.real)
         self.memory, view = self._block.address, self._block.view
         self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nv), view("output.vdot", c.nv)
         self.tau, self.w_ext = view("input.tau", c.n_tau), view("input.w_ext", c.n, 6)
         self.wrench = view("output.wrench", c.n, 6)
         self.tip_rotation, self.tip_position = view("output.tip_rotation", 3, 3), view("output.tip_position", 3)
-        self._energy, self._measures = view("energy", 2), view("measures", c.n, len(MEASURES))
+        self._reports = {row.name: view(row.name, entries(row, c)) for row in reported(c)}
+        self._measures = view("measures", c.n, len(MEASURES))
         self._motion = [view(f"motion.{name}", c.n, *shape) for name, shape in MOTION.items()]
         self._order = _order(c)
         self._dae = view("dae", int(max(self._order)) + 1)

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 from numpy.lib import format as npy
 
+from ..algorithms.robot_functions import entries, reported
 from ..backends.c.shim import PARTS
 from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
@@ -28,7 +29,7 @@ from .hits import Hits
 from .inputs import Inputs
 from .integrate import Dynamics, Evaluator, Stepper
 from .loop_watch import LoopWatch
-from .runs import Run, csv_header, csv_lines, suffix, unwritable
+from .runs import Run, column_names, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
 
 if TYPE_CHECKING:
@@ -92,11 +93,12 @@ def check_size(model: Model, samples: int) -> None:
 def _widths(model: Model) -> dict[str, int]:
     """How many numbers each quantity has in one sample."""
     widths = {"t": 1, "q": model.nq, "v": model.nv, "tau": model.n_tau}
-    return widths | {"wrench": 6 * model.n_links, "tip_position": 3, "energy": 2}
+    widths |= {"wrench": 6 * model.n_links, "tip_position": 3}
+    return widths | {row.name: entries(row, model.chain) for row in reported(model.chain)}
 
 
 class Table:
-    """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, energy."""
+    """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, and what is reported."""
 
     def __init__(self, model: Model, times: np.ndarray, p: np.ndarray, q0: np.ndarray):
         self.model, self.times, self.p = model, times, p
@@ -125,6 +127,7 @@ class Table:
         m, rows = self.model, self.rows[: self.count] if ended else self.rows
         arrays: dict[str, Any] = {name: rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": rows[:, 0], "wrench": arrays["wrench"].reshape(len(rows), m.n_links, 6)}
+        arrays |= {"reports": {row.name: arrays.pop(row.name) for row in reported(m.chain)}}
         arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
         arrays |= {"robot": m.robot, "parameters": np.array(self.p, float)}
         return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all, ended=ended)
@@ -138,7 +141,8 @@ class Recorder:
         self.dynamics = Dynamics(table.model, table.p)  # type: ignore[arg-type]
         modal = table.model.modal_functions
         self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
-        self.energy, self.tip_pose = Evaluator(functions["energy"]), Evaluator(functions["tip_pose"])
+        self.tip_pose = Evaluator(functions["tip_pose"])
+        self.reports = {row.name: (row.names, Evaluator(functions[row.name])) for row in reported(table.model.chain)}
 
     def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
         """The joint wrenches; None if a link bends by more than its length."""
@@ -149,15 +153,16 @@ class Recorder:
     def __call__(self, row: int, q: np.ndarray, v: np.ndarray, wrench: np.ndarray, tau: np.ndarray) -> None:
         """Keep a sample."""
         p = self.table.p
-        tip, energy = self.tip_pose(q, p)[1], self.energy(q, v, p)
-        self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *energy])
+        given, tip = {"q": q, "v": v, "tau": tau}, self.tip_pose(q, p)[1]
+        told = [x for names, report in self.reports.values() for x in report(*(given[name] for name in names), p)]
+        self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *told])
         self.table.filled(row + 1)
 
     def weigh(self, t: float, plant: Stepper, before: object, after: object, *held) -> None:
         """Note the energies of the states before and after a step at `t` under held (torques, wrenches, seconds)."""
 
         def energy(state: object) -> np.ndarray:
-            return np.concatenate(self.energy(*plant.coordinates(state), self.table.p))
+            return np.concatenate(self.reports["energy"][1](*plant.coordinates(state), self.table.p))
 
         def again() -> np.ndarray:
             state, (tau, w_ext, dt) = before, held
@@ -267,7 +272,7 @@ class Store:
 
 
 def _columns(model: Model) -> tuple[str, ...]:
-    return Run.column_names(model.q_names, model.v_names, model.tau_names, model.wrench_names)
+    return column_names(model.q_names, model.v_names, model.tau_names, model.wrench_names)
 
 
 def npy_header(dtype: np.dtype, count: int) -> bytes:

@@ -23,12 +23,14 @@ from .loop import added
 from .rollout_loops import opened
 from .rollout_samples import Source
 from .rollout_validity import watched
+from .runs import REPORTED
 from .validity import Validity
 
 if TYPE_CHECKING:
     from ..model import Model
 
 MAX_BYTES = 4 * 2**30
+COMPUTED = ("wrench", "tip_position", *REPORTED)
 REFUSED, OPEN = 3, 4
 """The statuses of scenarios whose parameters no robot can have, and whose loops are open."""
 
@@ -43,6 +45,11 @@ class Rollout:
     joint or mode could not be solved for, 3 where its parameters are those of no robot, 4 where a loop is open; that
     scenario keeps its last good state from there on.
     ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
+
+    Computed when first asked for, at every sample, NaN where there is no dynamics, the last input held on at the end:
+    ``wrench`` (batch, steps + 1, n, 6), joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components;
+    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; ``energy`` (.., 2), kinetic, potential, J;
+    ``drive_power`` (.., n_tau), W.
     """
 
     t: np.ndarray
@@ -74,24 +81,11 @@ class Rollout:
         """The states [q; v], (batch, steps + 1, nq + nv)."""
         return np.concatenate([self.q, self.v], axis=2)
 
-    @property
-    def wrench(self) -> np.ndarray:
-        """(batch, steps + 1, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components.
-
-        They, tip positions and energies are computed when first asked for, in double precision; NaN where there is no
-        dynamics. At the last sample the last input is held on.
-        """
-        return self._samples[0]
-
-    @property
-    def tip_position(self) -> np.ndarray:
-        """(batch, steps + 1, 3): the last link's tip in the inertial frame, m."""
-        return self._samples[1]
-
-    @property
-    def energy(self) -> np.ndarray:
-        """(batch, steps + 1, 2): kinetic, potential, J."""
-        return self._samples[2]
+    def __getattr__(self, name: str) -> np.ndarray:
+        """What follows from the motions, by name: computed when it is first asked for, in double precision."""
+        if name not in COMPUTED or name in self.__dict__:
+            raise AttributeError(f"'Rollout' has no attribute '{name}'", name=name, obj=self)
+        return self._samples[name]
 
     @cached_property
     def base_strain(self) -> np.ndarray:
@@ -99,7 +93,7 @@ class Rollout:
         return self._source.base_strain(self.q)
 
     @cached_property
-    def _samples(self) -> list[np.ndarray]:
+    def _samples(self) -> dict[str, np.ndarray]:
         return self._source.samples(self.q, self.v)
 
     @property

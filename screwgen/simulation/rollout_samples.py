@@ -1,13 +1,15 @@
-"""What follows from the motions of a rollout, at every sample: joint wrenches, tip positions, energies, strains."""
+"""What follows from the motions of a rollout, sample by sample: wrenches, tip positions, what is reported, strains."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..algorithms.robot_functions import entries, reported
 from ..integrators.methods import METHODS
 from ..runtime.memory import pointer
 from .loop import instance
@@ -27,20 +29,30 @@ class Source:
     model: Model
     given: Mapping[str, np.ndarray]
 
-    def samples(self, q: np.ndarray, v: np.ndarray) -> list[np.ndarray]:
-        """Wrenches (batch, samples, n, 6), tip positions (.., 3) and energies (.., 2) of `q` (.., nq), `v` (.., nv)."""
+    @property
+    def shapes(self) -> dict[str, tuple[int, ...]]:
+        """What follows from a sample, by name, with its shape."""
+        chain = self.model.chain
+        told = {row.name: (entries(row, chain),) for row in reported(chain)}
+        return {"wrench": (chain.n, 6), "tip_position": (3,)} | told
+
+    def samples(self, q: np.ndarray, v: np.ndarray) -> dict[str, np.ndarray]:
+        """What follows from `q` (batch, samples, nq), `v` (.., nv), by name, (batch, samples, …)."""
         count, samples, _ = q.shape
-        p, n = self.given["parameters"], self.model.n_links
+        p, sizes = self.given["parameters"], [prod(size) for size in self.shapes.values()]
         compiled = instance(self.model, p[0], METHODS["modal_midpoint"])
-        rows = np.empty((count, samples, 6 * n + 5))
+        rows = np.empty((count, samples, sum(sizes)))
         for k in range(count):
             if k and len(p) > 1:
                 compiled.prepare(p[k])
             inputs = [self._held(name, k, samples) for name in ("tau", "w_ext")]
             given = np.ascontiguousarray(np.hstack([q[k], v[k], *inputs]), float)
             compiled.library.shim_samples(compiled.memory, samples, pointer(given), pointer(rows[k]))
-        wrench, tip, energy = np.split(rows, [6 * n, 6 * n + 3], axis=2)
-        return [wrench.reshape(count, samples, n, 6), tip, energy]
+        parts = np.split(rows, np.cumsum(sizes)[:-1], axis=2)
+        return {
+            name: part.reshape(count, samples, *size)
+            for (name, size), part in zip(self.shapes.items(), parts, strict=True)
+        }
 
     def _held(self, name: str, k: int, samples: int) -> np.ndarray:
         """The input of a scenario at its samples (samples, numbers); the last one holds it on."""

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import os
 import secrets
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
 from .. import notebook
+from ..algorithms.robot_functions import FUNCTIONS, entry_names, function_named
 from ..errors import UsageError
 from ..files import Arrays, create, open_arrays
 from ..spec.load import dump, one_line
@@ -22,10 +23,12 @@ from .validity import Validity
 if TYPE_CHECKING:
     from ..spec.robot import Robot
 
-ARRAYS = ("t", "q", "v", "tau", "wrench", "tip_position", "energy")
+OWN = ("t", "q", "v", "tau", "wrench", "tip_position")
+REPORTED = tuple(row.name for row in FUNCTIONS if row.in_c)
+"""What is reported at every sample besides, by the names of the functions that give it."""
+ARRAYS = (*OWN, *REPORTED)
 NAMES = ("q_names", "v_names", "tau_names", "wrench_names")
 TIP_NAMES = ("tip_position.x", "tip_position.y", "tip_position.z")
-ENERGY_NAMES = ("energy.kinetic", "energy.potential")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -34,8 +37,12 @@ class Run:
 
     `t` (N,); `q` (N, nq): coordinates, joints then modes; `v` (N, nv): their rates; `tau` (N, n_tau): the torques held
     from each sample to the next; `wrench` (N, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i at
-    the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame;
-    `energy` (N, 2): kinetic, potential. The names belong to the columns.
+    the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame. The names
+    belong to the columns.
+
+    `reports` holds what functions of the robot report at every sample, which are attributes too: `energy` (N, 2), J:
+    kinetic, potential; `drive_power` (N, n_tau), W: torque of each drive times the rate of what it turns, force times
+    that of its travel.
     """
 
     name: str
@@ -45,11 +52,11 @@ class Run:
     tau: np.ndarray
     wrench: np.ndarray
     tip_position: np.ndarray
-    energy: np.ndarray
     q_names: tuple[str, ...]
     v_names: tuple[str, ...]
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
+    reports: Mapping[str, np.ndarray] = field(default_factory=dict)
     validity: Validity | None = None
     """The validity measures of the motion; files do not store them."""
     hits: tuple[Hit, ...] = ()
@@ -76,20 +83,33 @@ class Run:
         table = notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
         return notebook.player(self) + table
 
+    def __getattr__(self, name: str) -> np.ndarray:
+        """What is reported, by name."""
+        found = self.__dict__.get("reports", {})
+        if name not in found:
+            raise AttributeError(f"'Run' has no attribute '{name}'", name=name, obj=self)
+        return found[name]
+
+    def names_of(self, array: str) -> tuple[str, ...]:
+        """The names of the columns of an array, such as `tau`; raises AttributeError where the run has none of it."""
+        if array in self.reports:
+            return entry_names(function_named(array), self.tau_names)
+        return getattr(self, f"{array}_names")
+
     @property
     def columns(self) -> tuple[str, ...]:
         """The names of the columns of `table`."""
-        return self.column_names(*(getattr(self, name) for name in NAMES))
+        return column_names(*(getattr(self, name) for name in NAMES), reports=self.reports)
 
-    @staticmethod
-    def column_names(*names: Sequence[str]) -> tuple[str, ...]:
-        """The names of the columns of `table`, of a run with these `NAMES`."""
-        return ("t", *(x for group in names for x in group), *TIP_NAMES, *ENERGY_NAMES)
+    @property
+    def arrays(self) -> dict[str, np.ndarray]:
+        """What the columns hold, by name, (N, …) each."""
+        return {name: getattr(self, name) for name in OWN} | dict(self.reports)
 
     @property
     def table(self) -> np.ndarray:
         """Everything side by side, (N, columns)."""
-        return np.column_stack([getattr(self, name).reshape(len(self.t), -1) for name in ARRAYS])
+        return np.column_stack([values.reshape(len(self.t), -1) for values in self.arrays.values()])
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a .npz file (keys as the attributes, and the names) or a .csv table with a header.
@@ -105,8 +125,14 @@ class Run:
         FORMATS[suffix(path)](self, stream)
 
 
+def column_names(*names: Sequence[str], reports: Iterable[str] = REPORTED) -> tuple[str, ...]:
+    """The names of the columns of a table, of a run with these `NAMES`."""
+    told = (x for name in reports for x in entry_names(function_named(name), names[NAMES.index("tau_names")]))
+    return ("t", *(x for group in names for x in group), *TIP_NAMES, *told)
+
+
 def write_npz(run: Run, stream: BinaryIO) -> None:
-    arrays: dict[str, Any] = {name: getattr(run, name) for name in ARRAYS}
+    arrays: dict[str, Any] = run.arrays
     arrays |= {name: np.array(getattr(run, name), dtype=str) for name in NAMES}
     if run.robot is not None:
         with suppress(UsageError):

@@ -36,11 +36,11 @@ def fitted(model: Model, file: str | os.PathLike[str]) -> Fitted:
     return out
 
 
-def project(model: Model, file: str | os.PathLike[str] | None, *options: Any) -> CProject:
-    """The C of a model, with the controller of a file if there is one; ``options`` as :class:`CProject` takes them."""
+def project(model: Model, file: str | os.PathLike[str] | None, *said: Any, **options: Any) -> CProject:
+    """The C of a model, with the controller of a file if there is one; the rest as :class:`CProject` takes it."""
     if file is None:
-        return CProject(model.chain, model.version, *options)
-    return MpcProject(fitted(model, file), model.version, *options)
+        return CProject(model.chain, model.version, *said, **options)
+    return MpcProject(fitted(model, file), model.version, *said, **options)
 
 
 def controller(model: Model, file: str | os.PathLike[str], **options: Any) -> Mpc:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..plotting.curves import NOTHING
+from ..plotting.curves import AXIS_CURVES, NOTHING, AxisCurves
 from ..plotting.demands import axis_word
 from ..simulation.motion import tip_deflections
 from ..simulation.runs import Run
@@ -18,13 +18,6 @@ if TYPE_CHECKING:
 
 COLORS = 8
 """Of links, in templates/view/style.css."""
-KINDS = (
-    ("Joint angles", "rad", "q", ".joint["),
-    ("Slides", "m", "q", ".slide["),
-    ("Torques", "N·m", "tau", ".torque["),
-    ("Forces of drives", "N", "tau", ".force["),
-)
-"""Title, unit, where the numbers are, and what their names have."""
 
 
 class Curve(NamedTuple):
@@ -39,7 +32,7 @@ class Curve(NamedTuple):
 
 def panels(run: Run, model: Model, goals: np.ndarray | None = None) -> list[dict[str, Any]]:
     """The panels of a run that show anything; `goals` (n_joints, N): set points of its joints."""
-    found = {title: (unit, run.t, _of_axes(run, model, where, part, goals)) for title, unit, where, part in KINDS}
+    found = {x.title: (x.unit, run.t, _of_axes(run, model, x, goals)) for x in AXIS_CURVES if x.array in run.arrays}
     rows = np.unique(np.linspace(0, len(run.t) - 1, min(len(run.t), 4 * POINTS)).round().astype(int))
     found["Bending at tips"] = "m", run.t[rows], list(_tips(model, run.q[rows]))
     kinetic, potential = run.energy.T
@@ -59,20 +52,20 @@ def _drawn(x: Curve, t: np.ndarray) -> Iterator[dict[str, Any]]:
     yield curve(x.label, t, x.values, x.color, x.dash)
 
 
-def _of_axes(run: Run, model: Model, where: str, part: str, goals: np.ndarray | None) -> list[Curve]:
-    """The coordinates, or the torques, of joint axes whose names have `part`, in the colours of their links."""
-    names = getattr(run, f"{where}_names")
+def _of_axes(run: Run, model: Model, x: AxisCurves, goals: np.ndarray | None) -> list[Curve]:
+    """The curves of a panel of axes, in the colours of their links."""
+    names, values = run.names_of(x.array), run.arrays[x.array]
     owners = [link.name for link in model.robot.links]
     joints = [name for name in names if ".joint[" in name or ".slide[" in name]
     out = []
     for k, name in enumerate(names):
-        if part not in name:
+        if x.word not in name:
             continue
-        link, number = name.split(part)
+        link, number = name.split(x.word)
         axis, i = int(number[:-1]), owners.index(link)
-        goal = goals[joints.index(name)] if where == "q" and goals is not None else None
+        goal = goals[joints.index(name)] if x.kind == "goal" and goals is not None else None
         label = f"{link.replace('_', ' ')} {axis_word(model.robot.links[i], axis)}".strip()
-        out.append(Curve(label, getattr(run, where)[:, k], f"c{i % COLORS}", axis, goal))
+        out.append(Curve(label, values[:, k], f"c{i % COLORS}", axis, goal))
     return out
 
 

@@ -9,13 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from ..algorithms.robot_functions import entries, reported
 from ..errors import RobotFileError, UsageError
 from ..files import sound
 from ..interchange.load import ImportNote
 from ..model import Model, derive
 from ..plotting.mode_plot import STATIONS, STEP, amplified, displaced, field, meaning
 from ..simulation.motion import centrelines
-from ..simulation.runs import ARRAYS, NAMES, Run, run_arrays
+from ..simulation.runs import NAMES, OWN, REPORTED, Run, run_arrays
 from ..spec.load import loads, one_line
 from ..spec.robot import Robot
 from ..studies.modes import ModeShapes
@@ -76,7 +77,8 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
         here, there = next((pair for pair in pairs if pair[0] != pair[1]), ("other torques", "its own"))
         raise UsageError(f"{one_line(name)}: is a run of another robot: it has {here} where '{own.name}' has {there}")
     shapes = {"q": (model.nq,), "v": (model.nv,), "tau": (model.n_tau,), "wrench": (model.n_links, 6)}
-    shapes |= {"tip_position": (3,), "energy": (2,), "t": ()}
+    shapes |= {"tip_position": (3,), "t": ()}
+    shapes |= {row.name: (entries(row, model.chain),) for row in reported(model.chain) if row.name in run.reports}
     for key, shape in shapes.items():
         found = np.asarray(getattr(run, key))
         if found.shape != (len(run.t), *shape) or not len(run.t):
@@ -96,7 +98,8 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
     """The run in a .npz file, with its robot if the file has it, else `robot`; raises UsageError."""
     shown = one_line(os.fsdecode(path))
     with run_arrays(path) as stored:
-        arrays: dict[str, Any] = {name: stored.numbers(name) for name in ARRAYS}
+        arrays: dict[str, Any] = {name: stored.numbers(name) for name in OWN}
+        reports = {name: stored.numbers(name) for name in REPORTED if name in stored}
         names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
         text = "".join(stored.texts("robot")) if "robot" in stored else None
         parameters = stored.numbers("parameters") if "parameters" in stored else None
@@ -106,7 +109,7 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         except RobotFileError as error:
             raise UsageError(f"{error}; name the robot's file by --robot") from None
     name = robot.name if robot is not None else ""
-    return Run(name, **arrays, **names, robot=robot, parameters=parameters)
+    return Run(name, **arrays, **names, reports=reports, robot=robot, parameters=parameters)
 
 
 def view_modes(model: Model, q: np.ndarray, found: ModeShapes) -> View:

@@ -4,6 +4,7 @@ from .batch import FILES as BATCH
 from .derivatives import FILES as DERIVATIVES
 from .estimator import FILES as ESTIMATOR
 from .loops import FILES as LOOPS
+from .outputs import FILES as OUTPUTS
 
 LIBRARY = (
     "real.h",
@@ -24,8 +25,8 @@ BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
 """The files besides the library, under these names."""
 
 
-def library(name: str, loops: bool, derivatives: bool, estimator: bool, batch: bool) -> dict[str, str]:
+def library(name: str, loops: bool, derivatives: bool, estimator: bool, batch: bool, outputs: bool) -> dict[str, str]:
     """The files of a robot's library, with the template of each."""
-    options = ((loops, LOOPS), (derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH))
+    options = ((loops, LOOPS), (derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH), (outputs, OUTPUTS))
     files = [*LIBRARY, *(file for asked, more in options if asked for file in more)]
     return {f"{name}.h": "model.h"} | {f"{name}_{file}": file for file in files}

@@ -154,9 +154,9 @@ class Fitted:
 class MpcProject(CProject):
     """The files of a robot's C with a predictive controller, and with derivatives in any case."""
 
-    def __init__(self, fitted: Fitted, version: str, *options: Any):
-        """``options``: as :class:`CProject` takes them."""
-        super().__init__(fitted.chain, version, *options)
+    def __init__(self, fitted: Fitted, version: str, *said: Any, **options: Any):
+        """``said``, ``options``: as :class:`CProject` takes them."""
+        super().__init__(fitted.chain, version, *said, **options)
         self.fitted, self.with_derivatives = fitted, True
 
     @property

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
+from ...algorithms.robot_functions import reported
 from ...algorithms.schedule import constant_labels
 from ...bodies.validity import BOUNDS
 from ...errors import UsageError
@@ -17,12 +18,11 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import batch, check, derivatives, estimator, files, laws, levers, loops, steps
-from .code import Writer, literal, singular, sizes, trimmed, with_unused
+from . import batch, check, derivatives, estimator, files, laws, levers, loops, outputs, preparation, steps
+from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
 from .fields import (
     Field,
-    columns,
     constant_fields,
     fused_place,
     given_coordinates,
@@ -36,7 +36,7 @@ from .fields import (
     topology,
 )
 from .links import RUNS, WATCHED, WITHIN, Links, sparsity
-from .parameters import bodies, changing_parameter, defaults, limits, members, parameter_structs, place
+from .parameters import bodies, changing_parameter, defaults, limits, parameter_structs, place
 
 FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
@@ -68,9 +68,11 @@ class CProject:
         derivatives=False,
         estimator=False,
         methods: Sequence[Method] = (),
+        outputs=False,
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
+        self.with_outputs = outputs
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
@@ -98,8 +100,8 @@ class CProject:
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        options = bool(self.chain.closures), self.with_derivatives, self.with_estimator, self.with_batch
-        return files.library(self.name, *options)
+        options = self.with_derivatives, self.with_estimator, self.with_batch, self.with_outputs
+        return files.library(self.name, bool(self.chain.closures), *options)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -153,8 +155,7 @@ class CProject:
             "frequencies": [f for f in self.parameters["link"] if f.name.startswith(("frequencies_", "section_"))],
             "defaults": defaults(robot),
             "places": [place(p) for p in parameters(robot)],
-            "prepare": self.prepare_functions,
-            "prepare_calls": self.prepare_calls,
+            **(preparation.content(chain, self.labels) if self.baked is None else preparation.NONE),
             "baked": self.baked_tables,
             **topology(chain),
             "q_offset": chain.q_offset[:-1],
@@ -172,6 +173,7 @@ class CProject:
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             **loops.rows(chain, fused_place) | {"loops": self._loops},
+            "outputs": outputs.content(chain, self.baked is not None, fused_place) if self.with_outputs else None,
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
         }
@@ -251,6 +253,8 @@ class CProject:
     def labels(self) -> list[tuple[str, ...]]:
         """The constants that the code of every link reads."""
         algorithms = tuple(run.algorithm for run in RUNS.values())
+        if self.with_outputs:
+            algorithms += tuple(algorithm for row in reported(self.chain) for algorithm in row.algorithms)
         return [constant_labels(key, algorithms) for key in self.chain.keys]
 
     @property
@@ -267,51 +271,6 @@ class CProject:
         for segment, key, labels in zip(self.chain.segments, self.chain.keys, self.labels, strict=True):
             names[segment.link] |= {n[2:] for n in fused.preparation(key, labels).inputs}
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
-
-    @property
-    def prepare_functions(self) -> list[dict]:
-        if self.baked is not None:
-            return []
-        return [self._prepare_function(i) for i in self._first_links() if self._prepares(i)]
-
-    def _first_links(self) -> list[int]:
-        return [self.chain.keys.index(key) for key in self.chain.classes]
-
-    def _prepares(self, i: int) -> bool:
-        """Whether anything is computed from a link's parameters; a marker has none."""
-        return any(fused.preparation(self.chain.keys[i], self.labels[i]).outputs.values())
-
-    def _prepare_function(self, i: int) -> dict:
-        program = fused.preparation(self.chain.keys[i], self.labels[i])
-        program = Program(
-            program.name, program.inputs, {n: v for n, v in program.outputs.items() if v}, [], program.sections
-        )
-
-        given = members(self.chain.robot, self.chain.segments[i].link)
-
-        def placed(name: str, k: int) -> str:
-            if name.startswith("p."):
-                return f"p->{given[name[2:]]}"
-            return f"{name}[{k}]" if name in fused.ALL_COLUMNS else f"c->{name}"
-
-        lines = trimmed(Writer(program, placed, None, {"p", "c", *fused.ALL_COLUMNS}).lines())
-        own = columns(self.chain, i, lambda name, *_: f"$_real {name}[]")
-        lines = with_unused(("p", "c"), lines)
-        signature = f"const $_link_parameters *p, $_link_constants *c{own}"
-        name = self.chain.identifiers[i]
-        written = [placed(n, k) for n, values in program.outputs.items() for k, _ in enumerate(values)]
-        total = [" + ".join(written[k : k + 6]) for k in range(0, len(written), 6)]
-        comment = f"links like {name}"
-        return {"name": name, "signature": signature, "lines": lines, "total": total, "comment": comment}
-
-    @property
-    def prepare_calls(self) -> list[str]:
-        out = []
-        for i in filter(self._prepares, range(self.chain.n)):
-            first = self.chain.identifiers[self.chain.keys.index(self.chain.keys[i])]
-            own = columns(self.chain, i, lambda _, name, k: f"c->{name} + {k}")
-            out.append(f"constants_of_{first}(&p->links[{self.chain.segments[i].link}], &c->links[{i}]{own});")
-        return out
 
     @property
     def baked_tables(self) -> dict | None:

@@ -19,8 +19,9 @@ from ...algorithms import fused
 from ...algorithms.dae_functions import unknown_size
 from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
+from ...algorithms.robot_functions import ROTATION, RobotFunction, offered, shape
+from ...algorithms.signals import Signal
 from ...arguments import choice
-from ...bodies.validity import MEASURES
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
 from ...spec.parameters import parameters, turning
@@ -69,29 +70,18 @@ def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
 
 def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
     """What makes the functions of the joint form, by name."""
-    n, given = chain.n, symbols(chain, "q v vdot tau w_ext p")
+    given = symbols(chain, "q v vdot tau w_ext p")
 
     @cache
     def outputs(maker: Callable[[Chain], Program]) -> dict[str, ca.SX]:
         return expressions(maker(chain), given)
 
-    def made(name: str, inputs: str, results: Callable[[], Mapping[str, ca.SX]]) -> Callable[[], ca.Function]:
-        return lambda: function(name, {k: given[k] for k in inputs.split()}, **results())
+    def made(name: str, inputs: Sequence[str], results: Callable[[], Mapping[str, ca.SX]]) -> Callable:
+        return lambda: function(name, {k: given[k] for k in (*inputs, "p")}, **results())
 
-    def dynamics() -> dict[str, ca.SX]:
-        found = outputs(fused.forward_dynamics)
-        return found | {"wrench": ca.reshape(found["wrench"], 6, n)}
-
-    def validity() -> dict[str, ca.SX]:
-        return {"measures": ca.reshape(outputs(fused.validity)["measures"], len(MEASURES), n)}
-
-    def tip_pose() -> dict[str, ca.SX]:
-        found, own = outputs(fused.poses), chain.last_entries
-        return {"R": rotations(found["tip_R"], n)[:, own], "position": found["tip_position"][own]}
-
-    def link_pose() -> dict[str, ca.SX]:
-        found = outputs(fused.poses)
-        return {"R": rotations(found["link_R"], n), "position": ca.reshape(found["link_position"], 3, n)}
+    def results(row: RobotFunction) -> dict[str, ca.SX]:
+        found = outputs(row.program)
+        return {name: shaped(found[name], signal, chain) for name, signal in row.results.items()}
 
     def mass_matrix() -> dict[str, ca.SX]:
         if chain.floating:
@@ -99,24 +89,16 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         lower = ca.SX(ca.Sparsity.lower(chain.nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
-    def closing_wrenches() -> dict[str, ca.SX]:
-        return {"loop_wrench": ca.reshape(outputs(loop_wrenches)["loop_wrench"], 6, n)}
+    rows = {row.name: made(row.name, row.names, partial(results, row)) for row in offered(chain)}
+    return rows | {"mass_matrix": made("mass_matrix", ("q",), mass_matrix)}
 
-    rows = (
-        ("forward_dynamics", "q v tau w_ext p", dynamics),
-        ("validity", "q v tau w_ext p", validity),
-        ("inverse_dynamics", "q v vdot w_ext p", lambda: outputs(fused.inverse_dynamics)),
-        ("mass_matrix", "q p", mass_matrix),
-        ("bias", "q v w_ext p", lambda: outputs(fused.bias)),
-        ("energy", "q v p", lambda: outputs(fused.energy)),
-        ("tip_pose", "q p", tip_pose),
-        ("link_pose", "q p", link_pose),
-    )
-    levers = (("levers", "q p", lambda: outputs(fused.levers)),) if chain.cranked else ()
-    loops = (("loop_wrenches", "q v tau w_ext p", closing_wrenches),) if chain.closures else ()
-    torques = lambda: outputs(coupling_torques)  # noqa: E731
-    couplings = (("coupling_torques", "q v tau w_ext p", torques),) if chain.couplings else ()
-    return {name: made(name, inputs, results) for name, inputs, results in (*rows, *levers, *loops, *couplings)}
+
+def shaped(values: ca.SX, signal: Signal, chain: Chain) -> ca.SX:
+    """A result as CasADi's matrices have it: a column per link, rotations (stored row by row) side by side."""
+    whole = shape(signal, chain)
+    if signal.shape[-2:] == ROTATION:
+        return rotations(values, 1 if len(whole) == 2 else whole[0])
+    return ca.reshape(values, whole[1], whole[0]) if len(whole) == 2 else values
 
 
 @fused.program("q", "mass_matrix")
@@ -125,18 +107,6 @@ def _inertia(f: Functions, q):
     rest, nothing = [0.0] * f.chain.nv, [0.0] * 6 * f.chain.n
     M = slopes(f, q, rest, rest, nothing, [0.0] * f.chain.n_tau).M
     return {"lower": [M[i, j] for i in range(f.chain.nv) for j in range(i + 1)]}
-
-
-@fused.program("q v tau w_ext")
-def coupling_torques(f: Functions, q, v, tau, w_ext):
-    """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""
-    return {"torque": f.coupling_torques(q, v, tau, w_ext)}
-
-
-@fused.program("q v tau w_ext")
-def loop_wrenches(f: Functions, q, v, tau, w_ext):
-    """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
-    return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
 
 
 def dae_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:

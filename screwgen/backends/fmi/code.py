@@ -14,7 +14,6 @@ from ..c.derivatives import LIMIT
 from ..c.fields import fused_place
 from ..c.pieces import piece_place, pieces
 from ..c.project import CProject
-from ..c.shim import extra_constants, extra_lines
 from ..numpy.closing import OPENED, extent
 from ..numpy.numeric import Numeric
 from ..templates import folder, render
@@ -27,7 +26,7 @@ HEADERS = {
 """The files of the standard, which are passed on as they are."""
 
 TOKEN = "<token>"
-POINTERS = ("c", "p", "extra", "state", "input", "x", "kept", "y")
+POINTERS = ("c", "p", "state", "input", "x", "kept", "y")
 
 
 def sources(project: CProject, version: int, variables: list[Variable], programs: dict) -> dict[str, str]:
@@ -66,7 +65,7 @@ def _opened(chain: Chain) -> tuple[str, str]:
 
 
 def content(project: CProject) -> dict:
-    """The programs of :mod:`...algorithms.response` as the templates print them.
+    """The programs of :mod:`...algorithms.response` as the templates print them, of a project with outputs.
 
     Without derivatives, in ``derived``, where they would take too long to compile.
     """
@@ -75,31 +74,20 @@ def content(project: CProject) -> dict:
     programs = {make.__name__: make(project.chain, constants) for make in makers}
     derived = max(program.operation_count for program in programs.values()) <= LIMIT
     programs = programs if derived else {"observation": programs["observation"]}
-    extra = sorted({x for program in programs.values() for x in extra_constants(project, program)})
-    place = partial(_place, project, extra)
-    printed = {name: _printed(project, program, place) for name, program in programs.items()}
+    printed = {name: _printed(project, program) for name, program in programs.items()}
     return {
         "derived": derived,
-        "extra": extra,
-        "extra_lines": extra_lines(project, extra),
         "programs": printed,
         "response": response.sizes(project.chain),
+        "reports": response.REPORTS,
         "tips": project.chain.lasts,
         "slopes_of_stumpff": any({"c6", "c7"} & program.operations.keys() for program in programs.values()),
     }
 
 
-def _printed(project: CProject, program: Program, place: Callable[[str, int], str]) -> dict:
+def _printed(project: CProject, program: Program) -> dict:
     fail = lambda test, link: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
-    return pieces(program, piece_place(project.chain, "kept", _own(project), place), POINTERS, fail=fail)
-
-
-def _place(project: CProject, extra: list[tuple[int, str]], name: str, k: int) -> str:
-    """Constants that the library prepares are its own, others stand in ``extra``."""
-    owner, _, what = name.partition(":c.")
-    if not what or what in project.labels[int(owner)]:
-        return fused_place(name, k)
-    return f"extra[{extra.index((int(owner), what))}]"
+    return pieces(program, piece_place(project.chain, "kept", _own(project), fused_place), POINTERS, fail=fail)
 
 
 def _own(project: CProject) -> dict[str, Callable[[int], str]]:

@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections import Counter
 
 BASE = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
-DERIVED = {"N": {"kg": 1, "m": 1, "s": -2}, "J": {"kg": 1, "m": 2, "s": -2}, "Hz": {"s": -1}}
+DERIVED = {
+    "N": {"kg": 1, "m": 1, "s": -2},
+    "J": {"kg": 1, "m": 2, "s": -2},
+    "W": {"kg": 1, "m": 2, "s": -3},
+    "Hz": {"s": -1},
+}
 POWERS = {"²": 2, "³": 3}
 
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import prod
 
 import numpy as np
 
 from ...algorithms import response
+from ...algorithms.robot_functions import entry_names, entry_units, reported, shape
 from ...bodies.markers import strains
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
@@ -156,8 +158,11 @@ def _outputs(chain: Chain) -> Iterator[Variable]:
         for strain in strains(chain.keys[i], 0.0):
             name = f"{chain.segments[i].owner}.base_strain.{strain.direction}"
             yield of("strain", name, STRAIN_UNITS[strain.direction], "strain of the centreline at the link's base")
-    yield of("energy", "energy.kinetic", "J", "kinetic energy")
-    yield of("energy", "energy.potential", "J", "potential energy: weight, springs and modes")
+    drives = coordinate_names(chain.robot).tau
+    for told in reported(chain):
+        meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
+        for entry in zip(entry_names(told, drives), entry_units(told, chain), meanings, strict=True):
+            yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:
             name, unit = f"{segment.name}.validity.{measure}", MEASURE_UNITS.get(measure, "1")

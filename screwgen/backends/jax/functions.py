@@ -18,9 +18,9 @@ import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.axis_laws import of_robot
+from ...algorithms.robot_functions import RobotFunction, function_named, offered, shape
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
-from ...bodies.validity import MEASURES
 from ...elements.law import replayed, stage
 from ...errors import UsageError
 from ...integrators.method import Method, Motion
@@ -29,7 +29,7 @@ from ...integrators.se3 import FLAT, programs
 from ...ir.adjoint import only
 from ...ir.program import Program
 from ...topology.chain import Chain
-from ..casadi.functions import Made, coupling_torques, loop_wrenches
+from ..casadi.functions import Made
 from .programs import Evaluator, Values, straight
 
 PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
@@ -119,46 +119,21 @@ class Own:
 
     def makers(self) -> dict[str, Callable[[], Callable]]:
         """What makes all but the steps, by name."""
-        n, run, whole = self.chain.n, self.run, (self.chain.n, 6)
-
-        def forward_dynamics(x: Values):
-            vdot, wrench = run(fused.forward_dynamics, "vdot wrench", x)
-            return vdot, wrench.reshape(whole)
-
-        def energy(x: Values):
-            return tuple(value[0] for value in run(fused.energy, "kinetic potential", x))
-
-        def tip_pose(x: Values):
-            R, position = run(fused.poses, "tip_R tip_position", x)
-            return R.reshape(n, 3, 3)[self.chain.last], position.reshape(n, 3)[self.chain.last]
-
-        def link_pose(x: Values):
-            R, position = run(fused.poses, "link_R link_position", x)
-            return R.reshape(n, 3, 3), position.reshape(n, 3)
-
-        def one(maker: Callable[[Chain], Program], output: str, *shape: int):
-            return lambda x: run(maker, output, x)[0].reshape(shape or -1)
-
-        rows: list[tuple[str, str, Callable]] = [
-            ("forward_dynamics", "q v tau w_ext p", forward_dynamics),
-            ("validity", "q v tau w_ext p", one(fused.validity, "measures", n, len(MEASURES))),
-            ("inverse_dynamics", "q v vdot w_ext p", one(fused.inverse_dynamics, "force")),
+        own: list[tuple[str, str, Callable]] = [
             ("mass_matrix", "q p", self._mass_matrix),
-            ("bias", "q v w_ext p", one(fused.bias, "h")),
-            ("energy", "q v p", energy),
-            ("tip_pose", "q p", tip_pose),
-            ("link_pose", "q p", link_pose),
-            ("tip_jacobian", "q p", partial(self._tip_jacobian, tip_pose)),
+            ("tip_jacobian", "q p", self._tip_jacobian),
             ("coordinate_rates", "q v p", self._coordinate_rates),
         ]
-        if self.chain.cranked:
-            rows.append(("levers", "q p", one(fused.levers, "levers")))
         if self.chain.closures:
-            rows.append(("loop_wrenches", "q v tau w_ext p", one(loop_wrenches, "loop_wrench", *whole)))
-            if self.chain.couplings:
-                rows.append(("coupling_torques", "q v tau w_ext p", one(coupling_torques, "torque")))
-            rows.append(("correct", "q v p", lambda x: tuple(run(fused.correction, "new_q new_v", x))))
-        return {name: partial(self.function, inputs, body) for name, inputs, body in rows}
+            own.append(("correct", "q v p", lambda x: tuple(self.run(fused.correction, "new_q new_v", x))))
+        own += [(row.name, f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)]
+        return {name: partial(self.function, inputs, body) for name, inputs, body in own}
+
+    def _results(self, row: RobotFunction, x: Values):
+        """The results of a function of the robot, a tuple where they are several."""
+        found = self.run(row.program, " ".join(row.results), x)
+        shaped = [y.reshape(shape(of, self.chain)) for y, of in zip(found, row.results.values(), strict=True)]
+        return tuple(shaped) if len(shaped) > 1 else shaped[0]
 
     def _mass_matrix(self, x: Values):
         force = lambda vdot: self.run(fused.inertial_force, "force", {**x, "vdot": vdot})[0]  # noqa: E731
@@ -167,8 +142,9 @@ class Own:
     def _coordinate_rates(self, x: Values):
         return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.floating else x["v"]
 
-    def _tip_jacobian(self, tip_pose: Callable, x: Values):
+    def _tip_jacobian(self, x: Values):
         """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
+        tip_pose = partial(self._results, function_named("tip_pose"))
         pose = lambda q: (tip_pose({**x, "q": q}),) * 2  # noqa: E731
         (turning, moving), (R, _) = jax.jacrev(pose, has_aux=True)(x["q"])
         units = jnp.eye(self.chain.nv, dtype=self.real)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from copy import copy
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -14,10 +14,8 @@ from ...algorithms.functions import (
     ASSEMBLY,
     DAE_FORWARD,
     DAE_RATES,
-    ENERGY,
     FORWARD,
     INVERSE,
-    LEVERS,
     MEASURING,
     MOTION,
     PLACEMENT,
@@ -27,6 +25,7 @@ from ...algorithms.functions import (
     Functions,
 )
 from ...algorithms.linearise import closed_slopes, slopes
+from ...algorithms.robot_functions import BY_NAME, RobotFunction, results
 from ...algorithms.schedule import Algorithm
 from ...arguments import Numbers, array
 from ...ir.program import Program
@@ -90,21 +89,24 @@ class Numeric:
         """The algorithms that loops need besides."""
         return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if self.chain.closures else ()
 
-    def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
-        """``vdot`` (nv,) and the joint wrenches (n, 6); ``w_ext`` is (n, 6)."""
-        given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
-        vdot, wrench = self._functions(FORWARD, *self._closing).forward_dynamics(*given)
-        return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
+    def __getattr__(self, name: str) -> Callable:
+        """The functions of :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`, by name."""
+        if name not in BY_NAME:
+            raise AttributeError(f"'Numeric' has no attribute '{name}'", name=name, obj=self)
+        return partial(self._results, BY_NAME[name])
 
-    def loop_wrenches(self, q, v, tau, w_ext) -> np.ndarray:
-        """The wrenches (n, 6) with which the loops act on the tips, in the tip frames."""
-        given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
-        return np.array(self._functions(FORWARD, MOTION).loop_wrenches(*given)).reshape(self.chain.n, 6)
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *BY_NAME]
 
-    def coupling_torques(self, q, v, tau, w_ext) -> np.ndarray:
-        """The torques (n_tau,) with which couplings act on the joint axes, N·m, N on those that slide."""
-        given = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
-        return np.array(self._functions(FORWARD, MOTION).coupling_torques(*given))
+    def _results(self, row: RobotFunction, *given, **more):
+        """The results of a function of the robot: arrays, numbers, a tuple where they are several."""
+        arguments = dict(zip(row.names, given, strict=False)) | more
+        values = dict(zip(row.names, self._rows(**{x: arguments.pop(x, None) for x in row.names}), strict=True))
+        if arguments or len(given) > len(row.names):
+            raise TypeError(f"the arguments of {row.name} are ({', '.join(row.names)})")
+        closing = self._closing if "tau" in values else ()
+        found = row.program.body(self._functions(*row.algorithms, *closing), **values)
+        return results(row, self.chain, np.array([x for name in row.results for x in found[name]], float))
 
     def gaps(self, q, v) -> tuple[np.ndarray, np.ndarray]:
         """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""
@@ -140,26 +142,10 @@ class Numeric:
         found = rates(functions, values, units)
         return np.array([x.entries if isinstance(x, Rates) else [0.0] * len(units) for x in found])
 
-    def validity(self, q, v, tau, w_ext) -> np.ndarray:
-        """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
-        functions = self._functions(FORWARD, MEASURING, *self._closing)
-        q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
-        _, wrench, motion = functions.watched_dynamics(q, v, tau, w_ext)
-        return np.array(functions.measures(q, wrench, motion), float).reshape(self.chain.n, -1)
-
     def validity_at_rest(self, q, w_ext=None) -> np.ndarray:
         """The measures (n, 4) with joints and modes held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""
         functions = self._functions(INVERSE, MEASURING)
         return np.array(functions.measures_at_rest(*self._rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
-
-    def inverse_dynamics(self, q, v, vdot, w_ext) -> np.ndarray:
-        """All nv generalised forces."""
-        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext)
-        return np.array(self._functions(INVERSE).inverse_dynamics(*given))
-
-    def bias(self, q, v, w_ext) -> np.ndarray:
-        """``h`` of ``M vdot + h = [tau; 0]``."""
-        return self.inverse_dynamics(q, v, None, w_ext)
 
     def mass_matrix(self, q) -> np.ndarray:
         """``M`` (nv, nv), column by column from the inverse dynamics."""
@@ -200,11 +186,6 @@ class Numeric:
         """
         return np.array(self._functions(MOTION).solve_rows(A, b.T.tolist()), float).reshape(-1, len(A)).T
 
-    def levers(self, q) -> np.ndarray:
-        """What the torque of each axis is multiplied by (n_tau,): of a cylinder its travel per rad, m, of a linkage the
-        turn of the crank per turn of the joint, or 1. Raises SingularError where a linkage does not reach."""
-        return np.array(self._functions(LEVERS).levers(*self._rows(q=q)))
-
     def slopes(self, q, v, vdot, w_ext, tau=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nv, nv) each.
 
@@ -215,22 +196,9 @@ class Numeric:
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         return np.tril(M) + np.tril(M, -1).T, f_q, f_v
 
-    def energy(self, q, v) -> tuple[float, float]:
-        """Kinetic and potential energy, J."""
-        return self._functions(ENERGY).energy(*self._rows(q=q, v=v))
-
-    def link_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
-        """Rotations (n, 3, 3) and positions (n, 3) of the link frames in the inertial frame."""
-        return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[0])
-
     def tip_poses(self, q) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
         return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[1])
-
-    def tip_pose(self, q) -> tuple[np.ndarray, np.ndarray]:
-        """Rotation (3, 3) and position (3,) of the last link's tip frame."""
-        R, position = self.tip_poses(q)
-        return R[self.chain.last], position[self.chain.last]
 
     # DAE form ---------------------------------------------------------------------------------
 

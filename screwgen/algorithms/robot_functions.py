@@ -1,0 +1,254 @@
+"""The functions of a robot that every back end offers, each stated once.
+
+An example: the power of the drives. It is a function of ``q``, ``v`` and ``tau`` with one result, an entry in W for
+each drive. Its row in ``FUNCTIONS`` says this and names the lines that compute it, which run on values of any algebra.
+From the row come a CasADi function, one on arrays of JAX, one on NumPy arrays, one of C with its declaration, the call
+of the compiled library, the columns of runs and rollouts, and the variables of mock-up units. A new function is a
+phase, a row, a test and a line of docs/functions.md.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..bodies.validity import MEASURES
+from ..ir.program import Program
+from ..topology.chain import Chain
+from . import fused
+from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER, Functions
+from .loop_functions import MOTION
+from .schedule import Algorithm
+from .signals import INERTIAL, ROBOT, TIP, WRENCH, Signal
+
+ROTATION, PLACE = (3, 3), (3,)
+
+
+@dataclass(frozen=True)
+class RobotFunction:
+    """A function of a robot.
+
+    ``inputs``: names, which blanks separate; ``results``: name -> shape, unit, frame and meaning; ``program`` makes it
+    as one program, whose ``body`` runs on `Functions`; ``algorithms``: those that the body runs; ``offered``: of which
+    robots there is one; ``in_c``: whether ``<robot>_outputs.c`` has it; ``about``: a sentence.
+    """
+
+    name: str
+    inputs: str
+    results: Mapping[str, Signal]
+    program: Callable[..., Program]
+    algorithms: tuple[Algorithm, ...]
+    about: str
+    offered: Callable[[Chain], bool] = lambda chain: True
+    in_c: bool = False
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the inputs."""
+        return self.inputs.split()
+
+
+def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
+    """The shape of a result for a robot."""
+    sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NLINKS": chain.n}
+    return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)
+
+
+def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray):
+    """The results from all their entries: arrays, numbers, a tuple where they are several."""
+    shapes = [shape(of, chain) for of in function.results.values()]
+    ends = np.cumsum([math.prod(size) for size in shapes])
+    parts = np.split(np.asarray(values), ends[:-1])
+    out = [part.reshape(size) if size else part.item() for part, size in zip(parts, shapes, strict=True)]
+    return tuple(out) if len(out) > 1 else out[0]
+
+
+@fused.program("q v tau")
+def drive_power(f: Functions, q, v, tau):
+    """``(q, v, tau) -> (power)``."""
+    return {"power": f.drive_power(q, v, tau)}
+
+
+@fused.program("q v tau w_ext")
+def loop_wrenches(f: Functions, q, v, tau, w_ext):
+    """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
+    return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
+
+
+@fused.program("q v tau w_ext")
+def coupling_torques(f: Functions, q, v, tau, w_ext):
+    """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""
+    return {"torque": f.coupling_torques(q, v, tau, w_ext)}
+
+
+@fused.program("q")
+def tip_pose(f: Functions, q):
+    """``(q) -> (R, position)`` of the last tip, R row by row."""
+    return dict(zip(("R", "position"), f.poses(q)[1][f.chain.last], strict=True))
+
+
+@fused.program("q")
+def link_pose(f: Functions, q):
+    """``(q) -> (R, position)`` of the link frames, link by link."""
+    frames = f.poses(q)[0]
+    return {name: [x for frame in frames for x in frame[k]] for k, name in enumerate(("R", "position"))}
+
+
+AXES = "N*m, of axes that slide N"
+FUNCTIONS = (
+    RobotFunction(
+        "forward_dynamics",
+        "q v tau w_ext",
+        {name: ROBOT["output"][name] for name in ("vdot", "wrench")},
+        fused.forward_dynamics,
+        (FORWARD,),
+        "Forward dynamics: the accelerations, and the joint wrenches.",
+    ),
+    RobotFunction(
+        "validity",
+        "q v tau w_ext",
+        {"measures": Signal(("NLINKS", len(MEASURES)), "-", "-", ", ".join(MEASURES))},
+        fused.validity,
+        (FORWARD, MEASURING),
+        "How far every link is from the limits of the model.",
+    ),
+    RobotFunction(
+        "inverse_dynamics",
+        "q v vdot w_ext",
+        {"force": Signal(("NV",), "N*m, N", "-", "generalised forces that a motion needs")},
+        fused.inverse_dynamics,
+        (INVERSE,),
+        "Inverse dynamics: the generalised forces of a motion.",
+    ),
+    RobotFunction(
+        "bias",
+        "q v w_ext",
+        {"h": Signal(("NV",), "N*m, N", "-", "h of M vdot + h = [tau; 0]")},
+        fused.bias,
+        (INVERSE,),
+        "The bias force, which is the inverse dynamics without accelerations.",
+    ),
+    RobotFunction(
+        "energy",
+        "q v",
+        {
+            "kinetic": Signal((), "J", "-", "kinetic energy"),
+            "potential": Signal((), "J", "-", "potential energy of weight, springs and modes"),
+        },
+        fused.energy,
+        (ENERGY,),
+        "Kinetic and potential energy.",
+        in_c=True,
+    ),
+    RobotFunction(
+        "drive_power",
+        "q v tau",
+        {"power": Signal(("NTAU",), "W", "-", "power that each drive gives to the arm")},
+        drive_power,
+        (POWER,),
+        "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
+        in_c=True,
+    ),
+    RobotFunction(
+        "tip_pose",
+        "q",
+        {
+            "R": Signal(ROTATION, "-", INERTIAL, "rotation of the last tip frame"),
+            "position": Signal(PLACE, "m", INERTIAL, "last tip point"),
+        },
+        tip_pose,
+        (PLACES,),
+        "The pose of the last tip.",
+    ),
+    RobotFunction(
+        "link_pose",
+        "q",
+        {
+            "R": Signal(("NLINKS", *ROTATION), "-", INERTIAL, "rotation of every link frame"),
+            "position": Signal(("NLINKS", *PLACE), "m", INERTIAL, "origin of every link frame"),
+        },
+        link_pose,
+        (PLACES,),
+        "The poses of the link frames.",
+    ),
+    RobotFunction(
+        "levers",
+        "q",
+        {"levers": Signal(("NTAU",), "m/rad, -", "-", "what the torque of each axis is multiplied by")},
+        fused.levers,
+        (LEVERS,),
+        "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
+        offered=lambda chain: bool(chain.cranked),
+    ),
+    RobotFunction(
+        "loop_wrenches",
+        "q v tau w_ext",
+        {"loop_wrench": Signal(("NLINKS", 6), WRENCH, TIP, "of the loops on each tip")},
+        loop_wrenches,
+        (FORWARD, MOTION),
+        "The wrenches with which the loops act on the tips.",
+        offered=lambda chain: bool(chain.closures),
+    ),
+    RobotFunction(
+        "coupling_torques",
+        "q v tau w_ext",
+        {"torque": Signal(("NTAU",), AXES, "-", "of the couplings on each joint axis")},
+        coupling_torques,
+        (FORWARD, MOTION),
+        "The torques with which couplings act on the joint axes.",
+        offered=lambda chain: bool(chain.couplings),
+    ),
+)
+"""The functions of a robot; `mass_matrix`, which each back end makes in its own way, is none of them."""
+
+
+def offered(chain: Chain) -> tuple[RobotFunction, ...]:
+    """The functions that a robot has."""
+    return tuple(function for function in FUNCTIONS if function.offered(chain))
+
+
+def reported(chain: Chain) -> tuple[RobotFunction, ...]:
+    """The functions that ``<robot>_outputs.c``, runs and mock-up units report."""
+    return tuple(function for function in offered(chain) if function.in_c)
+
+
+def entries(function: RobotFunction, chain: Chain) -> int:
+    """The number of entries of all results."""
+    return sum(math.prod(shape(of, chain)) for of in function.results.values())
+
+
+def entry_names(function: RobotFunction, tau_names: Sequence[str]) -> tuple[str, ...]:
+    """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`."""
+    out: list[str] = []
+    for name, signal in function.results.items():
+        per_drive = [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in tau_names]
+        out += per_drive if signal.shape == ("NTAU",) else [f"{function.name}.{name}"]
+    return tuple(out)
+
+
+def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
+    """The units of these entries."""
+    return [of.unit for of in function.results.values() for _ in range(math.prod(shape(of, chain)))]
+
+
+def table_row(function: RobotFunction) -> str:
+    """The row of a function in the table of docs/functions.md."""
+    sizes = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NLINKS": "n"}
+    told = [
+        f"`{name}` ({', '.join(str(sizes.get(str(n), n)) for n in of.shape) or 'a number'}), {of.unit}"
+        for name, of in function.results.items()
+    ]
+    where = "also in C, runs, rollouts, units. " if function.in_c else ""
+    return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {where}{function.about} |"
+
+
+def function_named(name: str) -> RobotFunction:
+    """The function of a name; raises KeyError where there is none."""
+    return BY_NAME[name]
+
+
+BY_NAME = {function.name: function for function in FUNCTIONS}

@@ -1,0 +1,57 @@
+"""The functions of a robot that its C has besides the dynamics, in ``<robot>_outputs.c``: energies, power of drives."""
+
+from __future__ import annotations
+
+from math import prod
+
+from ...algorithms.robot_functions import RobotFunction, reported, shape
+from ...algorithms.signals import Signal
+from ...topology.chain import Chain
+from .code import Place
+from .pieces import piece_place, pieces
+
+FILES = ("outputs.h", "outputs.c")
+"""The files that outputs add, without the robot's name; their templates have the same names."""
+INPUTS = {"state": ("q", "v"), "input": ("tau", "w_ext")}
+"""The structs that hold the arguments of functions."""
+
+
+def content(chain: Chain, baked: bool, place: Place) -> dict:
+    """The templates' context; ``place`` is that of the fused function."""
+    made = [_function(row, chain, baked, place) for row in reported(chain)]
+    return {"functions": made, "kept": max(part["kept"] for part in made)}
+
+
+def _function(row: RobotFunction, chain: Chain, baked: bool, place: Place) -> dict:
+    given = [struct for struct, names in INPUTS.items() if not set(names).isdisjoint(row.names)]
+    own = {name: _result(name, signal) for name, signal in row.results.items()}
+    placed = piece_place(chain, "kept", own | {"gravity": lambda k: f"c->gravity[{k}]"}, place)
+    program = row.program(chain, "baked" if baked else "constants")
+    results, first = [], 0
+    for name, signal in row.results.items():
+        sizes = {"size": _count(signal), "scalar": not signal.shape, "first": first}
+        results.append({"name": name, "comment": signal.comment, **sizes})
+        first += prod(shape(signal, chain))
+    shown = {"name": row.name, "about": row.about, "given": given, "results": results, "length": length_of(row)}
+    made = pieces(program, placed, ("c", *given, "kept", *row.results), fail=_singular)
+    pointers = [f"!{name}" for name in ("c", *given, "work", *row.results)]
+    return made | shown | {"pointers": pointers}
+
+
+def _result(name: str, signal: Signal):
+    return (lambda k: f"{name}[{k}]") if signal.shape else (lambda k: f"*{name}")
+
+
+def _singular(test: str, _: int) -> str:
+    """The statement of a guard: a posture in which a result is not finite."""
+    return f"if ({test}) {{ return $$_SINGULAR; }}"
+
+
+def length_of(row: RobotFunction) -> str:
+    """The number of entries of all results, as C has it."""
+    return " + ".join(map(_count, row.results.values()))
+
+
+def _count(signal: Signal) -> str:
+    """The number of entries of a result, as C has it."""
+    return " * ".join(f"$$_{n}" if isinstance(n, str) else str(n) for n in signal.shape) or "1"

@@ -18,10 +18,12 @@ PAGE = robot_page.PAGE.read_text(encoding="utf-8")
 WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
     shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu body sid npz
-    interface base tip parent drives friction transmission four_bar branch limits loops couplings
+    interface base tip parent drives friction transmission four_bar branch limits elements loops couplings
     axis of markers""".split()
 )
 """Keys that are no physical quantity in some table."""
+IN_ELEMENTS = {"slide", "screw", "pitch", "spring", "rest"}
+"""Keys of axes and of their elements, which have tables of their own."""
 
 
 def keys(part) -> list[str]:
@@ -47,7 +49,13 @@ def test_the_examples_have_every_key():
     """The one of the page, and those with files of the page on bodies."""
     text = PAGE + (DOCS / "elements.md").read_text(encoding="utf-8")
     examples = [tomllib.loads(block) for block in re.findall(r'```toml title="[^"]+"\n(.*?)```', text, re.DOTALL)]
-    shown = set(_keys([example for example in examples if "links" in example])) - {"slide", "screw", "pitch"}
+    shown = set(_keys([example for example in examples if "links" in example])) - {
+        "slide",
+        "screw",
+        "pitch",
+        "spring",
+        "rest",
+    }
     assert shown == {key for part in robot_page.PARTS for key in keys(part)}
 
 

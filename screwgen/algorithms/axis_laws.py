@@ -6,9 +6,11 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from ..elements import FRICTION, STOP, Law
+from ..elements.axis_element import OfElement
 from ..ir.program import Value
-from ..spec.link_class import SIDES, LinkClass, Stop
+from ..spec.link_class import SIDES, LinkClass
 from ..topology.chain import Chain
+from ..topology.parameters import element_label
 from .scope import Scope
 
 Place = tuple[str, int]
@@ -36,7 +38,10 @@ def of_link(key: LinkClass) -> list[OfLink]:
     dry = [("theta", key.motors.index(axis)) if axis in key.motors else ("q", axis) for axis in key.rubbed]
     stops = [("q", axis) for axis, _ in key.stops]
     sides = tuple(SIDES[side] for _, side in key.stops)
-    found = OfLink(FRICTION, dry, (1,) * len(dry)), OfLink(STOP, stops, sides)
+    found = [OfLink(FRICTION, dry, (1,) * len(dry)), OfLink(STOP, stops, sides)]
+    for kind in dict.fromkeys(kind for kind, _ in key.elements):
+        axes = [("q", axis) for axis in key.axes_with(kind)]
+        found.append(OfLink(OfElement(kind), axes, (1,) * len(axes)))
     return [one for one in found if one.places]
 
 
@@ -44,44 +49,66 @@ def of_robot(chain: Chain) -> list[OfRobot]:
     """The laws that act in a robot, link by link."""
     dry = OfRobot(FRICTION, chain.dry, [1] * len(chain.dry))
     stops = OfRobot(STOP, [k for k, _ in chain.stops], [side for _, side in chain.stops])
-    return [one for one in (dry, stops) if one.coordinates]
+    more = [OfRobot(OfElement(kind), places, [1] * len(places)) for kind, places in chain.elements.items()]
+    return [one for one in (dry, stops, *more) if one.coordinates]
+
+
+# ------------------------------------------------------------------------------------------ constants
+
+
+class Acting(NamedTuple):
+    """A law on one axis of a joint: its side there, and the labels of its constants, None for one that is zero."""
+
+    law: Law
+    axis: int
+    side: int
+    labels: tuple[str | None, ...]
+
+
+def on_axes(key: LinkClass) -> Iterator[Acting]:
+    """The laws on the axes of a link's joint; friction on rotors and in transmissions is not among them."""
+    for axis in (axis for axis in key.rubbed if axis not in key.motors):
+        yield Acting(FRICTION, axis, 1, (f"drive_coulomb_{axis + 1}", f"drive_velocity_{axis + 1}"))
+    yield from stops(key)
+    for kind, axis in key.elements:
+        yield Acting(OfElement(kind), axis, 1, tuple(element_label(kind.KIND, x, axis) for x in kind.table()))
+
+
+def stops(key: LinkClass) -> Iterator[Acting]:
+    """The stops of the axes."""
+    for axis, side in key.stops:
+        damping = f"limit_damping_{axis + 1}" if axis in key.stop_damping else None
+        yield Acting(STOP, axis, SIDES[side], (f"limit_{side}_{axis + 1}", f"limit_stiffness_{axis + 1}", damping))
+
+
+def columns_of(s: Scope) -> Iterator[tuple[str, list[Value]]]:
+    """The columns of stops and elements, recorded from the parameters: name, an entry for each coordinate."""
+    acting = [*stops(s.key), *(one for one in on_axes(s.key) if isinstance(one.law, OfElement))]
+    for law in dict.fromkeys(one.law for one in acting):
+        labels = zip(*(one.labels for one in acting if one.law == law), strict=True)
+        for name, own in zip(law.constants, labels, strict=True):
+            yield name, [0.0 if label is None else s.read(f"p.{label}", 1)[0] for label in own]
 
 
 # ------------------------------------------------------------------------------------------ in phases
 
 
-def constant_of_stop(s: Scope, name: str, where: Stop) -> Value:
-    """One of the constants of a stop, recorded from the parameters."""
-    axis, side = where
-    if name == "stop_D" and axis not in s.key.stop_damping:
-        return 0.0
-    label = {"stop_at": side, "stop_K": "stiffness", "stop_D": "damping"}[name]
-    return s.read(f"p.limit_{label}_{axis + 1}", 1)[0]
-
-
-def _constants(s: Scope, where: Stop) -> tuple[Value, Value, Value]:
-    """The same for a phase, out of the link's constants."""
-    axis, side = where
-    damped = axis in s.key.stop_damping
-    read = lambda label: s.constant(f"limit_{label}_{axis + 1}")  # noqa: E731
-    return read(side), read("stiffness"), read("damping") if damped else 0.0
-
-
 def axis_forces(s: Scope, q: Sequence[Value], qdot: Sequence[Value]) -> Iterator[tuple[int, Value]]:
     """The forces of laws on the joint's axes, each with its axis; friction of rotors is not among them."""
-    for axis in (axis for axis in s.key.rubbed if axis not in s.key.motors):
-        velocity, coulomb = (s.constant(f"drive_{x}_{axis + 1}") for x in ("velocity", "coulomb"))
-        yield axis, FRICTION.force(s.tracer, 1.0, q[axis], qdot[axis], coulomb, velocity * velocity)
-    for where in s.key.stops:
-        axis, side = where
-        constants = _constants(s, where)
-        yield axis, STOP.force(s.tracer, float(SIDES[side]), q[axis], qdot[axis], *constants)
+    for law, axis, side, labels in on_axes(s.key):
+        constants = [0.0 if label is None else s.constant(label) for label in labels]
+        if law == FRICTION:
+            constants[1] = constants[1] * constants[1]
+        yield axis, law.force(s.tracer, float(side), q[axis], qdot[axis], *constants)
 
 
-def stop_energy(s: Scope, q: Sequence[Value]) -> Value:
-    """Twice the potential of the stops."""
+def axis_energy(s: Scope, q: Sequence[Value]) -> Value:
+    """Twice the potential of stops and elements."""
     total: Value = 0.0
-    for axis, side in s.key.stops:
-        at, k, _ = _constants(s, (axis, side))
-        total = total + STOP.energy(s.tracer, float(SIDES[side]), q[axis], at, k)
+    for law, axis, side, labels in on_axes(s.key):
+        constants = [0.0 if label is None else s.constant(label) for label in labels]
+        if law == STOP:
+            total = total + STOP.energy(s.tracer, float(side), q[axis], *constants[:2])
+        elif isinstance(law, OfElement):
+            total = total + law.energy(s.tracer, float(side), q[axis], *constants)
     return total

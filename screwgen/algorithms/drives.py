@@ -17,7 +17,7 @@ from ..spec.link_class import DriveClass, LinkClass
 from . import elastic_gears as eg
 from . import matrices as mx
 from . import transmissions as tm
-from .axis_laws import axis_forces, stop_energy
+from .axis_laws import axis_energy, axis_forces
 from .scope import Scope
 
 NONE = DriveClass()
@@ -207,9 +207,9 @@ def spring(s: Scope) -> Array:
 
 
 def drive_energies(s: Scope, q: Array, qdot: Array) -> tuple[Value, Value]:
-    """Twice the kinetic energy of the rotors' spin, and twice the potential of gears and stops; rigid gears without."""
+    """Twice the kinetic energy of the rotors' spin; twice the potential of elastic gears, of stops and elements."""
     kinetic = tm.kinetic(s, q, qdot)
-    potential: Value = stop_energy(s, q)
+    potential: Value = axis_energy(s, q)
     for k, axis in enumerate(s.key.motors):
         theta, thetadot = s.read("theta")[k], s.read("thetadot")[k]
         if axis in s.key.loose:

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 
 from ..elements import Law
-from ..elements.law import forces
 from ..ir.program import Value
 from ..topology.chain import Chain
 from . import dae, given_motion, transmissions, validity
@@ -14,8 +13,9 @@ from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
-from .columns import LAWS
+from .columns import is_of_law
 from .drives import drive_power, rotor_accelerations
+from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
@@ -103,8 +103,10 @@ class Functions(LoopFunctions):
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out = {}
         spans = self.chain.given(i)
-        below, gear, *_ = (spans.pop(part, None) for part in ("below", "gear", *LAWS))
+        below, gear = (spans.pop(part, None) for part in ("below", "gear"))
         for part, span in spans.items():
+            if is_of_law(part):
+                continue
             if self.given is not None:
                 out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
             elif not parts or part in parts:
@@ -113,10 +115,11 @@ class Functions(LoopFunctions):
                 out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
         out |= {} if below is None else self._coupled_terms(i, x, below, out["f_eta"])
         key = self.chain.keys[i]
-        return out if gear is None and not key.rubbed and not key.stops else self._drive_terms(i, x, gear, out)
+        acting = key.rubbed or key.stops or key.elements
+        return self._drive_terms(i, x, gear, out) if gear is not None or acting else out
 
     def _drive_terms(self, i: int, x: Mapping[str, list], span: slice | None, out: dict[str, list]) -> dict[str, list]:
-        """What gears, dry friction and stops add to the forces of joint and rotors, unless they are given."""
+        """What gears and laws add to the forces of joint and rotors, unless they are given."""
         key, own = self.chain.keys[i], self.constants[i]
         if self.given is not None:
             return out | ({} if span is None else {"m_gear": list(self.given[0][span])})

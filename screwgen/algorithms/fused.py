@@ -11,12 +11,11 @@ from ..ir.program import Program, Tracer, Value
 from ..ir.replay import inline, run
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
-from .columns import columns
+from .columns import columns, link_columns
 from .dae_functions import DaeFunctions, state_size, unknown_size
 from .functions import EVERYTHING, Functions
-from .schedule import COLUMNS, Algorithm, constant_labels, preparation
+from .schedule import Algorithm, constant_labels, is_column, preparation
 
-ALL_COLUMNS = tuple(name for names in COLUMNS.values() for name in names)
 DIGITS = 40
 
 Body = Callable[[Functions, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
@@ -56,7 +55,7 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
     for i, key in enumerate(chain.keys):
         names = {f"c.{label}": 1 for label in constant_labels(key, EVERYTHING)}
         for part, span in chain.given(i).items():
-            names |= dict.fromkeys(COLUMNS[part], span.stop - span.start)
+            names |= dict.fromkeys(link_columns(chain, part), span.stop - span.start)
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}
     read["gravity"] = 3
@@ -78,7 +77,7 @@ def prepared(
     for i, key in enumerate(chain.keys):
         program, places = preparation(key, constant_labels(key, algorithms)), chain.parameter_labels[i]
         outputs = evaluate(i, program, {name: [p[places[name[2:]]]] for name in program.inputs})
-        out.append({name if name in ALL_COLUMNS else f"c.{name}": values for name, values in outputs.items()})
+        out.append({name if is_column(name) else f"c.{name}": values for name, values in outputs.items()})
     return out
 
 

@@ -90,8 +90,8 @@ def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence
             _own(f, i, link, out, own)
     if f.chain.loose:
         _gears(f.chain, links, out)
-    if own and (f.chain.n_motors or f.chain.dry or f.chain.stops):
-        with section("drives: rotors, gears and dry friction" + "; stops" * bool(f.chain.stops)):
+    if own and (f.chain.n_motors or of_robot(f.chain)):
+        with section("drives: rotors, gears and dry friction" + _more(f.chain)):
             _drives(f, q, v, out)
     J = _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"), at)
     moved, places_of = {}, list(zip(at, range(nv, len(out.f_q), MOTION), strict=True))
@@ -170,8 +170,13 @@ def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> N
         out.f_v[place, place] = own
 
 
+def _more(chain: Chain) -> str:
+    words = ["stops"] * bool(chain.stops) + [kind.WORDS for kind in chain.elements]
+    return "".join(f"; {word}" for word in words)
+
+
 def _drives(f: Functions, q, v, out: Slopes) -> None:
-    """The rows and columns of rotors, and the slopes of dry friction and stops."""
+    """The rows and columns of rotors, and the slopes of laws."""
     chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
     rotors, pairs = enumerate(chain.geared, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
     state = [a | b for a, b in zip(*pairs, strict=True)]

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from functools import cache
 
 from ..elements import FRICTION, STOP
+from ..elements.axis_element import PREFIX
 from ..errors import SingularError
 from ..ir.block import Binding
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from .axis_laws import constant_of_stop
+from .axis_laws import columns_of
 from .drives import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import AT_TIP, Layout, Scope, derived, owner_of
@@ -32,7 +33,14 @@ COLUMNS = {
 """Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
 of the rotors of elastic drives, the entries that couple these with their axes,
 and those below the diagonal where modes are coupled (``LinkClass.coupled``);
-dry friction, and limit, stiffness and damping of stops (:mod:`..elements`)."""
+dry friction, and limit, stiffness and damping of stops; those of other elements are not listed (:mod:`..elements`)."""
+
+
+def is_column(name: str) -> bool:
+    """Whether a name is that of a column, not of a constant of a link."""
+    return name.startswith(PREFIX) or any(name in names for names in COLUMNS.values())
+
+
 OF_AXES = {
     "q": ("armature", "joint_stiffness", "joint_damping"),
     "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
@@ -126,8 +134,8 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
         for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
             if axes:
                 scope.write(name, [constant(scope, label, axis) for axis in axes])
-    for name in STOP.constants if key.stops else ():
-        scope.write(name, [constant_of_stop(scope, name, where) for where in key.stops])
+    for name, entries in columns_of(scope):
+        scope.write(name, entries)
     return scope.program("prepare")
 
 

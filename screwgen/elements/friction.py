@@ -6,9 +6,9 @@ Implicit methods take it as a damping of the size that it has at the rates of a 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from ..ir.program import Tracer, Value
-from .law import Secant, named
+from .law import Secant, Value
 
 
 @dataclass(frozen=True)
@@ -20,13 +20,13 @@ class Friction:
     constants: tuple[str, ...] = ("coulomb", "speed")
     positional: bool = False
 
-    def force(self, t: Tracer, side: Value, x: Value, w: Value, coulomb: Value, speed: Value) -> Value:
+    def force(self, t: Any, side: Value, x: Value, w: Value, coulomb: Value, speed: Value) -> Value:
         return coulomb / t.call("sqrt", w * w + speed) * w
 
     def secant(
-        self, t: Tracer, side: Value, x: Value, w: Value, there: Value, h: Value, coulomb: Value, speed: Value
+        self, t: Any, side: Value, x: Value, w: Value, there: Value, h: Value, coulomb: Value, speed: Value
     ) -> Secant:
-        return Secant(0.0, named("secant", coulomb / t.call("sqrt", there * there + speed)), 0.0)
+        return Secant(0.0, t.named("secant", coulomb / t.call("sqrt", there * there + speed)), 0.0)
 
 
 FRICTION = Friction()

@@ -10,9 +10,9 @@ it is the midpoint rule.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from ..ir.program import Tracer, Value
-from .law import Secant, named
+from .law import Secant, Value
 
 
 @dataclass(frozen=True)
@@ -24,31 +24,33 @@ class Stop:
     constants: tuple[str, ...] = ("stop_at", "stop_K", "stop_D")
     positional: bool = True
 
-    def force(self, t: Tracer, side: Value, x: Value, w: Value, at: Value, k: Value, d: Value) -> Value:
+    def force(self, t: Any, side: Value, x: Value, w: Value, at: Value, k: Value, d: Value) -> Value:
         depth, rate = side * (x - at), side * w
         push = k * depth + d * rate
         return side * (t.call("on", depth) * t.call("on", push) * push)
 
-    def energy(self, t: Tracer, side: Value, x: Value, at: Value, k: Value) -> Value:
+    def energy(self, t: Any, side: Value, x: Value, at: Value, k: Value) -> Value:
         """Twice the potential."""
         depth = side * (x - at)
         return t.call("on", depth) * (k * depth * depth)
 
     def secant(
-        self, t: Tracer, side: Value, x: Value, w: Value, there: Value, h: Value, at: Value, k: Value, d: Value
+        self, t: Any, side: Value, x: Value, w: Value, there: Value, h: Value, at: Value, k: Value, d: Value
     ) -> Secant:
         """A step is taken to end ``2 h`` after its start; of the rates at start and stage the one that leads deeper
         counts."""
         on = lambda value: t.call("on", value)  # noqa: E731
-        start, before, later = named("start", side * (x - at)), named("before", side * w), named("later", side * there)
-        rate = named("rate", before + (later - before) * on(later - before))
-        way = named("way", 2.0 * h * rate)
-        low, high = named("low", start + way * on(-way)), named("high", start + way * on(way))
-        outside, beyond = named("outside", low * on(-low)), named("beyond", on(high))
-        part = named("part", beyond * high / (beyond * high - outside + (1.0 - beyond)))
-        push = named("push", k * (start + 0.5 * way - 0.5 * outside) + d * rate)
-        share = named("share", part * on(push))
-        return Secant(named("K_s", k * share), named("D_s", d * share), named("rest", at + side * (0.5 * outside)))
+        start = t.named("start", side * (x - at))
+        before, later = t.named("before", side * w), t.named("later", side * there)
+        rate = t.named("rate", before + (later - before) * on(later - before))
+        way = t.named("way", 2.0 * h * rate)
+        low, high = t.named("low", start + way * on(-way)), t.named("high", start + way * on(way))
+        outside, beyond = t.named("outside", low * on(-low)), t.named("beyond", on(high))
+        part = t.named("part", beyond * high / (beyond * high - outside + (1.0 - beyond)))
+        push = t.named("push", k * (start + 0.5 * way - 0.5 * outside) + d * rate)
+        share = t.named("share", part * on(push))
+        stiffness, damping = t.named("K_s", k * share), t.named("D_s", d * share)
+        return Secant(stiffness, damping, t.named("rest", at + side * (0.5 * outside)))
 
 
 STOP = Stop()

@@ -151,6 +151,11 @@ class Tracer:
             self.guards.append(value)
             self.origins.append(origin)
 
+    def named(self, name: str, value: Value) -> Value:
+        """The value, called so in generated code."""
+        give_label(value, Label(name))
+        return value
+
     def add(self, a: Value, b: Value) -> Value:
         first, second = type(a) is Node, type(b) is Node
         if not (first and second):

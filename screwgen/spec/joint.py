@@ -5,7 +5,9 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
+from ..elements import AxisElement
 from .axes import axes, screw_of, written
+from .axis_elements import OfAxis, axis_elements, stated
 from .drive import Drive, check, check_reach
 from .limit import Limit
 from .limit import check as check_limits
@@ -39,7 +41,8 @@ class Joint(Part):
     An axis is "x", "y", "z" or a vector, held as a unit vector, about which the link turns; or a `Screw`, in a file
     `{ slide = axis }` (q in m) or `{ screw = axis, pitch = m per rad }`. One number >= 0 per axis, if stated (one axis:
     without brackets as well): `armature` (kg·m², rotor inertia at the joint), `damping` (N·m·s/rad), `stiffness`
-    (N·m/rad); of a slide kg, N·s/m and N/m. `drives`: one :class:`.Drive` per axis; `limits`: one :class:`.Limit`.
+    (N·m/rad); of a slide kg, N·s/m and N/m. `drives`: one :class:`.Drive` per axis; `limits`: one :class:`.Limit`;
+    `elements`: those of :mod:`screwgen.elements`, of each axis.
     """
 
     axes: Axes = Field(description='the axes in order, as ["y", { slide = "x" }]; [] welds the link')
@@ -61,6 +64,10 @@ class Joint(Part):
         None, description="the limits of each axis, an array of tables: range and stops; {} is none"
     )
 
+    elements: Annotated[tuple[OfAxis, ...], PlainValidator(axis_elements), PlainSerializer(stated)] | None = Field(
+        None, description="what else acts on each axis, an array of tables such as { spring = { … } }; {} is nothing"
+    )
+
     @model_validator(mode="before")
     @classmethod
     def _one_number_for_one_axis(cls, given: Any) -> Any:
@@ -69,7 +76,8 @@ class Joint(Part):
         if not (isinstance(axes, list | tuple) and len(axes) == 1):
             return given
         alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
-        tables = {k: [given[k]] for k in ("drives", "limits") if isinstance(given.get(k), dict | Drive | Limit)}
+        one = dict | Drive | Limit | AxisElement
+        tables = {k: [given[k]] for k in ("drives", "limits", "elements") if isinstance(given.get(k), one)}
         return given | alone | tables
 
     def has_rotor(self, axis: int) -> bool:
@@ -89,6 +97,9 @@ class Joint(Part):
             if values is not None and len(values) != len(self.axes):
                 what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
                 raise refuse(what, at=(name,))
+        if self.elements is not None and len(self.elements) != len(self.axes):
+            what = f"has length {len(self.elements)}; it must hold one table per axis, {len(self.axes)}"
+            raise refuse(f"{what}; an empty one is no element", at=("elements",))
         if self.drives is not None:
             check(self.drives, self.screws, self.armature)
         if self.limits is not None:

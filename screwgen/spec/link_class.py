@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..bases import Basis, shapes
+from ..elements import AxisElement
 from ..reduction.invariants import Invariants
 from .drive import NO_FRICTION
 from .joint import Joint
@@ -101,6 +102,8 @@ class LinkClass:
     """The stops of the axes, axis by axis; none where limits have no stiffness."""
     stop_damping: tuple[int, ...] = ()
     """The axes whose stops have damping."""
+    elements: tuple[tuple[type[AxisElement], int], ...] = ()
+    """The elements of the axes by their kind, each with its axis."""
     light: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
     free: bool = False
@@ -164,6 +167,10 @@ class LinkClass:
         """The axes with dry friction on a coordinate."""
         return tuple(k for k, drive in enumerate(self.drives) if drive.coulomb and not drive.transmission)
 
+    def axes_with(self, kind: type[AxisElement]) -> list[int]:
+        """The axes that have an element of a kind."""
+        return [axis for own, axis in self.elements if own is kind]
+
     @property
     def cranked(self) -> tuple[int, ...]:
         """The axes whose drives have a transmission."""
@@ -198,9 +205,9 @@ class LinkClass:
 
     @property
     def sprung(self) -> bool:
-        """Whether springs, dampers, friction or stops act on the joint's axes."""
+        """Whether springs, dampers, friction, stops or other elements act on the joint's axes."""
         dry = any(not self.drives[axis].stiffness for axis in self.rubbed)
-        return self.damped or self.braced or dry or bool(self.stops) or bool(self.loose)
+        return self.damped or self.braced or dry or bool(self.stops or self.loose or self.elements)
 
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
@@ -293,6 +300,7 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         drives=drive_classes(joint),
         stops=stops(joint),
         stop_damping=tuple(k for k, x in enumerate(joint.limits or ()) if x.damping is not None),
+        elements=tuple((type(one), axis) for axis, own in enumerate(joint.elements or ()) for one in own),
         frame_at=link.frame_at is not None,
         length=link.length is not None,
         beam=link.section is not None,

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
+from .axis_elements import numbers_of
 from .axis_units import CRANKED, LINKED, SLIDING
 from .base import POSE, POSE_UNITS, TWIST
 from .drive import NO_FRICTION, Drive
@@ -141,6 +142,10 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
         for field, value in fields:
             for parameter in spread(field, value, i, link.name, (axis,)):
                 yield _sliding(parameter, link.joint)
+    for axis, element, name, key, value in numbers_of(link.joint.elements):
+        unit = key.unit if link.joint.screws[axis].turn else key.sliding
+        own = f"{link.name}.joint.elements[{axis}].{element.KIND}.{name}"
+        yield Parameter(own, value, unit, i, f"joint.elements.{element.KIND}.{name}", (axis,), key.meaning)
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             axes, point = BODY_FRAMES[body.at]

@@ -6,8 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..algorithms.axis_laws import of_robot
+from ..algorithms.columns import columns
+from ..algorithms.law_programs import forces, on_arrays
 from ..algorithms.transmissions import travels
 from ..arguments import Numbers
+from ..ir.replay import run
 
 if TYPE_CHECKING:
     from ..model import Model
@@ -77,9 +81,11 @@ def on_gears(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
 
 
 def pressed(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
-    """The stiffness (nv,) of the stops beyond which the joint coordinates of `q` (nq,) are."""
-    out, chain, own = np.zeros(model.nv), model.chain, model.numpy(p).constants
-    columns = [[x for constants in own for x in constants.get(name, ())] for name in ("stop_at", "stop_K")]
-    for (joint, side), at, k in zip(chain.stops, *columns, strict=True):
-        out[chain.base_v + joint] += k * (side * (q[chain.base_q + joint] - at) > 0)
+    """The stiffness (nv,) at rest in `q` (nq,) of what depends on single coordinates: stops, elements of axes."""
+    numeric, out = model.numpy(p), np.zeros(model.nv)
+    chain, own = model.chain, columns(model.chain, numeric.constants)
+    for law, coordinates, sides in of_robot(chain):
+        for k, (place, side) in enumerate(zip(coordinates, sides, strict=True)) if law.positional else ():
+            given = {"x": [q[chain.base_q + place]], "w": [0.0]} | {name: [own[name][k]] for name in law.constants}
+            out[chain.base_v + place] += run(forces(law, (side,)), given, on_arrays)[0]["by_x"][0]
     return out

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from ..elements import AxisElement
+from ..elements.axis_element import PREFIX
 from ..spec.base import HOME, POSE, TWIST
 from ..spec.link_class import SIDES, LinkClass
 
@@ -133,7 +135,7 @@ class Coordinates:
 
     @cached_property
     def sprung(self) -> bool:
-        """Whether springs, dampers, friction or stops act in any joint."""
+        """Whether springs, dampers, friction, stops or other elements act in any joint."""
         return any(key.sprung for key in self.keys)
 
     @cached_property
@@ -207,6 +209,15 @@ class Coordinates:
         return [(self.q_offset[i] + axis, SIDES[side]) for i, key in enumerate(self.keys) for axis, side in key.stops]
 
     @cached_property
+    def elements(self) -> dict[type[AxisElement], list[int]]:
+        """The joint coordinates, as their numbers, that have an element of each kind, link by link."""
+        out: dict[type[AxisElement], list[int]] = {}
+        for i, key in enumerate(self.keys):
+            for kind, axis in key.elements:
+                out.setdefault(kind, []).append(self.q_offset[i] + axis)
+        return out
+
+    @cached_property
     def cranked(self) -> dict[int, str]:
         """The joint coordinates, as their numbers, whose drives have a transmission, and of which kind it is."""
         own = ((self.q_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.cranked)
@@ -237,7 +248,7 @@ class Coordinates:
 
         ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
         those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction;
-        ``stop``: of the stops.
+        ``stop``: of the stops; ``element_spring``: of the elements of a kind.
         """
         before, key = self.n_given - self.n_modes, self.keys[i]
         part = lambda first, offsets: slice(*(first + e for e in offsets[i : i + 2]))  # noqa: E731
@@ -250,7 +261,11 @@ class Coordinates:
             parts["theta"] = part(before - self.n_motors, self.theta_offset)
             parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
         laws = {"dry": (key.rubbed, self.dry_offset), "stop": (key.stops, self.stop_offset)}
-        return parts | {name: part(0, offsets) for name, (there, offsets) in laws.items() if there}
+        parts |= {name: part(0, offsets) for name, (there, offsets) in laws.items() if there}
+        for kind in dict.fromkeys(kind for kind, _ in key.elements):
+            before = sum(len(other.axes_with(kind)) for other in self.keys[:i])
+            parts[f"{PREFIX}{kind.KIND}"] = slice(before, before + len(key.axes_with(kind)))
+        return parts
 
     @cached_property
     def coupled(self) -> list[tuple[int, int]]:

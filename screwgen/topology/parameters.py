@@ -24,6 +24,8 @@ def label(parameter: Parameter) -> str:
             return f"drive_{field.rpartition('.')[2]}_{index[0] + 1}"
         case field if field.startswith("joint.limits."):
             return f"limit_{field.rpartition('.')[2]}_{index[0] + 1}"
+        case field if field.startswith("joint.elements."):
+            return element_label(*field.split(".")[2:], index[0])
         case "bodies.mass":
             return f"body{index[0]}_mass"
         case "bodies.com":
@@ -33,6 +35,11 @@ def label(parameter: Parameter) -> str:
         case field if field.startswith("section."):
             return f"{field.replace('.', '_')}_{index[0] + 1}"
     return parameter.field
+
+
+def element_label(kind: str, name: str, axis: int) -> str:
+    """The label of a key of an element of an axis."""
+    return f"axis_{kind}_{name}_{axis + 1}"
 
 
 def _component(parameter: Parameter) -> str:

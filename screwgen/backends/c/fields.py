@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ...algorithms.columns import robot_columns
-from ...algorithms.schedule import COLUMNS
+from ...algorithms.columns import link_columns, robot_columns
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
 from ...ir.block import Signal as Constant
@@ -64,8 +63,8 @@ def structs(chain: Chain) -> dict[str, list[Field]]:
 
 
 def drives(chain: Chain) -> bool:
-    """Whether the forces of gears, dry friction or stops act in the robot."""
-    return bool(chain.n_motors or chain.dry or chain.stops)
+    """Whether the forces of gears, dry friction, stops or other elements act in the robot."""
+    return bool(chain.n_motors or chain.dry or chain.stops or chain.elements)
 
 
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
@@ -144,7 +143,8 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     """
     out = ""
     for part, span in chain.given(i).items():
-        arguments = [text(own, name, span.start) for own, name in zip(COLUMNS[part], robot_columns(part), strict=True)]
+        pairs = zip(link_columns(chain, part), robot_columns(chain, part), strict=True)
+        arguments = [text(own, name, span.start) for own, name in pairs]
         if span.stop > span.start:
             out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
     return out
@@ -177,7 +177,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
         "dry": chain.dry,
         "stops": chain.stops,
         "ranges": [(k, k + 1) for k in range(len(chain.stops) - 1) if chain.stops[k][0] == chain.stops[k + 1][0]],
-        "laws": bool(chain.dry or chain.stops),
+        "laws": bool(chain.dry or chain.stops or chain.elements),
         "drives": drives(chain),
         "theta_offset": chain.theta_offset[:-1],
     }

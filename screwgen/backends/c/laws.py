@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...algorithms.axis_laws import OfRobot, of_robot
-from ...elements.law import STAGE, stage, stage_slopes
+from ...algorithms.law_programs import STAGE, stage, stage_slopes
+from ...elements.axis_element import OfElement
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .batch import LaneWriter
 from .code import Place, Writer, trimmed
+from .parameters import ascii_unit
 
 RESULTS = {
     "force": "f[i]",
@@ -48,7 +50,21 @@ def _law(chain: Chain, one: OfRobot) -> dict:
         "reads": {name: _reads(terms, name) for name in STAGE},
         "slopes_read": {name: _reads(slopes, name) for name in STAGE},
         "switches": "on" in terms.operations,
+        "columns": _columns(chain, one.law) if isinstance(one.law, OfElement) else [],
     }
+
+
+def _columns(chain: Chain, law: OfElement) -> list[dict]:
+    """The members of the constants that hold the keys of a kind of element, and the condition that refuses an entry."""
+    tests = {"positive": "!({} > 0)", "non-negative": "!({} >= 0)", "any": ""}
+    return [
+        {
+            "name": name,
+            "comment": ascii_unit(f"{key.unit}{f', of slides {key.sliding}' * chain.sliding}: {key.meaning}"),
+            "refused": tests[key.sign].format(f"c->{name}[k]"),
+        }
+        for name, key in zip(law.constants, law.kind.table().values(), strict=True)
+    ]
 
 
 def _body(writer: type[Writer], program: Program) -> list[str]:

@@ -100,7 +100,7 @@ def ascii_unit(text: str) -> str:
 
 def _general(p: Parameter) -> str:
     """The description for all links, with the order of the components."""
-    parts = FIELDS[p.field].components
+    parts = FIELDS[p.field].components if p.field in FIELDS else ()
     frames = [x for frame in BODY_FRAMES.values() for x in frame]
     shared = [x for x in p.description.split(", ") if x not in (*parts, *frames)]
     return ", ".join(shared + [f"[{', '.join(parts)}]"] * bool(parts))

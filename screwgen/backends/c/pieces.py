@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from ...algorithms.columns import robot_columns
-from ...algorithms.schedule import COLUMNS
+from ...algorithms.columns import link_columns, robot_columns
+from ...algorithms.schedule import is_column
 from ...ir.program import Program
 from ...ir.split import KEPT, split
 from ...topology.chain import Chain
@@ -40,10 +40,10 @@ def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]]
         owner, _, what = signal.partition(":")
         if owner == KEPT:
             return f"{kept}[{int(what or 0) + k}]"
-        for part, names in COLUMNS.items():
+        for part, span in chain.given(int(owner)).items() if is_column(what) else ():
+            names = link_columns(chain, part)
             if what in names:
-                start = chain.given(int(owner))[part].start
-                return f"c->{robot_columns(part)[names.index(what)]}[{start + k}]"
+                return f"c->{robot_columns(chain, part)[names.index(what)]}[{span.start + k}]"
         return own[signal](k) if signal in own else place(signal, k)
 
     return placed

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algorithms import fused
+from ...algorithms.schedule import COLUMNS, is_column
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed, with_unused
@@ -13,6 +14,7 @@ from .parameters import members
 
 NONE: dict[str, list] = {"prepare": [], "prepare_calls": []}
 """The templates' context where constants are numbers of the code."""
+STATIC = tuple(name for names in COLUMNS.values() for name in names)
 Labels = Sequence[tuple[str, ...]]
 """The constants that the code of every link reads."""
 
@@ -39,9 +41,9 @@ def _function(chain: Chain, labels: Labels, i: int) -> dict:
     def placed(name: str, k: int) -> str:
         if name.startswith("p."):
             return f"p->{given[name[2:]]}"
-        return f"{name}[{k}]" if name in fused.ALL_COLUMNS else f"c->{name}"
+        return f"{name}[{k}]" if is_column(name) else f"c->{name}"
 
-    lines = trimmed(Writer(program, placed, None, {"p", "c", *fused.ALL_COLUMNS}).lines())
+    lines = trimmed(Writer(program, placed, None, {"p", "c", *filter(is_column, program.outputs), *STATIC}).lines())
     own = columns(chain, i, lambda name, *_: f"$_real {name}[]")
     lines = with_unused(("p", "c"), lines)
     signature = f"const $_link_parameters *p, $_link_constants *c{own}"

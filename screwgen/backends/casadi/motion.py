@@ -9,8 +9,8 @@ import casadi as ca
 
 from ...algorithms import fused
 from ...algorithms.axis_laws import of_robot
+from ...algorithms.law_programs import stage
 from ...algorithms.schedule import COLUMNS
-from ...elements.law import stage
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
 from ...integrators.se3 import FLAT, programs

@@ -18,10 +18,10 @@ import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.axis_laws import of_robot
+from ...algorithms.law_programs import replayed, stage
 from ...algorithms.robot_functions import RobotFunction, function_named, offered, shape
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
-from ...elements.law import replayed, stage
 from ...errors import UsageError
 from ...integrators.method import Method, Motion
 from ...integrators.methods import with_built_in

@@ -197,6 +197,7 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         applied="F" if chain.pushed else r"\tau_c",
         pushed_and_linked=bool(chain.pushed and chain.linked),
         stops=bool(chain.stops),
+        elements=list(chain.elements),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )

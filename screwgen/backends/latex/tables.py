@@ -95,6 +95,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "four-bar linkages": any(drive.transmission.startswith("four_bar") for drive in key.drives),
         "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
         "stops": key.stops,
+        **{kind.WORDS: True for kind, _ in key.elements},
         "joint damping": key.joint_damping,
         "joint stiffness": key.stiffness,
         "modal damping": key.damping,

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...algorithms.axis_laws import OfRobot, of_robot
-from ...elements.law import Secant, replayed, secants, stage_slopes
+from ...algorithms.law_programs import replayed, secants, stage_slopes
+from ...elements.law import Secant
 from ...topology.chain import Chain
 
 
@@ -64,7 +65,9 @@ class OwnForces:
     @property
     def slopes(self) -> OwnForces:
         """The same for small changes of coordinates and rates: laws are then at rest at zero."""
-        at_zero = [one._replace(held=one.held._replace(rest=0.0)) if one.held else one for one in self.laws]
+        at_zero = [
+            one._replace(held=one.held._replace(rest=0.0, constant=0.0)) if one.held else one for one in self.laws
+        ]
         return replace(self, laws=at_zero)
 
     def softened(self, x: np.ndarray, rate: np.ndarray, felt: np.ndarray, change: np.ndarray) -> np.ndarray:
@@ -99,6 +102,6 @@ class OwnForces:
         out = self.chain.modal_product(K, x + h * rate) + self.chain.modal_product(D, rate)
         for one in self.laws:
             if one.held is not None:
-                k, (stiffness, damping, rest) = one.law.coordinates, map(column, one.held)
-                np.add.at(out, k, stiffness * (x[k] - rest + h * rate[k]) + damping * rate[k])
+                k, (stiffness, damping, rest, constant) = one.law.coordinates, map(column, one.held)
+                np.add.at(out, k, stiffness * (x[k] - rest + h * rate[k]) + damping * rate[k] + constant)
         return out

@@ -1,0 +1,102 @@
+"""The programs of the laws of single coordinates (:mod:`..elements`): forces, what implicit steps take, derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from ..elements.law import Law, Secant
+from ..ir.derivative import columns
+from ..ir.program import Program, Tracer, Value
+from ..ir.replay import run
+
+
+@cache
+def forces(law: Law, sides: tuple[int, ...]) -> Program:
+    """``(x, w, constants) -> (force, by_x, by_w)`` of coordinates with these sides, and the derivatives."""
+    tracer, names = Tracer(), ("x", "w", *law.constants)
+    inputs = [tracer.input(name, len(sides)) for name in names]
+    out: dict[str, list[Value]] = {"force": [], "by_x": [], "by_w": []}
+    for side, x, w, *constants in zip(sides, *inputs, strict=True):
+        force = law.force(tracer, float(side), x, w, *constants)
+        slopes = (column[0] for column in columns([force], [x, w]))
+        for name, value in zip(out, (force, *slopes), strict=True):
+            out[name].append(value)
+    return tracer.program(law.name, dict.fromkeys(names, len(sides)), out)
+
+
+STAGE = ("side", "x", "w", "there", "h")
+"""The inputs of a stage besides the constants."""
+
+
+@cache
+def secants(law: Law) -> Program:
+    """``(STAGE, constants) -> (stiffness, damping, rest, constant)`` of one coordinate."""
+    tracer, inputs = _stage(law)
+    found = _secant(law, tracer, inputs)
+    return tracer.program(law.name, _sizes(law), {name: [value] for name, value in found._asdict().items()})
+
+
+@cache
+def stage(law: Law) -> Program:
+    """``(STAGE, constants) -> (force, inertia)``: the force ``h`` later without the accelerations' part, which is
+    ``inertia`` times the acceleration."""
+    tracer, inputs = _stage(law)
+    force, inertia = _later(law, tracer, inputs)
+    return tracer.program(law.name, _sizes(law), {"force": [force], "inertia": [inertia]})
+
+
+@cache
+def stage_slopes(law: Law) -> Program:
+    """``(STAGE, constants, a) -> (by_x, by_w, by_there)`` of that force at a given acceleration ``a``, all of it."""
+    tracer, inputs = _stage(law)
+    force, inertia = _later(law, tracer, inputs)
+    whole = force + inertia * tracer.input("a", 1)[0]
+    _, x, w, there, *_ = inputs
+    by_x, by_w, by_there = columns([whole], [x, w, there])
+    return tracer.program(law.name, _sizes(law) | {"a": 1}, {"by_x": by_x, "by_w": by_w, "by_there": by_there})
+
+
+def _stage(law: Law) -> tuple[Tracer, list[Value]]:
+    tracer = Tracer()
+    return tracer, [tracer.input(name, 1)[0] for name in _sizes(law)]
+
+
+def _sizes(law: Law) -> dict[str, int]:
+    return dict.fromkeys((*STAGE, *law.constants), 1)
+
+
+def _later(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> tuple[Value, Value]:
+    _, x, w, _, h, *_ = inputs
+    stiffness, damping, rest, constant = _secant(law, tracer, inputs)
+    moved = stiffness * (x - rest + h * w) if law.positional else 0.0
+    return moved + damping * w + constant, h * (damping + h * stiffness)
+
+
+def _secant(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> Secant:
+    """What a law states, or the tangents in the state."""
+    if law.secant is not None:
+        return law.secant(tracer, *inputs)
+    side, x, w, _, _, *constants = inputs
+    force = law.force(tracer, side, x, w, *constants)
+    stiffness, damping = (column[0] for column in columns([force], [x, w]))
+    return Secant(stiffness, damping, x, force - damping * w)
+
+
+# ------------------------------------------------------------------------------------------ on arrays
+
+
+def on_arrays(op: str, x: Any) -> Any:
+    """The unary primitives on arrays of NumPy."""
+    if op == "neg":
+        return -x
+    return np.asarray(x > 0, float) if op == "on" else getattr(np, op)(x)
+
+
+def replayed(program: Program, given: Mapping[str, Any], unary: Callable = on_arrays) -> dict[str, Any]:
+    """The outputs of a program of one coordinate, run on arrays of all of them."""
+    found, _ = run(program, {name: [value] for name, value in given.items()}, unary)
+    return {name: value for name, (value,) in found.items()}

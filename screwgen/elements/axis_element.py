@@ -1,0 +1,109 @@
+"""The contract of an element of a joint axis that a robot file states: its keys, its force, its energy.
+
+An element is a frozen dataclass whose fields are its keys. A file states ``elements = { spring = { stiffness = 80.0,
+rest = 0.4 } }`` on an axis, which makes ``Spring(80.0, 0.4)``. Its numbers are parameters that may change at run time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, field, fields
+from functools import cache
+from typing import Any, ClassVar, NamedTuple
+
+from .law import Secant, Value
+
+
+class Key(NamedTuple):
+    """A number that an element states: its unit on an axis that turns and on one that slides, meaning and range.
+
+    The number is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
+    """
+
+    unit: str
+    sliding: str
+    meaning: str
+    sign: str = "any"
+    least: float = 0.0
+    most: float = 1e18
+
+
+def key(unit: str, sliding: str, meaning: str, default: Any = MISSING, **more: Any) -> Any:
+    """A field of an element; the rest as of :class:`Key`. Without a default a file must state it."""
+    return field(default=default, metadata={"key": Key(unit, sliding, meaning, **more)})
+
+
+@dataclass(frozen=True)
+class AxisElement:
+    """An element of one joint axis, to be inherited. Forces are N·m, of slides N; they act against the coordinate.
+
+    ``KIND``: the key of a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: the force in LaTeX.
+    """
+
+    KIND: ClassVar[str]
+    WORDS: ClassVar[str]
+    FORMULA: ClassVar[str]
+
+    @staticmethod
+    def force(t: Any, x: Value, w: Value, *values: Value) -> Value:
+        """The force at coordinate ``x`` and rate ``w``, with the ``values`` of the keys in their order."""
+        raise NotImplementedError
+
+    @staticmethod
+    def energy(t: Any, x: Value, *values: Value) -> Value:
+        """The potential, J; none by default."""
+        return 0.0
+
+    secant: ClassVar[Callable[..., Secant] | None] = None
+    """``(t, x, w, there, h, *values)``: what implicit methods take, see :class:`.law.Law`; None: the tangents."""
+
+    @classmethod
+    @cache
+    def table(cls) -> Mapping[str, Key]:
+        """The keys by name."""
+        return {one.name: one.metadata["key"] for one in fields(cls)}
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Their values."""
+        return tuple(getattr(self, name) for name in self.table())
+
+
+@dataclass(frozen=True)
+class OfElement:
+    """The law of a kind of element."""
+
+    kind: type[AxisElement]
+    positional: bool = True
+
+    @property
+    def name(self) -> str:
+        return self.kind.KIND
+
+    @property
+    def words(self) -> str:
+        return self.kind.WORDS
+
+    @property
+    def constants(self) -> tuple[str, ...]:
+        return tuple(column(self.kind, name) for name in self.kind.table())
+
+    def force(self, t: Any, side: Value, x: Value, w: Value, *constants: Value) -> Value:
+        return self.kind.force(t, x, w, *constants)
+
+    def energy(self, t: Any, side: Value, x: Value, *constants: Value) -> Value:
+        """Twice the potential."""
+        return 2.0 * self.kind.energy(t, x, *constants)
+
+    @property
+    def secant(self) -> Callable[..., Secant] | None:
+        own = self.kind.secant
+        return None if own is None else lambda t, side, *rest: own(t, *rest)
+
+
+PREFIX = "element_"
+
+
+def column(kind: type[AxisElement], name: str) -> str:
+    """The robot's column that holds a key of all elements of a kind."""
+    return f"{PREFIX}{kind.KIND}_{name}"

@@ -1,0 +1,95 @@
+"""Elements of joint axes: preloaded springs in robot files, at rest, in vibrations, in motion, in documents."""
+
+import numpy as np
+import pytest
+from bad_robot_files import refused
+from helpers import arm, link, model_of, quick, relative
+
+from screwgen import Robot, RobotFileError, dump, equilibrium, natural_frequencies, simulate
+from screwgen.backends.latex import document as latex
+from screwgen.elements import KINDS
+from screwgen.spec.load import loads
+from screwgen.spec.parameters import parameters
+
+SPRING = {"spring": {"stiffness": 80.0, "rest": 0.4}}
+
+
+def sprung(elements=SPRING, **more):
+    joint = {"elements": elements, "damping": [0.5]} | more
+    return arm(link("boom", 0.8, ("y",), modes={"bending_z": 1}, section={"EIy": 900.0}, joint=joint))
+
+
+def test_a_spring_is_a_joint_spring_and_a_torque():
+    """``k (q - rest)`` is the spring of a joint with a torque of ``k rest``."""
+    model, bare = model_of(sprung()), model_of(sprung({}, stiffness=[80.0]))
+    q, v = np.array([0.3, 0.01]), np.array([0.5, -0.2])
+    for layout in ("fused", "modular"):
+        compiled = quick(model, layout=layout)
+        found = compiled.forward_dynamics(q, v, [1.5])
+        for x, y in zip(found, bare.numpy().forward_dynamics(q, v, [1.5 + 80.0 * 0.4], None), strict=True):
+            assert relative(x, y) < 1e-11
+    more = np.subtract(model.numpy().energy(q, v), bare.numpy().energy(q, v))
+    assert more == pytest.approx([0.0, 40.0 * ((0.3 - 0.4) ** 2 - 0.3**2)], rel=1e-9)
+
+
+def test_rest_and_vibrations_know_it():
+    model, bare = model_of(sprung()), model_of(sprung({}, stiffness=[80.0]))
+    held = equilibrium(model)
+    same = equilibrium(bare, tau=[32.0])
+    assert relative(held.q, same.q) < 1e-9
+    assert relative(natural_frequencies(model, held.q), natural_frequencies(bare, same.q)) < 1e-9
+    assert natural_frequencies(model, held.q)[0] > 0.5
+
+
+def test_without_friction_the_energy_stays():
+    model = model_of(sprung(damping=[0.0]))
+    run = simulate(model, 1.0, 1e-3, q0=[0.9, 0.0], integrator="modal_midpoint")
+    energy = run.energy.sum(axis=1)
+    assert np.ptp(energy) < 1e-3 * run.energy[:, 0].max()
+
+
+def test_a_file_states_it_and_it_reads_back():
+    robot = Robot(**sprung())
+    assert "elements = [{ spring = { stiffness = 80.0, rest = 0.4 } }]" in dump(robot)
+    assert loads(dump(robot), "robot.toml") == robot
+    own = {p.name: (p.value, p.unit) for p in parameters(robot) if ".elements[" in p.name}
+    assert own == {
+        "boom.joint.elements[0].spring.stiffness": (80.0, "N·m/rad"),
+        "boom.joint.elements[0].spring.rest": (0.4, "rad"),
+    }
+
+
+def test_on_an_axis_that_slides_it_has_units_of_length():
+    robot = Robot(**arm(link("cart", 0.5, [{"slide": "x"}], joint={"elements": SPRING})))
+    assert [p.unit for p in parameters(robot) if ".elements[" in p.name] == ["N/m", "m"]
+
+
+@pytest.mark.parametrize(
+    ("elements", "said"),
+    [
+        (3.0, "elements .link boom.: is 3.0; it must be an array with a table for each axis"),
+        (
+            [{}, {}],
+            "elements .link boom.: has length 2; it must hold one table per axis, 1; an empty",
+        ),
+        ({"sprung": {}}, r"elements\[0\].sprung .link boom.: is an unknown key; did you mean spring"),
+        ({"spring": 2.0}, r"elements\[0\].spring .link boom.: is 2.0; it must be a table of stiffness, rest"),
+        ({"spring": {"rest": 0.1}}, r"spring.stiffness .link boom.: is missing; state the stiffness k of the spring"),
+        ({"spring": {"stiffness": 0.0, "rest": 0.1}}, "spring.stiffness .link boom.: is 0.0; it must be > 0"),
+        ({"spring": {"stiffness": 1.0, "rest": "x"}}, "spring.rest .link boom.: is .x.; it must be a number"),
+        ({"spring": {"stiffness": 1.0, "rest": 0.0, "k": 1}}, "spring.k .link boom.: is an unknown key"),
+    ],
+)
+def test_what_is_wrong_is_said_with_its_key(elements, said):
+    with pytest.raises(RobotFileError, match=said):
+        Robot(**sprung(elements))
+
+
+def test_documents_show_each_kind():
+    page = latex.page(latex.content(Robot(**sprung())))
+    assert KINDS["spring"].WORDS in page
+
+
+def test_a_damaged_file_is_refused_in_a_line(tmp_path):
+    text = dump(Robot(**sprung())).replace("stiffness = 80.0", "stiffness = nan")
+    refused(tmp_path, text, "links[0].joint.elements[0].spring.stiffness (link boom)", "it must be a finite number")

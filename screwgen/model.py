@@ -6,33 +6,21 @@ robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedu
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Hashable, Mapping, Sequence
-from functools import cached_property, partial
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, overload
-
-import numpy as np
+from typing import Literal, overload
 
 from . import target_files
-from .algorithms.dae_functions import dae_names
-from .algorithms.scope import derived
-from .arguments import Given, choice, parameters_keyword
-from .backends.numpy.loop_rows import choose_rows
-from .backends.numpy.numeric import Numeric
+from .arguments import choice
 from .errors import UsageError
 from .folder import check_folder, write_folder
 from .integrators.method import Method
-from .ir.block import Block
-from .plugins import Formulation, Plugin, merged, plugins
-from .simulation.validity import Validity
-from .spec.parameters import coordinate_names, parameters
+from .plugins import Formulation, merged, plugins
+from .robot_model import RobotModel
+from .simulation.validity import Validity, validity, validity_at_rest
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
-from .topology.chain import Chain
-from .version import __version__ as VERSION
-
-if TYPE_CHECKING:
-    from .backends.casadi.functions import Made
 
 TARGETS = ("c", "casadi", "latex")
 """What is written unless targets are named."""
@@ -40,146 +28,12 @@ UNITS = ("fmu2", "fmu3")
 CONSISTENT = "consistent"
 
 
-class Model:
-    """A robot with its derived blocks; every product is made when it is first asked for.
+class Model(RobotModel):
+    """A robot with its derived blocks, and by name what one does with it: each method is that of a module.
 
-    ``plugins``: those that add to the model, all that are installed if None.
+    Every product is made when it is first asked for. ``plugins``: those that add to the model, all that are installed
+    if None.
     """
-
-    def __init__(self, robot: Robot, plugins: Sequence[Plugin] | None = None):
-        self.robot = robot
-        self._given_plugins = plugins
-        self.chain = Chain(robot)
-        if self.chain.closures:
-            choose_rows(self.chain)
-        names = coordinate_names(robot)
-        self.q_names, self.v_names = list(names.q), list(names.v)
-        self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
-        self.parameter_names = [p.name for p in parameters(robot)]
-        self.parameter_values = [p.value for p in parameters(robot)]
-        self._kept: dict[Hashable, object] = {}
-
-    def once(self, key: Hashable, make: Callable[[], object]):
-        """What ``make`` returns; made when ``key`` is first asked for, and kept as long as the model."""
-        if key not in self._kept:
-            self._kept[key] = make()
-        return self._kept[key]
-
-    def made(self, key: Hashable) -> bool:
-        """Whether :meth:`once` has made it."""
-        return key in self._kept
-
-    @property
-    def version(self) -> str:
-        """The version of the tool that derived the model."""
-        return VERSION
-
-    @property
-    def nq(self) -> int:
-        """The number of coordinates: joint angles, angles of rotors, then modal coordinates."""
-        return self.chain.nq
-
-    @property
-    def nv(self) -> int:
-        """The number of their rates."""
-        return self.chain.nv
-
-    @property
-    def n_links(self) -> int:
-        """The number of links; one with segments counts as so many."""
-        return self.chain.n
-
-    @property
-    def n_joints(self) -> int:
-        """The number of joint coordinates, the first of `q`."""
-        return self.chain.n_joints
-
-    @property
-    def n_tau(self) -> int:
-        """The number of torques."""
-        return self.chain.n_tau
-
-    def blocks(self, link: int) -> dict[str, Block]:
-        """The derived blocks of a link by name: those of its class and those of plug-ins."""
-        key = self.chain.keys[link]
-        more = (blocks for p in self._plugins for blocks in (p.blocks(key), p.common()))
-        return merged("block", derived(key), *more)
-
-    @cached_property
-    def _plugins(self) -> tuple[Plugin, ...]:
-        found = plugins() if self._given_plugins is None else tuple(self._given_plugins)
-        merged("attribute", vars(type(self)) | vars(self), *(p.attributes for p in found))
-        return found
-
-    if not TYPE_CHECKING:  # so that a checker still sees a name that nothing has
-
-        def __getattr__(self, name: str) -> Any:
-            """What plug-ins add, such as ``cauchy_names``."""
-            known = {} if name.startswith("_") else merged("attribute", *(p.attributes for p in self._plugins))
-            if name not in known:
-                raise AttributeError(f"'Model' has no attribute '{name}'", name=name, obj=self)
-            return known[name](self)
-
-    @property
-    def dae_names(self) -> dict[str, list[str]]:
-        """The names of the entries of ``x`` and ``z`` of the DAE form."""
-        return dae_names(self.chain)
-
-    @cached_property
-    def modal_functions(self) -> Mapping:
-        """The CasADi functions by name that steps in NumPy are made of."""
-        from .backends.casadi.functions import modal_functions
-
-        return modal_functions(self.chain)
-
-    @cached_property
-    def _casadi(self) -> Made:
-        from .backends.casadi import functions as casadi
-        from .backends.casadi import motion as casadi_motion
-
-        own = (casadi.functions, casadi.dae_functions, casadi_motion.motion_functions)
-        integrands = {
-            "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),
-            "dae": lambda: casadi.dae(self.chain, found["assemble"]),
-        }
-        makers = (make(self.chain) for make in (*own, *(p.casadi for p in self._plugins)))
-        found: Made = casadi.Made(merged("CasADi function", *makers, integrands))
-        return found
-
-    def casadi(self, methods: Sequence[Method] = ()) -> Mapping:
-        """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator.
-
-        Each is made when it is first asked for.  ``step (q, v, tau, w_ext, p, dt) -> (q_next, v_next)`` is a step of
-        ``modal_midpoint``, ``step_<method>`` one of :data:`screwgen.integrators.METHODS` or of ``methods``.
-        ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
-        ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
-        """
-        from .backends.casadi.motion import steps
-        from .integrators.methods import with_built_in
-
-        with_built_in(more := tuple(methods))
-        made = lambda: self._casadi.joined(steps(self.chain, more))  # noqa: E731
-        return self.once(("casadi", more), made) if more else self._casadi
-
-    def jax(self, precision="double", forward_mode=False, methods: Sequence[Method] = ()) -> Mapping:
-        """The functions on arrays of JAX by the names of :meth:`casadi`, pure and jitted; :mod:`.backends.jax`."""
-        from .backends.jax import functions
-
-        given = (self.chain, precision, forward_mode, tuple(methods))
-        return self.once(("jax", given[1:]), partial(functions, *given))  # type: ignore[return-value]
-
-    def acados(self, form="joint", parameters="runtime", w_ext=False):
-        """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.
-
-        ``form``: ``"joint"``: x = [q; v] (2 nq), ``f_expl_expr`` and ``f_impl_expr``, z empty; ``"dae"``: x and z of
-        :attr:`dae_names`, so that joint wrenches can be constrained, ``f_impl_expr`` alone.  u: the joint torques.
-        ``parameters``: ``"runtime"`` (the symbols p) or ``"baked"`` (numbers of the robot file); ``w_ext``: whether the
-        external tip wrenches are parameters behind them, link by link [τ; F], or zero.
-        Of the DAE the joints drift by the integrator's error; start at ``casadi()["dae_state"](q, v, p)``.
-        """
-        from .backends.casadi.acados import acados
-
-        return acados(self.chain, self.casadi(), form, parameters, w_ext)
 
     def linearise(
         self, q, v=None, tau=None, w_ext=None, parameters=None, outputs=OUTPUTS, inputs=INPUTS
@@ -204,20 +58,11 @@ class Model:
         ``q`` (nq,), ``v`` (nv,), ``tau`` (n_tau,), ``w_ext`` (n, 6): what is left out is zero; ``parameters``: in
         the order of ``parameter_names``, the file's by default.  Raises SingularError that names the joint.
         """
-        v, tau = np.zeros(self.nv) if v is None else v, np.zeros(self.n_tau) if tau is None else tau
-        w_ext = np.zeros((self.n_links, 6)) if w_ext is None else w_ext
-        return Validity(tuple(self.chain.names), self.numpy(parameters).validity(q, v, tau, w_ext))
+        return validity(self, q, v, tau, w_ext, parameters)
 
     def validity_at_rest(self, q, w_ext=None, parameters=None) -> Validity:
         """The same at rest, with the posture ``q`` (nq,) held against gravity and ``w_ext`` (n, 6)."""
-        return Validity(tuple(self.chain.names), self.numpy(parameters).validity_at_rest(q, w_ext))
-
-    @cached_property
-    def statics(self):
-        """The CasADi function ``(q, w_ext, p) -> (potential, force, stiffness, weight, wrench, tip)`` of rest."""
-        from .backends.casadi.linear import statics
-
-        return statics(self.chain)
+        return validity_at_rest(self, q, w_ext, parameters)
 
     def write(
         self,
@@ -275,7 +120,7 @@ class Model:
         layout="auto",
         precision="double",
         derivatives=False,
-        flags: Sequence[str] = ("-O2",),
+        flags: Sequence[str] | None = None,
         cache: bool | str | os.PathLike = True,
         parameters="runtime",
         methods: Sequence[Method] = (),
@@ -283,9 +128,9 @@ class Model:
         """The C, compiled and loaded: a :class:`screwgen.runtime.compiled.Compiled`, functions on NumPy arrays.
 
         ``layout``, ``parameters``, ``derivatives`` and ``methods``: as :meth:`write` takes them; ``precision``:
-        ``"double"`` or ``"single"``; ``flags`` of the compiler (CC, else cc); ``cache``: a folder for compiled
-        libraries, True for that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.  Raises
-        :class:`ScrewgenError` where there is no compiler.
+        ``"double"`` or ``"single"``; ``flags`` of the compiler (CC, else cc), -O2 by default; ``cache``: a folder for
+        compiled libraries, True for that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.
+        Raises :class:`ScrewgenError` where there is no compiler.
         """
         from .runtime.compiling import compile_model
 
@@ -300,24 +145,6 @@ class Model:
     def casadi_files(self, functions: str | Sequence[str] | None = None) -> dict[str, bytes]:
         """The files of the CasADi target: ``functions`` as :meth:`write` takes them, and a README."""
         return target_files.casadi_files(self, self._plugins, functions)
-
-    def __repr__(self) -> str:
-        return f"<Model '{self.robot.name}': {self.robot.summary}; q has {self.nq} entries>"
-
-    def _repr_html_(self) -> str:
-        """The equations, as a notebook shows them."""
-        from .backends.latex import document as latex
-
-        return latex.notebook(self.robot)
-
-    @parameters_keyword
-    def numpy(self, parameters: Given = None) -> Numeric:
-        """The functions on NumPy arrays, at the file's parameters or at ``parameters``."""
-        return Numeric(self.chain, self.chain.parameters.vector(parameters))
-
-    def __reduce__(self) -> tuple[Callable, tuple]:
-        """What was said is pickled; the rest is made again from it."""
-        return type(self), (self.robot, self._given_plugins)
 
 
 def formulations() -> dict[str, Callable[[Robot], Model | Formulation]]:

@@ -23,9 +23,7 @@ if TYPE_CHECKING:
     import numpy as np
     import typer
 
-    from .backends.latex.content import Chapter
     from .ir.block import Block
-    from .model import Model
     from .spec.link_class import LinkClass
     from .spec.robot import Robot
     from .topology.chain import Chain
@@ -35,12 +33,28 @@ CHECKOUT = Path(__file__).resolve().parents[1] / "pyproject.toml"
 T = TypeVar("T")
 
 
+class Chapter(Protocol):
+    """What a plug-in adds to a document, made of :mod:`.backends.latex.content`."""
+
+    @property
+    def sections(self) -> tuple[Any, ...]:
+        """The sections."""
+
+    @property
+    def views(self) -> tuple[tuple[Block, Any], ...]:
+        """The blocks that they show, each with its view."""
+
+    @property
+    def symbols(self) -> tuple[Any, ...]:
+        """The symbols of their text."""
+
+
 class Formulation(Protocol):
     """A robot's equations in another formulation, beside the model that is derived."""
 
     @property
-    def model(self) -> Model:
-        """The derived model with the same coordinates, kinematics and energies."""
+    def model(self) -> Any:
+        """The derived :class:`screwgen.Model` with the same coordinates, kinematics and energies."""
 
     def forward_dynamics(self, q, v, tau, w_ext=None) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nq,) and the joint wrenches (n, 6) at ``q``, ``v`` (nq,), torques and tip wrenches (n, 6)."""
@@ -61,7 +75,7 @@ class Plugin:
     """Adds commands to the command line."""
     formulations: Mapping[str, Callable[[Robot], Formulation]] = field(default_factory=dict)
     """What ``derive(robot, formulation=name)`` gives."""
-    attributes: Mapping[str, Callable[[Model], Any]] = field(default_factory=dict)
+    attributes: Mapping[str, Callable[[Any], Any]] = field(default_factory=dict)
     """Attributes of a model."""
     blocks: Callable[[LinkClass], Mapping[str, Block]] = _nothing
     """Blocks of a link class; documents show them behind those of the product."""

@@ -5,18 +5,16 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .errors import PrecisionWarning
 from .plugins import Plugin
+from .robot_model import RobotModel
 from .spec.robot import Robot
 from .version import __version__ as VERSION
 
-if TYPE_CHECKING:
-    from .model import Model
 
-
-def c_files(model: Model, mpc: str | os.PathLike | None, *given: Any, **options: Any) -> dict[str, bytes]:
+def c_files(model: RobotModel, mpc: str | os.PathLike | None, *given: Any, **options: Any) -> dict[str, bytes]:
     """Of C, as :meth:`screwgen.Model.c_files` says; the rest as :class:`~screwgen.backends.c.project.CProject`."""
     from .studies import predictive
 
@@ -28,7 +26,9 @@ def c_files(model: Model, mpc: str | os.PathLike | None, *given: Any, **options:
     return files
 
 
-def casadi_files(model: Model, plugins: Sequence[Plugin], functions: str | Sequence[str] | None) -> dict[str, bytes]:
+def casadi_files(
+    model: RobotModel, plugins: Sequence[Plugin], functions: str | Sequence[str] | None
+) -> dict[str, bytes]:
     """Of CasADi: the saved functions, and a README."""
     from .backends.casadi.functions import casadi_files
 
@@ -44,7 +44,7 @@ def latex_files(robot: Robot, plugins: Sequence[Plugin]) -> dict[str, bytes]:
     return {f"{robot.name}{end}": make(shown).encode() for end, make in made.items()}
 
 
-def unit_files(model: Model, target: str, **options) -> dict[str, bytes]:
+def unit_files(model: RobotModel, target: str, **options) -> dict[str, bytes]:
     """Of a functional mock-up unit; options as :func:`screwgen.runtime.fmu.unit_files` takes them."""
     from .runtime import fmu
 

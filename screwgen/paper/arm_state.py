@@ -12,12 +12,12 @@ from numpy.linalg import inv, pinv
 from numpy.polynomial.legendre import leggauss
 from scipy.spatial.transform import Rotation
 
+from ..model import Model
 from .jets import skew, turn
 from .moving_link import adjoint, blocks, body_jacobian, exponential_coordinates, small_adjoint, stack
 
 if TYPE_CHECKING:
     from ..bases import Shapes
-    from ..model import Model
     from ..spec.link_class import LinkClass
 
 Z3, O3 = np.zeros((3, 1)), np.zeros((3, 3))

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from ..robot_model import RobotModel
 from ..simulation.inputs import started
 from ..simulation.runs import Run
 from ..spec.base import POSE
 from ..spec.robot import Link
 from .curves import MOST_POINTS
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 
 def place_names(run: Run) -> list[str]:
@@ -30,7 +28,7 @@ def axis_word(link: Link, axis: int) -> str:
     return "xyz"[int(way.argmax())] if np.isclose(way.max(), np.linalg.norm(way)) else f"axis {axis + 1}"
 
 
-def set_points(run: Run, model: Model | None, controller: Any) -> np.ndarray | None:
+def set_points(run: Run, model: RobotModel | None, controller: Any) -> np.ndarray | None:
     """The set points (n_joints, N), rad and m, at the samples of a run; None of a controller that states none."""
     law = _started(run, model, controller)
     if not hasattr(law, "reference"):
@@ -39,12 +37,12 @@ def set_points(run: Run, model: Model | None, controller: Any) -> np.ndarray | N
     return np.array([np.interp(run.t, times, x) for x in np.transpose([law.reference(t)[0] for t in times])])
 
 
-def bounds_of(run: Run, model: Model | None, controller: Any) -> np.ndarray | None:
+def bounds_of(run: Run, model: RobotModel | None, controller: Any) -> np.ndarray | None:
     """The limits of torques and forces (n_tau,), N·m and N; None of a controller that states none."""
     law = _started(run, model, controller)
     bounds = getattr(law, "bounds", getattr(law, "tau_max", None))
     return None if bounds is None else np.array(bounds, float)
 
 
-def _started(run: Run, model: Model | None, controller: Any) -> Any:
+def _started(run: Run, model: RobotModel | None, controller: Any) -> Any:
     return started(controller, run.q[0] if model else run.q[0, len(place_names(run)) :], model)

@@ -13,6 +13,7 @@ from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
 from ..errors import UsageError
+from ..robot_model import RobotModel
 from ..simulation.motion import centrelines, modal_columns, twist
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
@@ -26,7 +27,6 @@ from .strands import strands
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ..model import Model
 
 MOST, COLUMNS, GRID, PANEL = 6, 3, 6, (4.4, 3.8)
 STATIONS = np.linspace(0.0, 1.0, 25)
@@ -56,13 +56,13 @@ class Shape(NamedTuple):
         return Shape(factor * self.motion, {i: factor * turn for i, turn in self.turns.items()})
 
 
-def png(model: Model, q: np.ndarray, found: ModeShapes) -> bytes:
+def png(model: RobotModel, q: np.ndarray, found: ModeShapes) -> bytes:
     """The picture as PNG, the same bytes every time, without date or version."""
     return look.png(figure(model, q, found))
 
 
 @styled
-def figure(model: Model, q: np.ndarray, found: ModeShapes) -> Figure:
+def figure(model: RobotModel, q: np.ndarray, found: ModeShapes) -> Figure:
     """The lowest modes, up to six of them; raises UsageError where there are none."""
     count = min(len(found.frequencies), MOST)
     if not count:
@@ -83,7 +83,7 @@ def figure(model: Model, q: np.ndarray, found: ModeShapes) -> Figure:
 # ------------------------------------------------------------------------------ what moves
 
 
-def field(model: Model, q: np.ndarray, shape: np.ndarray) -> Shape:
+def field(model: RobotModel, q: np.ndarray, shape: np.ndarray) -> Shape:
     """The motion of the arm, linear in the mode, of arbitrary size."""
     size = np.max(np.abs(shape))
     there, back = (displaced(model, q, sign * STEP / size * shape) for sign in (1, -1))
@@ -97,7 +97,7 @@ def field(model: Model, q: np.ndarray, shape: np.ndarray) -> Shape:
     return Shape(motion, turns)
 
 
-def displaced(model: Model, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+def displaced(model: RobotModel, q: np.ndarray, change: np.ndarray) -> np.ndarray:
     """`q` (nq,) and a small change (nv,), which turns and moves a floating base along axes of its own."""
     first = model.chain.base_q
     out = np.append(q[:first], q[first:] + change[model.chain.base_v :])
@@ -132,7 +132,7 @@ def sections(line: np.ndarray, frame: np.ndarray, turn: np.ndarray, width: float
     return np.stack([line + width * (a * up + b * side) for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1), (1, 1))], 1)
 
 
-def meaning(model: Model, shape: np.ndarray) -> str:
+def meaning(model: RobotModel, shape: np.ndarray) -> str:
     """Where most of a mode's strain energy is: `bending in z of upper_arm`, with its share."""
     energies: dict[str, float] = {}
     energy_of, first = (shape * (stiffness_matrix(model) @ shape))[model.chain.base_v :], model.chain.base_q
@@ -147,7 +147,7 @@ def meaning(model: Model, shape: np.ndarray) -> str:
 # ------------------------------------------------------------------------------ how it is drawn
 
 
-def _draw(axes: Axes, model: Model, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
+def _draw(axes: Axes, model: RobotModel, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
     """Draw the arm at rest and at both ends of the vibration; returns the points to frame, (N, 3) m."""
     points, width = [], WIDTH * np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
     for share, color, weight in ((-1.0, OTHER, 0.9), (0.0, REST, 1.6), (1.0, MOVED, 1.8)):

@@ -12,6 +12,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from ..robot_model import RobotModel
 from ..simulation.motion import centrelines
 from ..simulation.runs import Run, check_output, outputs
 from . import look
@@ -23,7 +24,6 @@ from .strands import feet, strands
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ..model import Model
 
 COLUMNS, GRID = 3, 6
 """Panels in a row, and columns of the grid below them, which hold one to three panels without a gap."""
@@ -42,7 +42,7 @@ START, END = PALETTE[2], PALETTE[3]
 
 
 @styled
-def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figure:
+def figure(run: Run, model: RobotModel | None = None, controller: Any = None) -> Figure:
     """The figure of a run; quantities that are always zero are named, not drawn.
 
     `model`: that of the run, to draw the arm, and the displacements of tips in place of modal coordinates.
@@ -71,14 +71,14 @@ def figure(run: Run, model: Model | None = None, controller: Any = None) -> Figu
     return out
 
 
-def save(run: Run, path: str | os.PathLike[str], model: Model | None = None, controller: Any = None) -> None:
+def save(run: Run, path: str | os.PathLike[str], model: RobotModel | None = None, controller: Any = None) -> None:
     """Write the figure as a .png file, the same bytes every time; arguments as of `figure`. Raises UsageError."""
     check_output(path, (".png",))
     with outputs(path) as (stream,):
         stream.write(png(run, model, controller))
 
 
-def png(run: Run, model: Model | None = None, controller: Any = None) -> bytes:
+def png(run: Run, model: RobotModel | None = None, controller: Any = None) -> bytes:
     """The figure as PNG, without date or version; arguments as of `figure`."""
     return look.png(figure(run, model, controller))
 
@@ -145,7 +145,7 @@ def _links(out: Figure, n: int) -> None:
     out.colorbar(shades, ax=out.axes, label="link, from base to tip", ticks=ticks, pad=0.01, aspect=60)
 
 
-def _space(axes: Axes, run: Run, model: Model | None) -> None:
+def _space(axes: Axes, run: Run, model: RobotModel | None) -> None:
     """The arm in some postures and the path of its tip, true to scale; without a model the path alone."""
     path = run.tip_position[np.linspace(0, len(run.t) - 1, min(len(run.t), 2000)).round().astype(int)]
     axes.plot(*path.T, **PATH)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib import colormaps
 from scipy.spatial.transform import Rotation
 
+from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run
 from ..spec.modes import DIRECTIONS
@@ -18,9 +19,6 @@ from ..spec.segments import owner
 from .curves import AXIS_CURVES, NOTHING, AxisCurves
 from .demands import axis_word, bounds_of, place_names, set_points
 from .look import INK, PALETTE, STYLES
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 TIPS = (
     ("Deflection of tips in y", "y", ("bending_y", "shear_y", ELASTIC)),
@@ -57,7 +55,7 @@ class Panel(NamedTuple):
         return max(float(np.abs(line.values).max()) for line in self.lines)
 
 
-def panels(run: Run, controller: Any = None, model: Model | None = None) -> list[Panel]:
+def panels(run: Run, controller: Any = None, model: RobotModel | None = None) -> list[Panel]:
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
     kinetic, potential = run.energy.T
     energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
@@ -80,7 +78,7 @@ def panels(run: Run, controller: Any = None, model: Model | None = None) -> list
     ]
 
 
-def _titles(run: Run, model: Model | None) -> dict[str, str]:
+def _titles(run: Run, model: RobotModel | None) -> dict[str, str]:
     """Other titles of panels: torques and forces of a robot whose drives act on its joints directly."""
     rotors = any(".theta[" in name for name in run.q_names) or (model is not None and bool(model.chain.linked))
     pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
@@ -88,7 +86,7 @@ def _titles(run: Run, model: Model | None) -> dict[str, str]:
     return direct | ({} if pushed else {"Forces of drives": "Forces on slides"})
 
 
-def _of_axes(run: Run, model: Model | None, x: AxisCurves, beside: dict[str, Any]) -> list[Line]:
+def _of_axes(run: Run, model: RobotModel | None, x: AxisCurves, beside: dict[str, Any]) -> list[Line]:
     """The curves of a panel of axes, with set points, bounds or limits of the axes."""
     names = run.names_of(x.array)
     out = _lines(run, model, run.arrays[x.array], names, x.word, axes=True)
@@ -129,7 +127,7 @@ def color(link: int, n: int) -> tuple | str:
 
 
 def _lines(
-    run: Run, model: Model | None, values: np.ndarray, names: tuple[str, ...], part: str, axes=False
+    run: Run, model: RobotModel | None, values: np.ndarray, names: tuple[str, ...], part: str, axes=False
 ) -> list[Line]:
     """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link.
 
@@ -153,7 +151,7 @@ def _modes(q: Callable[[str], list[Line]]) -> list[Panel]:
     return [Panel(title, "η", units.get(d, "m"), q(f".eta.{d}[")) for d, title in titles.items()]
 
 
-def _tips(run: Run, model: Model) -> list[Panel]:
+def _tips(run: Run, model: RobotModel) -> list[Panel]:
     """How far the tips of flexible links are from those of the undeformed links, and how far they are twisted."""
     tips, names, n = tip_deflections(model, run.q), [x.name for x in model.robot.links], len(link_names(run))
     has = lambda i, kinds: any(modal_columns(model, i, kind) for kind in kinds)  # noqa: E731

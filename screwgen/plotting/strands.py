@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from ..robot_model import RobotModel
 from ..spec.markers import carried_at
 from ..spec.parents import parents
 
-if TYPE_CHECKING:
-    from ..model import Model
 
-
-def feet(model: Model) -> list[np.ndarray]:
+def feet(model: RobotModel) -> list[np.ndarray]:
     """The places (3,), m, at which links that no link carries are mounted."""
     carried = zip(model.robot.links, parents(model.robot.links), strict=True)
     return [_mount(link) for link, parent in carried if parent < 0]
 
 
-def strands(model: Model, lines: np.ndarray) -> list[np.ndarray]:
+def strands(model: RobotModel, lines: np.ndarray) -> list[np.ndarray]:
     """The polylines (1 + stations, 3), m, of links with the centrelines `lines` (n, stations, 3).
 
     The first point of each is the section of its parent that carries it, or its mount: a joint that slides moves the

@@ -6,20 +6,18 @@ import ctypes
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
+from ..robot_model import RobotModel
 from .compiled import LeanProject
 from .differentiated import STATUS, known
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 FLAGS = ("-O2", "-march=native", "-ffp-contract=off")
 """Without contraction the results do not depend on the width of the registers."""
@@ -60,7 +58,7 @@ class CompiledBatch:
     """
 
     def __init__(
-        self, model: Model, single=False, flags=FLAGS, compiler: str | None = None, methods: Sequence[Method] = ()
+        self, model: RobotModel, single=False, flags=FLAGS, compiler: str | None = None, methods: Sequence[Method] = ()
     ):
         self.model, self.real = model, np.float32 if single else np.float64
         name = model.robot.name
@@ -177,7 +175,7 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
             stop.set()
 
 
-def _files(model: Model, methods: Sequence[Method]) -> tuple[LeanProject, dict[str, str]]:
+def _files(model: RobotModel, methods: Sequence[Method]) -> tuple[LeanProject, dict[str, str]]:
     """The sources of a batch, and its project."""
     project, name = LeanProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
     library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
@@ -185,6 +183,6 @@ def _files(model: Model, methods: Sequence[Method]) -> tuple[LeanProject, dict[s
     return project, files | {"shim.c": project.shim("batch_shim.c")}
 
 
-def compiled_batch(model: Model, single: bool, methods: Sequence[Method] = ()) -> CompiledBatch:
+def compiled_batch(model: RobotModel, single: bool, methods: Sequence[Method] = ()) -> CompiledBatch:
     """The batch of a model, compiled when it is first asked for and kept by the model."""
     return model.once(("batch", single, *methods), lambda: CompiledBatch(model, single, methods=methods))

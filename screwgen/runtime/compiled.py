@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Protocol
 
 import numpy as np
 
@@ -19,7 +18,7 @@ from ..backends.c.shim import shims
 from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
-from ..topology.chain import Chain
+from ..robot_model import RobotModel
 from .differentiated import NO_METHOD, Differentiated
 from .forms import Forms
 from .library import load
@@ -28,16 +27,6 @@ from .pace import slices
 from .stepper import Stepper
 
 FORMS = ("joint", "dae")
-
-
-class Derived(Protocol):
-    """The interface of the object that is compiled: :class:`screwgen.Model`."""
-
-    chain: Chain
-    parameter_values: list[float]
-
-    @property
-    def version(self) -> str: ...
 
 
 class LeanProject(CProject):
@@ -69,7 +58,7 @@ class Compiled(Differentiated):
 
     def __init__(
         self,
-        model: Derived,
+        model: RobotModel,
         layout="auto",
         parameters="runtime",
         single=False,
@@ -315,7 +304,7 @@ class Compiled(Differentiated):
         return rows, columns
 
 
-def _compiled_anew(model: Derived, said: tuple, p: Array | None) -> Compiled:
+def _compiled_anew(model: RobotModel, said: tuple, p: Array | None) -> Compiled:
     """The instance that a pickled one is restored to."""
     out = Compiled(model, *said)
     out.prepare(p)
@@ -327,7 +316,7 @@ class CompiledStepper:
 
     default = "modal_implicit"
 
-    def __init__(self, compiled: Compiled, model: Derived, integrator: str | Method, p):
+    def __init__(self, compiled: Compiled, model: RobotModel, integrator: str | Method, p):
         self.compiled, self.method = compiled, method_of(integrator, compiled.project.methods, NO_METHOD)
         compiled.prepare(p)
 

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Sequence
+
 from ..arguments import choice
 from ..errors import UsageError
-from .compiled import Compiled, Derived
+from ..integrators.method import Method
+from ..robot_model import RobotModel
+from .compiled import Compiled
 
 PRECISIONS = ("double", "single")
 LAYOUTS = ("auto", "fused", "modular")
@@ -12,12 +17,20 @@ BINDINGS = ("runtime", "baked")
 
 
 def compile_model(
-    model: Derived, layout: str, precision: str, derivatives: bool, flags, cache, parameters: str, methods
+    model: RobotModel,
+    layout="auto",
+    precision="double",
+    derivatives=False,
+    flags: Sequence[str] | None = None,
+    cache: bool | str | os.PathLike = True,
+    parameters="runtime",
+    methods: Sequence[Method] = (),
 ) -> Compiled:
     """The implementation of :meth:`screwgen.Model.compile`."""
     choices = (("layout", layout, LAYOUTS), ("precision", precision, PRECISIONS), ("parameters", parameters, BINDINGS))
     for name, given, known in choices:
         choice(given, known, f"{name}: there is no")
+    flags = model.compiler_flags if flags is None else flags
     if isinstance(flags, str):
         raise UsageError("flags is a string; give a sequence such as ('-O3', '-march=native')")
     single = precision == "single"

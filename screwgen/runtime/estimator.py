@@ -12,13 +12,13 @@ import numpy as np
 from ..algorithms.gauges import Gauge, gauges
 from ..arguments import array, real_numbers
 from ..errors import UsageError
+from ..robot_model import RobotModel
 from .compiled import LeanProject
 from .differentiated import failure
 from .library import load
 from .memory import Block, pointer
 
 if TYPE_CHECKING:
-    from ..model import Model
     from ..topology.chain import Chain
 
 
@@ -69,7 +69,7 @@ def check_noise(chain: Chain, noise: Noise) -> None:
         spread(getattr(noise, name), name, size)
 
 
-def _members(model: Model) -> dict[str, tuple[int, ...]]:
+def _members(model: RobotModel) -> dict[str, tuple[int, ...]]:
     """The members of a filter's memory that are read or written here, and their shapes."""
     n, m, g = model.nv, model.n_joints, len(gauges(model.chain))
     states = {f"{state}.q": (model.nq,) for state in ("state", "estimator.state")} | {"deviation.q": (n,)}
@@ -85,7 +85,7 @@ def _members(model: Model) -> dict[str, tuple[int, ...]]:
     return states | measured | noise | inputs | {"estimator.P": (2 * n, 2 * n)}
 
 
-def _files(model: Model, binding: str) -> dict[str, str]:
+def _files(model: RobotModel, binding: str) -> dict[str, str]:
     """The sources of an estimator."""
     project = LeanProject(model.chain, model.version, binding, estimator=True)
     return project.files() | {"shim.c": project.shim("estimator_shim.c", list(_members(model)))}
@@ -123,7 +123,7 @@ class CompiledEstimator:
 
     def __init__(
         self,
-        model: Model,
+        model: RobotModel,
         parameters=None,
         single=False,
         binding="runtime",

@@ -5,14 +5,14 @@ from __future__ import annotations
 import platform
 import sys
 import warnings
-from collections.abc import Callable, Hashable, Sequence
-from typing import Any, Protocol
+from collections.abc import Sequence
 
 from ..backends.fmi.code import content
 from ..backends.fmi.package import archive, unit
 from ..errors import TargetWarning
 from ..integrators.method import Method
-from .compiled import Derived, LeanProject
+from ..robot_model import RobotModel
+from .compiled import LeanProject
 from .library import binary, has_compiler
 
 FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
@@ -26,14 +26,8 @@ PLACES = {
 """The folders of binaries of Linux, by version and processor."""
 
 
-class Keeping(Derived, Protocol):
-    """A model that keeps what is made of it."""
-
-    def once(self, key: Hashable, make: Callable[[], object]) -> Any: ...
-
-
 def unit_files(
-    model: Keeping, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
+    model: RobotModel, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
 ) -> dict[str, bytes]:
     """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing."""
     key = ("unit", parameters, layout, tuple(methods))
@@ -55,7 +49,7 @@ def unit_files(
     }
 
 
-def _common(model: Keeping, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
+def _common(model: RobotModel, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
     """What the units of both versions share: the library, the programs besides, and what is compiled of them."""
     project = LeanProject(model.chain, model.version, parameters, layout, methods=methods, outputs=True)
     return project, content(project), {}

@@ -5,19 +5,17 @@ from __future__ import annotations
 import ctypes
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..arguments import Given, array
 from ..backends.c.mpc import Fitted, MpcProject
+from ..robot_model import RobotModel
 from .compiled import LeanProject
 from .differentiated import failure
 from .library import load
 from .memory import Block, pointer
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 OUTCOMES = ("solved", "limited", "infeasible")
 COUNTS = ("options.qp_iterations", "options.delay", "mpc.outcome", "mpc.iterations", "mpc.converged", "mpc.prepared")
@@ -95,7 +93,7 @@ class Mpc:
 
     def __init__(
         self,
-        model: Model,
+        model: RobotModel,
         fitted: Fitted,
         parameters: Given = None,
         single=False,

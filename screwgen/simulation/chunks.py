@@ -9,20 +9,18 @@ import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from concurrent.futures.thread import ThreadPoolExecutor
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
+from ..robot_model import RobotModel
 from ..runtime.batch import compiled_batch
 from ..runtime.compiled import NO_METHOD
 from .loop import added
 from .validity import Validity
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 TRIES = 4
 """How often a chunk is tried whose worker was lost."""
@@ -52,7 +50,7 @@ def unpacked(digest: str, packed: bytes | None) -> Any:
         return _kept[digest]
 
 
-def ready(model: Model, single: bool, integrator: str | Method) -> None:
+def ready(model: RobotModel, single: bool, integrator: str | Method) -> None:
     """Derive and compile what a rollout needs, once in a process."""
     with _lock:
         compiled_batch(model, single, added(method_of(integrator, missing=NO_METHOD)))
@@ -104,7 +102,7 @@ def _again(error: BaseException, tries: int) -> int:
 
 
 def in_chunks(
-    run: Callable, model: Model, given: Mapping[str, np.ndarray], count: int, how: tuple, executor: Executor
+    run: Callable, model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: tuple, executor: Executor
 ) -> list:
     """What ``run(model, given, count, *how)`` gives of each chunk of the scenarios, in their order."""
     packed = None if isinstance(executor, ThreadPoolExecutor) else pickle.dumps(model)

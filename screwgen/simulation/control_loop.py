@@ -12,12 +12,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import ScrewgenError
 from ..integrators.method import Method
+from ..robot_model import RobotModel
 from ..spec.parameters import turning
 from .gains import Gain, Posture, gains_of, rounded_down
 from .inputs import Inputs
@@ -25,9 +25,6 @@ from .integrate import DEFAULT
 from .linearised import Linearised
 from .linearised_loops import Shut
 from .stable_steps import Held, first_failure, shown_time
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 GROWN = 100.0
 """What an oscillation may be multiplied by within a run."""
@@ -50,7 +47,7 @@ class ControlLoopWarning(UserWarning):
 class Sampled:
     """What is examined: a model at parameters `p`, what acts on it, and the steps of a run."""
 
-    model: Model
+    model: RobotModel
     p: np.ndarray
     given: Inputs
     law: object

@@ -13,6 +13,7 @@ import numpy as np
 from ..algorithms.transmissions import DEAD, efforts, travels
 from ..arguments import Numbers, parameters_keyword
 from ..errors import SingularError, UsageError
+from ..robot_model import RobotModel
 from ..spec.load import one_line, parse
 from ..spec.messages import unknown
 from ..spec.ranges import within
@@ -21,7 +22,6 @@ from .mobility import closing, stated_joints
 from .state import read_text, refusals, sized
 
 if TYPE_CHECKING:
-    from ..model import Model
     from ..topology.chain import Chain
 
 Controller = Callable[[float, np.ndarray, np.ndarray], Numbers]
@@ -47,7 +47,7 @@ class Holding:
     TOLERANCE, SETTLED, STEPS = 1e-12, 1e-9, 30
 
     @parameters_keyword
-    def __init__(self, model: Model, parameters: Numbers | None = None):
+    def __init__(self, model: RobotModel, parameters: Numbers | None = None):
         model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
         self.model, self.statics, self.count, self.chain = model, model.statics, model.n_joints, model.chain
         self.p = np.array(model.parameter_values if parameters is None else parameters, float)
@@ -230,7 +230,7 @@ def _efforts(chain: Chain, p: Numbers, torques: np.ndarray, q: np.ndarray) -> np
     return efforts(chain, torques, q, p)
 
 
-def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
+def read_pd(path: str | os.PathLike[str], model: RobotModel) -> PD:
     """The law in the TOML file at `path`: `kp`, `kd`, `q_des`, one number per joint coordinate.
 
     `duration` (s) and `tau_max` are optional. In place of `q_des` and `duration`: `waypoints`, an array of
@@ -256,7 +256,7 @@ def read_pd(path: str | os.PathLike[str], model: Model) -> PD:
         )
 
 
-def _gravity(given: dict[str, Any], model: Model) -> Holding | None:
+def _gravity(given: dict[str, Any], model: RobotModel) -> Holding | None:
     wanted = given.get("gravity", False)
     if not isinstance(wanted, bool):
         raise refuse(f"is {shown(wanted)}; it must be true or false", ("gravity",))
@@ -293,7 +293,7 @@ def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
 CONTROLLERS = {"pd": read_pd}
 
 
-def read_controller(text: str, model: Model) -> Controller:
+def read_controller(text: str, model: RobotModel) -> Controller:
     """The controller that `KIND:FILE` names, such as `pd:gains.toml`; raises UsageError."""
     kind, colon, path = text.partition(":")
     known = ", ".join(f"{name}:FILE" for name in CONTROLLERS)

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..backends.numpy.dae_step import DaeDynamics, HeldDae
 from ..integrators.method import Method
 from ..integrators.methods import method_of
+from ..robot_model import RobotModel
 from .integrate import DEFAULT, LIMIT, DivergedError, Evaluator
 
-if TYPE_CHECKING:
-    from ..model import Model
 
-
-def dynamics(model: Model, p: Sequence[float]) -> DaeDynamics:
+def dynamics(model: RobotModel, p: Sequence[float]) -> DaeDynamics:
     """The DAE form with parameters ``p``, evaluated by CasADi."""
     functions, given = model.modal_functions, np.array(p, float)
 
@@ -33,7 +30,7 @@ class DaeStepper:
 
     default = DEFAULT
 
-    def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
+    def __init__(self, model: RobotModel, integrator: str | Method, p: Sequence[float]):
         self.method, self.dynamics = method_of(integrator), dynamics(model, p)
         self.reference, self.n_joints, self.floating = model.numpy(p), model.n_joints, model.chain.floating
         self.p, self.place = np.array(p, float), Evaluator(model.casadi()["dae_state"])

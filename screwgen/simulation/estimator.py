@@ -7,7 +7,7 @@ tree the mean is closed after every call, and the covariance is projected onto t
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -17,12 +17,10 @@ from ..arguments import Given, Numbers, array
 from ..backends.numpy.numeric import EPSILON, function_of
 from ..errors import DivergedError, SingularError, UsageError
 from ..integrators.se3 import carried, unit
+from ..robot_model import RobotModel
 from ..runtime.estimator import Noise, check_noise, given_measurements, sensors, spread
 from .integrate import JointStepper
 from .mobility import closing
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 ROUNDS, CHORDS, CLOSED = 2, 6, 1e4 * EPSILON
 """Corrections with the same directions, and the gap, m or of cosines, at which loops are closed."""
@@ -37,7 +35,7 @@ class Estimator:
     SingularError; then the estimate is as it was.
     """
 
-    def __init__(self, model: Model, parameters: Given = None):
+    def __init__(self, model: RobotModel, parameters: Given = None):
         chain, self.model = model.chain, model
         self._p = chain.parameters.vector(parameters)
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..backends.numpy.dae_step import space_of
+from ..robot_model import RobotModel
 from .controllers import PD
 from .inputs import Inputs
 from .linearised import DIFFERENCE, slopes_of
 from .pure import Seen
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 BEFORE, AFTER = 0.02, 2.0
 """How long a function in Python may be asked for its gains before a run, and after one that failed, s."""
@@ -61,7 +59,7 @@ def rounded_down(x: float) -> float:
     return float(f"{np.floor(x / scale) * scale:.3g}")
 
 
-def gains_of(law: Any, model: Model, p: np.ndarray, at: Posture, ended: bool) -> list[Gain]:
+def gains_of(law: Any, model: RobotModel, p: np.ndarray, at: Posture, ended: bool) -> list[Gain]:
     """The gains of a started law, two for each joint; none where they cannot be had.
 
     Of a :class:`PD` those of its numbers, without limits and without the help against gravity. Of another function of
@@ -91,7 +89,7 @@ def gains_of(law: Any, model: Model, p: np.ndarray, at: Posture, ended: bool) ->
     return _by_joint(G, law if plain else None, model)
 
 
-def _stated(law: PD, model: Model) -> np.ndarray:
+def _stated(law: PD, model: RobotModel) -> np.ndarray:
     """The derivatives of a law without transmissions, from its gains."""
     places = np.arange(model.chain.base_v, model.chain.base_v + model.n_tau) if law.driven is None else law.driven
     G, rows = np.zeros((model.n_tau, 2 * model.nv)), np.arange(model.n_tau)
@@ -113,7 +111,7 @@ def _smooth(G: np.ndarray, other: np.ndarray) -> bool:
     return bool(np.isfinite(G).all() and (np.abs(G - other) <= ALIKE * most + DIFFERENCE).all())
 
 
-def _by_joint(G: np.ndarray, law: PD | None, model: Model) -> list[Gain]:
+def _by_joint(G: np.ndarray, law: PD | None, model: RobotModel) -> list[Gain]:
     """Each row of the derivatives in its halves."""
     chain, out = model.chain, []
     for j, row in enumerate(G):

@@ -7,17 +7,15 @@ import math
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ..arguments import Numbers
+from ..robot_model import RobotModel
 from ..spec.four_bar import NUMBERS, reach
 from ..spec.limit import Limit
 from ..spec.link_class import SIDES
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 MOST = 8
 """Hits of one axis and side that text lists one by one."""
@@ -87,7 +85,7 @@ class Bound(NamedTuple):
     damping: float
 
 
-def bounds(model: Model, p: Numbers) -> list[Bound]:
+def bounds(model: RobotModel, p: Numbers) -> list[Bound]:
     """The limits of all axes, at the parameters `p`, and the ends of the reach of linkages where none are stated."""
     values, out, first = dict(zip(model.parameter_names, map(float, p), strict=True)), list[Bound](), 0
     for link in model.robot.links:
@@ -123,7 +121,7 @@ class _Plan(ctypes.Structure):
 class Hits:
     """Gathers the hits of a run, step by step, in Python or, by :attr:`plan`, in C."""
 
-    def __init__(self, model: Model, p: Numbers):
+    def __init__(self, model: RobotModel, p: Numbers):
         self.bounds, self.names, chain = bounds(model, p), model.q_names[model.chain.base_q :], model.chain
         axes = np.array([x.axis for x in self.bounds], int)
         self.q, self.v = (axes + chain.base_q).astype(np.int32), (axes + chain.base_v).astype(np.int32)
@@ -206,7 +204,7 @@ def warn(hits: Sequence[Hit]) -> None:
         warnings.warn(f"{loose[0]}; {what}{more}", LimitWarning, stacklevel=3)
 
 
-def warn_goals(model: Model, p: Numbers, points: Sequence[tuple[float, Sequence[float]]]) -> None:
+def warn_goals(model: RobotModel, p: Numbers, points: Sequence[tuple[float, Sequence[float]]]) -> None:
     """A :class:`LimitWarning` where a reference of the joints, at one of its set points, is beyond a limit."""
     for bound in bounds(model, p):
         worst = max((q[bound.axis] for _, q in points), key=lambda x: SIDES[bound.side] * x)

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..arguments import Numbers, fits, real_numbers
 from ..errors import ScrewgenError, UsageError
-
-if TYPE_CHECKING:
-    from ..model import Model
+from ..robot_model import RobotModel
 
 
-def started(controller: Any, q0: np.ndarray, model: Model | None = None, p: Any = None) -> Any:
+def started(controller: Any, q0: np.ndarray, model: RobotModel | None = None, p: Any = None) -> Any:
     """The controller at the start of a run: the result of its `starting_at(q)` if it has that method.
 
     One that has `through(chain, p)` learns before where the joints stand and of the gears that it works through.
@@ -24,7 +22,7 @@ def started(controller: Any, q0: np.ndarray, model: Model | None = None, p: Any 
     return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller
 
 
-def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | None = None) -> np.ndarray:
+def coordinates(values: Numbers | None, name: str, model: RobotModel, p: Numbers | None = None) -> np.ndarray:
     """`values` of `q` as (nq,), or of `v` as (nv,); the joints alone leave the rest at zero or at home.
 
     Gears are then without load, with the ratios in `p`.
@@ -39,7 +37,7 @@ def coordinates(values: Numbers | None, name: str, model: Model, p: Numbers | No
 class Inputs:
     """Torques (n_tau,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing."""
 
-    def __init__(self, model: Model, controller: Any, w_ext: Any):
+    def __init__(self, model: RobotModel, controller: Any, w_ext: Any):
         self.torques_vary, self.wrenches_vary = callable(controller), callable(w_ext)
         self.sources = (
             _source(controller, "the controller", (model.n_tau,)),

@@ -16,9 +16,9 @@ from ..errors import DivergedError
 from ..integrators.method import Method, Motion
 from ..integrators.methods import method_of
 from ..integrators.se3 import unit
+from ..robot_model import RobotModel
 
 if TYPE_CHECKING:
-    from ..model import Model
     from .validity import Watch
 
 DEFAULT = "modal_midpoint"
@@ -77,7 +77,7 @@ class Evaluator:
 class Dynamics:
     """Accelerations and joint wrenches of the joint form; methods give inertia and force of modes and sprung joints."""
 
-    def __init__(self, model: Model, p: Sequence[float]):
+    def __init__(self, model: RobotModel, p: Sequence[float]):
         functions = model.modal_functions
         self.p, self.n_links = np.array(p, float), model.n_links
         self.evaluate = Evaluator(functions["modal_dynamics"])
@@ -140,7 +140,7 @@ class JointStepper:
 
     default = DEFAULT
 
-    def __init__(self, model: Model, integrator: str | Method, p: Sequence[float]):
+    def __init__(self, model: RobotModel, integrator: str | Method, p: Sequence[float]):
         self.method, self.dynamics = method_of(integrator), Dynamics(model, p)
         self.reference, self.space, self.floating = model.numpy(p), space_of(model.chain), model.chain.floating
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,13 +19,11 @@ from ..errors import SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..integrators.se3 import Space
+from ..robot_model import RobotModel
 from ..spec.parameters import turning
 from . import mobility
 from .inputs import Inputs, coordinates, started
 from .integrate import Dynamics, Evaluator
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 Parameters = Sequence[float] | Mapping[str, float]
 Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
@@ -41,7 +39,7 @@ TINY = 1e-6
 """The change of the pose of a floating base by which its direction in q is taken."""
 
 
-def speed(model: Model, v: np.ndarray) -> float:
+def speed(model: RobotModel, v: np.ndarray) -> float:
     """How fast the joints turn, rad/s: the norm of the rates of the axes that turn, of `v` (nv,)."""
     first = model.chain.base_v
     return float(np.linalg.norm(v[first : first + model.n_joints][turning(model.robot)]))
@@ -74,7 +72,7 @@ class Linearised:
     @parameters_keyword
     def __init__(
         self,
-        model: Model,
+        model: RobotModel,
         q: Numbers,
         v: Numbers,
         tau: Numbers | None = None,
@@ -251,7 +249,7 @@ def slopes_of(torque: Torque, q: np.ndarray, v: np.ndarray, space: Space, width:
     return np.reshape(sides, (2 * len(v), -1)).T
 
 
-def _directional(model: Model) -> Evaluator:
+def _directional(model: RobotModel) -> Evaluator:
     """The derivatives of `modal_dynamics` in nv + nv + n_tau + n_given directions at once."""
     function, chain = model.modal_functions["modal_dynamics"], model.chain
     primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nv + chain.n_tau + chain.n_given

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import ctypes
 import warnings
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import METHODS
+from ..robot_model import RobotModel
 from ..runtime.compiled import Compiled
+from ..runtime.compiling import compile_model
 from ..runtime.differentiated import SINGULAR
 from ..runtime.library import has_compiler
 from ..runtime.pace import slices
@@ -20,9 +21,6 @@ from .inputs import at_time
 from .integrate import LIMIT, JointState, JointStepper, diverged, left
 from .recording import WATCH, Table, Task
 from .validity import FAR
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 LEFT, OPEN = 16, 17
 """``SHIM_LEFT`` and ``SHIM_OPEN`` of the library."""
@@ -58,9 +56,9 @@ class _Run(ctypes.Structure):
     )
 
 
-def _compiled(model: Model, method: Method) -> Compiled:
+def _compiled(model: RobotModel, method: Method) -> Compiled:
     """The compiled model with a method, cached by the model."""
-    return model.once(_key(method), lambda: model.compile(methods=added(method)))
+    return model.once(_key(method), lambda: compile_model(model, methods=added(method)))
 
 
 def _key(method: Method) -> tuple:
@@ -72,7 +70,7 @@ def added(method: Method) -> tuple[Method, ...]:
     return () if method in METHODS.values() else (method,)
 
 
-def instance(model: Model, p: np.ndarray, method: Method) -> Compiled:
+def instance(model: RobotModel, p: np.ndarray, method: Method) -> Compiled:
     """The model in C with memory of its own at the parameters `p`; compiled when it is first asked for."""
     compiled = _compiled(model, method)
     try:
@@ -82,7 +80,7 @@ def instance(model: Model, p: np.ndarray, method: Method) -> Compiled:
         raise UsageError(said + ", and no loop may be opened by them" * bool(model.chain.idle)) from None
 
 
-def available(model: Model, method: Method) -> bool:
+def available(model: RobotModel, method: Method) -> bool:
     """Whether the model can be compiled with a method; warns if there is a compiler and it fails."""
     try:
         if not model.made(_key(method)) and not has_compiler():

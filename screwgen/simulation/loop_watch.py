@@ -11,16 +11,13 @@ import ctypes
 import math
 import warnings
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..backends.c.shim import CHANGE
 from ..backends.numpy.closing import OPENED, extent
 from ..errors import DivergedError
-
-if TYPE_CHECKING:
-    from ..model import Model
+from ..robot_model import RobotModel
 
 WARNED = 1e-3
 """Mismatch, over the size of the robot or in rad, that is worth a warning."""
@@ -57,7 +54,7 @@ class Seen(ctypes.Structure):
 class LoopWatch:
     """What a run finds of its loops, in `seen`, which its C shares."""
 
-    def __init__(self, model: Model, p: np.ndarray, q: np.ndarray):
+    def __init__(self, model: RobotModel, p: np.ndarray, q: np.ndarray):
         self.names = [junction.name for junction in model.chain.junctions]
         numeric = model.numpy(p)
         self.mismatch = numeric.mismatch

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,10 +11,8 @@ from ..algorithms.loops import LEAST
 from ..arguments import Numbers
 from ..backends.numpy.numeric import Numeric
 from ..errors import UsageError
+from ..robot_model import RobotModel
 from ..topology.chain import Chain
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 CLEAR, RANK = 0.05, 1e-7
 """The part of a column of the gaps' Jacobian that must be new: where there is a choice, and where there is none."""
@@ -85,21 +83,21 @@ def by_spring(J: np.ndarray, springs: np.ndarray) -> Kinds:
     return [[np.flatnonzero(springs == 0)[::-1].tolist()], [sprung[np.argsort(-sizes, kind="stable")].tolist()]]
 
 
-def closing(model: Model):
+def closing(model: RobotModel):
     """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model."""
     from ..backends.casadi.linear import closing as made
 
     return model.once("closing", lambda: made(model.chain))
 
 
-def jacobian(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
+def jacobian(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(rows, nv): the rates of the gaps by the rates of the coordinates."""
     if not model.chain.closures:
         return np.zeros((0, model.nv))
     return np.array(closing(model)(q, np.zeros(model.nv), np.zeros(len(model.chain.closures)), p)[1])
 
 
-def motions(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
+def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
     """The numbers (d,) of independent coordinates, and T (2 nv, 2 d): all changes [δ; δv] by those of these.
 
     Where `J δv + (∂(J v)/∂δ) δ = 0` rates change with the posture, as loops make them.
@@ -116,7 +114,7 @@ def motions(model: Model, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.
     return own, np.block([[N, np.zeros_like(N)], [turned, N]])
 
 
-def stated_joints(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
+def stated_joints(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(n_joints,) of bool: the joints whose coordinates may be stated, as many as the loops leave; all without loops.
 
     Those with drives come before others, and then those that come first in the file. The others follow them. Raises
@@ -147,7 +145,7 @@ def check_staying_closed(chain: Chain, name: str, rates: np.ndarray) -> None:
         raise UsageError(f"{name}: {what}; start at rest, or with rates that keep it closed")
 
 
-def sharing(model: Model, q: np.ndarray, J: np.ndarray, p: Numbers) -> np.ndarray:
+def sharing(model: RobotModel, q: np.ndarray, J: np.ndarray, p: Numbers) -> np.ndarray:
     """(rows,): factors s such that forces s·y of rows which depend on each other are those of the dynamics, out of all
     that act alike, where y is the shortest; ones where all rows are independent."""
     if not model.chain.overconstrained:
@@ -156,7 +154,7 @@ def sharing(model: Model, q: np.ndarray, J: np.ndarray, p: Numbers) -> np.ndarra
     return 1 / np.sqrt(own + LEAST * np.sum(own))
 
 
-def loads_of_loops(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray | None:
+def loads_of_loops(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray | None:
     """The wrenches (n, 6) of the loops on the tips at rest in a posture `q` whose stated joints are held; None without.
 
     The joints that follow bear no torque.

@@ -5,7 +5,7 @@ Every function takes the coordinates of N samples, as a run holds them: `q`, `v`
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -13,12 +13,10 @@ from scipy.spatial.transform import Rotation
 from ..arguments import Numbers, parameters_keyword
 from ..bodies import markers
 from ..errors import UsageError
+from ..robot_model import RobotModel
 from ..spec.parameters import coordinate_names
 from ..spec.reduced import end
 from ..spec.segments import owner
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 
 class Screws(NamedTuple):
@@ -35,7 +33,7 @@ class Screws(NamedTuple):
 
 
 @parameters_keyword
-def screws(model: Model, q: np.ndarray, v: np.ndarray, parameters: Numbers | None = None) -> Screws:
+def screws(model: RobotModel, q: np.ndarray, v: np.ndarray, parameters: Numbers | None = None) -> Screws:
     """Exponential coordinates and twists of all links, (5) and (twist)."""
     q, v = _samples(model, q, "q"), _samples(model, v, "v")
     n, r = model.n_links, model.chain.n_inner
@@ -47,7 +45,7 @@ def screws(model: Model, q: np.ndarray, v: np.ndarray, parameters: Numbers | Non
     return Screws(theta.reshape(-1, n, 3), place.reshape(-1, n, 3), twists[..., :3], twists[..., 3:])
 
 
-def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
+def displacements(model: RobotModel, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The elastic displacement `r_xi = phi eta` (N, points, 3) of a link's centreline, m, in F_i components, (72).
 
     `points`: places along the link as s in [0, 1], base to tip. `link`: its number in the robot. Of a link with
@@ -62,7 +60,7 @@ def displacements(model: Model, q: np.ndarray, link: int, points: Numbers) -> np
     return out
 
 
-def tip_deflections(model: Model, q: np.ndarray) -> dict[int, np.ndarray]:
+def tip_deflections(model: RobotModel, q: np.ndarray) -> dict[int, np.ndarray]:
     """By how much the tips of flexible links are displaced, (N, 3) m in F_i components, by the number of the link.
 
     From the tip of the undeformed link, as `displacements` is, whose axes they have: elongation, then across the link.
@@ -71,7 +69,7 @@ def tip_deflections(model: Model, q: np.ndarray) -> dict[int, np.ndarray]:
     return {i: displacements(model, q, i, [1.0])[:, 0] for i in flexible}
 
 
-def twist(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
+def twist(model: RobotModel, q: np.ndarray, link: int, points: Numbers) -> np.ndarray:
     """The torsion angle (N, points) of a link's sections about its x axis, rad; arguments as of `displacements`.
 
     With segments the sum of those from the base to the section.
@@ -84,26 +82,28 @@ def twist(model: Model, q: np.ndarray, link: int, points: Numbers) -> np.ndarray
     return out
 
 
-def _bent(model: Model, q: np.ndarray, i: int, points: np.ndarray) -> np.ndarray:
+def _bent(model: RobotModel, q: np.ndarray, i: int, points: np.ndarray) -> np.ndarray:
     """The displacements of a segment."""
     shapes = markers.displacement(model.chain.keys[i], tuple(points))
     return np.einsum("nr,pkr->npk", _modal(model, q, i), shapes)
 
 
-def _modal(model: Model, q: np.ndarray, i: int) -> np.ndarray:
+def _modal(model: RobotModel, q: np.ndarray, i: int) -> np.ndarray:
     """The modal coordinates (N, r) of a segment."""
     first = model.chain.eta_q + model.chain.eta_offset[i]
     return _samples(model, q, "q")[:, first : first + model.chain.keys[i].modes]
 
 
-def centrelines(model: Model, q: np.ndarray, points: Numbers) -> np.ndarray:
+def centrelines(model: RobotModel, q: np.ndarray, points: Numbers) -> np.ndarray:
     """The centrelines (n, points, 3) of the robot's n links at the coordinates `q` (nq,), inertial frame, m."""
     (R, r), points = model.numpy().link_pose(q), np.asarray(points, float)
     lines = (_centreline(model, q[None], R[None], r[None], i, points) for i in range(len(model.robot.links)))
     return np.array([line[0] for line in lines])
 
 
-def _centreline(model: Model, q: np.ndarray, R: np.ndarray, r: np.ndarray, link: int, points: np.ndarray) -> np.ndarray:
+def _centreline(
+    model: RobotModel, q: np.ndarray, R: np.ndarray, r: np.ndarray, link: int, points: np.ndarray
+) -> np.ndarray:
     """That of one link, (N, points, 3), from the poses of all segments, (N, n, 3, 3) and (N, n, 3)."""
     own, first = model.robot.links[link], model.chain.firsts[link]
     out, number = np.empty((len(q), len(points), 3)), np.minimum((own.pieces * points).astype(int), own.pieces - 1)
@@ -115,20 +115,20 @@ def _centreline(model: Model, q: np.ndarray, R: np.ndarray, r: np.ndarray, link:
     return out
 
 
-def _poses(model: Model, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _poses(model: RobotModel, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Rotations (N, n, 3, 3) and positions (N, n, 3) of all segments' frames."""
     given = model.casadi()["link_pose"], _samples(model, q, "q"), _values(model, None)
     R, r = (mapped(*given, output=k).reshape(len(q), model.n_links, *shape) for k, shape in enumerate(((3, 3), (3,))))
     return R.transpose(0, 1, 3, 2), r
 
 
-def modal_columns(model: Model, link: int, direction: str) -> list[int]:
+def modal_columns(model: RobotModel, link: int, direction: str) -> list[int]:
     """The columns of `q` with the modal coordinates of a link in one of `DIRECTIONS`."""
     name, part = model.robot.links[link].name, f".eta.{direction}["
     return [k for k, x in enumerate(coordinate_names(model.robot).q) if owner(x) == name and part in x]
 
 
-def undeformed(model: Model, q: np.ndarray) -> np.ndarray:
+def undeformed(model: RobotModel, q: np.ndarray) -> np.ndarray:
     """The coordinates (N, nq) of the same joint angles with straight links."""
     out = np.zeros_like(_samples(model, q, "q"))
     out[:, : model.chain.eta_q] = q[:, : model.chain.eta_q]
@@ -136,7 +136,7 @@ def undeformed(model: Model, q: np.ndarray) -> np.ndarray:
 
 
 @parameters_keyword
-def tip_deformation(model: Model, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
+def tip_deformation(model: RobotModel, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
     """The displacement (N, 3), m, of the last tip from its place with undeformed links at the same joint angles.
 
     In inertial components. It includes the rotation of later links by the slope of a link's tip.
@@ -145,7 +145,7 @@ def tip_deformation(model: Model, q: np.ndarray, parameters: Numbers | None = No
 
 
 @parameters_keyword
-def tip_position(model: Model, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
+def tip_position(model: RobotModel, q: np.ndarray, parameters: Numbers | None = None) -> np.ndarray:
     """The last tip (N, 3), m, in the inertial frame."""
     return mapped(model.casadi()["tip_pose"], _samples(model, q, "q"), _values(model, parameters), output=1)
 
@@ -167,11 +167,11 @@ def amplitude_spectrum(t: np.ndarray, x: np.ndarray, taper: bool = True) -> tupl
     return np.fft.rfftfreq(len(t), step), 2 * np.abs(np.fft.rfft(weighted, axis=0)) / window.sum()
 
 
-def _values(model: Model, p: Numbers | None) -> np.ndarray:
+def _values(model: RobotModel, p: Numbers | None) -> np.ndarray:
     return np.array(model.parameter_values if p is None else p, float)
 
 
-def _samples(model: Model, x: np.ndarray, name: str) -> np.ndarray:
+def _samples(model: RobotModel, x: np.ndarray, name: str) -> np.ndarray:
     x = np.asarray(x, float)
     if x.ndim != 2 or x.shape[1] != model.nq:
         raise UsageError(f"{name} has shape {x.shape}; it must be (samples, {model.nq})")

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.lib import format as npy
@@ -24,6 +24,7 @@ from ..backends.c.shim import PARTS
 from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..files import create
+from ..robot_model import RobotModel
 from ..spec.load import one_line
 from .hits import Hits
 from .inputs import Inputs
@@ -31,9 +32,6 @@ from .integrate import Dynamics, Evaluator, Stepper
 from .loop_watch import LoopWatch
 from .runs import Run, column_names, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 MAX_BYTES = 4 * 2**30
 WATCH = 8
@@ -84,13 +82,13 @@ Walk = Callable[[Task, "Table"], None]
 """A way to make a run."""
 
 
-def check_size(model: Model, samples: int) -> None:
+def check_size(model: RobotModel, samples: int) -> None:
     """Refuse a run of more samples than memory should hold; raises UsageError."""
     if (size := 8 * samples * sum(_widths(model).values())) > MAX_BYTES:
         raise UsageError(f"the run would take {size / 1e9:.0f} GB; take a shorter duration or a longer step")
 
 
-def _widths(model: Model) -> dict[str, int]:
+def _widths(model: RobotModel) -> dict[str, int]:
     """How many numbers each quantity has in one sample."""
     widths = {"t": 1, "q": model.nq, "v": model.nv, "tau": model.n_tau}
     widths |= {"wrench": 6 * model.n_links, "tip_position": 3}
@@ -100,7 +98,7 @@ def _widths(model: Model) -> dict[str, int]:
 class Table:
     """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, and what is reported."""
 
-    def __init__(self, model: Model, times: np.ndarray, p: np.ndarray, q0: np.ndarray):
+    def __init__(self, model: RobotModel, times: np.ndarray, p: np.ndarray, q0: np.ndarray):
         self.model, self.times, self.p = model, times, p
         widths = _widths(model)
         ends = np.cumsum(list(widths.values()))
@@ -271,7 +269,7 @@ class Store:
         self.stream.flush()
 
 
-def _columns(model: Model) -> tuple[str, ...]:
+def _columns(model: RobotModel) -> tuple[str, ...]:
     return column_names(model.q_names, model.v_names, model.tau_names, model.wrench_names)
 
 

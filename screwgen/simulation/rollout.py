@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from ..arguments import Given, real_numbers, seconds, whole
 from ..errors import UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
+from ..robot_model import RobotModel
 from ..runtime.batch import OK, SINGULAR, CompiledBatch, compiled_batch
 from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
@@ -25,9 +26,6 @@ from .rollout_samples import Source
 from .rollout_validity import watched
 from .runs import REPORTED
 from .validity import Validity
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 MAX_BYTES = 4 * 2**30
 COMPUTED = ("wrench", "tip_position", *REPORTED)
@@ -117,7 +115,7 @@ class Rollout:
 
 
 def rollout(
-    model: Model,
+    model: RobotModel,
     x0: Any,
     tau: Any = None,
     *,
@@ -205,7 +203,7 @@ def rolled(model, given, count, periods, step, substeps, method, threads, single
     return Rollout(t, q, v, status, done, fault, links, *found)
 
 
-def _constants(model: Model, batch: CompiledBatch, p: np.ndarray) -> tuple[np.ndarray, np.ndarray, dict[int, str]]:
+def _constants(model: RobotModel, batch: CompiledBatch, p: np.ndarray) -> tuple[np.ndarray, np.ndarray, dict[int, str]]:
     """Parameters (batch or 1, n), their constants, and what is wrong with those of scenarios that cannot be.
 
     These have the parameters of the file.
@@ -268,7 +266,7 @@ def _array(values: Any, name: str, shape: tuple[int, ...], allowed: str) -> np.n
     return out if out.ndim > len(shape) else out[None]
 
 
-def _states(values: Any, model: Model) -> np.ndarray:
+def _states(values: Any, model: RobotModel) -> np.ndarray:
     """Initial states, (batch or 1, nq + nv)."""
     count, sizes = model.nq + model.nv, "nq + nv" if model.chain.floating else "2 nq"
     out = _array(values, "x0", (count,), f"(batch, {sizes}) or ({sizes},)")
@@ -292,7 +290,7 @@ def _sequence(values: Any, name: str, shape: tuple[int, ...]) -> np.ndarray:
     return out.reshape(*lead, math.prod(shape))
 
 
-def _parameters(given: Given, model: Model) -> np.ndarray:
+def _parameters(given: Given, model: RobotModel) -> np.ndarray:
     """Parameter vectors, (batch or 1, n)."""
     known = model.chain.parameters
     if isinstance(given, Mapping):
@@ -329,7 +327,7 @@ def _periods(steps: int | None, leads: Mapping[str, tuple[int, ...]]) -> int:
     return steps
 
 
-def _check_size(count: int, periods: int, model: Model) -> None:
+def _check_size(count: int, periods: int, model: RobotModel) -> None:
     size = 8 * count * (periods + 1) * max(model.nq + model.nv, 1)
     if size > MAX_BYTES:
         raise UsageError(f"the rollout would take {size / 1e9:.0f} GB; take fewer scenarios or steps")

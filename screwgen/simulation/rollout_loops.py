@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,9 +10,7 @@ from ..algorithms import fused
 from ..backends.numpy.closing import OPENED, extent
 from ..backends.numpy.python import NAMESPACE
 from ..ir.replay import run
-
-if TYPE_CHECKING:
-    from ..model import Model
+from ..robot_model import RobotModel
 
 START = {np.dtype(np.float64): 1e-6, np.dtype(np.float32): 1e-5}
 """Mismatch, m or rad, at which loops count as open in the beginning, by the type of the numbers."""
@@ -25,7 +22,7 @@ ARRAYS: dict[str, Callable] = {name: np.frompyfunc(function, 1, 1) for name, fun
 ARRAYS |= {"sin": np.sin, "cos": np.cos, "sqrt": np.sqrt, "neg": np.negative, "on": lambda x: (x > 0) * 1.0}
 
 
-def opened(model: Model, parameters: np.ndarray, q: np.ndarray) -> np.ndarray:
+def opened(model: RobotModel, parameters: np.ndarray, q: np.ndarray) -> np.ndarray:
     """(batch,): the first sample of each scenario at which a loop is open, or how many samples there are.
 
     `parameters` (batch or 1, n), `q` (batch, samples, nq). One sample in STRIDE is looked at, the first and the last
@@ -44,7 +41,7 @@ def opened(model: Model, parameters: np.ndarray, q: np.ndarray) -> np.ndarray:
     return out
 
 
-def _open(model: Model, parameters: np.ndarray, q: np.ndarray, most: np.ndarray) -> np.ndarray:
+def _open(model: RobotModel, parameters: np.ndarray, q: np.ndarray, most: np.ndarray) -> np.ndarray:
     """(batch, samples) of bool: where a loop is open by over `most`, m and rad; at the first sample by START."""
     batch, samples, _ = q.shape
     program = fused.openings(model.chain)

@@ -5,18 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import prod
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..algorithms.robot_functions import entries, reported
 from ..integrators.methods import METHODS
+from ..robot_model import RobotModel
 from ..runtime.memory import pointer
 from .loop import instance
 from .motion import mapped
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 
 @dataclass(frozen=True)
@@ -26,7 +23,7 @@ class Source:
     ``given``: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
     """
 
-    model: Model
+    model: RobotModel
     given: Mapping[str, np.ndarray]
 
     @property

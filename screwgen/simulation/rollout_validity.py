@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..bodies.validity import MEASURES
+from ..robot_model import RobotModel
 from ..spec.reduced import reach
 from .integrate import Evaluator
 from .validity import Validity, Watch
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 SPREAD = 32
 """Samples, evenly spaced, whose axial loads and rotations are evaluated, besides those at which a link bends most and
 the joints turn fastest."""
 
 
-def watched(model: Model, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray) -> Validity:
+def watched(
+    model: RobotModel, given: Mapping[str, np.ndarray], t: np.ndarray, q: np.ndarray, v: np.ndarray
+) -> Validity:
     """The largest measures of a batch of motions `q` (batch, samples, nq), `v` (.., nv) at the times `t` (samples,).
 
     `given`: `tau`, `w_ext` (batch or 1, periods or 1, numbers), `parameters` (batch or 1, n).
@@ -48,7 +47,7 @@ def _of(values: np.ndarray, *place: int) -> np.ndarray:
     return values
 
 
-def _bending(model: Model, i: int, p: np.ndarray, q: np.ndarray) -> list[np.ndarray]:
+def _bending(model: RobotModel, i: int, p: np.ndarray, q: np.ndarray) -> list[np.ndarray]:
     """Deflection over length and slope of a link, (batch, samples) each; none for a link that cannot bend."""
     values, offset = model.blocks(i)["validity"].values, model.chain.eta_q + model.chain.eta_offset[i]
     if f"{MEASURES[0]}_shapes" not in values:

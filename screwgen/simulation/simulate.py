@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ..arguments import MAX_STEPS, Given, Numbers, choice, seconds, whole
 from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
+from ..robot_model import RobotModel
 from . import hits, loop
 from .control_loop import Sampled
 from .controllers import PD, Controller
@@ -25,10 +26,7 @@ from .mobility import check_closed, check_staying_closed
 from .recording import WATCH, Recorder, Table, Task, Walk, check_size, stored
 from .runs import FORMATS, Run, check_output
 
-if TYPE_CHECKING:
-    from ..model import Model
-
-MakeStepper = Callable[["Model", "str | Method", Sequence[float]], Stepper]
+MakeStepper = Callable[["RobotModel", "str | Method", Sequence[float]], Stepper]
 
 FORMS: Mapping[str, type[Stepper]] = MappingProxyType({"joint": JointStepper, "dae": DaeStepper})
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
@@ -41,7 +39,7 @@ Wrenches = Callable[[float, np.ndarray, np.ndarray], Any]
 
 
 def simulate(
-    model: Model,
+    model: RobotModel,
     duration: float,
     step: float,
     q0: Numbers | None = None,
@@ -118,7 +116,7 @@ def simulate(
         raise
 
 
-def _in_c(backend: str | None, form: str | MakeStepper, model: Model, integrator: str | Method | None) -> bool:
+def _in_c(backend: str | None, form: str | MakeStepper, model: RobotModel, integrator: str | Method | None) -> bool:
     """Whether a run is stepped in C."""
     if backend is not None:
         choice(backend, BACKENDS, "backend: there is no")
@@ -145,12 +143,12 @@ def method_used(form: str | MakeStepper, integrator: str | Method | None) -> Met
         return None
 
 
-def _c_walk(model: Model, integrator: str | Method | None, form: str, p: np.ndarray) -> Walk:
+def _c_walk(model: RobotModel, integrator: str | Method | None, form: str, p: np.ndarray) -> Walk:
     method = _method(integrator)
     return loop.Loop(loop.instance(model, p, method), method)
 
 
-def _numpy_walk(model: Model, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:
+def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:
     plant = stepper(model, integrator, form, p)
 
     def walk(task: Task, table: Table) -> None:
@@ -184,7 +182,7 @@ def _numpy_walk(model: Model, integrator: str | Method | None, form: str | MakeS
 
 
 def stepper(
-    model: Model,
+    model: RobotModel,
     integrator: str | Method | None = None,
     form: str | MakeStepper = "joint",
     p: Numbers | None = None,
@@ -218,14 +216,14 @@ def time_grid(duration: float, step: float, every=1) -> np.ndarray:
     return np.append(step * np.arange(0, step_count(duration, step), every), float(duration))
 
 
-def check_loops(model: Model, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
+def check_loops(model: RobotModel, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
     """Refuse a start at which a loop is open or opens; raises UsageError."""
     if model.chain.junctions:
         check_closed(model.numpy(p), "q0", q)
         check_staying_closed(model.chain, "v0", model.numpy(p).gaps(q, v)[1])
 
 
-def _check_posture(model: Model, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:
+def _check_posture(model: RobotModel, p: np.ndarray, given: Inputs, q: np.ndarray, v: np.ndarray) -> None:
     """Refuse a singular start; the NumPy dynamics names the joint."""
     with at_time(0.0):
         model.numpy(p).forward_dynamics(q, v, *given(0.0, q, v))

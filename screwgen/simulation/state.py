@@ -8,20 +8,18 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from pydantic_core import PydanticCustomError
 
 from ..errors import UsageError
 from ..files import NotRegularError, open_regular
+from ..robot_model import RobotModel
 from ..spec.load import one_line
 from ..spec.messages import key_path, unknown
 from ..spec.ranges import within
 from ..spec.values import array, refuse, shown
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 KEYS = ("q", "v", "tau", "w_ext")
 MAX_BYTES = 16 * 2**20
@@ -44,12 +42,12 @@ class State:
         return iter((self.q, self.v, self.tau, self.w_ext))
 
 
-def state_in(path: str | None, model: Model) -> State:
+def state_in(path: str | None, model: RobotModel) -> State:
     """The state in a file, all zero without."""
     return state_of({}, model) if path is None else read_state(path, model)
 
 
-def read_state(path: str | os.PathLike[str], model: Model) -> State:
+def read_state(path: str | os.PathLike[str], model: RobotModel) -> State:
     """The state in the JSON file at `path`: `{"q": […], "v": […], "tau": […], "w_ext": [[6 numbers] per link]}`.
 
     What is left out is zero; a bare list is `q`; `q` and `v` may give the joints alone. Raises UsageError,
@@ -59,7 +57,7 @@ def read_state(path: str | os.PathLike[str], model: Model) -> State:
     return state_of(parse(read_text(path, "a JSON file"), file), model, file)
 
 
-def state_of(data: Any, model: Model, file: str = "state") -> State:
+def state_of(data: Any, model: RobotModel, file: str = "state") -> State:
     """The state that `data` (a list, or a dict of lists) describes; `file` is what errors call it."""
     given = data if isinstance(data, dict) else {"q": data}
     with refusals(file):
@@ -74,7 +72,7 @@ def state_of(data: Any, model: Model, file: str = "state") -> State:
         return State(**coordinates, tau=np.array(tau, float), w_ext=w_ext)
 
 
-def motion(value: Any, key: str, model: Model) -> np.ndarray:
+def motion(value: Any, key: str, model: RobotModel) -> np.ndarray:
     """`q` (nq,) or `v` (nv,); an array of the joints alone leaves the modes at zero and gears without load, an empty
     one leaves everything at zero.
     """
@@ -87,7 +85,7 @@ def motion(value: Any, key: str, model: Model) -> np.ndarray:
     return found
 
 
-def wrenches(value: Any, model: Model) -> np.ndarray:
+def wrenches(value: Any, model: RobotModel) -> np.ndarray:
     """`w_ext` (n, 6), of all segments, from that of the links."""
     n = len(model.robot.links)
     rows = array(value, f"an array of {n} wrenches of 6 numbers", at=("w_ext",))

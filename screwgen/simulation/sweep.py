@@ -24,6 +24,7 @@ import numpy as np
 from ..arguments import whole
 from ..errors import UsageError
 from ..integrators.method import Method
+from ..robot_model import RobotModel
 from ..version import __version__ as VERSION
 from .chunks import CHUNK, HERE, completed, merged, ready, unpacked
 from .rollout import Rollout, checked, rolled
@@ -33,7 +34,6 @@ from .validity import Validity
 if TYPE_CHECKING:
     import zarr
 
-    from ..model import Model
 
 NUMBERS = "?bhilqBHILQefdFD"
 """What may be kept: the types that every store holds."""
@@ -65,7 +65,7 @@ def final(run: Rollout) -> np.ndarray:
 
 
 def sweep(
-    model: Model,
+    model: RobotModel,
     draw: Draw,
     count: int,
     store: str | os.PathLike,
@@ -150,7 +150,7 @@ def _packed(*what: Any) -> bytes:
         raise UsageError(f"the task cannot be sent to other processes: {error}; {said}") from None
 
 
-def _digest(model: Model, draw: Draw, keep: Keep, options: dict, *numbers: int) -> str:
+def _digest(model: RobotModel, draw: Draw, keep: Keep, options: dict, *numbers: int) -> str:
     with np.printoptions(threshold=sys.maxsize, floatmode="unique"):
         said = [VERSION, _said(model), _said(options), _said(numbers), _said(draw), _said(keep)]
     return hashlib.sha256("\n".join(said).encode()).hexdigest()

@@ -15,18 +15,16 @@ import math
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..bodies.validity import BOUNDS as BOUND
 from ..bodies.validity import MEASURES
 from ..errors import DivergedError
+from ..robot_model import RobotModel
 from ..spec.needs import MOST_SEGMENTS
 from ..spec.segments import owner
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 FAR = 1.0
 """Deflection over length at which a run ends."""
@@ -224,7 +222,7 @@ class Validity:
         more = f"; {len(found) - 1} more past their bounds, see analyse" if len(found) > 1 else ""
         return f"{new.text()}; {new.remedy()}{more}"
 
-    def warn(self, model: Model | None = None, stacklevel: int = 2) -> None:
+    def warn(self, model: RobotModel | None = None, stacklevel: int = 2) -> None:
         """Give the line as a :class:`ModelValidityWarning`, if there is one.
 
         With a `model` each measure of each link of it is warned of once.
@@ -305,3 +303,16 @@ class Watch:
     def validity(self) -> Validity:
         """The measures gathered so far."""
         return Validity(tuple(self.links), self.values.copy(), self.first.copy(), self.at.copy())
+
+
+# ------------------------------------------------------------------------------ of a model
+
+
+def validity(model: RobotModel, q, v=None, tau=None, w_ext=None, parameters=None) -> Validity:
+    """The implementation of :meth:`screwgen.Model.validity`."""
+    return Validity(tuple(model.chain.names), model.numpy(parameters).validity(q, v, tau, w_ext))
+
+
+def validity_at_rest(model: RobotModel, q, w_ext=None, parameters=None) -> Validity:
+    """The implementation of :meth:`screwgen.Model.validity_at_rest`."""
+    return Validity(tuple(model.chain.names), model.numpy(parameters).validity_at_rest(q, w_ext))

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import Numbers
+from ..robot_model import RobotModel
 from ..spec.base import FIXED
 from .linear import checked, whole
 from .statics import NoEquilibriumError
 
 if TYPE_CHECKING:
-    from ..model import Model
     from .equilibrium import Equilibrium
 
 UNBALANCED = 1e-9
@@ -23,7 +23,7 @@ UNBALANCED = 1e-9
 
 def equilibrium_afloat(
     equilibrium: Callable[..., Equilibrium],
-    model: Model,
+    model: RobotModel,
     q: Numbers | None,
     tau: Numbers | None,
     w_ext: Any,
@@ -42,7 +42,7 @@ def equilibrium_afloat(
     if q is not None:
         given = checked(q, "q", m if np.size(q) == m else model.nq)
     start = whole(model.chain, given, p)
-    fixed = model.once("fixed base", lambda: type(model)(model.robot.model_copy(update={"base": FIXED})))
+    fixed = model.once("fixed base", lambda: RobotModel(model.robot.model_copy(update={"base": FIXED})))
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
     found = equilibrium(
         fixed, start[model.chain.base_q :], tau, w_ext, hold, dict(zip(model.parameter_names, p, strict=True))
@@ -59,7 +59,7 @@ def equilibrium_afloat(
     )
 
 
-def _balanced(model: Model, found: Equilibrium, w_ext: np.ndarray) -> None:
+def _balanced(model: RobotModel, found: Equilibrium, w_ext: np.ndarray) -> None:
     """Refuse wrenches on the tips that leave something on the base; what a fixed base bears is that."""
     for part, unit in ((slice(3, 6), "N"), (slice(0, 3), "N·m")):
         left = float(np.linalg.norm(found.wrench[0, part]))

@@ -3,27 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
 from ..errors import UsageError
+from ..robot_model import RobotModel
 from ..topology.loops import closures
 from .modes import posture
 
-if TYPE_CHECKING:
-    from ..model import Model
 
-
-def redundant(model: Model) -> list[str]:
+def redundant(model: RobotModel) -> list[str]:
     """The rows of the loops, in words, that follow from the other rows and are left out."""
     stated = closures(model.robot, model.chain.junctions)
     return [row.text for row in stated if row not in model.chain.closures]
 
 
-def bent(model: Model, start: Numbers, found: np.ndarray) -> list[str]:
+def bent(model: RobotModel, start: Numbers, found: np.ndarray) -> list[str]:
     """The names of the modes that differ between the start (nq,), or of the joints alone, and the posture found."""
     first = model.chain.eta_q
     before = np.asarray(start, float)[first:] if np.size(start) == model.nq else np.zeros(model.nq - first)
@@ -31,7 +28,9 @@ def bent(model: Model, start: Numbers, found: np.ndarray) -> list[str]:
 
 
 @parameters_keyword
-def assemble(model: Model, q: Numbers | None = None, hold: Sequence[str] = (), parameters: Given = None) -> np.ndarray:
+def assemble(
+    model: RobotModel, q: Numbers | None = None, hold: Sequence[str] = (), parameters: Given = None
+) -> np.ndarray:
     """The coordinates (nq,) nearest to `q` (nq,), or the joints alone, with which the loops are closed.
 
     `hold`: names out of `model.q_names`, whose coordinates stay. Modes stay at what `q` states, or at zero, unless the

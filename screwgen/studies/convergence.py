@@ -7,7 +7,7 @@ more mode in every direction tells of each direction alone too, by Ritz's method
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import block_diag
@@ -15,6 +15,7 @@ from scipy.linalg import block_diag
 from ..arguments import Numbers, parameters_keyword
 from ..bases import products
 from ..errors import SingularError
+from ..robot_model import RobotModel
 from ..simulation.mobility import jacobian
 from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
@@ -33,9 +34,6 @@ from .modes import (
 )
 from .steady import Steady, steady
 from .stiffness import on_gears, pressed, relative, stiffness_matrix
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 NOTHING = 5e-5
 """A relative change of a frequency below this is none."""
@@ -57,7 +55,7 @@ class Convergence(NamedTuple):
 
 @parameters_keyword
 def convergence(
-    model: Model,
+    model: RobotModel,
     q: Numbers | None = None,
     joints: str = "locked",
     parameters: Numbers | None = None,
@@ -70,7 +68,7 @@ def convergence(
     cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count. The
     deflection under loads is that of the present modes.
     """
-    rich = type(model)(enriched(model.robot))
+    rich = RobotModel(enriched(model.robot))
     names = dict(zip(model.parameter_names, model.parameter_values if parameters is None else parameters, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]
     own = np.array(list(names.values()))
@@ -101,14 +99,14 @@ def convergence(
     return Convergence(change(DIRECTIONS), {d: change((d,)) for d in more})
 
 
-def _enriched(model: Model, rich: Model, q: np.ndarray) -> np.ndarray:
+def _enriched(model: RobotModel, rich: RobotModel, q: np.ndarray) -> np.ndarray:
     """The coordinates of the rich model in a posture `q` (nq,) of the other."""
     modes = _space(model, rich, ())[model.chain.eta_v :, model.chain.eta_v :] @ q[model.chain.eta_q :]
     return np.append(q[: model.chain.eta_q], modes)
 
 
 def _loaded(
-    rich: Model, q: np.ndarray, loads: Steady, rates: Numbers | None, loaded: bool, p: np.ndarray, held: np.ndarray
+    rich: RobotModel, q: np.ndarray, loads: Steady, rates: Numbers | None, loaded: bool, p: np.ndarray, held: np.ndarray
 ) -> Steady:
     """Small motions of the rich model about `q` (nq,), where the other model is under `loads`."""
     if not rich.chain.closures:
@@ -122,7 +120,7 @@ def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:
     return np.divide(then - now, now, out=np.zeros(len(now)), where=now > 0)
 
 
-def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray, J: np.ndarray) -> np.ndarray:
+def _at_rest(model: RobotModel, basis: np.ndarray, M: np.ndarray, K: np.ndarray, J: np.ndarray) -> np.ndarray:
     """Circular frequencies of motions in the columns of a `basis` that keep gaps, whose Jacobian is `J`, closed."""
     if len(J):
         basis = basis @ following(J @ basis, np.diag(basis.T @ K @ basis))
@@ -136,7 +134,7 @@ def _at_rest(model: Model, basis: np.ndarray, M: np.ndarray, K: np.ndarray, J: n
         raise SingularError(what + why) from None
 
 
-def _springs(model: Model, basis: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _springs(model: RobotModel, basis: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The ``basis`` with its columns combined such that the stiffness is diagonal, and that diagonal."""
     if not (model.chain.coupled or model.chain.closures):
         return basis, np.diag(K) @ basis**2
@@ -164,7 +162,7 @@ def _more(link: Link, direction: str) -> bool:
     return bool(link.modes.total and stated and room)
 
 
-def _space(model: Model, rich: Model, directions: Collection[str]) -> np.ndarray:
+def _space(model: RobotModel, rich: RobotModel, directions: Collection[str]) -> np.ndarray:
     """The rates of the rich model, one column for each that stays: all modes of `directions`."""
     blocks = [np.eye(model.chain.eta_v)]
     for segment in (s for s in model.chain.segments if s.marker is None):

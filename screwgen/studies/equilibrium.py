@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import scipy.linalg
@@ -14,9 +14,10 @@ from ..algorithms.transmissions import efforts
 from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
+from ..robot_model import RobotModel
 from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
-from ..simulation.validity import Validity
+from ..simulation.validity import Validity, validity_at_rest
 from ..spec.robot import Robot
 from .afloat import equilibrium_afloat
 from .linear import checked
@@ -24,9 +25,6 @@ from .shut import Shut
 from .statics import Balance, NoEquilibriumError, Statics, search
 from .steady import wound
 from .stiffness import stiffness
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 __all__ = ["Equilibrium", "NoEquilibriumError", "equilibrium"]
 
@@ -91,7 +89,7 @@ class Equilibrium:
 
 @parameters_keyword
 def equilibrium(
-    model: Model,
+    model: RobotModel,
     q: Numbers | None = None,
     tau: Numbers | None = None,
     w_ext: Any = None,
@@ -137,13 +135,13 @@ def equilibrium(
 
 
 def rest(
-    model: Model, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+    model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
 ) -> tuple[Statics, Balance]:
     """The forces, and the rest in which the search from `start` (nq,) ends, the joints in `held` (n_joints,) locked."""
     return (_rested if model.chain.n_motors else _balanced)(model, p, tau, w_ext, held, start)
 
 
-def closed_start(model: Model, p: np.ndarray, start: np.ndarray, hold: bool) -> tuple[np.ndarray, np.ndarray]:
+def closed_start(model: RobotModel, p: np.ndarray, start: np.ndarray, hold: bool) -> tuple[np.ndarray, np.ndarray]:
     """`start` (nq,) with closed loops, and which joints (n_joints,) of bool may be stated; `hold`: these stay."""
     chain = model.chain
     if not chain.closures:
@@ -158,25 +156,25 @@ def closed_start(model: Model, p: np.ndarray, start: np.ndarray, hold: bool) -> 
     return np.append(chain.relaxed(near[:m], p), near[chain.eta_q :]), stated
 
 
-def _statics(model: Model, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
+def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
     """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
     load[model.chain.actuated], still[model.chain.actuated] = tau, held
     return (Shut if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
-def _balanced(model: Model, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _balanced(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
     """The equilibrium that the search from `start` (nq,) ends in."""
     statics = _statics(model, p, tau, w_ext, held)
     return statics, search(statics, start)
 
 
-def _rested(model: Model, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _rested(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
     """The same with elastic drives: at rest a gear passes on its torque, so the arm rests as one with rigid gears does.
 
     The rotors are turned until their gears pass on the torques at the joints.
     """
-    chain, stiff = model.chain, model.once("rigid gears", lambda: type(model)(rigid(model.robot)))
+    chain, stiff = model.chain, model.once("rigid gears", lambda: RobotModel(rigid(model.robot)))
     values = dict(zip(model.parameter_names, p, strict=True))
     own, rotors = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
     at_joints = tau / chain.at_rotors(np.ones(chain.n_tau), p)
@@ -222,7 +220,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: 
         tip_deflection=b.tip - statics.at(straight).tip,
         deflections=np.array(own),
         q_names=tuple(model.q_names),
-        validity=model.validity_at_rest(b.q, statics.borne(b), statics.p),
+        validity=validity_at_rest(model, b.q, statics.borne(b), statics.p),
         following=tuple(name for name, s in zip(model.q_names, stated, strict=False) if hold and not s),
         loop_wrench=(statics.borne(b) - statics.w_ext)[model.chain.lasts],
     )

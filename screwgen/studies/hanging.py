@@ -6,23 +6,20 @@ The loops' forces λ add their part to the stiffness: `K = ∂(f − Jᵀ λ)/�
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.linalg
 
 from ..algorithms.transmissions import efforts
+from ..robot_model import RobotModel
 from ..simulation.mobility import closing
 from ..topology.loops import Closure
 from .equilibrium import closed_start, rest
 from .shut import RANK, ShutBalance
 from .steady import Steady, unresisted
 
-if TYPE_CHECKING:
-    from ..model import Model
 
-
-def hanging(model: Model, q: np.ndarray, p: np.ndarray) -> Steady:
+def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
     """Small motions about rest under gravity, with the stated joints of `q` (nq,) held while the links bend."""
     start, stated = closed_start(model, p, q, True)
     b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
@@ -33,7 +30,7 @@ def hanging(model: Model, q: np.ndarray, p: np.ndarray) -> Steady:
 
 
 def about(
-    model: Model, q: np.ndarray, p: np.ndarray, loops: Mapping[Closure, float], tau: np.ndarray | None = None
+    model: RobotModel, q: np.ndarray, p: np.ndarray, loops: Mapping[Closure, float], tau: np.ndarray | None = None
 ) -> Steady:
     """The same about `q` (nq,) with forces of rows, zero of those left out. `tau` (n_tau,): what the drives exert."""
     numeric, m, still = model.numpy(p), model.chain.eta_v, np.zeros(model.nv)

@@ -8,16 +8,12 @@ than 2. So `h < J / (ω M)`. A rotor of a hundredth of M allows 1.6 ms at 1 Hz.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from ..errors import SingularError
+from ..robot_model import RobotModel
 from ..simulation.mobility import stated_joints
 from ..simulation.stable_steps import shown_time
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 SLOW = 2 * np.pi
 """rad/s: the slowest loop of control that is of use, 1 Hz."""
@@ -27,7 +23,7 @@ SPREAD = 0.7
 """Of the joints' coordinates, rad or m, in the second posture that is looked at."""
 
 
-def light_joints(model: Model) -> list[str]:
+def light_joints(model: RobotModel) -> list[str]:
     """One line on the joints whose slowest useful loop of control needs steps below a millisecond, if there are any."""
     try:
         limits = steps_borne(model)
@@ -42,7 +38,7 @@ def light_joints(model: Model) -> list[str]:
     return [f"{', '.join(short)}: {what}; {worst}; state joint.armature or rotor_inertia where there are motors"]
 
 
-def steps_borne(model: Model) -> dict[str, float]:
+def steps_borne(model: RobotModel) -> dict[str, float]:
     """For each joint without a rotor in front of modes the longest step, s, of a loop of 1 Hz."""
     chain, rng = model.chain, np.random.default_rng(0)
     if not chain.n_modes:
@@ -60,7 +56,7 @@ def steps_borne(model: Model) -> dict[str, float]:
     return out
 
 
-def _bare(model: Model, q: np.ndarray) -> list[int]:
+def _bare(model: RobotModel, q: np.ndarray) -> list[int]:
     """The joints that a drive may move, without rotors and springs."""
     joints = [(link, k) for link in model.robot.links for k in range(len(link.joint.axes))]
     stated = stated_joints(model, q, model.parameter_values)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
 from ..integrators import se3
+from ..robot_model import RobotModel
 from ..simulation.mobility import motions
 from ..spec.load import one_line
 from ..spec.modes import DIRECTIONS
@@ -24,8 +25,6 @@ CHANGES = {"rotation": "rad", "displacement": "m"}
 """What changes of the pose of a floating base are, with their units."""
 CHANGES_RATES = ("rad", "rad", "rad", "m", "m", "m")
 
-if TYPE_CHECKING:
-    from ..model import Model
 
 OUTPUTS = ("joint_angles", "tip_position")
 INPUTS = ("torques",)
@@ -157,7 +156,7 @@ def _places(key: Any, names: Sequence[str], what: str) -> list[int]:
 
 
 def linearise(
-    model: Model,
+    model: RobotModel,
     q: Numbers,
     v: Numbers | None = None,
     tau: Numbers | None = None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import scipy.linalg
@@ -10,15 +10,13 @@ import scipy.linalg
 from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
 from ..errors import SingularError, UsageError
+from ..robot_model import RobotModel
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
-from ..simulation.validity import Validity, Watch
+from ..simulation.validity import Validity, Watch, validity_at_rest
 from .hanging import hanging
 from .linear import whole
 from .steady import Oscillations, Steady, oscillations, steady
 from .stiffness import on_gears, pressed, relative, stiffness_matrix
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 JOINTS = ("locked", "free")
 
@@ -27,7 +25,7 @@ LOADED = "table of modes under loads or at rates", "leave these out"
 
 @parameters_keyword
 def natural_frequencies(
-    model: Model,
+    model: RobotModel,
     q: Numbers | None = None,
     joints: str = "locked",
     parameters: Given = None,
@@ -81,7 +79,7 @@ class ModeShapes(NamedTuple):
 
 @parameters_keyword
 def mode_shapes(
-    model: Model,
+    model: RobotModel,
     q: Numbers | None = None,
     joints: str = "locked",
     parameters: Given = None,
@@ -104,11 +102,11 @@ def mode_shapes(
         return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
     out, frequencies, rigid = _at_rest(model, q, p, moving)
     weight = np.append(np.zeros(3), p[3:]) if model.chain.floating else p
-    validity = model.validity_at_rest(q, loads_of_loops(model, q, weight), weight)
+    validity = validity_at_rest(model, q, loads_of_loops(model, q, weight), weight)
     return ModeShapes(frequencies / (2 * np.pi), out, rigid, validity, np.zeros(len(frequencies)))
 
 
-def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
     """Shapes (nv, count) and circular frequencies at rest without gravity, and the number of rigid motions.
 
     Where rotors move, their coordinates are those relative to their joints, so that the stiffness of gears is theirs.
@@ -141,7 +139,7 @@ def _at_rest(model: Model, q: np.ndarray, p: np.ndarray, moving: np.ndarray) -> 
 
 
 def loaded_motion(
-    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
+    model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
     model.chain.needs_fixed(*LOADED)
@@ -153,7 +151,7 @@ def loaded_motion(
     return hanging(model, q, p)
 
 
-def loaded_shapes(model: Model, about: Steady, basis: np.ndarray, free: bool) -> tuple[Oscillations, np.ndarray]:
+def loaded_shapes(model: RobotModel, about: Steady, basis: np.ndarray, free: bool) -> tuple[Oscillations, np.ndarray]:
     """The natural motions in the columns of `basis` (nv, n), and where there are loops columns (nv, d) that keep them.
 
     `free`: whether the joints move.
@@ -169,12 +167,12 @@ def loaded_shapes(model: Model, about: Steady, basis: np.ndarray, free: bool) ->
     return oscillations(M, G, K, rigid), basis
 
 
-def posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
+def posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarray:
     """The coordinates (nq,) of a posture: as given, the joints alone, or where everything is zero."""
     return whole(model.chain, q, p)
 
 
-def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
+def closed_posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarray:
     """The same; without a `q` the posture with closed loops next to zero.
 
     Raises UsageError where a loop is open, and SingularError where loops are singular.
@@ -191,7 +189,7 @@ def closed_posture(model: Model, q: Numbers | None, p: Numbers) -> np.ndarray:
     return at
 
 
-def movable(model: Model, joints: str, q: np.ndarray, p: Numbers) -> np.ndarray:
+def movable(model: RobotModel, joints: str, q: np.ndarray, p: Numbers) -> np.ndarray:
     """The coordinates that may move: all, or those that no drive acts on and joints that follow loops."""
     if choice(joints, JOINTS, "joints: there is no") == "free":
         return np.arange(model.nv)
@@ -252,7 +250,7 @@ def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.n
     return rest, k[held], len(free)
 
 
-def _singular(model: Model, q: np.ndarray, p: Numbers | None) -> SingularError:
+def _singular(model: RobotModel, q: np.ndarray, p: Numbers | None) -> SingularError:
     """The error that names the joint, if the dynamics know it."""
     zero = np.zeros(model.nv)
     try:

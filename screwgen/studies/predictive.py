@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..backends.c.mpc import Fitted, MpcProject, Rest
 from ..backends.c.project import CProject
 from ..progress import busy
+from ..robot_model import RobotModel
 from ..runtime.mpc import Mpc
 from ..spec.load import one_line
 from ..spec.mpc import load_mpc
 from .equilibrium import equilibrium
 
-if TYPE_CHECKING:
-    from ..model import Model
-
 ROUNDS = 60
 """Doublings, at most: each squares what is left of the initial error."""
 
 
-def fitted(model: Model, file: str | os.PathLike[str]) -> Fitted:
+def fitted(model: RobotModel, file: str | os.PathLike[str]) -> Fitted:
     """A controller's file at the sizes of a model.
 
     Raises RobotFileError or UsageError: the file, the key, the fault and the remedy in one line.
@@ -36,14 +34,14 @@ def fitted(model: Model, file: str | os.PathLike[str]) -> Fitted:
     return out
 
 
-def project(model: Model, file: str | os.PathLike[str] | None, *said: Any, **options: Any) -> CProject:
+def project(model: RobotModel, file: str | os.PathLike[str] | None, *said: Any, **options: Any) -> CProject:
     """The C of a model, with the controller of a file if there is one; the rest as :class:`CProject` takes it."""
     if file is None:
         return CProject(model.chain, model.version, *said, **options)
     return MpcProject(fitted(model, file), model.version, *said, **options)
 
 
-def controller(model: Model, file: str | os.PathLike[str], **options: Any) -> Mpc:
+def controller(model: RobotModel, file: str | os.PathLike[str], **options: Any) -> Mpc:
     """The implementation of :meth:`screwgen.Model.mpc`; a terminal is told of the minutes that it may take."""
     with busy("linearising at the controller's goal", quiet=False):
         fit = fitted(model, file)
@@ -51,7 +49,7 @@ def controller(model: Model, file: str | os.PathLike[str], **options: Any) -> Mp
         return Mpc(model, fit, **options)
 
 
-def cost_to_go(model: Model, f: Fitted) -> np.ndarray:
+def cost_to_go(model: RobotModel, f: Fitted) -> np.ndarray:
     """``P`` (2 nq, 2 nq): ``x'Px / 2`` behind a plan is what the regulator's motion from there on costs.
 
     Motion and tip are linearised at rest at the goal; what the last stage costs itself is taken off.

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.optimize import least_squares
 
 from ..algorithms.transmissions import travels
 from ..errors import UsageError
+from ..robot_model import RobotModel
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
 from .stiffness import on_gears, stiffness, stiffness_matrix
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 RESIDUAL = 1e-10
 """What no residual of an equilibrium exceeds."""
@@ -71,7 +68,7 @@ class Balance:
 class Statics:
     """The forces on an arm at rest under torques `load` (nq,), wrenches on its tips, weight and springs."""
 
-    def __init__(self, model: Model, p: np.ndarray, load: np.ndarray, w_ext: np.ndarray, moving: np.ndarray):
+    def __init__(self, model: RobotModel, p: np.ndarray, load: np.ndarray, w_ext: np.ndarray, moving: np.ndarray):
         self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
         self.springs = stiffness(model, p)
         self.turning = np.array([unit == "rad" for unit in coordinate_units(model.robot)], bool)

@@ -15,12 +15,13 @@ import scipy.linalg
 from ..algorithms.transmissions import efforts
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
+from ..robot_model import RobotModel
+from ..simulation import validity as valid
 from ..simulation.validity import Validity
 from .linear import checked
 from .stiffness import gear_stiffness
 
 if TYPE_CHECKING:
-    from ..model import Model
     from ..topology.loops import Closure
 
 ITERATIONS, SETTLED = 50, 1e-10
@@ -58,15 +59,21 @@ class Steady(NamedTuple):
     w_ext: np.ndarray | None = None
     """(n, 6): what loops exert on the tips; None without."""
 
-    def validity(self, model: Model) -> Validity:
+    def validity(self, model: RobotModel) -> Validity:
         """How far the motion is from the limits of the model."""
         if self.w_ext is not None:
-            return model.validity_at_rest(self.q, self.w_ext, self.p)
-        return model.validity(self.q, self.v, self.tau, parameters=self.p)
+            return valid.validity_at_rest(model, self.q, self.w_ext, self.p)
+        return valid.validity(model, self.q, self.v, self.tau, parameters=self.p)
 
 
 def steady(
-    model: Model, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray, settle=True
+    model: RobotModel,
+    q: np.ndarray,
+    rates: Numbers | None,
+    loaded: bool,
+    p: np.ndarray,
+    moving: np.ndarray,
+    settle=True,
 ) -> Steady:
     """Small motions about the steady motion of the joints at `rates` (n_joints,) from `q` (nq,).
 
@@ -101,7 +108,7 @@ def unresisted(columns: np.ndarray, *others: np.ndarray) -> np.ndarray:
     return rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= UNRESISTED * loads].T
 
 
-def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:
+def deflected(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.ndarray:
     """`q` with the modal coordinates at which no mode accelerates, by Newton's method from those of `q`.
 
     The gears of elastic drives are wound by what holds their joints.
@@ -122,7 +129,7 @@ def deflected(model: Model, q: np.ndarray, v: np.ndarray, p: np.ndarray) -> np.n
     raise UsageError("the links find no steady deflection under these rates and loads")
 
 
-def wound(model: Model, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.ndarray:
+def wound(model: RobotModel, q: np.ndarray, force: np.ndarray, p: np.ndarray) -> np.ndarray:
     """`q`, whose gears are without load, with rotors turned until their gears pass on the `force` (n_joints,).
 
     That is the torque at the joint, or the effort of its transmission.

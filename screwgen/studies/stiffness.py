@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from ..algorithms.axis_laws import of_robot
@@ -12,12 +10,10 @@ from ..algorithms.law_programs import forces, on_arrays
 from ..algorithms.transmissions import travels
 from ..arguments import Numbers
 from ..ir.replay import run
-
-if TYPE_CHECKING:
-    from ..model import Model
+from ..robot_model import RobotModel
 
 
-def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
+def stiffness(model: RobotModel, p: Numbers | None = None) -> np.ndarray:
     """The stiffness of joint springs (N·m/rad) and of modes (N/m, torsion: N·m/rad), (nv,); of rotors zero.
 
     A floating base, whose six entries come first, has none.
@@ -33,12 +29,12 @@ def stiffness(model: Model, p: Numbers | None = None) -> np.ndarray:
     return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_motors, *modal], float)
 
 
-def gear_stiffness(model: Model, p: Numbers | None = None) -> list[float]:
+def gear_stiffness(model: RobotModel, p: Numbers | None = None) -> list[float]:
     """The stiffness of each elastic gear at its joint, N·m/rad, of slides N/m."""
     return [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
 
 
-def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
+def stiffness_matrix(model: RobotModel, p: Numbers | None = None, relative: bool = False) -> np.ndarray:
     """The stiffness (nv, nv) of joint springs and gears (N·m/rad) and modes (N/m, torsion: N·m/rad).
 
     `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
@@ -59,7 +55,7 @@ def stiffness_matrix(model: Model, p: Numbers | None = None, relative: bool = Fa
     return K
 
 
-def relative(model: Model, p: Numbers) -> np.ndarray:
+def relative(model: RobotModel, p: Numbers) -> np.ndarray:
     """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them."""
     chain, T = model.chain, np.eye(model.nv)
     rotors, joints = chain.eta_v - chain.n_motors + np.arange(chain.n_motors), np.array(chain.geared, int)
@@ -67,7 +63,7 @@ def relative(model: Model, p: Numbers) -> np.ndarray:
     return T
 
 
-def on_gears(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
+def on_gears(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """T (nv, nv): rates at `q` (nq,) from those with the travels of rotors behind elastic gears of transmissions.
 
     These stand in the place of how far the rotor is ahead, so a joint moves on its gear where they are zero.
@@ -80,7 +76,7 @@ def on_gears(model: Model, q: np.ndarray, p: Numbers) -> np.ndarray:
     return T
 
 
-def pressed(model: Model, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
+def pressed(model: RobotModel, q: np.ndarray, p: Numbers | None = None) -> np.ndarray:
     """The stiffness (nv,) at rest in `q` (nq,) of what depends on single coordinates: stops, elements of axes."""
     numeric, out = model.numpy(p), np.zeros(model.nv)
     chain, own = model.chain, columns(model.chain, numeric.constants)

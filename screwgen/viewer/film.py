@@ -7,20 +7,18 @@ the nearest.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..model import Model
 from ..plotting.stage import Polygons, Stage, rgb
 from ..simulation.runs import Run
 from ..spec.load import one_line
 from .meshes import Looks, placed
 from .scene import scene
 from .solids import Bend, Solid, solids
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 PAPER, INK, SOFT, GRID, SHADOW = "#f5f6f8", "#1d2733", "#5d6b7a", "#c3cad3", "#dfe3e8"
 LIGHT = np.array([0.35, 0.25, 1.0])

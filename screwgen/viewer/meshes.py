@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,13 +18,11 @@ from ..errors import UsageError
 from ..interchange.tree import identifiers
 from ..interchange.urdf import Urdf, read_urdf
 from ..interchange.visuals import PACKAGE, Visual, at_zero, located, visuals
+from ..model import Model
 from ..spec.load import one_line, read
 from ..spec.values import quoted
 from .pack import b64, rounded
 from .solids import METAL, Solid
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 CREASE = np.radians(35.0)
 """Faces that meet at less are shaded as one surface."""

@@ -7,19 +7,17 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..backends.templates import folder, markup, render
+from ..model import Model
 from ..simulation.runs import Run, check_output, outputs
 from .meshes import Looks, packed, placed
 from .pack import kept, rounded
 from .panels import panels
 from .scene import scene
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 SUFFIXES = (".html",)
 PARTS = ("kinematics.js", "plots.js", "drawing.js", "player.js", "controls.js")

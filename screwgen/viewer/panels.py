@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..model import Model
 from ..plotting.curves import AXIS_CURVES, NOTHING, AxisCurves
 from ..plotting.demands import axis_word
 from ..simulation.motion import tip_deflections
 from ..simulation.runs import Run
 from .pack import POINTS, curve
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 COLORS = 8
 """Of links, in templates/view/style.css."""

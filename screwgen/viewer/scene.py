@@ -8,17 +8,15 @@ the model's own poses at zero coordinates, with the parameters of the run.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..model import Model
 from ..spec.robot import Body, Link
 from .pack import floats
 from .shapes import sections
-
-if TYPE_CHECKING:
-    from ..model import Model
 
 ROWS = 25
 """Sections at which a flexible link is drawn; links with segments have about as many in all."""

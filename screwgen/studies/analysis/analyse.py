@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...algorithms.transmissions import efforts
 from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...errors import SingularError, UsageError
+from ...robot_model import RobotModel
 from ...simulation.linearised import Law, Linearised, check_step, speed
 from ...simulation.linearised_loops import Shut
 from ...simulation.mobility import loads_of_loops
 from ...simulation.state import State, state_of
+from ...simulation.validity import validity
 from ...spec.parameters import turning
 from ...spec.reduced import elastic, reach, sizes
 from ...spec.robot import Link
@@ -27,9 +29,6 @@ from .regularity import LinkBlock, link_blocks, loops_of, regularity, structure,
 from .spectrum import Motion, motions
 from .step_limits import StepLimit, paper_bound, step_limits
 from .text import report
-
-if TYPE_CHECKING:
-    from ...model import Model
 
 SAMPLES = 20
 TRIES = 4
@@ -53,7 +52,7 @@ FIXED = "analysis", "look at the robot with a fixed base"
 
 
 def analyse(
-    model: Model,
+    model: RobotModel,
     states: Mapping[str, Any] | Sequence[Any] | None = None,
     step: float = 1e-3,
     controller: Law | None = None,
@@ -83,7 +82,9 @@ def analyse(
     return Analysis(*head, paper_bound(model), structure(model), tuple(found))
 
 
-def analyse_state(model: Model, label: str, state: State, step: float, controller: Law | None = None) -> StateAnalysis:
+def analyse_state(
+    model: RobotModel, label: str, state: State, step: float, controller: Law | None = None
+) -> StateAnalysis:
     """The analysis of one state."""
     system = projectors = acceleration = loops = None
     blocks: tuple[LinkBlock, ...] = ()
@@ -117,13 +118,13 @@ def analyse_state(model: Model, label: str, state: State, step: float, controlle
     )
 
 
-def _measures(model: Model, s: State, controller: Law | None) -> tuple[tuple[float, ...], ...]:
+def _measures(model: RobotModel, s: State, controller: Law | None) -> tuple[tuple[float, ...], ...]:
     """How far every link is from the limits of the model, in a state under its torques or the controller's."""
     tau = s.tau if controller is None else controller(0.0, s.q.copy(), s.v.copy())
-    return tuple(map(tuple, model.validity(s.q, s.v, tau, s.w_ext).values.tolist()))
+    return tuple(map(tuple, validity(model, s.q, s.v, tau, s.w_ext).values.tolist()))
 
 
-def _labelled(model: Model, states: Mapping[str, Any] | Sequence[Any] | None, hold: bool) -> dict[str, State]:
+def _labelled(model: RobotModel, states: Mapping[str, Any] | Sequence[Any] | None, hold: bool) -> dict[str, State]:
     if states is None:
         return first_state(model) | sample_states(model, SAMPLES, 0, hold)
     if not isinstance(states, Mapping):
@@ -133,7 +134,7 @@ def _labelled(model: Model, states: Mapping[str, Any] | Sequence[Any] | None, ho
     return {label: s if isinstance(s, State) else _state(s, model, label) for label, s in states.items()}
 
 
-def _state(given: Any, model: Model, label: str) -> State:
+def _state(given: Any, model: RobotModel, label: str) -> State:
     listed = lambda x: x.tolist() if isinstance(x, np.ndarray) else x  # noqa: E731
     data = {key: listed(x) for key, x in given.items()} if isinstance(given, Mapping) else listed(given)
     return state_of(list(data) if isinstance(data, tuple) else data, model, label)
@@ -142,7 +143,7 @@ def _state(given: Any, model: Model, label: str) -> State:
 # ------------------------------------------------------------------------------ random states
 
 
-def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) -> dict[str, State]:
+def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = True) -> dict[str, State]:
     """Random states by name: joints in ±π or ±1 m, rates in ±1 rad/s or m/s, modes as the arm's weight bends them.
 
     A mode's deflection is within ±what the weight of the whole arm would cause, but no more than a small share of
@@ -174,7 +175,7 @@ def sample_states(model: Model, count: int, seed: int = 0, hold: bool = True) ->
     return out
 
 
-def first_state(model: Model) -> dict[str, State]:
+def first_state(model: RobotModel) -> dict[str, State]:
     """Everything zero, with loops at rest in the closed posture nearest to it, by name; raises OpenLoopError."""
     still = state_of({}, model)
     if not model.chain.closures:
@@ -182,7 +183,7 @@ def first_state(model: Model) -> dict[str, State]:
     return {"closed": replace(still, q=closed(model.numpy(), still.q))}
 
 
-def modal_scale(model: Model) -> tuple[np.ndarray, np.ndarray]:
+def modal_scale(model: RobotModel) -> tuple[np.ndarray, np.ndarray]:
     """Deflections (n_modes,) and rates of random states, at most."""
     links, constants = model.robot.links, model.numpy().constants
     values = dict(zip(model.parameter_names, model.parameter_values, strict=True))
@@ -207,7 +208,7 @@ def _own_mass(values: dict[str, float], link: Link) -> float:
     return (float(np.mean(stations)) if stations else values.get(f"{link.name}.rhoA", 0.0)) * (link.length or 0.0)
 
 
-def holding(model: Model, q: np.ndarray) -> np.ndarray:
+def holding(model: RobotModel, q: np.ndarray) -> np.ndarray:
     """Torques (n_tau,) where they act that carry the weight of the arm with undeformed links."""
     still = np.zeros(model.nq)
     straight = model.chain.filled(q[: model.n_joints], model.parameter_values)

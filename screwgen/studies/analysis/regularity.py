@@ -10,7 +10,6 @@ to length 1, symmetric blocks to a diagonal of 1.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,11 +19,9 @@ from ...algorithms.signals import plain
 from ...ir.block import Binding
 from ...ir.lower import lower
 from ...ir.program import Tracer
+from ...robot_model import RobotModel
 from ...simulation.mobility import jacobian
 from ...topology.tree import BASE
-
-if TYPE_CHECKING:
-    from ...model import Model
 
 EPSILON = float(np.finfo(float).eps)
 ROUNDING = 64
@@ -117,7 +114,7 @@ def regularity(M: np.ndarray, like: np.ndarray | None = None) -> Regularity:
     return Regularity(size, rank, ratio(plain), float(plain[-1]), ratio(scaled), float(scaled[-1]))
 
 
-def loops_of(model: Model, q: np.ndarray) -> Regularity:
+def loops_of(model: RobotModel, q: np.ndarray) -> Regularity:
     """That of `J M⁻¹ Jᵀ` of the loops' rows, which must be regular for their forces to be unique, at `q` (nq,)."""
     J = jacobian(model, q, model.parameter_values)
     return regularity(J @ np.linalg.solve(model.numpy().mass_matrix(q), J.T))
@@ -150,7 +147,7 @@ def _positive(x: np.ndarray) -> np.ndarray:
     return np.where(x > 0, x, 1.0)
 
 
-def with_projectors_alone(model: Model, M: np.ndarray) -> np.ndarray:
+def with_projectors_alone(model: RobotModel, M: np.ndarray) -> np.ndarray:
     """M_sys with the joints' rows as the paper has them, `P` (compatibility), without the motors' (E17).
 
     The columns of the wrench hold I − P in the completed rows, up to rounding, and P takes away what completed them.
@@ -167,12 +164,12 @@ def with_projectors_alone(model: Model, M: np.ndarray) -> np.ndarray:
 # ------------------------------------------------------------------------------ the differential-modal block
 
 
-def link_blocks(model: Model, M: np.ndarray) -> list[LinkBlock]:
+def link_blocks(model: RobotModel, M: np.ndarray) -> list[LinkBlock]:
     """The differential-modal block of every link; the arm's is their direct sum."""
     return [_link_block(model, M, i) for i in range(model.n_links)]
 
 
-def _link_block(model: Model, M: np.ndarray, i: int) -> LinkBlock:
+def _link_block(model: RobotModel, M: np.ndarray, i: int) -> LinkBlock:
     chain = model.chain
     modal = 12 * chain.n + chain.eta_offset[i]
     places = [*range(12 * i + 6, 12 * i + 12), *range(modal, modal + chain.keys[i].modes)]
@@ -211,7 +208,7 @@ def null_direction(link: str, direction: np.ndarray, names: list[str]) -> str:
     return f"{link}: a motion of {', '.join(largest)} has no inertia"
 
 
-def rank_M_star(model: Model, i: int) -> int:
+def rank_M_star(model: RobotModel, i: int) -> int:
     """The rank of `M*_i`, (27), the undeformed inertia of link `i` with its base bodies."""
     block, places = model.blocks(i)["link"], model.chain.parameter_labels[i]
     given = {
@@ -236,7 +233,7 @@ KINDS = {
 """Kinds of blocks: rows of the joints, inertia, wrenches in the rows of links and modes, twist against modes."""
 
 
-def structure(model: Model) -> Structure:
+def structure(model: RobotModel) -> Structure:
     """The structure of M_sys, the same in all states."""
     chain, n = model.chain, model.n_links
     size, places = unknown_size(chain), sorted(fused.assembly(chain)[1])

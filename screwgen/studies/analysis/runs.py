@@ -3,27 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...files import sound
+from ...robot_model import RobotModel
 from ...simulation.integrate import Evaluator
 from ...simulation.runs import run_arrays
 from ...simulation.validity import Validity, Watch
 from ...spec.load import one_line
-
-if TYPE_CHECKING:
-    from ...model import Model
 
 NEEDED = ("t", "q", "v", "tau", "wrench")
 SAME = 1e-6
 """Relative difference of joint wrenches up to which a run is the robot's, without wrenches on its tips."""
 
 
-def read_motion(path: str, model: Model) -> dict[str, np.ndarray]:
+def read_motion(path: str, model: RobotModel) -> dict[str, np.ndarray]:
     """`t` (N,), `q`, `v` (N, nq), `tau` (N, n_joints) and `wrench` (N, n, 6) of a .npz run; raises UsageError."""
     shown = one_line(path)
     with run_arrays(path) as arrays:
@@ -40,7 +37,7 @@ def read_motion(path: str, model: Model) -> dict[str, np.ndarray]:
     return found
 
 
-def run_validity(model: Model, motion: Mapping[str, np.ndarray]) -> Validity:
+def run_validity(model: RobotModel, motion: Mapping[str, np.ndarray]) -> Validity:
     """The largest measures over the samples of a run without wrenches on its tips; raises UsageError."""
     functions, p = model.casadi(), np.array(model.parameter_values)
     evaluate, dynamics = Evaluator(functions["validity"]), Evaluator(functions["forward_dynamics"])

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...arguments import Numbers, parameters_keyword
+from ...robot_model import RobotModel
 from ...simulation.linearised import STILL, TOLERANCE, Law, Linearised, Parameters
-
-if TYPE_CHECKING:
-    from ...model import Model
 
 FIXED = "spectrum", "analyse the robot with a fixed base"
 """.Chain.needs_fixed`` of it."""
@@ -19,7 +16,7 @@ FIXED = "spectrum", "analyse the robot with a fixed base"
 
 @parameters_keyword
 def jacobian(
-    model: Model,
+    model: RobotModel,
     q: Numbers,
     v: Numbers,
     tau: Numbers | None = None,
@@ -38,7 +35,7 @@ def jacobian(
 
 @parameters_keyword
 def step_map(
-    model: Model,
+    model: RobotModel,
     method: str,
     q: Numbers,
     v: Numbers,

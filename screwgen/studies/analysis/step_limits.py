@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...integrators.methods import METHODS
+from ...robot_model import RobotModel
 from ...simulation.linearised import Linearised
 from ...simulation.stable_steps import Held, exponents, first_failure
-
-if TYPE_CHECKING:
-    from ...model import Model
 
 
 @dataclass(frozen=True)
@@ -51,7 +48,7 @@ def _limit(motion: Linearised, held: Held, method: str, step: float) -> StepLimi
     return StepLimit(method, limit, float(held.steps[-1]), float(abs(fastest)), rate, within)
 
 
-def paper_bound(model: Model) -> float | None:
+def paper_bound(model: RobotModel) -> float | None:
     """(stability) as printed, in s, which does not hold: see E19. None where no link bends.
 
     The least of `2 l² / (1.8751² n²) √(ρA/EI)` over links and directions with n bending modes. Where measured

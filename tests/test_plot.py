@@ -31,7 +31,7 @@ def swing(model, samples=200, size=1.0, spike=0.0) -> Run:
     energy = size * np.column_stack([wave[:, 0] ** 2, 1 - wave[:, 0]])
     arrays = dict(zip(OWN, (t, q, 0 * q, 50 * q[:, :m], wrench, path), strict=True))
     names = {f"{kind}_names": tuple(getattr(model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-    return Run(model.robot.name, **arrays, **names, reports={"energy": energy})
+    return Run(model.robot.name, **arrays, **names, energy=energy)
 
 
 def chain(count: int):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from ..elements import FRICTION, STOP, Law
 from ..elements.axis_element import OfElement
-from ..ir.program import Value
+from ..ir.program import Value, Vector
 from ..spec.link_class import SIDES, LinkClass
 from ..topology.chain import Chain
 from ..topology.parameters import element_label
@@ -93,7 +93,7 @@ def columns_of(s: Scope) -> Iterator[tuple[str, list[Value]]]:
 # ------------------------------------------------------------------------------------------ in phases
 
 
-def axis_forces(s: Scope, q: Sequence[Value], qdot: Sequence[Value]) -> Iterator[tuple[int, Value]]:
+def axis_forces(s: Scope, q: Vector, qdot: Vector) -> Iterator[tuple[int, Value]]:
     """The forces of laws on the joint's axes, each with its axis; friction of rotors is not among them."""
     for law, axis, side, labels in on_axes(s.key):
         constants = [0.0 if label is None else s.constant(label) for label in labels]
@@ -102,7 +102,7 @@ def axis_forces(s: Scope, q: Sequence[Value], qdot: Sequence[Value]) -> Iterator
         yield axis, law.force(s.tracer, float(side), q[axis], qdot[axis], *constants)
 
 
-def axis_energy(s: Scope, q: Sequence[Value]) -> Value:
+def axis_energy(s: Scope, q: Vector) -> Value:
     """Twice the potential of stops and elements."""
     total: Value = 0.0
     for law, axis, side, labels in on_axes(s.key):

@@ -101,7 +101,7 @@ class Functions(LoopFunctions):
         return [dict(x) | self._terms(i, x, parts) for i, x in enumerate(state)]
 
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
-        out = {}
+        out: dict[str, list] = {}
         spans = self.chain.given(i)
         below, gear = (spans.pop(part, None) for part in ("below", "gear"))
         for part, span in spans.items():

@@ -139,7 +139,7 @@ def program(
 
         named = update_wrapper(make, body, updated=())
         del named.__wrapped__  # the signature is that of make
-        named.body = body
+        named.body = body  # type: ignore[attr-defined]
         return named
 
     return made

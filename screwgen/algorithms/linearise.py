@@ -285,7 +285,8 @@ def inward(
     for i in reversed(range(chain.n)):
         link, (q, eta) = links[i], places(chain, i)
         with section(i):
-            rows, owners = mx.zeros(0, 9), []
+            owners: list[int] = []
+            rows = mx.zeros(0, 9)
             for node, own in carrying(chain, i, link, tips):
                 carried, those = at_nodes[node]
                 at_tip, here = rw.to_link(carried, *(own[x] for x in OF_MOTION), link["omega_i"])

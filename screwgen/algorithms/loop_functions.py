@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import nullcontext
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from copy import copy
 
 from ..errors import SingularError
-from ..ir.program import Value
+from ..ir.program import Vector
+from ..topology.chain import Chain
 from . import loops
 from . import matrices as mx
 from . import motions as mo
 from .columns import columns
-from .schedule import OUTWARD, Algorithm, Phase
+from .schedule import OUTWARD, Algorithm, Apply, Phase
 
 POSES = Phase(mo.poses, OUTWARD)
 MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
@@ -22,7 +23,17 @@ ROUNDS = 3
 
 
 class LoopFunctions:
-    """What :class:`.functions.Functions` has besides for loops."""
+    """What :class:`.functions.Functions` has besides for loops; the attributes are set there."""
+
+    chain: Chain
+    constants: Sequence[Mapping[str, list]]
+    gravity: Sequence
+    apply: Apply
+    given: tuple[Sequence, Sequence] | None
+    section: Callable[[str], AbstractContextManager]
+    forward: Callable[..., tuple[list, list]]
+    _run: Callable[..., tuple[list, list]]
+    _state: Callable[..., list[dict[str, list]]]
 
     def loop_wrenches(self, q, v, tau, w_ext) -> list:
         """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
@@ -92,9 +103,7 @@ class LoopFunctions:
         shut = self._shut(q, [0.0] * self.chain.nv)
         return [c.gap for c in shut.conditions], shut.loads(forces)
 
-    def _row_forces(
-        self, q, shut: loops.Shut, inertia: Sequence, *wanted: Sequence[Value]
-    ) -> tuple[list[list], list[list]]:
+    def _row_forces(self, q, shut: loops.Shut, inertia: Sequence, *wanted: Vector) -> tuple[list[list], list[list]]:
         """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
 
         The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates.
@@ -108,7 +117,7 @@ class LoopFunctions:
             A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
         return self.solve_rows(A, wanted), [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
-    def solve_rows(self, A: mx.Array, wanted: Sequence[Sequence[Value]]) -> list[list]:
+    def solve_rows(self, A: mx.Array, wanted: Sequence[Vector]) -> list[list]:
         """The rows' forces x of ``A x = b`` for each b that is wanted; rows may share them."""
         solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(A))
         apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731

@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..ir.program import Array, Program, Tracer, Value
+from ..ir.program import Array, Program, Tracer, Value, Vector
 from ..joints.constraints import Alignment, Angle, Distance, Ratio
 from ..topology.chain import Chain
 from ..topology.loops import Closure, Junction
@@ -53,14 +53,14 @@ class Motion(NamedTuple):
     """What loops ask about: a quantity (6,) of every tip, and one of every joint axis (n_joints,)."""
 
     tips: Sequence[Array] | Mapping[int, Array]
-    axes: Sequence[Value]
+    axes: Vector
 
 
 class Axes(NamedTuple):
     """Coordinates and rates (n_joints,) of the joint axes."""
 
-    q: Sequence[Value]
-    qdot: Sequence[Value]
+    q: Vector
+    qdot: Vector
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
     return Condition(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
 
 
-def _ratio_gap(row: Ratio, q: Sequence[Value]) -> Value:
+def _ratio_gap(row: Ratio, q: Vector) -> Value:
     """``g = q_b − r q_a − c``."""
     return q[row.axis] - row.ratio * q[row.of] - row.offset
 
@@ -168,8 +168,8 @@ def _offset(demand: Distance | Angle | Alignment, a: Tip, b: Tip) -> tuple[list[
 class Loads(NamedTuple):
     """What acts on a tree: torques (n_tau,) of the axes, and wrenches on all tips in their tip frames (6 n,)."""
 
-    tau: Sequence[Value]
-    w_ext: Sequence[Value]
+    tau: Vector
+    w_ext: Vector
 
     def plus(self, more: Loads) -> Loads:
         """The sum of both."""
@@ -192,7 +192,7 @@ class Shut:
         tips = [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
         return Motion(tips, [x for link in links for x in link["qddot"]])
 
-    def wrenches(self, forces: Sequence[Value]) -> list[Value]:
+    def wrenches(self, forces: Vector) -> list[Value]:
         """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""
         total = [mx.zeros(6) for _ in self.tips]
         for found, force in zip(self.conditions, forces, strict=True):
@@ -200,7 +200,7 @@ class Shut:
                 total[i] = total[i] + wrench * force
         return [x for tip, w in zip(self.tips, total, strict=True) for x in mx.rotate_wrench(tip.R.T, w)]
 
-    def torques(self, forces: Sequence[Value]) -> list[Value]:
+    def torques(self, forces: Vector) -> list[Value]:
         """The torques on all axes of forces of the rows: those of couplings."""
         total: list[Value] = [0.0] * len(self.axes.q)
         for found, force in zip(self.conditions, forces, strict=True):
@@ -208,7 +208,7 @@ class Shut:
                 total[k] = total[k] + torque * force
         return total
 
-    def loads(self, forces: Sequence[Value]) -> Loads:
+    def loads(self, forces: Vector) -> Loads:
         """Both."""
         return Loads(self.torques(forces), self.wrenches(forces))
 

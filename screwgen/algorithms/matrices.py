@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ..ir.program import Array, Node, Tracer, Value
+from ..ir.program import Array, Node, Tracer, Value, Vector
 
 
 def array(entries, shape=None) -> Array:
@@ -26,7 +26,7 @@ def identity(n: int) -> Array:
     return array(np.eye(n).tolist(), (n, n))
 
 
-def dot(a: Sequence[Value], b: Sequence[Value]) -> Value:
+def dot(a: Vector, b: Vector) -> Value:
     total: Value = 0.0
     for x, y in zip(a, b, strict=True):
         total = total + x * y
@@ -57,12 +57,12 @@ def symmetric(n: int, entry: Callable[[int, int], Value]) -> Array:
     return out
 
 
-def diagonal(values: Sequence[Value]) -> Array:
+def diagonal(values: Vector) -> Array:
     """The matrix with these values on its diagonal."""
     return symmetric(len(values), lambda i, j: values[i] if i == j else 0.0)
 
 
-def coupled(values: Sequence[Value], places: Sequence[tuple[int, int]], below: Sequence[Value]) -> Array:
+def coupled(values: Vector, places: Sequence[tuple[int, int]], below: Vector) -> Array:
     """The symmetric matrix with ``values`` on its diagonal and entries ``below`` it at ``places`` (row, column)."""
     others = dict(zip(places, below, strict=True))
     return symmetric(len(values), lambda i, j: values[i] if i == j else others.get((j, i), 0.0))
@@ -79,12 +79,12 @@ def subtract_product(A: Array, Z: Array, W: Array) -> Array:
     return symmetric(A.shape[0], lambda i, j: A[i, j] - dot(Z[:, i], W[:, j]))
 
 
-def hat(a: Sequence[Value]) -> Array:
+def hat(a: Vector) -> Array:
     x, y, z = a
     return array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]], (3, 3))
 
 
-def cross(a: Sequence[Value], b: Sequence[Value]) -> Array:
+def cross(a: Vector, b: Vector) -> Array:
     return array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
@@ -98,7 +98,7 @@ def pack(Lambda: Array) -> list[Value]:
     return [Lambda[i, j] for i in range(len(Lambda)) for j in range(i, len(Lambda))]
 
 
-def unpack(entries: Sequence[Value], n: int = 6) -> Array:
+def unpack(entries: Vector, n: int = 6) -> Array:
     upper = {(i, j): k for k, (i, j) in enumerate((i, j) for i in range(n) for j in range(i, n))}
     return symmetric(n, lambda i, j: entries[upper[i, j]])
 
@@ -160,7 +160,9 @@ def factorise(M: Array, tracer: Tracer | None = None, threshold: Value = 0.0) ->
     Every pivot of ``d`` must exceed ``threshold``; a tracer guards that.
     """
     n = M.shape[0]
-    L, d, inverse = identity(n), [], []
+    d: list[Value] = []
+    inverse: list[Value] = []
+    L = identity(n)
     for j in range(n):
         scaled = [L[j, k] * d[k] for k in range(j)]
         pivot = M[j, j] - dot(scaled, L[j, :j])
@@ -191,7 +193,7 @@ def backward(L: Array, b: Array) -> Array:
     return x
 
 
-def scale_rows(x: Array, factors: Sequence[Value]) -> Array:
+def scale_rows(x: Array, factors: Vector) -> Array:
     """Row ``i`` of ``x`` times ``factors[i]``."""
     return array([x[i] * factors[i] for i in range(len(factors))], x.shape)
 

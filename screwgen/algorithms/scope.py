@@ -13,7 +13,7 @@ anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property, partial
 from math import prod
@@ -26,7 +26,7 @@ from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_b
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
-from ..ir.program import Array, Label, Node, Program, Tracer, Value, give_label
+from ..ir.program import Array, Label, Node, Program, Tracer, Value, Vector, give_label
 from ..joints.joint import joint_block, motion_block, posture_block
 from ..spec.link_class import LinkClass
 from . import matrices as mx
@@ -86,7 +86,9 @@ def repeated(key: LinkClass) -> dict[str, tuple[float, str]]:
     Examples are a section that is the same about both axes, or a mode shape of two directions. Equal constants are
     prepared and stored once, and their products are computed once.
     """
-    tracer, first, out = Tracer(), {}, {}
+    first: dict[int, tuple[float, str]] = {}
+    out: dict[str, tuple[float, str]] = {}
+    tracer = Tracer()
     for block in (derived(key)[name] for name in BLOCKS if name not in OTHERS):
         given = {n: s for n, s in block.inputs.items() if s.binding <= Binding.PARAMETER}
         inputs = {n: [tracer.input(symbol.name, 1)[0] for symbol in block.values[n].flat] for n in given}
@@ -153,7 +155,7 @@ class Scope:
 
     def _entries(self, name: str, size: int) -> list[Value]:
         if name not in self.inputs:
-            self.inputs[name] = self.tracer.input(name, size)
+            self.inputs[name] = list(self.tracer.input(name, size))
         return self.inputs[name]
 
     def modal_inertia(self) -> Array:
@@ -161,12 +163,12 @@ class Scope:
         below = self.read("m_below") if self.key.coupled else ()
         return mx.coupled(self.read("m_eta"), self.key.coupled, below)
 
-    def write(self, name: str, values: Array | Sequence[Value]) -> None:
+    def write(self, name: str, values: Vector) -> None:
         """An output signal."""
         self.name(name.rpartition(".")[2], values, name)
         self.outputs[name] = list(np.asarray(values, dtype=object).ravel())
 
-    def name(self, name: str, values: Array | Sequence[Value], like="") -> Array:
+    def name(self, name: str, values: Vector, like="") -> Array:
         """Name the entries that have no name yet, like those of a signal (default: ``name``); returns the array."""
         values, kind = np.asarray(values, dtype=object), type_of(like or name)
         for index, value in np.ndenumerate(values):
@@ -206,7 +208,7 @@ class Scope:
         self.name(name, values, f"w.{name}")
         slots: dict[int, int] = {}
         stored: list[Value] = []
-        entries = []
+        entries: list[float | tuple[float, int] | tuple[float, str]] = []
         for value in np.asarray(values, dtype=object).ravel():
             sign, node = (-1.0, value.args[0]) if isinstance(value, Node) and value.op == "neg" else (1.0, value)
             if not isinstance(node, Node):
@@ -268,7 +270,7 @@ class Station(Scope):
     def read(self, name: str, *shape: int) -> Array:
         return mx.zeros(6) if name == "w_ext" else self.link.read(self._own(name), *shape)
 
-    def write(self, name: str, values: Array | Sequence[Value]) -> None:
+    def write(self, name: str, values: Vector) -> None:
         self.link.write(self._own(name), values)
 
     def keep(self, name: str, values: Array) -> None:

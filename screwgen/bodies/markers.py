@@ -49,7 +49,8 @@ def through_nodes(body: Invariants, points: np.ndarray) -> np.ndarray:
     """(points, 3, r): between two nodes the cubic that has their displacements, and their rotations as slopes."""
     from scipy.interpolate import CubicHermiteSpline  # half a second, which arms without such bodies do not need
 
-    line, places = body.tip.origin, {}
+    places: dict = {}
+    line = body.tip.origin
     for n in (body.base, body.tip, *body.nodes[1:-1]):
         s = float(n.origin @ line / (line @ line)) if body.reach else 0.0
         if 0 <= s <= 1 and np.linalg.norm(n.origin - s * line) <= NEAR * body.reach:

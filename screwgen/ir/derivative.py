@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
-from .program import Node, Value, live
+from .program import Node, Value, Vector, live
 
 Slopes = dict[int, Value]
 
 
-def tangents(values: Sequence[Value], seeds: Mapping[Node, Value]) -> list[Value]:
+def tangents(values: Vector, seeds: Mapping[Node, Value]) -> list[Value]:
     """The directional derivative of every value; ``seeds`` maps nodes to their components of the direction.
 
     A seed is an independent variable, whatever it was computed from.  Inputs that are no seeds are constant, as are
@@ -22,13 +22,13 @@ def tangents(values: Sequence[Value], seeds: Mapping[Node, Value]) -> list[Value
     return [_of(v, slopes) for v in values]
 
 
-def columns(values: Sequence[Value], variables: Sequence[Value]) -> list[list[Value]]:
+def columns(values: Vector, variables: Vector) -> list[list[Value]]:
     """The partial derivatives of ``values``, one column per variable; floats are constant."""
     unit = lambda x: {x: 1.0} if isinstance(x, Node) else {}  # noqa: E731
     return [tangents(values, unit(x)) for x in variables]
 
 
-def gradients(values: Sequence[Value], weights: Sequence[Value], variables: Sequence[Value]) -> list[Value]:
+def gradients(values: Vector, weights: Vector, variables: Vector) -> list[Value]:
     """The derivatives of ``sum(weights * values)`` with every one of ``variables``, in reverse mode.
 
     A variable is independent, whatever it was computed from.  Weights are no functions of the variables.

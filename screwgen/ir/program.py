@@ -9,10 +9,10 @@ zero or one.  Entries that are plain floats are structure: a zero costs no opera
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import mpmath
 import numpy as np
@@ -91,10 +91,15 @@ class Node:
 
 
 Value = Node | float
+Vector = Sequence[Value] | np.ndarray
+"""Entries of which some are nodes, in a list or in an array of objects."""
 
 
 class Tracer:
-    """Records operations; equal operations on equal values are recorded once."""
+    """Records operations; equal operations on equal values are recorded once.
+
+    Operands are values; the quick test `type(x) is Node` tells a type checker nothing, so they are declared as Any.
+    """
 
     def __init__(self):
         self._table: dict[tuple, Node] = {}
@@ -156,7 +161,7 @@ class Tracer:
         give_label(value, Label(name))
         return value
 
-    def add(self, a: Value, b: Value) -> Value:
+    def add(self, a: Any, b: Any) -> Value:
         first, second = type(a) is Node, type(b) is Node
         if not (first and second):
             if not (first or second):
@@ -173,7 +178,7 @@ class Tracer:
             return a.args[0]
         return self._sum_or_product("add", a, b)
 
-    def sub(self, a: Value, b: Value) -> Value:
+    def sub(self, a: Any, b: Any) -> Value:
         first, second = type(a) is Node, type(b) is Node
         if not (first and second):
             if not (first or second):
@@ -192,7 +197,7 @@ class Tracer:
             return a.args[1] if a.args[0] is b else a.args[0]  # (a + b) - b
         return self._node("sub", a, b)
 
-    def mul(self, a: Value, b: Value) -> Value:
+    def mul(self, a: Any, b: Any) -> Value:
         if type(a) is not Node:
             if type(b) is not Node:
                 return a * b
@@ -238,7 +243,7 @@ class Tracer:
             return -a if a else 0.0
         return a.args[0] if a.op == "neg" else self._node("neg", a)
 
-    def call(self, function: str, a: Value) -> Value:
+    def call(self, function: str, a: Any) -> Value:
         """A unary primitive."""
         if not isinstance(a, Node) and function in ("sin", "cos", "sqrt"):
             return float(getattr(mpmath, function)(a))  # the same on every machine

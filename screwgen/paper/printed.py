@@ -126,10 +126,10 @@ class PrintedModel:
                 if k + 1 < len(times):
                     h = times[k + 1] - t
                     q, v = q + h * v, v + h * vdot
-        *columns, energy = (np.array(column) for column in zip(*rows, strict=True))
-        arrays = dict(zip(OWN, (times, *columns), strict=True))
+        columns = (np.array(column) for column in zip(*rows, strict=True))
+        arrays = dict(zip((*OWN, "energy"), (times, *columns), strict=True))
         names = {f"{kind}_names": tuple(getattr(self.model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        return Run(self.robot.name, **arrays, **names, reports={"energy": energy})
+        return Run(self.robot.name, **arrays, **names)
 
     def _rates(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         largest = max(np.abs(q).max(initial=0.0), np.abs(v).max(initial=0.0))

@@ -125,7 +125,6 @@ class Table:
         m, rows = self.model, self.rows[: self.count] if ended else self.rows
         arrays: dict[str, Any] = {name: rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": rows[:, 0], "wrench": arrays["wrench"].reshape(len(rows), m.n_links, 6)}
-        arrays |= {"reports": {row.name: arrays.pop(row.name) for row in reported(m.chain)}}
         arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
         arrays |= {"robot": m.robot, "parameters": np.array(self.p, float)}
         return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all, ended=ended)

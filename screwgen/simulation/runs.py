@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import secrets
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -38,11 +38,8 @@ class Run:
     `t` (N,); `q` (N, nq): coordinates, joints then modes; `v` (N, nv): their rates; `tau` (N, n_tau): the torques held
     from each sample to the next; `wrench` (N, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i at
     the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame. The names
-    belong to the columns.
-
-    `reports` holds what functions of the robot report at every sample, which are attributes too: `energy` (N, 2), J:
-    kinetic, potential; `drive_power` (N, n_tau), W: torque of each drive times the rate of what it turns, force times
-    that of its travel.
+    belong to the columns. What functions of the robot report at every sample: `energy` (N, 2), J: kinetic, potential;
+    `drive_power` (N, n_tau), W: torque of each drive times the rate of what it turns, force times that of its travel.
     """
 
     name: str
@@ -52,11 +49,12 @@ class Run:
     tau: np.ndarray
     wrench: np.ndarray
     tip_position: np.ndarray
+    energy: np.ndarray
     q_names: tuple[str, ...]
     v_names: tuple[str, ...]
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
-    reports: Mapping[str, np.ndarray] = field(default_factory=dict)
+    drive_power: np.ndarray | None = None
     validity: Validity | None = None
     """The validity measures of the motion; files do not store them."""
     hits: tuple[Hit, ...] = ()
@@ -83,12 +81,11 @@ class Run:
         table = notebook.table(repr(self).strip("<>"), ("", "first", "last", "least", "most"), rows)
         return notebook.player(self) + table
 
-    def __getattr__(self, name: str) -> np.ndarray:
-        """What is reported, by name."""
-        found = self.__dict__.get("reports", {})
-        if name not in found:
-            raise AttributeError(f"'Run' has no attribute '{name}'", name=name, obj=self)
-        return found[name]
+    @property
+    def reports(self) -> dict[str, np.ndarray]:
+        """What the run has of what functions of the robot report, by the names of these."""
+        found = {name: getattr(self, name) for name in REPORTED}
+        return {name: values for name, values in found.items() if values is not None}
 
     def names_of(self, array: str) -> tuple[str, ...]:
         """The names of the columns of an array, such as `tau`; raises AttributeError where the run has none of it."""
@@ -104,7 +101,7 @@ class Run:
     @property
     def arrays(self) -> dict[str, np.ndarray]:
         """What the columns hold, by name, (N, …) each."""
-        return {name: getattr(self, name) for name in OWN} | dict(self.reports)
+        return {name: getattr(self, name) for name in OWN} | self.reports
 
     @property
     def table(self) -> np.ndarray:

@@ -75,7 +75,8 @@ def junctions(robot: Robot, segments: Sequence[Segment]) -> tuple[Junction, ...]
         unit = "rad" if robot.links[axes[1].link].joint.screws[axes[1].number].turn else "m"
         ratio = Ratio(axis, of, coupling.ratio, coupling.offset, unit, (coupling.axis, coupling.of))
         ends = (firsts[a.link] for a in axes)
-        out.append(Junction(len(robot.loops) + k, *ends, (ratio,), f"coupling[{k}]"))
+        first, second = ends
+        out.append(Junction(len(robot.loops) + k, first, second, (ratio,), f"coupling[{k}]"))
     return tuple(out)
 
 

@@ -25,7 +25,8 @@ def label(parameter: Parameter) -> str:
         case field if field.startswith("joint.limits."):
             return f"limit_{field.rpartition('.')[2]}_{index[0] + 1}"
         case field if field.startswith("joint.elements."):
-            return element_label(*field.split(".")[2:], index[0])
+            kind, key = field.split(".")[2:]
+            return element_label(kind, key, index[0])
         case "bodies.mass":
             return f"body{index[0]}_mass"
         case "bodies.com":

@@ -99,7 +99,7 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
     shown = one_line(os.fsdecode(path))
     with run_arrays(path) as stored:
         arrays: dict[str, Any] = {name: stored.numbers(name) for name in OWN}
-        reports = {name: stored.numbers(name) for name in REPORTED if name in stored}
+        reports: dict[str, Any] = {name: stored.numbers(name) for name in REPORTED if name in stored}
         names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
         text = "".join(stored.texts("robot")) if "robot" in stored else None
         parameters = stored.numbers("parameters") if "parameters" in stored else None
@@ -109,7 +109,7 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         except RobotFileError as error:
             raise UsageError(f"{error}; name the robot's file by --robot") from None
     name = robot.name if robot is not None else ""
-    return Run(name, **arrays, **names, reports=reports, robot=robot, parameters=parameters)
+    return Run(name, **arrays, **names, **reports, robot=robot, parameters=parameters)
 
 
 def view_modes(model: Model, q: np.ndarray, found: ModeShapes) -> View:

@@ -135,7 +135,7 @@ class Links:
 
     def phases(self, run: str) -> list[dict]:
         """The phases of a run, each with its functions and the function of every link."""
-        out = []
+        out: list[dict] = []
         for number, phase in enumerate(RUNS[run].algorithm):
             own = (p for p in self.passages(run) if p.phase == number and p.edge is None)
             way = sorted(own, key=lambda p: p.link)

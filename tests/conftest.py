@@ -33,6 +33,17 @@ os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")  # a robot needs more than sy
 os.environ.setdefault("SCREWGEN_CACHE", os.path.join(tempfile.gettempdir(), f"screwgen-cache-{os.getuid()}"))
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _temporary_folder(worker_id):
+    """What tests, and libraries that they call, put into the system's temporary folder is removed when all is done."""
+    before, tempfile.tempdir = os.environ.get("TMPDIR"), tempfile.mkdtemp(prefix=f"screwgen-{worker_id}-")
+    os.environ["TMPDIR"] = tempfile.tempdir
+    yield
+    shutil.rmtree(tempfile.tempdir, ignore_errors=True)
+    tempfile.tempdir = None
+    os.environ.pop("TMPDIR") if before is None else os.environ.update(TMPDIR=before)
+
+
 def pytest_configure():
     """The process of the tests.
 
@@ -77,11 +88,10 @@ def _quick_models(request, monkeypatch):
 
     Optimising takes ten times as long as compiling. Programs that tests start have the product's flags.
     """
-    from screwgen import Model
+    from screwgen.robot_model import RobotModel
 
     if "examples" not in request.keywords:
-        flags = tuple(("-O0",) if given == ("-O2",) else given for given in Model.compile.__defaults__)
-        monkeypatch.setattr(Model.compile, "__defaults__", flags)
+        monkeypatch.setattr(RobotModel, "compiler_flags", ("-O0",))
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import update_wrapper
+from typing import Any, Protocol
 
 import mpmath
 
@@ -18,7 +19,8 @@ from .schedule import Algorithm, constant_labels, is_column, preparation
 
 DIGITS = 40
 
-Body = Callable[[Functions, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
+Body = Callable[[Any, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
+"""Of the functions of a robot, of the class that :func:`fuse` is given, and of the inputs."""
 
 
 def fuse(
@@ -49,8 +51,8 @@ def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int])
         size = len(parameters(chain.robot))
         p = tracer.input("p", size)
         read["p"] = size
-        names = chain.identifiers
-        return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, names[i])), p[:3]
+        called = chain.identifiers
+        return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, called[i])), p[:3]
     links = []
     for i, key in enumerate(chain.keys):
         names = {f"c.{label}": 1 for label in constant_labels(key, EVERYTHING)}
@@ -125,21 +127,27 @@ def inputs(chain: Chain, names: str) -> dict[str, int]:
     return {name: sizes[name] for name in names.split()}
 
 
-def program(
-    names: str, name="", kind=Functions, constants="parameters"
-) -> Callable[[Callable], Callable[..., Program]]:
+class Maker(Hashable, Protocol):
+    """Makes a program of a robot; ``body`` is what it runs on the robot's functions."""
+
+    body: Callable[..., Mapping[str, Sequence[Value]]]
+
+    def __call__(self, chain: Chain, constants: str = ...) -> Program: ...
+
+
+def program(names: str, name="", kind=Functions, constants="parameters") -> Callable[[Callable], Maker]:
     """Makes ``(chain, constants) -> Program`` of a function that takes the robot's functions and the inputs ``names``.
 
     ``name``: of the program, if it is not the function's; ``constants``: those by default; the rest as of :func:`fuse`.
     """
 
-    def made(body: Callable) -> Callable[..., Program]:
+    def made(body: Callable) -> Maker:
         def make(chain: Chain, constants: str = constants) -> Program:
             return fuse(chain, name or body.__name__, inputs(chain, names), lambda f, x: body(f, **x), constants, kind)
 
-        named = update_wrapper(make, body, updated=())
+        named: Any = update_wrapper(make, body, updated=())
         del named.__wrapped__  # the signature is that of make
-        named.body = body  # type: ignore[attr-defined]
+        named.body = body
         return named
 
     return made

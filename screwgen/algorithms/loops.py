@@ -91,10 +91,13 @@ def _power(wrenches: Mapping[int, Array], torques: Mapping[int, float], motion: 
 def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
     """A row in a state of all tips and axes."""
     row, c = closure.row, closure.stabilisation
+    wrenches: dict[int, mx.Array] = {}
+    torques: Mapping[int, float] = {}
+    gamma: Value = 0.0
     if isinstance(row, Ratio):
-        gap, wrenches, torques, gamma = _ratio_gap(row, axes.q), {}, _torques(row), 0.0
+        gap, torques = _ratio_gap(row, axes.q), _torques(row)
     else:
-        a, b, torques = tips[closure.first], tips[closure.second], {}
+        a, b = tips[closure.first], tips[closure.second]
         gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
         wrenches = dict(zip((closure.first, closure.second), both, strict=True))
     rate = _power(wrenches, torques, Motion({i: tips[i].twist for i in wrenches}, axes.qdot))

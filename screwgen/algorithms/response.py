@@ -134,7 +134,7 @@ def _observed(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         "strain": _strains(f.chain, x["q"], x.get("length")),
     }
     for row in reported(f.chain):
-        found = row.program.body(f, **{name: x[name] for name in row.names})  # type: ignore[attr-defined]
+        found = row.program.body(f, **{name: x[name] for name in row.names})
         out[row.name] = [value for values in found.values() for value in values]
     return dict.fromkeys(REPORTS, ()) | out
 

@@ -17,7 +17,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..bodies.validity import MEASURES
-from ..ir.program import Program
 from ..topology.chain import Chain
 from . import fused
 from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER, Functions
@@ -40,7 +39,7 @@ class RobotFunction:
     name: str
     inputs: str
     results: Mapping[str, Signal]
-    program: Callable[..., Program]
+    program: fused.Maker
     algorithms: tuple[Algorithm, ...]
     about: str
     offered: Callable[[Chain], bool] = lambda chain: True

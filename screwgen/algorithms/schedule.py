@@ -116,8 +116,8 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
     scope = Scope(key, tracer, {})
     blocks = derived(key)
     for label in labels:
-        if key.drives and (own := labelled(scope, label)) is not None:
-            scope.write(label, [own])
+        if key.drives and (value := labelled(scope, label)) is not None:
+            scope.write(label, [value])
             continue
         section, own = owner_of(key, label)
         places = blocks.values() if section is key else (derived(section)[name] for name in AT_TIP)

@@ -9,7 +9,7 @@ first. Accelerations are those of material points in the inertial frame, less fr
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..ir.program import component
 from ..spec.link_class import LinkClass
@@ -32,7 +32,8 @@ class Signal(NamedTuple):
 
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""
-        counts = {"m": key.joints, "f": key.freedoms, "t": len(key.motors), "r": key.modes, "b": len(key.coupled)}
+        counts: dict[Any, Any] = {"m": key.joints, "f": key.freedoms, "t": len(key.motors)}
+        counts |= {"r": key.modes, "b": len(key.coupled)}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:

@@ -71,9 +71,9 @@ def _columns(chain: Chain, links: Sequence[Mapping[str, Array]], rows, out: Mapp
                 J[6 * i : 6 * i + 6, eta] = at_joint[:, count + q.stop - q.start :]
                 if chain.tree.parents[i] != BASE:
                     handed = rw.shifted(link["r_J"], rw.rotated_columns(link["R_rel"], at_joint))
-                    node = at_nodes[chain.tree.base(i)]
-                    others, known = node[kind]
-                    node[kind] = np.hstack([others, handed]), [*known, *owners, *owned]
+                    there = at_nodes[chain.tree.base(i)]
+                    others, known = there[kind]
+                    there[kind] = np.hstack([others, handed]), [*known, *owners, *owned]
 
 
 def wrench_program(chain: Chain, constants="constants") -> Program:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -71,7 +72,8 @@ class LinkBlock(Block):
         self.rho = self.generators("rho")
         self.udot = self.generators("udot")
 
-    def _body(self) -> Body:
+    def _body(self) -> Any:
+        """A :class:`.contract.Body`, with fields of its own."""
         if self.key.elastic is not None:
             return Reduced(self, self.key)
         if not self.key.beam:

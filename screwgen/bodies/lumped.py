@@ -25,6 +25,7 @@ def lumped(b: Block, key: LinkClass, section: str, tag: str) -> tuple[Expression
 def _body(b: Block, key: LinkClass, number: int) -> tuple[Expression, Expression, Expression]:
     """One body: ``m``, ``m c`` and ``m c c^T + tr(I_c)/2 1 - I_c``."""
     body, tag = key.bodies[number], f"{number + 1}"
+    assert body is not None
     m = b.parameter(f"body{number}_mass", (1, 1), rf"m_{{b{tag}}}", "kg", "-", f"mass of body {tag}")
     first: Expression = zeros(3)
     second: Expression = zeros(3, 3)

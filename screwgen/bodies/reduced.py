@@ -29,6 +29,7 @@ class Table(Moments):
 
     def __init__(self, key: LinkClass):
         body, r = key.elastic, range(key.modes)
+        assert body is not None
         self.place = sp.symbols("r_x:z", real=True)
         self.phi = [[sp.Symbol(f"phi_{axis}_{k + 1}", real=True) for axis in AXES] for k in r]
         one = sp.S.One
@@ -61,6 +62,7 @@ class Reduced(Elastic):
     turnings: ClassVar[list[Turning]] = []
 
     def __init__(self, b: Block, key: LinkClass):
+        assert key.elastic is not None
         self.b, self.key, self.data = b, key, key.elastic
         density = np.array([[sp.Symbol("rhoA", real=True)]], dtype=object)
         self.rhoA = b.field("rhoA", density, r"\rho_i A_i")

@@ -121,6 +121,7 @@ def _place(b: Block, s: float, whole: Expression) -> Expression:
 
 def end_of_body(b: Block, key: LinkClass) -> End:
     """The tip node of a body from a file."""
+    assert key.elastic is not None
     tip, entries = key.elastic.tip, lambda x: np.array([numerals(row) for row in x], dtype=object)
     place = vector(numerals(tip.origin), r"\mathbf{r}_{b}(c_i)")
     axes = identity(3) if np.array_equal(tip.axes, np.eye(3)) else matrix(entries(tip.axes), (3, 3), r"\mathbf{A}_P")

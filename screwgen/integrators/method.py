@@ -57,14 +57,19 @@ class Move:
             raise UsageError(f"coordinates moved by the {self.moved} rates need one acceleration with a weight")
 
     @property
+    def exact(self) -> tuple[Fraction, ...]:
+        """The weights as they are from the beginning: fractions, or doubles."""
+        return tuple(self.weights)  # type: ignore[arg-type]
+
+    @property
     def terms(self) -> list[tuple[int, Fraction]]:
         """The stages with a weight, from 0, and their weights."""
-        return [(j, w) for j, w in enumerate(self.weights) if w]
+        return [(j, w) for j, w in enumerate(self.exact) if w]
 
     @property
     def reach(self) -> Fraction:
         """How far into the step it is, in steps."""
-        return sum(self.weights, Fraction(0))
+        return sum(self.exact, Fraction(0))
 
     @property
     def kick(self) -> Fraction:
@@ -125,7 +130,7 @@ class Method:
             before = self.stages[i - 1] if i else None
             if len(stage.weights) > i:
                 return f"stage {i + 1} has {len(stage.weights)} weights; only {i} stages stand before it"
-            if stage.implicit and stage.terms and stage.implicit != before.implicit:
+            if stage.implicit and stage.terms and before and stage.implicit != before.implicit:
                 return f"stage {i + 1} is implicit over another part of the step than stage {i}"
         if len(self.end.weights) > len(self.stages):
             return f"the end has {len(self.end.weights)} weights; there are {len(self.stages)} stages"
@@ -143,14 +148,15 @@ class Method:
         *stages, end = self.places
         elastic = [self._elastic(i, place) for i, place in enumerate(stages)]
         power = unmet(self.order, stages, elastic, end)
-        return power and f"it has the order {power - 1}, not {self.order}"
+        return f"it has the order {power - 1}, not {self.order}" if power else None
 
     @cached_property
     def places(self) -> list[Place]:
         """The states of the stages and of the end, in terms of the accelerations."""
-        n, places = len(self.stages), []
+        places: list[Place] = []
+        n = len(self.stages)
         for move in (*self.stages, self.end):
-            rates = tuple(move.weights) + (Fraction(0),) * (n - len(move.weights))
+            rates = move.exact + (Fraction(0),) * (n - len(move.weights))
             if move.moved == "stages":
                 inner = [sum((w * places[j].rates[k] for j, w in move.terms), Fraction(0)) for k in range(n)]
             else:
@@ -175,7 +181,8 @@ class Method:
 
         `space`: how coordinates move where they do not add up.
         """
-        rates, accelerations = [], []
+        rates: list[Any] = []
+        accelerations: list[Any] = []
         for stage in self.stages:
             u, there_v = _moved(stage, v, h, rates, accelerations)
             there = (q if u is None else space.moved(q, u)), there_v

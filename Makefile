@@ -44,9 +44,9 @@ nmpc-acados: acados
 	$(BIN)/python examples/nmpc_acados.py
 
 test: $(TESTS)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) $(ARGS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) --short $(ARGS)
 
-# All that CI runs: also every example and guide, the sweeps and the analysers over generated C.
+# All that CI runs: every case, also every example and guide, the sweeps and the analysers over generated C.
 test-all: $(TESTS)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal $(QUIET) -m 'not long' $(ARGS)
 

@@ -8,6 +8,7 @@ import signal
 import tempfile
 import threading
 from collections import Counter
+from pathlib import Path
 from types import ModuleType
 from typing import NoReturn
 
@@ -105,9 +106,30 @@ def swept(cases, *kept) -> list:
     return [case if case in kept else pytest.param(case, marks=pytest.mark.long) for case in cases]
 
 
-def pytest_collection_modifyitems(items):
+def pytest_addoption(parser):
+    said = "leave out what tests/thorough.txt says: further cases of functions that take long, and what is slow"
+    parser.addoption("--short", action="store_true", help=said)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config, items):
     """The slowest files first: with several workers, none of them is begun when all the rest is done."""
     items.sort(key=lambda item: item.path.stem.removeprefix("test_") not in SLOWEST)
+    if config.getoption("--short"):
+        lines = (Path(__file__).parent / "thorough.txt").read_text(encoding="utf-8").splitlines()
+        left_out = _left_out(items, dict(reversed(line.split(" ", 1)) for line in lines))
+        config.hook.pytest_deselected(items=[item for item in items if item in left_out])
+        items[:] = [item for item in items if item not in left_out]
+
+
+def _left_out(items, said) -> set:
+    """The cases of functions, `tests/test_stops.py::test_a_stop`, that are left out: all but the `first`, or all."""
+    cases = {name: [] for name in said}
+    for item in items:
+        name = item.nodeid.partition("[")[0]
+        if name in cases:
+            cases[name].append(item)
+    return {item for name, own in cases.items() for item in own[said[name] == "first" :]}
 
 
 def require_tool(name: str) -> str:

@@ -152,7 +152,7 @@ class Parameters:
     def __init__(self, robot: Robot):
         own = parameters(robot)
         self.names, self.values = [x.name for x in own], np.array([x.value for x in own])
-        self.least = np.array([-np.inf if x.field in FREE else 0.0 for x in own])
+        self.least = np.array([-np.inf if x.field in FREE or x.sign == "any" else 0.0 for x in own])
         self.positive = np.array([_must_be_positive(robot, x) for x in own], bool)
         self.tensors, self.ranges = _tensors(own), _ranges(own)
 
@@ -216,7 +216,7 @@ def _title(rows: np.ndarray, row: int) -> str:
 def _must_be_positive(robot: Robot, x: Parameter) -> bool:
     """Whether the value must be positive: a length, a mass per length, a parameter of a direction with modes."""
     field = x.field.removeprefix("section.")
-    if field in POSITIVE or x.field.startswith("frequencies."):
+    if field in POSITIVE or x.field.startswith("frequencies.") or x.sign == "positive":
         return True
     if x.link is None:
         return False

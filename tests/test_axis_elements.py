@@ -5,7 +5,7 @@ import pytest
 from bad_robot_files import refused
 from helpers import arm, link, model_of, quick, relative
 
-from screwgen import Robot, RobotFileError, dump, equilibrium, natural_frequencies, simulate
+from screwgen import Robot, RobotFileError, UsageError, dump, equilibrium, natural_frequencies, simulate
 from screwgen.backends.latex import document as latex
 from screwgen.elements import KINDS
 from screwgen.spec.load import loads
@@ -59,6 +59,16 @@ def test_a_file_states_it_and_it_reads_back():
     }
 
 
+def test_a_spring_may_be_relaxed_on_either_side_and_numbers_are_checked_as_in_a_file():
+    model = model_of(sprung({"spring": {"stiffness": 80.0, "rest": -0.4}}))
+    name = "boom.joint.elements[0].spring."
+    other = {f"{name}rest": 0.4}
+    found = simulate(model, 0.01, 1e-3, parameters=other).q[-1]
+    assert relative(found, simulate(model_of(sprung()), 0.01, 1e-3).q[-1]) < 1e-12
+    with pytest.raises(UsageError, match=r"spring.stiffness is 0; it must be > 0"):
+        simulate(model, 0.01, 1e-3, parameters={f"{name}stiffness": 0.0})
+
+
 def test_on_an_axis_that_slides_it_has_units_of_length():
     robot = Robot(**arm(link("cart", 0.5, [{"slide": "x"}], joint={"elements": SPRING})))
     assert [p.unit for p in parameters(robot) if ".elements[" in p.name] == ["N/m", "m"]
@@ -74,7 +84,7 @@ def test_on_an_axis_that_slides_it_has_units_of_length():
         ),
         ({"sprung": {}}, r"elements\[0\].sprung .link boom.: is an unknown key; did you mean spring"),
         ({"spring": 2.0}, r"elements\[0\].spring .link boom.: is 2.0; it must be a table of stiffness, rest"),
-        ({"spring": {"rest": 0.1}}, r"spring.stiffness .link boom.: is missing; state the stiffness k of the spring"),
+        ({"spring": {"rest": 0.1}}, r"spring.stiffness .link boom.: is missing; state the stiffness of the spring"),
         ({"spring": {"stiffness": 0.0, "rest": 0.1}}, "spring.stiffness .link boom.: is 0.0; it must be > 0"),
         ({"spring": {"stiffness": 1.0, "rest": "x"}}, "spring.rest .link boom.: is .x.; it must be a number"),
         ({"spring": {"stiffness": 1.0, "rest": 0.0, "k": 1}}, "spring.k .link boom.: is an unknown key"),

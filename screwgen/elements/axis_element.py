@@ -17,20 +17,21 @@ from .law import Secant, Value
 class Key(NamedTuple):
     """A number that an element states: its unit on an axis that turns and on one that slides, meaning and range.
 
-    The number is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
+    ``symbol``: as the element's formula has it. The number is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
     """
 
     unit: str
     sliding: str
     meaning: str
+    symbol: str
     sign: str = "any"
     least: float = 0.0
     most: float = 1e18
 
 
-def key(unit: str, sliding: str, meaning: str, default: Any = MISSING, **more: Any) -> Any:
+def key(unit: str, sliding: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
     """A field of an element; the rest as of :class:`Key`. Without a default a file must state it."""
-    return field(default=default, metadata={"key": Key(unit, sliding, meaning, **more)})
+    return field(default=default, metadata={"key": Key(unit, sliding, meaning, symbol, **more)})
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,8 @@ class Spring(AxisElement):
     WORDS = "preloaded springs"
     FORMULA = r"k\,(q - q_0)"
 
-    stiffness: float = key("N·m/rad", "N/m", "stiffness k of the spring", sign="positive", least=1e-12, most=1e24)
-    rest: float = key("rad", "m", "coordinate at which the spring is relaxed", most=1e6)
+    stiffness: float = key("N·m/rad", "N/m", "stiffness of the spring", "k", sign="positive", least=1e-12, most=1e24)
+    rest: float = key("rad", "m", "coordinate at which the spring is relaxed", "q_0", most=1e6)
 
     @staticmethod
     def force(t: Any, x: Value, w: Value, stiffness: Value, rest: Value) -> Value:  # type: ignore[override]

@@ -26,7 +26,8 @@ class Parameter:
     """One number that a robot's user may change without generating anew.
 
     `name`: as in `upper_arm.bodies[0].mass`; `value` in `unit`; `link`: the link's place in `robot.links`,
-    None for gravity; `field`: a key of `FIELDS`; `index`: what the name's brackets hold, left to right.
+    None for gravity; `field`: a key of `FIELDS`, or of an element of an axis; `index`: what the name's brackets hold,
+    left to right; `sign`: of an element's key, as :class:`screwgen.elements.Key` states it.
     """
 
     name: str
@@ -36,6 +37,7 @@ class Parameter:
     field: str
     index: Index
     description: str
+    sign: str = ""
 
 
 class Field(NamedTuple):
@@ -145,7 +147,7 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     for axis, element, name, key, value in numbers_of(link.joint.elements):
         unit = key.unit if link.joint.screws[axis].turn else key.sliding
         own = f"{link.name}.joint.elements[{axis}].{element.KIND}.{name}"
-        yield Parameter(own, value, unit, i, f"joint.elements.{element.KIND}.{name}", (axis,), key.meaning)
+        yield Parameter(own, value, unit, i, f"joint.elements.{element.KIND}.{name}", (axis,), key.meaning, key.sign)
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             axes, point = BODY_FRAMES[body.at]

@@ -21,9 +21,9 @@ class Buffer(AxisElement):
     WORDS = "rubber buffers"
     FORMULA = r"k\\,d^2 + c\\,d\\,\\dot q"
 
-    stiffness: float = key("N·m/rad²", "N/m²", "stiffness k of the buffer", sign="positive")
-    damping: float = key("N·m·s/rad²", "N·s/m²", "damping c of the buffer", sign="non-negative")
-    at: float = key("rad", "m", "coordinate at which the buffer begins")
+    stiffness: float = key("N·m/rad²", "N/m²", "stiffness of the buffer", "k", sign="positive")
+    damping: float = key("N·m·s/rad²", "N·s/m²", "damping of the buffer", "c", sign="non-negative")
+    at: float = key("rad", "m", "coordinate at which the buffer begins", "q_0")
 
     @staticmethod
     def force(t, x, w, stiffness, damping, at):

@@ -17,7 +17,8 @@ from .law import Secant, Value
 class Key(NamedTuple):
     """A number that an element states: its unit on an axis that turns and on one that slides, meaning and range.
 
-    ``symbol``: as the element's formula has it. The number is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
+    ``symbol``: as the element's formula has it. The number is 0 or of a size between ``least`` and ``most``; ``sign``:
+    ``positive``, ``non-negative`` or ``any``.
     """
 
     unit: str

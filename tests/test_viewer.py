@@ -153,3 +153,19 @@ def test_panels_tell_links_axes_and_set_points():
     assert tip["base arm y"] == pytest.approx(moved[1], rel=1e-5) and tip["base arm z"] == pytest.approx(
         moved[2], rel=1e-5
     )
+
+
+def test_a_file_of_an_earlier_version_is_read_and_one_without_energies_is_not(tmp_path):
+    run = screwgen.simulate(model_of(arm(link("arm", modes=MODES))), 0.01, 1e-3)
+    run.save(tmp_path / "run.npz")
+    with np.load(tmp_path / "run.npz") as stored:
+        kept = {name: stored[name] for name in stored.files}
+    power = kept.pop("drive_power")
+    np.savez(tmp_path / "old.npz", **kept)
+    old = read_run(tmp_path / "old.npz")
+    assert old.drive_power is None and power.shape == (11, 1) and np.array_equal(old.energy, run.energy)
+    assert len(view(old).html) > 1000
+    del kept["energy"]
+    np.savez(tmp_path / "worse.npz", **kept)
+    with pytest.raises(screwgen.UsageError, match=r"worse.npz: cannot be read as a run .it has no .energy."):
+        read_run(tmp_path / "worse.npz")

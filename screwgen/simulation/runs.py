@@ -27,6 +27,8 @@ OWN = ("t", "q", "v", "tau", "wrench", "tip_position")
 REPORTED = tuple(row.name for row in FUNCTIONS if row.in_c)
 """What is reported at every sample besides, by the names of the functions that give it."""
 ARRAYS = (*OWN, *REPORTED)
+NEEDED = (*OWN, "energy")
+"""What every file of a run has; files of earlier versions lack the rest."""
 NAMES = ("q_names", "v_names", "tau_names", "wrench_names")
 TIP_NAMES = ("tip_position.x", "tip_position.y", "tip_position.z")
 

@@ -16,7 +16,7 @@ from ..interchange.load import ImportNote
 from ..model import Model, derive
 from ..plotting.mode_plot import STATIONS, STEP, amplified, displaced, field, meaning
 from ..simulation.motion import centrelines
-from ..simulation.runs import NAMES, OWN, REPORTED, Run, run_arrays
+from ..simulation.runs import ARRAYS, NAMES, NEEDED, Run, run_arrays
 from ..spec.load import loads, one_line
 from ..spec.robot import Robot
 from ..studies.modes import ModeShapes
@@ -98,8 +98,7 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
     """The run in a .npz file, with its robot if the file has it, else `robot`; raises UsageError."""
     shown = one_line(os.fsdecode(path))
     with run_arrays(path) as stored:
-        arrays: dict[str, Any] = {name: stored.numbers(name) for name in OWN}
-        reports: dict[str, Any] = {name: stored.numbers(name) for name in REPORTED if name in stored}
+        arrays: dict[str, Any] = {name: stored.numbers(name) for name in ARRAYS if name in stored or name in NEEDED}
         names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
         text = "".join(stored.texts("robot")) if "robot" in stored else None
         parameters = stored.numbers("parameters") if "parameters" in stored else None
@@ -109,7 +108,7 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         except RobotFileError as error:
             raise UsageError(f"{error}; name the robot's file by --robot") from None
     name = robot.name if robot is not None else ""
-    return Run(name, **arrays, **names, **reports, robot=robot, parameters=parameters)
+    return Run(name, **arrays, **names, robot=robot, parameters=parameters)
 
 
 def view_modes(model: Model, q: np.ndarray, found: ModeShapes) -> View:

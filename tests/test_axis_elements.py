@@ -8,6 +8,7 @@ from helpers import arm, link, model_of, quick, relative
 from screwgen import Robot, RobotFileError, UsageError, dump, equilibrium, natural_frequencies, simulate
 from screwgen.backends.latex import document as latex
 from screwgen.elements import KINDS
+from screwgen.interchange.urdf_write import export_urdf
 from screwgen.spec.load import loads
 from screwgen.spec.parameters import parameters
 
@@ -103,3 +104,7 @@ def test_documents_show_each_kind():
 def test_a_damaged_file_is_refused_in_a_line(tmp_path):
     text = dump(Robot(**sprung())).replace("stiffness = 80.0", "stiffness = nan")
     refused(tmp_path, text, "links[0].joint.elements[0].spring.stiffness (link boom)", "it must be a finite number")
+
+
+def test_a_urdf_says_that_it_lacks_them():
+    assert "boom.joint.elements: are left out; URDF has no such elements" in export_urdf(Robot(**sprung())).notes

@@ -73,7 +73,7 @@ def closed_slopes(f: Functions, q, v, tau, w_ext, section: Section, own=True) ->
     vdot = chain.join(links, "qddot", "etaddot")
     found, at = _slopes(f, q, v, vdot, loads.w_ext, tau, section, tips(chain), own)
     with section("loops: their rows, and what their wrenches do as the tips move"):
-        rows, bend = loop_changes(chain, shut, shut.accelerations(links, places).tips, forces, at, f.apply)
+        rows, bend = loop_changes(chain, shut, shut.accelerations(links, places), forces, at, f.apply)
         found.f_q = found.f_q - bend
     return vdot, found, rows
 

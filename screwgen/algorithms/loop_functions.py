@@ -8,11 +8,13 @@ from copy import copy
 
 from ..errors import SingularError
 from ..ir.program import Vector
+from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from . import loops
 from . import matrices as mx
 from . import motions as mo
 from .columns import columns
+from .relations import curve
 from .schedule import OUTWARD, Algorithm, Apply, Phase
 
 POSES = Phase(mo.poses, OUTWARD)
@@ -126,6 +128,12 @@ class LoopFunctions:
         except SingularError:
             raise self.chain.singular_loops() from None
 
+    def _curve(self, link: int, row: Ratio, q) -> loops.Curve:
+        """f, f' and f'' of the relation of a coupling."""
+        assert row.relation is not None
+        found = self.apply(link, -1, curve(row.relation), {"x": [q[row.of]]})
+        return found["f"][0], found["slope"][0], found["bend"][0]
+
     def _inertia(self) -> list:
         """The inertia of the coordinates that integrators give theirs."""
         return columns(self.chain, self.constants)["M_eta"]
@@ -136,5 +144,6 @@ class LoopFunctions:
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
         tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
         axes = loops.Axes(self.chain.of_joints(q), self.chain.of_joints(v, rates=True))
+        axes = axes._replace(curves={row: self._curve(second, row, axes.q) for second, row in self.chain.related})
         with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
             return loops.Shut(self.chain.closures, tips, axes, nodes, [mx.array(link["R"], (3, 3)) for link in links])

@@ -14,12 +14,13 @@ from functools import cache
 import numpy as np
 
 from ..ir.derivative import columns, tangents
-from ..ir.program import Array, Node, Program, Tracer, Value
+from ..ir.program import Array, Node, Program, Tracer, Value, Vector
 from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from ..topology.loops import Closure
 from . import matrices as mx
 from .loops import Axes, Motion, Shut, Tip, condition
+from .relations import row_slopes
 from .rows import cross_columns
 from .schedule import Apply
 
@@ -65,11 +66,12 @@ def tips(chain: Chain) -> list[int]:
 
 
 def loop_changes(
-    chain: Chain, shut: Shut, acc: Sequence[Array], forces: Sequence, at: Mapping[int, TipChange], apply: Apply
+    chain: Chain, shut: Shut, acc: Motion, forces: Sequence, at: Mapping[int, TipChange], apply: Apply
 ) -> tuple[RowChange, Array]:
     """The changes of the rows, and of the generalised forces that given ``forces`` of the rows exert.
 
-    ``acc``: the accelerations of all tips (6,) in inertial axes, against free fall; ``at``: the changes of the tips.
+    ``acc``: the accelerations of all tips (6,) in inertial axes, against free fall, and of all joint axes; ``at``: the
+    changes of the tips.
     The second is the derivative (nv, nv) with q of the generalised forces, as far as the wrenches change in tip-frame
     components; that of wrenches held in these is part of the inverse dynamics' derivatives.
     """
@@ -79,19 +81,23 @@ def loop_changes(
         own = [(k, c) for k, c in enumerate(chain.closures) if c.loop == loop]
         if isinstance(own[0][1].row, Ratio):
             _add_coupling(chain, own[0][1], rows)
+            if own[0][1].row.relation is not None:
+                _bend_coupling(chain, shut, own[0][1], acc.axes, forces[own[0][0]], rows, bend, apply)
             continue
         first, second = own[0][1].first, own[0][1].second
         a, b = shut.tips[first], shut.tips[second]
         twists = [mx.rotate_wrench(tip.R.T, tip.twist) for tip in (a, b)]
         given = {"R": list(mx.multiply(a.R.T, b.R).flat), "d": list(mx.multiply(a.R.T, b.r - a.r))}
         given |= {"V_A": list(twists[0]), "V_B": list(twists[1]), "forces": [forces[k] for k, _ in own]}
-        given |= {f"acc_{x}": list(mx.rotate_wrench(t.R.T, acc[i])) for x, t, i in (("A", a, first), ("B", b, second))}
+        given |= {
+            f"acc_{x}": list(mx.rotate_wrench(t.R.T, acc.tips[i])) for x, t, i in (("A", a, first), ("B", b, second))
+        }
         program = slopes_of_rows(tuple(replace(c, loop=0, first=0, second=1, name="") for _, c in own))
         found = {k: mx.array(x, (-1, 12)) for k, x in apply(second, 0, program, given).items()}
-        ends = at[first], at[second]
-        J = np.vstack([end.J for end in ends])
-        V_q = np.vstack([end.twist_by_q(chain, V[3:]) for end, V in zip(ends, twists, strict=True)])
-        acc_q, acc_v = (np.vstack([getattr(end, x)[3:] for end in ends]) for x in ("by_q", "by_v"))
+        moved = at[first], at[second]
+        J = np.vstack([end.J for end in moved])
+        V_q = np.vstack([end.twist_by_q(chain, V[3:]) for end, V in zip(moved, twists, strict=True)])
+        acc_q, acc_v = (np.vstack([getattr(end, x)[3:] for end in moved]) for x in ("by_q", "by_v"))
         units, by_pose, by_twist = found["units"], found["by_pose"], found["by_twist"]
         rows[0].append(mx.multiply(units, J))
         rows[1].append(mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q) + mx.multiply(units, acc_q))
@@ -108,6 +114,29 @@ def _add_coupling(chain: Chain, coupling: Closure, rows: list[list[Array]]) -> N
         J[0, chain.base_v + axis] = entry
     for matrices, value in zip(rows, (J, c * c * J, 2 * c * J), strict=True):
         matrices.append(value)
+
+
+def _bend_coupling(
+    chain: Chain,
+    shut: Shut,
+    coupling: Closure,
+    acc: Vector,
+    force,
+    rows: list[list[Array]],
+    bend: Array,
+    apply: Apply,
+) -> None:
+    """What a relation changes of the row of a coupling and of the forces that it exerts."""
+    row, c = coupling.row, coupling.stabilisation
+    assert isinstance(row, Ratio) and row.relation is not None
+    q, w = shut.axes.q[row.of], shut.axes.qdot[row.of]
+    given = {"x": [q], "w": [w], "acc": [acc[row.of]], "force": [force], "rate": [c]}
+    found = apply(coupling.second, -1, row_slopes(row.relation), given)
+    of = chain.base_v + row.of
+    entries = (-found["slope"][0], found["by_x"][0], found["by_w"][0])
+    for matrices, value in zip(rows, entries, strict=True):
+        matrices[-1][0, of] = row.ratio * value
+    bend[of, of] = bend[of, of] + row.ratio * found["bend"][0]
 
 
 @cache

@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -56,11 +57,21 @@ class Motion(NamedTuple):
     axes: Vector
 
 
+Curve = tuple[Value, Value, Value]
+"""A function of a coordinate, and its first two derivatives."""
+
+
 class Axes(NamedTuple):
     """Coordinates and rates (n_joints,) of the joint axes."""
 
     q: Vector
     qdot: Vector
+    curves: Mapping[Ratio, Curve] = MappingProxyType({})
+    """f, f' and f'' of the rows that have a relation."""
+
+    def curve(self, row: Ratio) -> Curve:
+        """Those of a row; without a relation f is the coordinate."""
+        return self.curves.get(row, (self.q[row.of], 1.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -73,7 +84,7 @@ class Condition:
 
     gap: Value
     wrenches: Mapping[int, Array]
-    torques: Mapping[int, float]
+    torques: Mapping[int, Value]
     rate: Value
     drift: Value
 
@@ -82,7 +93,7 @@ class Condition:
         return _power(self.wrenches, self.torques, motion)
 
 
-def _power(wrenches: Mapping[int, Array], torques: Mapping[int, float], motion: Motion) -> Value:
+def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: Motion) -> Value:
     parts = [mx.dot(w, motion.tips[i]) for i, w in wrenches.items()]
     parts += [torque * motion.axes[k] for k, torque in torques.items()]
     return sum(parts[1:], parts[0])
@@ -92,10 +103,11 @@ def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
     """A row in a state of all tips and axes."""
     row, c = closure.row, closure.stabilisation
     wrenches: dict[int, mx.Array] = {}
-    torques: Mapping[int, float] = {}
+    torques: Mapping[int, Value] = {}
     gamma: Value = 0.0
     if isinstance(row, Ratio):
-        gap, torques = _ratio_gap(row, axes.q), _torques(row)
+        gap, torques = _ratio_gap(row, axes), _torques(row, axes)
+        gamma = -row.ratio * (axes.curve(row)[2] * axes.qdot[row.of] * axes.qdot[row.of]) if row.relation else 0.0
     else:
         a, b = tips[closure.first], tips[closure.second]
         gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
@@ -104,14 +116,14 @@ def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
     return Condition(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
 
 
-def _ratio_gap(row: Ratio, q: Vector) -> Value:
-    """``g = q_b − r q_a − c``."""
-    return q[row.axis] - row.ratio * q[row.of] - row.offset
+def _ratio_gap(row: Ratio, axes: Axes) -> Value:
+    """``g = q_b − r f(q_a) − c``."""
+    return axes.q[row.axis] - row.ratio * axes.curve(row)[0] - row.offset
 
 
-def _torques(row: Ratio) -> dict[int, float]:
+def _torques(row: Ratio, axes: Axes) -> dict[int, Value]:
     """What a unit force of a coupling exerts on its axes."""
-    return {row.axis: 1.0, row.of: -row.ratio}
+    return {row.axis: 1.0, row.of: -row.ratio * axes.curve(row)[1]}
 
 
 Parts = tuple[Value, Array, Array, Value]
@@ -150,8 +162,8 @@ def offsets(junction: Junction, tips: Sequence[Tip], axes: Axes) -> Offsets:
     a, b, out = tips[junction.first], tips[junction.second], Offsets([], [], [], [])
     for demand in junction.demands:
         if isinstance(demand, Ratio):
-            found, turns = [_ratio_gap(demand, axes.q)], demand.unit == "rad"
-            rates = [_power({}, _torques(demand), Motion((), axes.qdot))]
+            found, turns = [_ratio_gap(demand, axes)], demand.unit == "rad"
+            rates = [_power({}, _torques(demand, axes), Motion((), axes.qdot))]
         else:
             found, rates = _offset(demand, a, b)
             turns = not isinstance(demand, Distance)

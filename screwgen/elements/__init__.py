@@ -5,6 +5,7 @@ from .axis_element import Key as Key
 from .axis_element import key as key
 from .friction import FRICTION as FRICTION
 from .law import Law as Law
+from .relation import Relation as Relation
 from .spring import Spring
 from .stop import STOP as STOP
 

@@ -95,6 +95,8 @@ class _Writer:
         drives = joint.drives or ()
         if any(drive.elastic or drive.transmission for drive in drives):
             self.notes.append(f"{link.name}.joint.drives: gears are written as rigid, cylinders are left out")
+        if any(joint.elements or ()):
+            self.notes.append(f"{link.name}.joint.elements: are left out; URDF has no such elements")
         if any(limit.stiffness is not None for limit in joint.limits or ()):
             self.notes.append(f"{link.name}.joint.limits: are written without the stiffness of their stops")
         for k, drive in enumerate(drives):
@@ -202,7 +204,9 @@ class _Writer:
     def _mimic(self, axis: Axis) -> Iterator[str]:
         """The coupling of an axis that follows another; a URDF has one at most."""
         links = self.robot.links
-        own = [c for c in self.robot.couplings if coupled_axis(links, c.axis) == axis]
+        every = [c for c in self.robot.couplings if coupled_axis(links, c.axis) == axis]
+        own = [c for c in every if c.relation is None]
+        self.notes += [f"{c.axis}: a coupling by a relation is left out; URDF has none" for c in every if c.relation]
         for coupling in own[:1]:
             other, number = coupled_axis(links, coupling.of)
             said = f'joint="{_joint_name(links[other], number)}" multiplier={_row([coupling.ratio])}'

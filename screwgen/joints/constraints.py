@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..elements import Relation
 from ..spec.screw import Screw
 
 Direction = tuple[float, float, float]
@@ -53,8 +54,8 @@ class Alignment:
 class Ratio:
     """The coordinate of the joint axis `axis` is `ratio` times that of `of`, plus `offset`.
 
-    Axes are meant by their numbers among the robot's joint coordinates; `names`: of these coordinates, `unit`: of the
-    first, rad or m.
+    With a `relation` f it is `ratio` times f of it. Axes are meant by their numbers among the robot's joint
+    coordinates; `names`: of these coordinates, `unit`: of the first, rad or m.
     """
 
     axis: int
@@ -63,6 +64,7 @@ class Ratio:
     offset: float
     unit: str
     names: tuple[str, str]
+    relation: Relation | None = None
 
 
 Row = Distance | Angle | Ratio

@@ -34,11 +34,20 @@ def axis_name(value: Any) -> str:
     return value
 
 
+def made_in_python(value: Any) -> Any:
+    """A relation that was made in Python."""
+    if value is None or not (callable(getattr(value, "position", None)) and hasattr(value, "words")):
+        raise refuse(f"is {shown(value)}; it must be a Python object with position and words; a file cannot state one")
+    hash(value)
+    return value
+
+
 class Coupling(Part):
     """Two axes whose coordinates are coupled: that of `axis` is `ratio` times that of `of`, plus `offset`.
 
     They may be anywhere in the tree. What couples them has no mass and does no work. Ratio and offset are structure,
-    like the axes of joints: they are numbers in generated code, no run-time parameters. `stabilisation` λ (1/s): a gap
+    like the axes of joints: they are numbers in generated code, no run-time parameters. In Python a `relation` f, see
+    :class:`screwgen.elements.Relation`, makes it `ratio` times f of the other's. `stabilisation` λ (1/s): a gap
     g that rounding or the integrator has opened closes by `g̈ + 2 λ ġ + λ² g = 0`.
     """
 
@@ -51,6 +60,9 @@ class Coupling(Part):
     )
     offset: Annotated[float, PlainValidator(within("coupling offset"))] = Field(
         0.0, description="the coordinate of the following axis where the other's is zero, rad, of a slide m"
+    )
+    relation: Annotated[Any, PlainValidator(made_in_python)] = Field(
+        None, description="in Python: a function f, the following axis is at ratio f(of) + offset", exclude=True
     )
     stabilisation: Annotated[float, PlainValidator(within("stabilisation"))] = Field(
         STABILISATION, description="the rate at which an open gap closes, rad/s"

@@ -123,6 +123,9 @@ def dump(robot: Robot) -> str:
         }
         if made := next((key for key, is_object in own.items() if is_object), None):
             raise UsageError(f"link '{link.name}': {made} holds an object made in Python; a robot file cannot state it")
+    related = [k for k, coupling in enumerate(robot.couplings) if coupling.relation is not None]
+    if related:
+        raise UsageError(f"couplings[{related[0]}]: relation is an object made in Python; a robot file cannot state it")
     stated = robot.model_dump(exclude_none=True, exclude_defaults=True)
     tables = [(key, table) for key in ("links", "loops", "couplings") for table in stated.pop(key, ())]
     return "\n".join([assignments(stated), *(f"[[{key}]]\n{assignments(table)}" for key, table in tables)])

@@ -56,6 +56,12 @@ class Chain(Coordinates):
         return [closure for closure in self.closures if isinstance(closure.row, Ratio)]
 
     @property
+    def related(self) -> list[tuple[int, Ratio]]:
+        """The rows of couplings that have a relation, each with the link whose joint follows."""
+        pairs = [(c.second, row) for c in self.couplings if isinstance(row := c.row, Ratio)]
+        return [(second, row) for second, row in pairs if row.relation is not None]
+
+    @property
     def serial(self) -> bool:
         """Whether every link carries at most one other, on a fixed base and without loops."""
         return self.tree.is_chain and not self.closures and not self.floating

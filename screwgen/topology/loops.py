@@ -35,6 +35,7 @@ class Closure:
             return f"{self.name}, angle between {_shown(self.row.first)} and {_shown(self.row.second)}"
         axis, of = self.row.names
         shift = f" {'-' if self.row.offset < 0 else '+'} {abs(self.row.offset):g}" if self.row.offset else ""
+        of = f"{self.row.relation.words}({of})" if self.row.relation else of
         return f"{self.name}, {axis} = {self.row.ratio:g} {of}{shift}"
 
 
@@ -73,7 +74,7 @@ def junctions(robot: Robot, segments: Sequence[Segment]) -> tuple[Junction, ...]
         axes = [coupled_axis(robot.links, name) for name in (coupling.of, coupling.axis)]
         of, axis = (sum(len(link.joint.axes) for link in robot.links[: a.link]) + a.number for a in axes)
         unit = "rad" if robot.links[axes[1].link].joint.screws[axes[1].number].turn else "m"
-        ratio = Ratio(axis, of, coupling.ratio, coupling.offset, unit, (coupling.axis, coupling.of))
+        ratio = Ratio(axis, of, coupling.ratio, coupling.offset, unit, (coupling.axis, coupling.of), coupling.relation)
         ends = (firsts[a.link] for a in axes)
         first, second = ends
         out.append(Junction(len(robot.loops) + k, first, second, (ratio,), f"coupling[{k}]"))

@@ -31,7 +31,7 @@ HOMES = {
     "spec.four_bar": ("FourBar",),
     "spec.limit": ("Limit",),
     "spec.robot": ("Body", "Damping", "Link", "Modes", "Robot"),
-    "spec.screw": ("Screw",),
+    "joints.screw": ("Screw",),
     "spec.section": ("Section",),
     "spec.transmission": ("Transmission",),
     "studies.analysis": ("Analysis", "analyse"),

@@ -130,7 +130,7 @@ def _fold(f: Functions) -> None:
 
 def _observed(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
     out: dict[str, Sequence[Value]] = {
-        "qdot": f.coordinate_rates(x["q"], x["v"]) if f.chain.floating else list(x["v"]),
+        "qdot": f.coordinate_rates(x["q"], x["v"]),
         "strain": _strains(f.chain, x["q"], x.get("length")),
     }
     for row in reported(f.chain):

@@ -185,7 +185,7 @@ def store(s: Scope, q: Array, qdot: Array) -> None:
 
 def levers(s: Scope) -> None:
     """The travel per unit of each axis: what its effort is multiplied by."""
-    s.write("levers", slopes(s, s.read("q")) if s.key.cranked else np.array([1.0] * s.key.joints, object))
+    s.write("levers", slopes(s, s.read("q")) if s.key.cranked else np.array([1.0] * s.key.torques, object))
 
 
 # ------------------------------------------------------------------------------------ of a robot, in numbers
@@ -200,7 +200,7 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
     for i, key in enumerate(chain.keys):
         for axis in key.cranked:
-            name, place = key.drives[axis].transmission, chain.q_offset[i] + axis
+            name, place = key.drives[axis].transmission, chain.tau_offset[i] + axis
             given = [float(p[chain.parameter_labels[i][f"drive_{x}_{axis + 1}"]]) for x in KINDS[name].keys]
             at = float(q[place])
             try:

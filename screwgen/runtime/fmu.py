@@ -30,6 +30,7 @@ def unit_files(
     model: RobotModel, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
 ) -> dict[str, bytes]:
     """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing."""
+    model.chain.needs_sums("functional mock-up unit", "generate its C")
     key = ("unit", parameters, layout, tuple(methods))
     project, programs, objects = model.once(key, lambda: _common(model, parameters, layout, methods))
     made = unit(project, programs, target)

@@ -6,10 +6,10 @@ from typing import Annotated, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
+from ..joints.screw import Screw
 from .limit import Limit
 from .part import Part
 from .ranges import within
-from .screw import Screw
 from .transmission import Transmission
 from .values import refuse, shown
 

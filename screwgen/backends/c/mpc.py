@@ -67,7 +67,7 @@ class Fitted:
         for asked, what in (
             (bool(chain.robot.loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
-            (chain.keys[0].free, "a floating base"),
+            (bool(chain.curved), "a floating base or a ball joint"),
             (bool(chain.n_motors), "elastic drives"),
             (bool(chain.cranked), "transmissions"),
         ):

@@ -84,7 +84,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         return {name: shaped(found[name], signal, chain) for name, signal in row.results.items()}
 
     def mass_matrix() -> dict[str, ca.SX]:
-        if chain.floating:
+        if chain.curved:
             return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], given["vdot"])}
         lower = ca.SX(ca.Sparsity.lower(chain.nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
@@ -187,8 +187,8 @@ def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
 
 
 def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
-    """``dq/dt``, which is v but for the pose of a floating base."""
-    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.floating else v
+    """``dq/dt``, which is v but for joints whose coordinates do not add up."""
+    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.curved else v
 
 
 def rotations(rows: ca.SX, n: int) -> ca.SX:

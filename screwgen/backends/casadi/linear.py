@@ -20,6 +20,7 @@ def linearisation(chain: Chain) -> ca.Function:
     in axes of F_1. y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s,
     m/s²), the joint wrenches link by link (6 n) and the strains of :func:`base_strains`.
     """
+    chain.needs_sums("linear model", "differentiate the CasADi functions")
     given = symbols(chain, "q v tau w_ext p")
     q, v, p = given["q"], given["v"], given["p"]
     qdot = coordinate_rates(chain, q, v, p)
@@ -76,6 +77,7 @@ def statics(chain: Chain) -> ca.Function:
     derivative with q; ``weight`` (nq x 3) its derivative with gravity; ``wrench`` the joint wrenches (6 x n);
     ``tip`` the last tip's position (3). Of a robot with loops all but ``tip`` is that of the open tree.
     """
+    chain.needs_sums("statics", "simulate it with dampers")
     chain.needs_fixed("equilibrium", "simulate it with dampers, or with PD control")
 
     def body(f: Functions, x):

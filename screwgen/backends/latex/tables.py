@@ -10,12 +10,12 @@ import sympy as sp
 from ...algebra.notation import number
 from ...bases import Basis, Shapes
 from ...ir.block import Binding
+from ...joints.screw import Screw
 from ...spec.link_class import LinkClass
 from ...spec.markers import Place
 from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
-from ...spec.screw import Screw
 from ...spec.segments import segments
 from .content import Table
 from .symbols import Entry
@@ -57,7 +57,7 @@ def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
 
 
 def _axes(key: LinkClass) -> str:
-    return ", ".join(map(_screw, key.screws)) or ("free" if key.free else "welded")
+    return ", ".join(map(_screw, key.screws)) or key.joint.name or "welded"
 
 
 def _screw(screw: Screw) -> str:

@@ -250,6 +250,7 @@ def casadi_files(
         sliding=not all(turning(robot)),
         linked=any(drive.linked for link in robot.links for drive in link.joint.drives or ()),
         floating=robot.floating,
+        balls=[link.name for link in robot.links if link.joint.kind.curved],
         split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],
         **patterns,

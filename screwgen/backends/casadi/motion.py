@@ -119,5 +119,5 @@ def scaling(chain: Chain) -> ca.Function:
             ratios[k] = ca.sqrt(twice / stiffness[chain.n_given - chain.n_inner + k])
         else:
             tau[joint] /= ratio
-    q = ca.vertcat(ca.SX.ones(chain.base_q + m), ratios, modes)
+    q = ca.vertcat(ca.SX.ones(chain.q_offset[-1]), ratios, modes)
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=tau)

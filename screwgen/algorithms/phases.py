@@ -23,7 +23,7 @@ from .elastic_gears import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
-from .transmissions import store
+from .travels import store
 from .validity import axial_motion
 
 
@@ -185,7 +185,7 @@ def accelerate(s: Scope) -> None:
         s.write("qddot", qddot[: s.key.joints])
         if s.key.free:
             s.write("Vdot", qddot)
-        if s.key.motors:
+        if s.key.added_axes:
             accelerate_rotors(s, qddot)
     with s.step("joint wrench (48)"):
         wrench = mx.zeros(6) if s.key.free else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
@@ -267,10 +267,10 @@ def inverse_inward(s: Scope) -> None:
         modal = modal + turned + mx.multiply(station.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal)
     force = mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s)
-    if s.key.loose:
+    if s.key.elastic_travels:
         force = force + carrying_along(s)
     s.write("force", force[: s.key.joints])
-    if s.key.motors:
+    if s.key.added_axes:
         rotor_forces(s, qddot)
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     if s.key.free:

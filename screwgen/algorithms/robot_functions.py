@@ -181,7 +181,7 @@ FUNCTIONS = (
         fused.levers,
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
-        offered=lambda chain: bool(chain.cranked),
+        offered=lambda chain: bool(chain.travels),
     ),
     RobotFunction(
         "loop_wrenches",

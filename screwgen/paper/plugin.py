@@ -39,7 +39,7 @@ def _names(model) -> list[str]:
 
     if not model.chain.serial:
         raise UsageError(f"{model.robot.name}: {NO_TREE}")
-    if model.chain.n_motors:
+    if model.chain.n_added:
         raise UsageError(f"{model.robot.name}: {NO_ROTORS}")
     return cauchy_names(model.chain)
 
@@ -59,7 +59,7 @@ def _common() -> dict:
 def _casadi(chain) -> dict:
     from .z_casadi import z_functions
 
-    return z_functions(chain) if chain.serial and not chain.n_motors else {}
+    return z_functions(chain) if chain.serial and not chain.n_added else {}
 
 
 def _chapter(chain):

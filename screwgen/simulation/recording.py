@@ -168,7 +168,7 @@ class Recorder:
             return energy(state)
 
         tau, _, dt = held
-        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.driven]
+        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.effort_places]
         self.table.loops.begin(lambda: energy(before))
         self.table.loops.weigh(t, energy(after), float(tau @ rates) / 2 * dt, again)
 

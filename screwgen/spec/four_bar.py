@@ -1,40 +1,17 @@
-"""The four-bar linkage between a motor's crank and a joint: its geometry, and how far it reaches."""
+"""The four-bar linkage between a motor's crank and a joint: its keys in a robot file."""
 
-from math import acos, cos, hypot, inf, pi, remainder, sin
+from math import cos, hypot, sin
 from typing import Annotated, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
+from ..elements import FourBarLinkage
 from .part import Part
 from .ranges import within
 from .values import choice, refuse, shown
 
-LENGTHS = ("ground", "crank", "coupler", "rocker")
-NUMBERS = (*LENGTHS, "angle")
-"""The keys that are runtime parameters."""
 FLAT = 1e-6
 """|sin| of an angle that counts as none, or as a straight one."""
-ROUND = 1e-9
-"""A cosine so near to ±1 counts as that: the linkage folds flat there."""
-
-
-def reach(ground: float, crank: float, coupler: float, rocker: float, angle: float) -> tuple[float, float]:
-    """The coordinates q, rad, between which crank and coupler reach the link from its posture at q = 0.
-
-    Ends are dead centres, in which crank and coupler are in line; infinite where the link can go round. Empty, with the
-    upper end below the lower, where they do not reach it at q = 0.
-    """
-    start = remainder(angle, 2 * pi)
-    cosine = lambda apart: (ground**2 + rocker**2 - apart**2) / (2 * ground * rocker)  # noqa: E731
-    near, far = cosine(abs(crank - coupler)), cosine(crank + coupler)
-    least = acos(min(max(near, -1.0), 1.0)) if near < 1 + ROUND else -inf
-    most = acos(max(min(far, 1.0), -1.0)) if far > -1 - ROUND else inf
-    if not least < abs(start) < most:
-        return inf, -inf
-    if least < 0:
-        return -most - start, most - start
-    outer = 2 * pi - least if most == inf else most
-    return (least - start, outer - start) if start > 0 else (-outer - start, -least - start)
 
 
 class FourBar(Part):
@@ -74,9 +51,14 @@ class FourBar(Part):
         return (self.branch == "crossed") == (sin(self.angle) > 0.0)
 
     @property
+    def kind(self) -> FourBarLinkage:
+        """The way in which it is assembled."""
+        return FourBarLinkage(1 if self.left else -1)
+
+    @property
     def reach(self) -> tuple[float, float]:
-        """The coordinates q, rad, between which crank and coupler reach the link; see :func:`reach`."""
-        return reach(self.ground, self.crank, self.coupler, self.rocker, self.angle)
+        """The coordinates q, rad, between which crank and coupler reach the link."""
+        return self.kind.reach(*(getattr(self, name) for name in FourBarLinkage.KEYS))
 
     @model_validator(mode="after")
     def _assembled(self) -> Self:

@@ -5,6 +5,7 @@ from typing import Annotated, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
+from ..elements import CYLINDER, Travel
 from .four_bar import FourBar
 from .part import Part
 from .ranges import within
@@ -35,25 +36,23 @@ class Transmission(Part):
     )
 
     @property
-    def kind(self) -> str:
-        """The name of the relation, a key of `algorithms.transmissions.KINDS`."""
-        return "cylinder" if self.four_bar is None else f"four_bar_{'left' if self.four_bar.left else 'right'}"
+    def kind(self) -> Travel:
+        """What it is."""
+        return CYLINDER if self.four_bar is None else self.four_bar.kind
 
     @property
     def numbers(self) -> Iterator[tuple[str, float]]:
         """Its runtime parameters, by their keys below this table."""
-        part, above = (self, "") if self.four_bar is None else (self.four_bar, "four_bar.")
-        for name in type(part).model_fields:
-            if isinstance(value := getattr(part, name), float):
-                yield f"{above}{name}", value
+        part = self if self.four_bar is None else self.four_bar
+        return ((f"{self.kind.TABLE}{name}", getattr(part, name)) for name in self.kind.KEYS)
 
     @model_validator(mode="after")
     def _one_kind(self) -> Self:
         if self.four_bar is not None:
-            if other := next((name for name in CYLINDER if getattr(self, name) is not None), None):
+            if other := next((name for name in CYLINDER.KEYS if getattr(self, name) is not None), None):
                 raise refuse("is stated beside four_bar, which drives the joint by itself; leave one out", at=(other,))
             return self
-        if missing := next((name for name in CYLINDER if getattr(self, name) is None), None):
+        if missing := next((name for name in CYLINDER.KEYS if getattr(self, name) is None), None):
             what = type(self).model_fields[missing].description
             raise refuse(f"is missing; state {what}, or four_bar alone", at=(missing,))
         assert self.crank is not None and self.base is not None
@@ -61,7 +60,3 @@ class Transmission(Part):
             what = f"is {shown(self.crank)}, as long as base, so that the cylinder's length may be zero"
             raise refuse(f"{what}; state two different distances", at=("crank",))
         return self
-
-
-CYLINDER = ("crank", "base", "angle")
-"""The keys of a cylinder."""

@@ -85,7 +85,7 @@ def convergence(
     else:
         at = _enriched(model, rich, q)
         T, K = relative(rich, values) if free else np.eye(rich.nv), stiffness_matrix(rich, values, relative=free)
-        if rich.chain.loose and not free:
+        if rich.chain.elastic_travels and not free:
             T = on_gears(rich, at, np.array(values))
             K = T.T @ K @ T
         K = K + np.diag(pressed(rich, at, values))

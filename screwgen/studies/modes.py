@@ -112,9 +112,9 @@ def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray
     Where rotors move, their coordinates are those relative to their joints, so that the stiffness of gears is theirs.
     """
     T, K = np.eye(model.nv), stiffness_matrix(model, p)
-    if len(moving) == model.nv and model.chain.n_motors:
+    if len(moving) == model.nv and model.chain.n_added:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
-    elif model.chain.loose:
+    elif model.chain.elastic_travels:
         T = on_gears(model, q, p)
         K = T.T @ K @ T
     K += np.diag(pressed(model, q, p))
@@ -182,7 +182,7 @@ def closed_posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarr
         return at
     if q is None:
         near, first = closed_softly(model.numpy(p), at, np.zeros(chain.nq, bool)), chain.base_q
-        joints = chain.relaxed(near[first : first + chain.n_joints], p)
+        joints = chain.with_added(near[first : first + chain.n_joints], p)
         at = np.concatenate([near[:first], joints, near[chain.eta_q :]])
     check_closed(model.numpy(p), "q", at)
     stated_joints(model, at, p)
@@ -193,8 +193,8 @@ def movable(model: RobotModel, joints: str, q: np.ndarray, p: Numbers) -> np.nda
     """The coordinates that may move: all, or those that no drive acts on and joints that follow loops."""
     if choice(joints, JOINTS, "joints: there is no") == "free":
         return np.arange(model.nv)
-    chain, driven = model.chain, np.array(model.chain.actuated, int)
-    rotors = driven >= chain.eta_v - chain.n_motors
+    chain, driven = model.chain, np.array(model.chain.held_places, int)
+    rotors = driven >= chain.eta_v - chain.n_added
     return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | rotors])
 
 

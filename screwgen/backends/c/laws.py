@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from ...algorithms.axis_laws import OfRobot, of_robot
 from ...algorithms.law_programs import STAGE, stage, stage_slopes
-from ...elements.axis_element import OfElement
+from ...elements import Key
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .batch import LaneWriter
@@ -29,9 +29,10 @@ TAKEN = frozenset("c k i m f q qdot theta thetadot rotor rotors s dt vdot by_q b
 def content(chain: Chain) -> list[dict]:
     """The laws for the templates.
 
-    ``at``, ``side``: coordinates and sides; ``on_rotors``: whether some are those of rotors; ``terms`` and
+    ``at``, ``side``: coordinates and sides; ``on_rotors``: whether some are those that gears add; ``terms`` and
     ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
-    adds the derivatives; ``reads``: which of the stage's inputs they need.
+    adds the derivatives; ``reads``: which of the stage's inputs they need; ``columns``: the members of the constants,
+    each with its comment; ``refused``: what their entries may not be.
     """
     return [_law(chain, one) for one in of_robot(chain)]
 
@@ -50,21 +51,23 @@ def _law(chain: Chain, one: OfRobot) -> dict:
         "reads": {name: _reads(terms, name) for name in STAGE},
         "slopes_read": {name: _reads(slopes, name) for name in STAGE},
         "switches": "on" in terms.operations,
-        "columns": _columns(chain, one.law) if isinstance(one.law, OfElement) else [],
+        "columns": {name: _comment(chain, key) for name, key in one.law.table.items()},
+        "refused": [
+            test.format(f"c->{name}[k]")
+            for sign, test in TESTS.items()
+            for name, key in one.law.table.items()
+            if key.sign == sign
+        ],
+        "notes": one.law.notes,
     }
 
 
-def _columns(chain: Chain, law: OfElement) -> list[dict]:
-    """The members of the constants that hold the keys of a kind of element, and the condition that refuses an entry."""
-    tests = {"positive": "!({} > 0)", "non-negative": "!({} >= 0)", "any": ""}
-    return [
-        {
-            "name": name,
-            "comment": ascii_unit(f"{key.unit}{f', of slides {key.sliding}' * chain.sliding}: {key.meaning}"),
-            "refused": tests[key.sign].format(f"c->{name}[k]"),
-        }
-        for name, key in zip(law.constants, law.kind.table().values(), strict=True)
-    ]
+TESTS = {"positive": "!({} > 0)", "non-negative": "!({} >= 0)"}
+"""The conditions that refuse an entry of a column, by its sign."""
+
+
+def _comment(chain: Chain, key: Key) -> str:
+    return ascii_unit(f"{key.unit}{f', of slides {key.sliding}' * chain.sliding}: {key.meaning}")
 
 
 def _body(writer: type[Writer], program: Program) -> list[str]:

@@ -148,8 +148,8 @@ class DaeFunctions(Functions):
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
         if self.chain.n_added:
             moving = self._with_terms([a | {"qdot": b["qdot"]} for a, b in zip(self.unpack(x), links, strict=True)])
-            rotors, _ = self._run(ROTORS, moving, self._torques(tau))
-            links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, rotors, strict=True)]
+            added, _ = self._run(ROTORS, moving, self._torques(tau))
+            links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, added, strict=True)]
         n, o = self.chain.n, self.chain.eta_offset
         given = [
             {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}

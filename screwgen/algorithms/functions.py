@@ -13,7 +13,7 @@ from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
-from .drives import drive_power, rotor_accelerations
+from .axis_terms import drive_power, rotor_accelerations
 from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..algebra.expression import Diagonal, Expression, identity, stack, zeros
-from ..algebra.screw import diagonal_blocks, lever, twice
+from ..algebra.screw import diagonal_blocks, shift, twice
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 
@@ -32,8 +32,8 @@ def joint_rows_block(key: LinkClass) -> Block:
     beta = b.input("beta", (6, 1))
     b_P = b.input("b_P", (6, 1))
     tau = b.input("tau", (m, 1))
-    X = b.step("X", twice(R.T) @ lever(_offset(b, key)))
-    J_B = b.step("J_B", lever(joint_point(b, key)))
+    X = b.step("X", twice(R.T) @ shift(_offset(b, key)))
+    J_B = b.step("J_B", shift(joint_point(b, key)))
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
     free = identity(size) - N

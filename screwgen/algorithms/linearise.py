@@ -22,7 +22,7 @@ from ..topology.tree import BASE, TIP
 from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
-from .elastic_gears import GEAR_SLOPES
+from .elastic_travels import GEAR_SLOPES
 from .functions import Functions
 from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
@@ -90,10 +90,10 @@ def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence
         with section(f"{name(i)}, rows: what its own coordinates change" + ", joint stiffness and damping added" * own):
             _own(f, i, link, out, own)
     if f.chain.elastic_travels:
-        _gears(f.chain, links, out)
+        _travels(f.chain, links, out)
     if own and (f.chain.n_added or of_robot(f.chain)):
         with section("drives: rotors, gears and dry friction" + _more(f.chain)):
-            _drives(f, q, v, out)
+            _axes(f, q, v, out)
     J = _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"), at)
     moved, places_of = {}, list(zip(at, range(nv, len(out.f_q), MOTION), strict=True))
     inward(
@@ -158,7 +158,7 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool
         J[eta, eta] = link[f"f_{modal}"] + stress
 
 
-def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> None:
+def _travels(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> None:
     """The rows and columns of the elastic gears of transmissions, but for their springs and dampers."""
     state = [(i, k) for i, key in enumerate(chain.keys) for k in range(len(key.added_axes))]
     for (i, k), joint, place in zip(
@@ -178,21 +178,21 @@ def _more(chain: Chain) -> str:
     return "".join(f"; {word}" for word in words)
 
 
-def _drives(f: Functions, q, v, out: Slopes) -> None:
-    """The rows and columns of rotors, and the slopes of laws."""
+def _axes(f: Functions, q, v, out: Slopes) -> None:
+    """The rows and columns of added coordinates, and the slopes of laws."""
     chain, first = f.chain, f.chain.eta_v - f.chain.n_added
-    rotors, pairs = enumerate(chain.added_joints, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
+    added, pairs = enumerate(chain.added_joints, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
     state = [a | b for a, b in zip(*pairs, strict=True)]
     coordinates = {one.law: iter(one.coordinates) for one in of_robot(chain)}
     for i, key in enumerate(chain.keys):
         own = f.constants[i]
         for k in range(len(key.added_axes)):
-            rotor, joint = next(rotors)
+            place, joint = next(added)
             joint += chain.base_v
             for J, name in ((out.M, "M"), (out.f_q, "K"), (out.f_v, "D")):
-                J[rotor, rotor] = J[rotor, rotor] + own[f"{name}_theta"][k]
+                J[place, place] = J[place, place] + own[f"{name}_theta"][k]
                 if key.added_axes[k] not in key.elastic_travels:
-                    J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
+                    J[place, joint] = J[joint, place] = own[f"{name}_gear"][k]
         for law, _, _, by_x, by_w in f.laws(i, state[i]):
             place = next(coordinates[law]) + chain.base_v
             out.f_q[place, place] = out.f_q[place, place] + by_x
@@ -268,8 +268,8 @@ def carrying(
 
 def _moved(r: Array, accelerations: Array) -> Array:
     """Accelerations (6, k) of the origin, converted to the point ``r``."""
-    lever = mx.multiply(mx.hat(r), accelerations[:3])
-    return np.vstack([accelerations[:3], accelerations[3:] - lever])
+    arm = mx.multiply(mx.hat(r), accelerations[:3])
+    return np.vstack([accelerations[:3], accelerations[3:] - arm])
 
 
 def inward(

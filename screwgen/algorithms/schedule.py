@@ -15,7 +15,7 @@ from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from .axis_laws import columns_of
-from .drives import constant, labelled
+from .axis_terms import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import AT_TIP, Layout, Scope, derived, owner_of
 from .signals import is_node
@@ -45,7 +45,7 @@ OF_AXES = {
     "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
     "gear": ("gear_inertia", "gear_stiffness", "gear_damping"),
 }
-"""The constants of axes that the columns of joints and drives hold, see :mod:`.drives`."""
+"""The constants of axes that the columns of joints and drives hold, see :mod:`.axis_terms`."""
 FEW, MANY = 3, 12
 """With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 

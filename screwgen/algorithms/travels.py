@@ -4,7 +4,7 @@ With the travel ``l(q)`` and the effort ``F`` the axis gets ``l' F``. A rotor of
 travel is the inertia ``J N² l'²`` of the axis and the force ``J N² l' l'' qdot²``. Friction acts at the rate ``l'
 qdot``, and ``l'`` times it on the axis. All of it depends on posture and rates alone and is explicit in every method.
 
-The gear may be elastic: :mod:`.elastic_gears`.
+The gear may be elastic: :mod:`.elastic_travels`.
 """
 
 from __future__ import annotations

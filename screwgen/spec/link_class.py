@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..bases import Basis, shapes
-from ..elements import AxisElement, Travel
+from ..elements import AxisElement, Travel, gear
 from ..reduction.invariants import Invariants
 from .axis_laws import SIDES, Acting, laws
 from .drive import NO_FRICTION
@@ -51,6 +51,10 @@ class DriveClass:
     def elastic(self) -> bool:
         """Whether its gear is, which then adds a coordinate."""
         return self.stiffness
+
+    def stated(self, name: str) -> float:
+        """1 for a key that it states, and for the ratio, else 0: what formulas are of these is there or not."""
+        return float(getattr(self, name) or name == "ratio")
 
 
 Stop = tuple[int, str]
@@ -184,22 +188,26 @@ class LinkClass:
     @property
     def has_constant_inertia(self) -> bool:
         """Whether the joint's coordinates have an inertia of their own, the same in every posture."""
-        return self.armature or any(d.rotor_inertia and not (d.elastic or d.travel) for d in self.drives)
+        return self.armature or self._gears_add("inertia")
 
     @property
     def has_travelling_inertia(self) -> bool:
         """Whether they have one that depends on the posture."""
-        return any(self.drives[axis].rotor_inertia for axis in self.travels)
+        return any(gear.travelling(self.drives[axis].stated) for axis in self.travels)
 
     @property
     def has_springs(self) -> bool:
         """Whether springs act on the joint's axes, those of gears among them."""
-        return self.stiffness or len(self.added_axes) > len(self.elastic_travels)
+        return self.stiffness or self._gears_add("stiffness")
 
     @property
     def has_dampers(self) -> bool:
         """Whether viscous dampers act on the joint's axes."""
-        return self.joint_damping or any(not d.travel and (d.damping if d.elastic else d.viscous) for d in self.drives)
+        return self.joint_damping or self._gears_add("damping")
+
+    def _gears_add(self, term: str) -> bool:
+        """Whether gears add one of the :class:`..elements.Terms` to an axis."""
+        return any(getattr(gear.linear(drive).axis, term)(drive.stated) for drive in self.drives)
 
     @property
     def has_axis_forces(self) -> bool:

@@ -176,9 +176,9 @@ def _rested(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[
     """
     chain, stiff = model.chain, model.once("rigid gears", lambda: RobotModel(rigid(model.robot)))
     values = dict(zip(model.parameter_names, p, strict=True))
-    own, rotors = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
+    own, added = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
     at_joints = tau / chain.at_efforts(np.ones(chain.n_tau), p)
-    _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, rotors))
+    _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, added))
     holding = efforts(chain, np.where(held, b.force[: chain.n_tau], 0.0), b.q[: chain.n_joints], p)
     torques = np.where(held, holding, at_joints)
     q = np.concatenate([chain.with_added(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])

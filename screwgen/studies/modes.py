@@ -16,7 +16,7 @@ from ..simulation.validity import Validity, Watch, validity_at_rest
 from .hanging import hanging
 from .linear import whole
 from .steady import Oscillations, Steady, oscillations, steady
-from .stiffness import on_gears, pressed, relative, stiffness_matrix
+from .stiffness import from_travels, pressed, relative, stiffness_matrix
 
 JOINTS = ("locked", "free")
 
@@ -96,7 +96,7 @@ def mode_shapes(
     if loaded or rates is not None:
         about = loaded_motion(model, q, rates, loaded, p, moving)
         free = len(moving) == model.nv
-        T = np.eye(model.nv) if free else on_gears(model, about.q, p)
+        T = np.eye(model.nv) if free else from_travels(model, about.q, p)
         found, basis = loaded_shapes(model, about, T[:, moving], free)
         frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
         return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
@@ -115,7 +115,7 @@ def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray
     if len(moving) == model.nv and model.chain.n_added:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
     elif model.chain.elastic_travels:
-        T = on_gears(model, q, p)
+        T = from_travels(model, q, p)
         K = T.T @ K @ T
     K += np.diag(pressed(model, q, p))
     M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
@@ -194,8 +194,8 @@ def movable(model: RobotModel, joints: str, q: np.ndarray, p: Numbers) -> np.nda
     if choice(joints, JOINTS, "joints: there is no") == "free":
         return np.arange(model.nv)
     chain, driven = model.chain, np.array(model.chain.held_places, int)
-    rotors = driven >= chain.eta_v - chain.n_added
-    return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | rotors])
+    added = driven >= chain.eta_v - chain.n_added
+    return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | added])
 
 
 def following(J: np.ndarray, springs: np.ndarray) -> np.ndarray | None:

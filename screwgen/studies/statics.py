@@ -13,7 +13,7 @@ from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
-from .stiffness import on_gears, stiffness, stiffness_matrix
+from .stiffness import from_travels, stiffness, stiffness_matrix
 
 RESIDUAL = 1e-10
 """What no residual of an equilibrium exceeds."""
@@ -79,7 +79,7 @@ class Statics:
         energy, force, slope, weight, wrench, tip = self._functions(q, self.w_ext)
         work, load, softening = self.driven(q)
         force, scale = force[:, 0], self.scales(q, force[:, 0], weight, load)
-        force, slope = self._on_gears(q, force, slope) if self.model.chain.elastic_travels else (force, slope)
+        force, slope = self._from_travels(q, force, slope) if self.model.chain.elastic_travels else (force, slope)
         places = {"wrench": wrench.T, "tip": tip[:, 0], "moving": self.moving}
         return Balance(q, energy.item() - work, force - load, slope - softening, scale, **places)
 
@@ -87,7 +87,7 @@ class Statics:
         """The work of the torques up to `q`, their generalised forces (nq,), and the derivative of these with q.
 
         The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
-        Behind an elastic gear it acts on the rotor's travel, see :meth:`_on_gears`.
+        Behind an elastic gear it acts on the rotor's travel, see :meth:`_from_travels`.
         """
         chain, m = self.model.chain, self.model.n_joints
         if not chain.travels:
@@ -98,12 +98,12 @@ class Statics:
         load[:m] *= lever
         return self.load @ along, load, np.diag(self.load * slope)
 
-    def _on_gears(self, q: np.ndarray, force: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _from_travels(self, q: np.ndarray, force: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Forces and stiffness with the travels of rotors in the place of how far these are ahead of transmissions.
 
         So a drive that is held leaves its joint to move on the gear: `e = s - l(q)` with the travel s of the rotor.
         """
-        chain, T = self.model.chain, on_gears(self.model, q, self.p)
+        chain, T = self.model.chain, from_travels(self.model, q, self.p)
         own, bend = list(chain.elastic_travels), travels(chain, q[: self.model.n_joints], self.p)[2]
         turned = T.T @ K @ T
         turned[own, own] -= bend[own] * force[list(chain.elastic_travels.values())]

@@ -19,7 +19,7 @@ from ..robot_model import RobotModel
 from ..simulation import validity as valid
 from ..simulation.validity import Validity
 from .linear import checked
-from .stiffness import gear_stiffness
+from .stiffness import added_stiffness
 
 if TYPE_CHECKING:
     from ..topology.loops import Closure
@@ -135,10 +135,10 @@ def wound(model: RobotModel, q: np.ndarray, force: np.ndarray, p: np.ndarray) ->
     That is the torque at the joint, or the effort of its transmission.
     """
     chain, out = model.chain, q.copy()
-    gears = np.array(gear_stiffness(model, p), float)
-    rotors = slice(chain.eta_q - chain.n_added, chain.eta_q)
+    springs = np.array(added_stiffness(model, p), float)
+    added = slice(chain.eta_q - chain.n_added, chain.eta_q)
     ratios = np.array([ratio or 1.0 for ratio in chain.ratios(p)], float)
-    out[rotors] = out[rotors] + force[chain.added_joints] / (gears * ratios)
+    out[added] = out[added] + force[chain.added_joints] / (springs * ratios)
     return out
 
 

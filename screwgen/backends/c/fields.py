@@ -179,7 +179,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
         ],
         "ranges": [(k, k + 1) for k, (a, b) in enumerate(pairwise(stops)) if a.coordinate == b.coordinate],
         "laws": bool(chain.laws),
-        "drives": has_axis_terms(chain),
+        "axis_terms": has_axis_terms(chain),
         "theta_offset": chain.theta_offset[:-1],
     }
 
@@ -193,7 +193,7 @@ def floating_base(chain: Chain) -> dict[str, object]:
         "first_v": chain.base_v,
         "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
         "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
-        "rotor": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
+        "added": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
         "ends": {"own": "$$_NGIVEN" if first else "$$_NV"},
     }
 

@@ -29,7 +29,7 @@ TAKEN = frozenset("c k i m f q qdot theta thetadot rotor rotors s dt vdot by_q b
 def content(chain: Chain) -> list[dict]:
     """The laws for the templates.
 
-    ``at``, ``side``: coordinates and sides; ``on_rotors``: whether some are those that gears add; ``terms`` and
+    ``at``, ``side``: coordinates and sides; ``on_added``: whether some are those that gears add; ``terms`` and
     ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
     adds the derivatives; ``reads``: which of the stage's inputs they need; ``columns``: the members of the constants,
     each with its comment; ``refused``: what their entries may not be.
@@ -44,7 +44,7 @@ def _law(chain: Chain, one: OfRobot) -> dict:
         "words": one.law.words,
         "at": one.coordinates,
         "side": one.sides,
-        "on_rotors": any(k >= chain.n_joints for k in one.coordinates),
+        "on_added": any(k >= chain.n_joints for k in one.coordinates),
         "terms": _body(Writer, terms),
         "lane_terms": _body(LaneWriter, terms),
         "slopes": _body(Writer, slopes),

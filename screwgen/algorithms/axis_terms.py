@@ -2,7 +2,7 @@
 
 What a gear does to its axis and to the coordinate that it adds stands in :mod:`..elements.gear`. It couples both
 symmetrically, ``-k/N`` and ``-d/N``; an implicit method adds ``m_gear = -(h d + h^2 k)/N`` to their inertia. The
-elastic gear of a transmission has a coordinate of another kind in the place of theta, see :mod:`.elastic_gears`.
+elastic gear of a transmission has a coordinate of another kind in the place of theta, see :mod:`.elastic_travels`.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 from ..elements import gear
 from ..ir.program import Array, Value
 from ..spec.link_class import DriveClass, LinkClass
-from . import elastic_gears as eg
+from . import elastic_travels as et
 from . import matrices as mx
 from . import travels as tm
 from .axis_laws import axis_energy, axis_forces
@@ -106,7 +106,7 @@ def condense(s: Scope) -> tuple[Array, Array]:
     for k, axis in enumerate(s.key.added_axes):
         inverse = 1.0 / m[k]
         if axis in s.key.elastic_travels:
-            found = eg.condensed(s, axis, effort[axis], m[k], f[k], inverse)
+            found = et.condensed(s, axis, effort[axis], m[k], f[k], inverse)
             follows[k], alone[k], inertia[axis], driving[axis] = found
             continue
         follows[k] = coupling[k] * inverse
@@ -118,17 +118,17 @@ def condense(s: Scope) -> tuple[Array, Array]:
     return inertia, driving
 
 
-def accelerate_rotors(s: Scope, qddot: Array) -> None:
+def accelerate_added(s: Scope, qddot: Array) -> None:
     """The rotors' accelerations from those of the joint."""
     W, w = s.kept("rotor_W"), s.kept("rotor_w")
     s.write("thetaddot", [w[k] - W[k] * qddot[axis] for k, axis in enumerate(s.key.added_axes)])
 
 
-def rotor_forces(s: Scope, qddot: Array) -> None:
+def added_forces(s: Scope, qddot: Array) -> None:
     """Inverse dynamics of the rotors; gears act through the forces alone, but for those of transmissions."""
     force = s.read("m_theta") * s.read("thetaddot") + s.read("f_theta")
     if s.key.elastic_travels:
-        force = force + eg.carried_along(s, qddot)
+        force = force + et.carried_along(s, qddot)
     s.write("force_theta", force)
 
 
@@ -168,7 +168,7 @@ def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
     for k, axis in enumerate(s.key.added_axes):
         if axis in s.key.elastic_travels:
             tau[axis], inertia[axis] = (
-                eg.passed_on(s, axis, k, q),
+                et.passed_on(s, axis, k, q),
                 of("armature", axis) if s.key.has_constant_inertia else 0.0,
             )
             continue
@@ -186,7 +186,7 @@ def spring(s: Scope) -> Array:
     return mx.array([s.constant(f"{label}_{j + 1}") if s.key.stiffness else 0.0 for j in range(s.key.joints)])
 
 
-def drive_energies(s: Scope, q: Array, qdot: Array) -> tuple[Value, Value]:
+def axis_energies(s: Scope, q: Array, qdot: Array) -> tuple[Value, Value]:
     """Twice the kinetic energy of the rotors' spin; twice the potential of elastic gears, of stops and elements."""
     kinetic = tm.kinetic(s, q, qdot)
     potential: Value = axis_energy(s, q)

@@ -269,6 +269,16 @@ class Coordinates:
         rotors = self.n_given - self.n_inner
         return modes + [(rotors + k, joint) for k, joint in enumerate(self.added_joints)]
 
+    @cached_property
+    def springs(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Every spring and damper of these coordinates: on which it acts, whose motion it feels, its entry among
+        ``n_inertia``. One between two coordinates is there twice."""
+        pairs = [
+            (row, column, k) for k, (i, j) in enumerate(self.coupled, self.n_given) for row, column in ((i, j), (j, i))
+        ]
+        table = np.array([*((k, k, k) for k in range(self.n_given)), *pairs], int).reshape(-1, 3)
+        return table[:, 0], table[:, 1], table[:, 2]
+
     @property
     def n_inertia(self) -> int:
         """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""

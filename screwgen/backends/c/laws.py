@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...algorithms.axis_laws import OfRobot, of_robot
-from ...algorithms.law_programs import STAGE, stage, stage_slopes
+from ...algorithms.law_programs import STAGE, spring_slopes, stage, stage_slopes
 from ...elements import Key
 from ...ir.program import Program
 from ...topology.chain import Chain
@@ -70,10 +70,24 @@ def _comment(chain: Chain, key: Key) -> str:
     return ascii_unit(f"{key.unit}{f', of slides {key.sliding}' * chain.sliding}: {key.meaning}")
 
 
-def _body(writer: type[Writer], program: Program) -> list[str]:
+def springs(entry: str, *at: str) -> list[str]:
+    """The statements that add the derivatives of a spring and a damper at places of the matrices of ``own_slopes``.
+
+    ``entry``: the entry of the constants' columns.
+    """
+
+    def place(name: str, k: int) -> str | None:
+        given = {"K": f"c->K[{entry}]", "D": f"c->D[{entry}]", "h": "dt"}
+        return {"by_x": f"by_q[{at[k]}]", "by_w": f"by_v[{at[k]}]"}.get(name, given.get(name))
+
+    return _body(Writer, spring_slopes(len(at)), place)
+
+
+def _body(writer: type[Writer], program: Program, place: Place | None = None) -> list[str]:
     """The statements for one coordinate."""
     names = TAKEN | set(LOCAL.values())
-    lines = writer(program, _place(program), None, set(names), optional={"inertia": "m"}, adding=frozenset(RESULTS))
+    placed = place or _place(program)
+    lines = writer(program, placed, None, set(names), optional={"inertia": "m"}, adding=frozenset(RESULTS))
     return [line for line in trimmed(lines.lines()) if line.strip() not in ("", "/* outputs */")]
 
 

@@ -7,7 +7,7 @@ from pydantic import Field, PlainValidator, model_validator
 
 from ..elements import FourBarLinkage
 from .part import Part
-from .ranges import within
+from .travel_keys import Length, Turn, stated
 from .values import choice, refuse, shown
 
 FLAT = 1e-6
@@ -22,21 +22,11 @@ class FourBar(Part):
     sense. The input of the axis is the torque at the crank, N·m.
     """
 
-    ground: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="distance of the crank's pivot on the carrier from the joint axis, m, > 0"
-    )
-    crank: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="length of the crank, which the motor turns about its pivot, m, > 0"
-    )
-    coupler: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="length of the rod between the pins of crank and link, m, > 0"
-    )
-    rocker: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="distance of the coupler's pin on the link from the joint axis, m, > 0"
-    )
-    angle: Annotated[float, PlainValidator(within("turn"))] = Field(
-        description="angle from the ground line to the rocker at q = 0, rad, about the joint axis"
-    )
+    ground: Length = stated(FourBarLinkage.KEYS["ground"])
+    crank: Length = stated(FourBarLinkage.KEYS["crank"])
+    coupler: Length = stated(FourBarLinkage.KEYS["coupler"])
+    rocker: Length = stated(FourBarLinkage.KEYS["rocker"])
+    angle: Turn = stated(FourBarLinkage.KEYS["angle"], ", about the joint axis")
     branch: Annotated[str, PlainValidator(choice("open", "crossed"))] = Field(
         description='how the linkage is assembled, "open" or "crossed"'
     )

@@ -1,14 +1,14 @@
 """The transmission of a drive whose ratio depends on the posture: the geometry of a cylinder, or a four-bar linkage."""
 
 from collections.abc import Iterator
-from typing import Annotated, Self
+from typing import Self
 
-from pydantic import Field, PlainValidator, model_validator
+from pydantic import Field, model_validator
 
 from ..elements import CYLINDER, Travel
 from .four_bar import FourBar
 from .part import Part
-from .ranges import within
+from .travel_keys import Length, Turn, stated
 from .values import refuse, shown
 
 
@@ -20,16 +20,9 @@ class Transmission(Part):
     positive where it extends it. With `four_bar` in place of these keys a linkage drives the link.
     """
 
-    crank: Annotated[float, PlainValidator(within("length"))] | None = Field(
-        None, description="distance of the rod's eye on the link from the joint axis, m, > 0"
-    )
-    base: Annotated[float, PlainValidator(within("length"))] | None = Field(
-        None, description="distance of the cylinder's eye on the carrier from the joint axis, m, > 0, other than crank"
-    )
-    angle: Annotated[float, PlainValidator(within("turn"))] | None = Field(
-        None, description="angle from the eye on the carrier to the eye on the link at q = 0, rad, about the joint axis"
-    )
-
+    crank: Length | None = stated(CYLINDER.KEYS["crank"], default=None)
+    base: Length | None = stated(CYLINDER.KEYS["base"], ", other than crank", default=None)
+    angle: Turn | None = stated(CYLINDER.KEYS["angle"], ", about the joint axis", default=None)
     four_bar: FourBar | None = Field(
         None,
         description="of a four-bar linkage in place of a cylinder, as { ground = …, crank = …, …, branch = … }",

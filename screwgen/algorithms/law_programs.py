@@ -86,12 +86,16 @@ SPRING = ("x", "w", "h", "K", "D")
 
 
 @cache
-def spring_stage() -> Program:
-    """``SPRING -> (force, inertia)``: what a spring and a damper exert ``h`` later, as :func:`stage` says."""
-    tracer = Tracer()
-    x, w, h, K, D = (tracer.input(name, 1)[0] for name in SPRING)
-    force, inertia = _linear(Secant(K, D, 0.0), x, w, h)
-    return tracer.program("spring", dict.fromkeys(SPRING, 1), {"force": [force], "inertia": [inertia]})
+def spring_stage(later: bool = True, own: bool = False) -> Program:
+    """``SPRING -> (inertia, force)``: what a spring and a damper exert ``h`` later, as :func:`stage` says.
+
+    ``later``: with h, else at once; ``own``: with the inertia ``M`` of the coordinate itself, an input, added.
+    """
+    tracer, names = Tracer(), (*SPRING, *["M"] * own)
+    x, w, h, K, D, *M = (tracer.input(name, 1)[0] for name in names)
+    force, inertia = _linear(Secant(K, D, 0.0), x, w, h if later else 0.0)
+    total = M[0] + inertia if own else inertia
+    return tracer.program("spring", dict.fromkeys(names, 1), {"inertia": [total], "force": [force]})
 
 
 @cache

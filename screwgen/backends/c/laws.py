@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
 
 from ...algorithms.axis_laws import OfRobot, of_robot
-from ...algorithms.law_programs import STAGE, spring_slopes, stage, stage_slopes
+from ...algorithms.law_programs import STAGE, spring_slopes, spring_stage, stage, stage_slopes
 from ...elements import Key
 from ...ir.program import Program
 from ...topology.chain import Chain
@@ -70,6 +74,31 @@ def _comment(chain: Chain, key: Key) -> str:
     return ascii_unit(f"{key.unit}{f', of slides {key.sliding}' * chain.sliding}: {key.meaning}")
 
 
+def spring(motion: tuple[str, str], entry: str, force: str, inertia: str = "", **more: Any) -> list[str]:
+    """The statements of a spring and a damper: their force at a coordinate and rate, and the inertia over a step.
+
+    ``entry``: of the constants' columns. ``more`` may hold ``c``: what stands before the columns, else `c->`; ``h``:
+    the step, else `dt`, or 0; ``own``: whether the inertia of the coordinate itself is added; ``adds``: whether the
+    results are added to what is there.
+    """
+    c, h = more.get("c", "c->"), more.get("h", "dt")
+    given = dict(zip("xw", motion, strict=True)) | {name: f"{c}{name}[{entry}]" for name in "KD"}
+    given |= {"M": f"{c}M_eta[{entry}]", "h": h, "force": force, "inertia": inertia}
+    program = spring_stage(h != "0", more.get("own", False))
+    if not inertia:
+        program = replace(program, outputs={"force": program.outputs["force"]})
+    adding = frozenset(RESULTS) if more.get("adds") else frozenset[str]()
+    return _inlined(_body(Writer, program, lambda name, _: given[name], adding, {}))
+
+
+def _inlined(lines: list[str]) -> list[str]:
+    """The statements without names for values that are at once assigned."""
+    found = (re.fullmatch(r"const \$_real (\w+) = (.*);", line) for line in lines)
+    named = {match[1]: match[2] for match in found if match}
+    used = [re.fullmatch(r"(.* \+?= )(\w+);", line) for line in lines if not line.startswith("const ")]
+    return [f"{match[1]}{named[match[2]]};" for match in used if match]
+
+
 def springs(entry: str, *at: str) -> list[str]:
     """The statements that add the derivatives of a spring and a damper at places of the matrices of ``own_slopes``.
 
@@ -83,11 +112,17 @@ def springs(entry: str, *at: str) -> list[str]:
     return _body(Writer, spring_slopes(len(at)), place)
 
 
-def _body(writer: type[Writer], program: Program, place: Place | None = None) -> list[str]:
+def _body(
+    writer: type[Writer],
+    program: Program,
+    place: Place | None = None,
+    adding: frozenset[str] = frozenset(RESULTS),
+    optional: Mapping[str, str] = MappingProxyType({"inertia": "m"}),
+) -> list[str]:
     """The statements for one coordinate."""
     names = TAKEN | set(LOCAL.values())
     placed = place or _place(program)
-    lines = writer(program, placed, None, set(names), optional={"inertia": "m"}, adding=frozenset(RESULTS))
+    lines = writer(program, placed, None, set(names), optional=optional, adding=adding)
     return [line for line in trimmed(lines.lines()) if line.strip() not in ("", "/* outputs */")]
 
 

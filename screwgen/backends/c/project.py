@@ -128,6 +128,7 @@ class CProject:
             "axis_forces": chain.has_axis_forces,
             **given_coordinates(chain),
             "acting": laws.content(chain),
+            "spring": laws.spring,
             "springs": laws.springs,
             "nx": state_size(chain),
             "nz": unknown_size(chain),

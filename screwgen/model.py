@@ -89,8 +89,8 @@ class Model(RobotModel):
         ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
-        of a predictive controller; ``outputs``: also C of what runs report.  Writes all or nothing; refuses folders
-        with other files (:class:`UsageError`).
+        of a predictive controller; ``outputs``: also C of what runs report and sensors measure.  Writes all or nothing;
+        refuses folders with other files (:class:`UsageError`).
         """
         options = {"parameters": parameters, "layout": layout, "methods": methods}
         more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "mpc": mpc, "outputs": outputs}

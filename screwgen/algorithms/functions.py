@@ -79,9 +79,12 @@ class Functions(LoopFunctions, MarkerFunctions):
     def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
 
+    def _nodes(self, chain: Chain) -> list[dict[str, list]]:
+        return nodes(chain, self.gravity)
+
     def _run(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> tuple[list, list]:
         chain = seen_by(self.chain, algorithm)
-        places = nodes(chain, self.gravity)
+        places = self._nodes(chain)
         links = [dict(c) for c in self.constants]
         for part in parts:
             for link, more in zip(links, part, strict=True):

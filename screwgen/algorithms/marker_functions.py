@@ -70,10 +70,10 @@ class MarkerFunctions:
         """The strains of ``gauges.strain_names``: at the bases of all links, then at the markers that links declare."""
         links, places = self._run(STRAINED, self.chain.split(q, "q", "eta"))
         at_bases = [x for i in self.chain.firsts for x in links[i]["strain"]]
-        nodes = [places[marker.node(self.chain.seen)] for marker in self.chain.markers if not marker.is_tip]
+        nodes = [places[self.chain.node(marker)] for marker in self.chain.markers if not marker.is_tip]
         return at_bases + [x for node in nodes for x in node["strain"]]
 
     def _at_markers(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> list[dict[str, list]]:
         """The nodes of the markers after an algorithm."""
         _, places = self._run(algorithm, *parts)
-        return [places[marker.node(self.chain.seen)] for marker in self.chain.markers]
+        return [places[self.chain.node(marker)] for marker in self.chain.markers]

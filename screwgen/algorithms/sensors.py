@@ -51,7 +51,7 @@ def accelerometer(f: Functions, q, v, tau, w_ext):
 def marker_motion(f: Functions, q, v, vdot):
     """``(q, v, vdot) -> (R, position, twist, acceleration)``, the last against free fall."""
     twist, acceleration = f.marker_velocities(q, v), f.marker_accelerations(q, v, vdot)
-    return marker_pose.body(f, q) | {"twist": twist, "acceleration": acceleration}
+    return dict(marker_pose.body(f, q)) | {"twist": twist, "acceleration": acceleration}
 
 
 @program("q", algorithms=ALL)

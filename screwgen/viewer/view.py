@@ -101,7 +101,7 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         arrays: dict[str, Any] = {name: stored.numbers(name) for name in ARRAYS if name in stored or name in NEEDED}
         names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
         text = "".join(stored.texts("robot")) if "robot" in stored else None
-        more = {name: stored.numbers(name) for name in ("parameters", "w_ext") if name in stored}
+        more: dict[str, Any] = {name: stored.numbers(name) for name in ("parameters", "w_ext") if name in stored}
     if robot is None and text is not None:
         try:
             robot = loads(text, shown, os.path.dirname(os.fspath(path)))

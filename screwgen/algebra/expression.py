@@ -8,13 +8,14 @@ sees is what was derived, and the generated code follows the same grouping.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 Shape = tuple[int, int]
+Rule = Callable[[sp.Expr, str | None], sp.Expr] | None
 
 
 class Expression:
@@ -195,7 +196,7 @@ class Integral(Expression):
 
     integrand: Expression
     weight: Expression | None
-    rule: Callable[[sp.Expr, str | None], sp.Expr] | None = None
+    rule: Rule = None
     index: str = "i"
 
     @property
@@ -218,8 +219,7 @@ def _changed(value: Any, change: Callable[[Expression], Expression]) -> Any:
 
 
 def number(value: int | sp.Expr) -> Constant:
-    value = sp.sympify(value)
-    return Constant(((value,),), (1, 1), sp.latex(value))
+    return Constant(((sp.sympify(value),),), (1, 1), sp.latex(value))
 
 
 def zeros(rows: int, cols: int = 1) -> Constant:
@@ -241,7 +241,7 @@ def vector(values: Sequence[sp.Expr], display: str) -> Constant:
     return Constant(tuple((sp.sympify(v),) for v in values), (len(values), 1), display)
 
 
-def matrix(rows: Sequence[Sequence[sp.Expr]], shape: Shape, display: str) -> Constant:
+def matrix(rows: Iterable[Iterable[sp.Expr]], shape: Shape, display: str) -> Constant:
     return Constant(tuple(tuple(sp.sympify(v) for v in row) for row in rows), shape, display)
 
 
@@ -310,7 +310,7 @@ def inverse(e: Expression) -> Expression:
     return e if is_identity(e) else Inverse(e)
 
 
-def integral(integrand: Expression, weight: Expression | None, rule=None, index: str = "i") -> Expression:
+def integral(integrand: Expression, weight: Expression | None, rule: Rule = None, index: str = "i") -> Expression:
     vanishes = is_zero(integrand) or (weight is not None and is_zero(weight))
     return zeros(*integrand.shape) if vanishes else Integral(integrand, weight, rule, index)
 

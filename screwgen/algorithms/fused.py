@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 import mpmath
 
-from ..ir.program import Program, Tracer, Value
+from ..ir.program import Program, Tracer, Value, Vector
 from ..ir.replay import inline, run
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
@@ -19,7 +19,8 @@ from .schedule import Algorithm, constant_labels, is_column, preparation
 
 DIGITS = 40
 
-Body = Callable[[Any, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
+Outputs = Mapping[str, Vector]
+Body = Callable[[Any, Mapping[str, Sequence[Value]]], Outputs]
 """Of the functions of a robot, of the class that :func:`fuse` is given, and of the inputs."""
 
 

@@ -23,7 +23,6 @@ class RigidMoments(Protocol):
 
     def moments(self, b: Block) -> Moments6:
         """About the joint point, in F_i axes; parameters and steps may be declared in the block."""
-        ...
 
 
 class Turning(NamedTuple):
@@ -47,44 +46,67 @@ class Turning(NamedTuple):
 class Body(Protocol):
     """The body of a link class, in the link's block."""
 
-    rhoA: Symbol
-    """Mass per length: the weight of the integrals over the body."""
-    fields: Moments
-    """The rule that integrates."""
-    moved: Expression
-    """(3, r): the displacement of an element by each mode."""
-    bend: Expression
-    """(3, 1): the acceleration of an element at constant modal rates, less that of its place's turning."""
-    stiffness: Expression
-    """The (r, r) stiffness of the modes."""
-    resistance: Expression
-    """Their (r, r) damping."""
-    turnings: list[Turning]
-    """The axes about which sections have an inertia of their own; known from ``modal`` on."""
+    @property
+    def rhoA(self) -> Symbol:
+        """Mass per length: the weight of the integrals over the body."""
+
+    @property
+    def fields(self) -> Moments:
+        """The rule that integrates."""
+
+    @property
+    def r_b(self) -> Expression:
+        """(3, 1), m: the place of an element of the undeformed body, from the origin of F_i."""
+
+    @property
+    def u(self) -> Expression:
+        """(3, 1), m: its elastic displacement."""
+
+    @property
+    def udot_modal(self) -> Expression:
+        """(3, 1), m/s: the rate of that, by the modal rates."""
+
+    @property
+    def phi_row(self) -> Expression:
+        """A row of the shapes whose products the integrals over the body need."""
+
+    @property
+    def moved(self) -> Expression:
+        """(3, r): the displacement of an element by each mode."""
+
+    @property
+    def bend(self) -> Expression:
+        """(3, 1): the acceleration of an element at constant modal rates, less that of its place's turning."""
+
+    @property
+    def stiffness(self) -> Expression:
+        """The (r, r) stiffness of the modes."""
+
+    @property
+    def resistance(self) -> Expression:
+        """Their (r, r) damping."""
+
+    @property
+    def turnings(self) -> list[Turning]:
+        """The axes about which sections have an inertia of their own; known from ``modal`` on."""
 
     def declare(self, start: Expression) -> None:
         """Declare the fields; ``start`` (m) is the place of the joint on the centreline of F_i."""
-        ...
 
     def moments(self) -> Moments6:
         """The moments of the undeformed body about the origin of F_i."""
-        ...
 
     def spin(self) -> Expression:
         """(3, 3), kg·m²: the sections' own inertia, about the centreline and across it."""
-        ...
 
     def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
         """``∫ρA u dξ`` (3, 1) of the elastic displacement, and its rate."""
-        ...
 
     def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
         """Twice the kinetic energy of the body that the motion of its elements' points does not have, J."""
-        ...
 
     def modal(self) -> None:
         """State ``sigma``, ``M_Wphi``, ``M_eta``, ``K`` and ``D``, and name the moments of the mode shapes.
 
         Where modes are coupled (``LinkClass.coupled``) also ``M_below``, ``K_below`` and ``D_below``.
         """
-        ...

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import cast
 
 import numpy as np
 
 from ..algebra.expression import (
     Expression,
     Integral,
+    Symbol,
     Trace,
     add,
     block,
@@ -22,7 +23,7 @@ from ..algebra.expression import (
 )
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import Body, Turning
+from .contract import Body, RigidMoments, Turning
 from .coupled_rod import CoupledRod
 from .lumped import lumped
 from .reduced import Reduced
@@ -72,8 +73,7 @@ class LinkBlock(Block):
         self.rho = self.generators("rho")
         self.udot = self.generators("udot")
 
-    def _body(self) -> Any:
-        """A :class:`.contract.Body`, with fields of its own."""
+    def _body(self) -> Body:
         if self.key.elastic is not None:
             return Reduced(self, self.key)
         if not self.key.beam:
@@ -110,7 +110,8 @@ class LinkBlock(Block):
         """Moments of the base bodies about the origin of F_i, shifted from the joint point if the two differ."""
         m, S, J, _ = lumped(self, self.key, "base", "B")
         if self.key.body is not None:
-            m, S, J = (add(*pair) for pair in zip((m, S, J), self.key.body.moments(self), strict=True))
+            given = cast(RigidMoments, self.key.body)
+            m, S, J = (add(*pair) for pair in zip((m, S, J), given.moments(self), strict=True))
         elif not (self.key.frame_at and self.key.bodies_at("base")):
             return m, S, J
         r_B = self.start @ unit(0)
@@ -172,7 +173,7 @@ class LinkBlock(Block):
         if not self.turning:
             self._modal_force()
 
-    def _turn_operator(self):
+    def _turn_operator(self) -> Symbol:
         """The operator from a position to its acceleration by the link's rotation."""
         centripetal = hat(self.omega) @ hat(self.omega)
         if not self.turning:
@@ -180,7 +181,7 @@ class LinkBlock(Block):
         self.alpha = self.input("alpha", (3, 1))
         return self.step("Omega", hat(self.alpha) + centripetal)
 
-    def _spun_up(self):
+    def _spun_up(self) -> Expression:
         """The inertial wrench of the sections' own inertia at ``alpha``."""
         if not self.turning:
             return zeros(6)

@@ -6,7 +6,7 @@ each mode. Where a rod integrates their products in closed form, their integrals
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import ClassVar
 
 import numpy as np
@@ -35,13 +35,15 @@ class Table(Moments):
         one = sp.S.One
         known = [one, *self.place, *(g for shapes in self.phi for g in shapes)]
         self.table = {
-            frozenset({known[i], known[j]}): numeral(body.gram[i, j]) for i, j in np.ndindex(body.gram.shape) if i <= j
+            frozenset({known[i], known[j]}): numeral(float(body.gram[i, j]))
+            for i, j in np.ndindex(body.gram.shape)
+            if i <= j
         }
         self.second: dict[sp.Symbol, None] = {}
         for a, k, m in np.ndindex(body.sag.shape) if body.geometric else ():
             h = entry(AXES[a], k, m)
             self.second[h] = None
-            self.table[frozenset({one, h})] = numeral(body.sag[a, k, m])
+            self.table[frozenset({one, h})] = numeral(float(body.sag[a, k, m]))
             for b in {0, 1, 2} - {a}:
                 sign = 1 if (b, a) in ((0, 1), (1, 2), (2, 0)) else -1
                 half = sign * body.swing[3 - a - b, k, m] / 2
@@ -142,6 +144,6 @@ def numeral(value: float) -> sp.Expr:
     return sp.Integer(int(value)) if value == int(value) else sp.Float(value)
 
 
-def numerals(values: Sequence[float]) -> list[sp.Expr]:
+def numerals(values: Iterable[float]) -> list[sp.Expr]:
     """Numbers of the file."""
     return [numeral(float(value)) for value in values]

@@ -26,7 +26,8 @@ class Rigid:
         self.fields = Moments(self.b.values["rho"].flat)
         self.fields.name_coarse(self.b.values["udot"], np.full(3, sp.S.Zero))
         self.sigma, self.K, self.D = zeros(3, 0), zeros(0), zeros(0)
-        self.moved, self.bend = zeros(3, 0), zeros(3)
+        self.moved, self.bend, self.phi_row = zeros(3, 0), zeros(3), zeros(1, 0)
+        self.r_b = self.u = self.udot_modal = zeros(3)
 
     stiffness = resistance = zeros(0, 0)
     turnings: ClassVar[list[Turning]] = []

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
 
 import numpy as np
 import sympy as sp
@@ -89,7 +90,7 @@ class Rod(Elastic, RodStiffness):
         by_mass: Expression = self.integral(self.Phi.T @ self.Phi, self.rhoA)
         self.turnings = [self._turning(axis) for axis in self.key.turned]
         turned = [t for t in self.turnings if not is_zero(t.momentum)]
-        by_turn = [self.integral(t.shapes.T @ t.shapes, t.density) for t in turned]
+        by_turn: list[Expression] = [self.integral(t.shapes.T @ t.shapes, t.density) for t in turned]
         if self.fields.slope:
             by_mass = self.b.step("M_phi", by_mass, symmetric=True)
             by_turn = [self.b.step("M_s", add(*by_turn), symmetric=True)]
@@ -161,9 +162,9 @@ class Rod(Elastic, RodStiffness):
         return [k for k, (d, _) in enumerate(self.key.directions) if d in AXIS]
 
 
-def _row(entries) -> np.ndarray:
+def _row(entries: Iterable[sp.Symbol]) -> np.ndarray:
     return np.array([list(entries)], dtype=object)
 
 
-def column(*entries) -> np.ndarray:
+def column(*entries: sp.Expr | int) -> np.ndarray:
     return np.array([[sp.sympify(e)] for e in entries], dtype=object)

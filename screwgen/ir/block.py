@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -101,7 +102,9 @@ class Block:
     along: dict[str, Signal] = field(default_factory=dict)
     """What varies along the link and is listed in documents."""
 
-    def input(self, name, shape, *words, binding=Binding.STATE, **named) -> Symbol:
+    def input(
+        self, name: str, shape: tuple[int, int], *words: str, binding: Binding = Binding.STATE, **named: Any
+    ) -> Symbol:
         """Declare an input and return the symbol that stands for it.
 
         ``words`` (display, unit, frame, meaning) and ``numbered`` replace those of the table of quantities.
@@ -115,7 +118,7 @@ class Block:
             self.bindings[self.values[name][index]] = binding
         return Symbol(name, shape, signal.display)
 
-    def parameter(self, name, shape, *words, **named) -> Symbol:
+    def parameter(self, name: str, shape: tuple[int, int], *words: str, **named: Any) -> Symbol:
         """Declare an input that is known before the state."""
         return self.input(name, shape, *words, binding=Binding.PARAMETER, **named)
 
@@ -128,7 +131,7 @@ class Block:
             out.append(alias)
         return out
 
-    def field(self, name: str, values: Array, display: str | None = None, **words) -> Symbol:
+    def field(self, name: str, values: Array, display: str | None = None, **words: Any) -> Symbol:
         """A quantity that varies along the link and occurs only under an integral.
 
         Its words are those of the table of quantities or given; without them documents do not list it. A symbol of
@@ -150,7 +153,9 @@ class Block:
         self.bindings.update(dict.fromkeys(symbols, Binding.STATE))
         return self.field(name, np.array([[symbol] for symbol in symbols], dtype=object))
 
-    def step(self, name, expression, display=None, *, symmetric=False, **words) -> Symbol:
+    def step(
+        self, name: str, expression: Expression, display: str | None = None, *, symmetric: bool = False, **words: Any
+    ) -> Symbol:
         """Append ``name = expression`` and return the symbol of the new quantity.
 
         ``words`` (unit, frame, equation, meaning, numbered) replace those of the table of quantities.
@@ -179,7 +184,7 @@ class Block:
         symbols = set().union(*(entry.free_symbols for entry in raw.flat)) if raw.size else set()
         return max((self.bindings[s] for s in symbols), default=Binding.CONSTANT)
 
-    def _name(self, signal: Signal, raw: Array, symmetric: bool):
+    def _name(self, signal: Signal, raw: Array, symmetric: bool) -> tuple[Array, tuple[tuple[sp.Symbol, sp.Expr], ...]]:
         """Give every entry that is not a number or a plain symbol a symbol of its own."""
         values, assignments = np.empty(raw.shape, dtype=object), []
         for (i, j), label in signal.labels():

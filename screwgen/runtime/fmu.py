@@ -12,7 +12,7 @@ from ..backends.fmi.package import archive, unit
 from ..errors import TargetWarning
 from ..integrators.method import Method
 from ..robot_model import RobotModel
-from .compiled import LeanProject
+from .lean import LeanProject
 from .library import binary, has_compiler
 
 FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import threading
 from collections.abc import Callable
+from typing import Any
 
 
 class Forms:
@@ -14,7 +15,7 @@ class Forms:
         self._joint, self._make, self._lock = joint, dae, threading.Lock()
         self._made: ctypes.CDLL | None = None
 
-    def __getattr__(self, name: str):
+    def __getattr__(self, name: str) -> Callable[..., Any]:
         """A function; raises AttributeError where there is none, ScrewgenError where the DAE form does not compile."""
         try:
             found = getattr(self._joint, name)
@@ -23,7 +24,7 @@ class Forms:
         setattr(self, name, found)
         return found
 
-    def __getitem__(self, name: str):
+    def __getitem__(self, name: str) -> Callable[..., Any]:
         return getattr(self, name)
 
     @property

@@ -116,17 +116,17 @@ class Loop:
         self.motion, self.gains, self.method, self.step, self.rate = motion, gains, method, step, rate
         self.unstable = not self.stable()
 
-    def held(self, factors=1.0, rotors: np.ndarray | None = None) -> Held:
+    def held(self, factors: float | np.ndarray = 1.0, rotors: np.ndarray | None = None) -> Held:
         """The motion with gains times `factors`, one or one for each, and `rotors` (nv,) besides."""
         motion = self.motion if rotors is None else self.motion.with_armature(rotors)
         each = np.broadcast_to(factors, len(self.gains))
         return Held(motion.with_gains(sum((s * g.slope for s, g in zip(each, self.gains, strict=True)))))
 
-    def stable(self, factors=1.0, rotors: np.ndarray | None = None) -> bool:
+    def stable(self, factors: float | np.ndarray = 1.0, rotors: np.ndarray | None = None) -> bool:
         """Whether nothing grows at the run's step."""
         return not self.held(factors, rotors).grows(self.method, self.step, self.rate)
 
-    def longest(self, factors=1.0) -> float:
+    def longest(self, factors: float | np.ndarray = 1.0) -> float:
         """The longest step, s, up to which nothing grows; 0 if there is none."""
         held = self.held(factors)
         steps = np.append(held.steps[held.steps < self.step], self.step)

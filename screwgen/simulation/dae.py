@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
+from ..arguments import Numbers
 from ..backends.numpy.dae_step import DaeDynamics, HeldDae
 from ..integrators.method import Method
 from ..integrators.methods import method_of
@@ -13,7 +14,7 @@ from ..robot_model import RobotModel
 from .integrate import DEFAULT, LIMIT, DivergedError, Evaluator
 
 
-def dynamics(model: RobotModel, p: Sequence[float]) -> DaeDynamics:
+def dynamics(model: RobotModel, p: Numbers) -> DaeDynamics:
     """The DAE form with parameters ``p``, evaluated by CasADi."""
     functions, given = model.modal_functions, np.array(p, float)
 
@@ -30,7 +31,7 @@ class DaeStepper:
 
     default = DEFAULT
 
-    def __init__(self, model: RobotModel, integrator: str | Method, p: Sequence[float]):
+    def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), dynamics(model, p)
         self.reference, self.n_joints, self.floating = model.numpy(p), model.n_joints, model.chain.floating
         self.p, self.place = np.array(p, float), Evaluator(model.casadi()["dae_state"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -98,7 +99,7 @@ def _stated(law: PD, model: RobotModel) -> np.ndarray:
     return G
 
 
-def _lasts(torque, at: Posture) -> float:
+def _lasts(torque: Callable[[np.ndarray, np.ndarray], object], at: Posture) -> float:
     """How long a call takes, s: the second, since a first one may prepare something."""
     torque(at.q, at.v)
     clock = time.perf_counter()

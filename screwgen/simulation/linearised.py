@@ -89,7 +89,7 @@ class Linearised:
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
         self.numeric = model.numpy(self.p)
         self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
-        self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
+        self.dynamics = Dynamics(model, self.p)
         own = self.dynamics.own
         self.own = own.acting(own.of(self.q), own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))

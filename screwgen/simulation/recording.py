@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, TypeVar
 
 import numpy as np
 from numpy.lib import format as npy
@@ -32,6 +32,10 @@ from .integrate import Dynamics, Evaluator, Stepper
 from .loop_watch import LoopWatch
 from .runs import Run, column_names, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
+
+_State = TypeVar("_State")
+Held = tuple[np.ndarray, np.ndarray, float]
+"""Torques, wrenches, and the seconds for which they are held."""
 
 MAX_BYTES = 4 * 2**30
 WATCH = 8
@@ -135,7 +139,7 @@ class Recorder:
 
     def __init__(self, table: Table):
         functions, self.table = table.model.casadi(), table
-        self.dynamics = Dynamics(table.model, table.p)  # type: ignore[arg-type]
+        self.dynamics = Dynamics(table.model, table.p)
         modal = table.model.modal_functions
         self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
         self.tip_pose = Evaluator(functions["tip_pose"])
@@ -155,19 +159,19 @@ class Recorder:
         self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *told])
         self.table.filled(row + 1)
 
-    def weigh(self, t: float, plant: Stepper, before: object, after: object, *held) -> None:
+    def weigh(self, t: float, plant: Stepper[_State], before: _State, after: _State, held: Held) -> None:
         """Note the energies of the states before and after a step at `t` under held (torques, wrenches, seconds)."""
+        tau, w_ext, dt = held
 
-        def energy(state: object) -> np.ndarray:
+        def energy(state: _State) -> np.ndarray:
             return np.concatenate(self.reports["energy"][1](*plant.coordinates(state), self.table.p))
 
         def again() -> np.ndarray:
-            state, (tau, w_ext, dt) = before, held
+            state = before
             for _ in range(PARTS):
                 state = plant.step(state, tau, w_ext, dt / PARTS)
             return energy(state)
 
-        tau, _, dt = held
         rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.driven]
         self.table.loops.begin(lambda: energy(before))
         self.table.loops.weigh(t, energy(after), float(tau @ rates) / 2 * dt, again)

@@ -26,9 +26,9 @@ from .mobility import check_closed, check_staying_closed
 from .recording import WATCH, Recorder, Table, Task, Walk, check_size, stored
 from .runs import FORMATS, Run, check_output
 
-MakeStepper = Callable[["RobotModel", "str | Method", Sequence[float]], Stepper]
+MakeStepper = Callable[[RobotModel, str | Method, Numbers], Stepper]
 
-FORMS: Mapping[str, type[Stepper]] = MappingProxyType({"joint": JointStepper, "dae": DaeStepper})
+FORMS: Mapping[str, MakeStepper] = MappingProxyType({"joint": JointStepper, "dae": DaeStepper})
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
 BACKENDS = ("c", "numpy")
@@ -143,7 +143,7 @@ def method_used(form: str | MakeStepper, integrator: str | Method | None) -> Met
         return None
 
 
-def _c_walk(model: RobotModel, integrator: str | Method | None, form: str, p: np.ndarray) -> Walk:
+def _c_walk(model: RobotModel, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:
     method = _method(integrator)
     return loop.Loop(loop.instance(model, p, method), method)
 
@@ -173,7 +173,7 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                     before, held = state, (tau, wrench, task.reach(k))
                     state = plant.step(before, *held)
                     if table.loops:
-                        record.weigh(t, plant, before, state, *held)
+                        record.weigh(t, plant, before, state, held)
             if task.progress and (k % often == 0 or k == task.steps):
                 task.progress(k, task.steps)
         record.check()
@@ -211,7 +211,7 @@ def step_count(duration: float, step: float) -> int:
     return nearest if whole else math.ceil(duration / step)
 
 
-def time_grid(duration: float, step: float, every=1) -> np.ndarray:
+def time_grid(duration: float, step: float, every: int = 1) -> np.ndarray:
     """The times of every `every`-th step from 0 on, and `duration`; raises UsageError."""
     return np.append(step * np.arange(0, step_count(duration, step), every), float(duration))
 

@@ -24,9 +24,11 @@ import numpy as np
 from ..arguments import whole
 from ..errors import UsageError
 from ..integrators.method import Method
+from ..integrators.methods import method_of
 from ..robot_model import RobotModel
+from ..runtime.differentiated import NO_METHOD
 from ..version import __version__ as VERSION
-from .chunks import CHUNK, HERE, completed, merged, ready, unpacked
+from .chunks import CHUNK, HERE, How, completed, merged, ready, unpacked
 from .rollout import Rollout, checked, rolled
 from .store import Store
 from .validity import Validity
@@ -183,8 +185,9 @@ def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
     given = dict(draw(rng, n))
     if wrong := given.keys() - set(ARGUMENTS) or {"x0"} - given.keys():
         raise UsageError(f"draw: wrong or missing is '{min(wrong)}'; it gives x0, and may {', '.join(ARGUMENTS[1:])}")
-    given, count, how = checked(model, **(dict.fromkeys(ARGUMENTS) | given), **options)
-    run = rolled(model, given, count, *how)
+    method = method_of(options["integrator"], missing=NO_METHOD)
+    how = How(options["step"], options["substeps"], method, options["threads"], options["single"])
+    run = rolled(model, *checked(model, dict.fromkeys(ARGUMENTS) | given, options["steps"], how))
     values = np.asarray(keep(run))
     if values.dtype.char not in NUMBERS:
         raise UsageError(f"keep gave {values.dtype}; it must give booleans, or numbers of double precision at most")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import prod
 
 from ...algorithms.robot_functions import RobotFunction, reported, shape
@@ -38,7 +39,7 @@ def _function(row: RobotFunction, chain: Chain, baked: bool, place: Place) -> di
     return made | shown | {"pointers": pointers}
 
 
-def _result(name: str, signal: Signal):
+def _result(name: str, signal: Signal) -> Callable[[int], str]:
     return (lambda k: f"{name}[{k}]") if signal.shape else (lambda k: f"*{name}")
 
 

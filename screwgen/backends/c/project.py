@@ -19,6 +19,7 @@ from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
 from . import batch, check, derivatives, estimator, files, laws, levers, loops, outputs, preparation, steps
+from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
 from .fields import (
@@ -62,13 +63,13 @@ class CProject:
         self,
         chain: Chain,
         version: str,
-        binding="runtime",
-        layout="auto",
-        batch=False,
-        derivatives=False,
-        estimator=False,
+        binding: str = "runtime",
+        layout: str = "auto",
+        batch: bool = False,
+        derivatives: bool = False,
+        estimator: bool = False,
         methods: Sequence[Method] = (),
-        outputs=False,
+        outputs: bool = False,
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
@@ -258,7 +259,7 @@ class CProject:
         return [constant_labels(key, algorithms) for key in self.chain.keys]
 
     @property
-    def constants(self):
+    def constants(self) -> list[Field]:
         if self.baked is not None:
             return []
         fields = constant_fields(self.chain, {x for labels in self.labels for x in labels})
@@ -297,7 +298,7 @@ class CProject:
         return check.content(self.chain, self._recorded)
 
     @cached_property
-    def _recorded(self) -> Sequence[check.Recorded]:
+    def _recorded(self) -> Sequence[Recorded]:
         return check.recorded(self.chain)
 
     @property

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import casadi as ca
 
 from ...algorithms import fused
@@ -45,7 +47,7 @@ def closing(chain: Chain) -> ca.Function:
     rows = len(chain.closures)
     given = symbols(chain, "q v") | {"forces": ca.SX.sym("forces", rows)} | symbols(chain, "p")
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         gap, loads = f.loops_at(x["q"], x["forces"])
         return {"gap": gap, "wrench": loads.w_ext}
 
@@ -78,7 +80,7 @@ def statics(chain: Chain) -> ca.Function:
     """
     chain.needs_fixed("equilibrium", "simulate it with dampers, or with PD control")
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         rest = [0.0] * chain.nv
         force, wrench = f.statics(x["q"], x["w_ext"])
         energy, tip = f.energy(x["q"], rest)[1], f.poses(x["q"])[1][chain.last][1]

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import numpy as np
     import typer
 
+    from .arguments import Loads, Numbers
     from .ir.block import Block
     from .spec.link_class import LinkClass
     from .spec.robot import Robot
@@ -56,7 +57,9 @@ class Formulation(Protocol):
     def model(self) -> Any:
         """The derived :class:`screwgen.Model` with the same coordinates, kinematics and energies."""
 
-    def forward_dynamics(self, q, v, tau, w_ext=None) -> tuple[np.ndarray, np.ndarray]:
+    def forward_dynamics(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nq,) and the joint wrenches (n, 6) at ``q``, ``v`` (nq,), torques and tip wrenches (n, 6)."""
 
     def record(self) -> dict:

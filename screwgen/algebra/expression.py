@@ -319,7 +319,7 @@ def hat(a: Expression) -> Expression:
     return zeros(3, 3) if is_zero(a) else Hat(a)
 
 
-def block(*rows: Sequence[Expression]) -> Expression:
+def block(*rows: Sequence[Expression]) -> Block:
     return Block(tuple(tuple(r) for r in rows))
 
 

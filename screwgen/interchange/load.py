@@ -90,7 +90,9 @@ def is_urdf(path: str | os.PathLike[str]) -> bool:
     return os.path.splitext(os.fsdecode(path))[1].lower() in SUFFIXES
 
 
-def import_urdf(path, flexible=None, options: Options | None = None) -> Imported:
+def import_urdf(
+    path: str | os.PathLike[str], flexible: str | os.PathLike[str] | None = None, options: Options | None = None
+) -> Imported:
     """The robot in a URDF, with notes and names; as :func:`load`."""
     file = one_line(os.fsdecode(path))
     urdf = read_urdf(read(path, file), file)

@@ -7,7 +7,7 @@ robot file, x along the centreline, and carries the joints behind it where the s
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -181,7 +181,9 @@ class Tree:
         if self._body(link):
             self.dropped.append(link)
 
-    def _add(self, joint, link: str, carrier: int, placed: Pose, direct=False, welded=False) -> int:
+    def _add(
+        self, joint: UrdfJoint | None, link: str, carrier: int, placed: Pose, direct: bool = False, welded: bool = False
+    ) -> int:
         """A node for a link whose joint frame sits in the frame of its carrier's URDF link at `placed`."""
         body, table = self._body(link), self.side.links.get(link, {})
         shape = shape_of(self.side, self.urdf, link, body)
@@ -256,7 +258,7 @@ def _axes(joint: UrdfJoint, shape: Shape | None) -> list:
     return [{"slide": axis} if joint.kind in SLIDING else axis]
 
 
-def _in(shape: Shape | None, axis) -> tuple[float, float, float]:
+def _in(shape: Shape | None, axis: Sequence[float] | np.ndarray) -> tuple[float, float, float]:
     turn = HERE.R if shape is None else shape.frame.R.T
     return tuple(axis) if shape is None and isinstance(axis, list) else cleaned(turn @ np.array(axis))
 

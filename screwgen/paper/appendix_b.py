@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ..algebra.expression import Expression, block, hat, zeros
 from .equation import Equation, Relation
 from .quantities import Link
@@ -11,7 +13,7 @@ O33, O3, O36 = zeros(3, 3), zeros(3), zeros(3, 6)
 PARTS = {name: link.r_b + link.r_xi for name, link in (("r_ib:1", ONE), ("r_ib:2", TWO))}
 
 
-def equation(label: str, title: str, printed: Relation, derived: Relation, **rest) -> Equation:
+def equation(label: str, title: str, printed: Relation, derived: Relation, **rest: Any) -> Equation:
     return Equation(label=label, section="B", title=title, printed=(printed,), derived=(derived,), where=PARTS, **rest)
 
 
@@ -50,7 +52,13 @@ DERIVED_M_D = block(
 # ------------------------------------------------------------------------------------------ M_DPsi
 
 
-def columns(omegadot_1=O33, rddot_1=O33, omegadot_2=O33, torque_1=O33, rddot_2=O33) -> list[Expression]:
+def columns(
+    omegadot_1: Expression = O33,
+    rddot_1: Expression = O33,
+    omegadot_2: Expression = O33,
+    torque_1: Expression = O33,
+    rddot_2: Expression = O33,
+) -> list[Expression]:
     """A row: columns of W_0 (torque, force), of Zdot_1 (omegadot, rddot), and the same of W_1 and Zdot_2."""
     return [O33, O33, omegadot_1, rddot_1, torque_1, O33, omegadot_2, rddot_2]
 

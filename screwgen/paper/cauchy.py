@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
-from ..algebra.expression import Inverse, Symbol, block, identity, stack, zeros
+from ..algebra.expression import Expression, Inverse, Symbol, block, identity, stack, zeros
 from .cauchy_state import inertial_states, measured_states, solution_misfits, step_defects
 from .equation import Equation, Formula, Judge, Relation
 from .evaluate import evaluate
@@ -37,12 +38,12 @@ def at_start(s: Symbol) -> Symbol:
     return Symbol(s.name, s.shape, rf"{s.display}_0" if s is not x_c else rf"{s.display}(0)")
 
 
-def coordinate_rates(J) -> Relation:
+def coordinate_rates(J: Expression) -> Relation:
     """``A_c`` with the map from Z to the rates of the coordinates."""
     return Relation(A_c, block([O12, O12, J, O12], [O12, O12, O12, I12], *[[O12] * 4] * 2))
 
 
-def equation(label: str, title: str, *printed: Relation | Formula, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Relation | Formula, **rest: Any) -> Equation:
     return Equation(label=label, section="6", title=title, printed=printed, **rest)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.expression import Expression, Symbol, Transpose, block, hat, identity, inverse, stack, zeros
@@ -17,7 +19,7 @@ I24 = identity(24)
 TWO_LINKS = "Written and judged for two links."
 
 
-def equation(label: str, title: str, *printed: Relation | Formula, section: str = "5", **rest) -> Equation:
+def equation(label: str, title: str, *printed: Relation | Formula, section: str = "5", **rest: Any) -> Equation:
     return Equation(label=label, section=section, title=title, printed=printed, **rest)
 
 

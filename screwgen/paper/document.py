@@ -131,8 +131,9 @@ def erratum_items(e: Erratum) -> list[Item]:
 
 def _figure(f: Figure) -> tuple[str, str, str, str]:
     unit = "" if f.unit == "-" else f" {f.unit}"
-    cells = [_set(number(f, x)) for x in (f.printed, f.derived, f.truth)]
-    return (f.what, *(cell + (unit if cell != "0" else "") for cell in cells))
+    cells = (_set(number(f, x)) for x in (f.printed, f.derived, f.truth))
+    printed, derived, truth = (cell + (unit if cell != "0" else "") for cell in cells)
+    return f.what, printed, derived, truth
 
 
 def _set(text: str) -> str:

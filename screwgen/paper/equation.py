@@ -11,8 +11,8 @@ import sympy as sp
 
 from ..algebra.expression import Constant, Expression, Symbol, is_zero
 from ..algebra.rewrite import difference, expand, substitute, symbols
-from .evaluate import evaluate, size
-from .motion import Motion, instant
+from .evaluate import Instant, evaluate, size
+from .motion import instant
 
 TOLERANCE = 1e-11
 """What a formula that holds may miss, relative to its largest term."""
@@ -42,7 +42,7 @@ class Relation:
         """The relation with symbols replaced."""
         return Relation(substitute(self.left, reading), substitute(self.right, reading)) if reading else self
 
-    def misfit(self, motion: Motion) -> float:
+    def misfit(self, motion: Instant) -> float:
         """How far the two sides are apart, relative to the largest term of either."""
         gap = np.abs(evaluate(self.left, motion) - evaluate(self.right, motion)).max()
         scale = max(size(self.left, motion), size(self.right, motion))
@@ -114,21 +114,21 @@ class Equation:
         if self.judge:
             return self.judge(seed)
         motion = instant(seed, self.isolated)
-        as_read = max(s.read(self.reading).read(self.where).misfit(motion) for s in self.printed)
-        derived = [s.read(self.where).misfit(motion) for s in self.derived]
+        as_read = max(relation(s).read(self.reading).read(self.where).misfit(motion) for s in self.printed)
+        derived = [relation(s).read(self.where).misfit(motion) for s in self.derived]
         return as_read, max(derived, default=as_read)
 
     def differences(self) -> list[Expression]:
         """Printed minus derived, line by line, with equal terms cancelled; empty where nothing differs."""
         if not self.derived or not all(isinstance(s, Relation) for s in (*self.printed, *self.derived)):
             return []
-        pairs = zip(self.printed, self.derived, strict=True)
+        pairs = zip(map(relation, self.printed), map(relation, self.derived), strict=True)
         return [d for d in (self._difference(p.read(self.reading), d) for p, d in pairs) if not is_zero(d)]
 
     def gaps(self) -> tuple[Expression | Formula, ...]:
         """The differences as they are shown: of matrix expressions, of sympy's equalities, or as stated."""
         pairs = zip(self.printed, self.derived, strict=False)
-        equalities = [_subtracted(p.statement, d.statement) for p, d in pairs if _are_equalities(p, d)]
+        equalities = [_subtracted(*both) for p, d in pairs if (both := _equalities(p, d))]
         return (*self.differences(), *equalities, *self.gap)
 
     def _difference(self, printed: Relation, derived: Relation) -> Expression:
@@ -141,12 +141,17 @@ class Equation:
         return min(found, key=length)
 
 
-def _are_equalities(*lines: Statement) -> bool:
-    """Whether lines give the same quantity by formulas of sympy."""
-    statements = [s.statement for s in lines if isinstance(s, Formula)]
-    return (
-        len(statements) == 2 and all(isinstance(s, sp.Eq) for s in statements) and len({s.lhs for s in statements}) == 1
-    )
+def relation(statement: Statement) -> Relation:
+    """A line that relates matrix expressions; TypeError for a formula of sympy."""
+    if isinstance(statement, Relation):
+        return statement
+    raise TypeError(f"{statement} relates no matrix expressions")
+
+
+def _equalities(*lines: Statement) -> list[sp.Eq]:
+    """Two lines that give the same quantity by formulas of sympy; else none."""
+    found = [s.statement for s in lines if isinstance(s, Formula) and isinstance(s.statement, sp.Eq)]
+    return found if len(found) == 2 and found[0].lhs == found[1].lhs else []
 
 
 def _subtracted(printed: sp.Eq, derived: sp.Eq) -> Formula:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.expression import Symbol, block, hat, stack, zeros
@@ -15,11 +17,11 @@ PLACE = {"r_ib:i": L.r_b + L.r_xi}
 """An element's place is its undeformed place and its displacement."""
 
 
-def equation(label: str, title: str, *printed: Relation | Formula, section: str = "2", **rest) -> Equation:
+def equation(label: str, title: str, *printed: Relation | Formula, section: str = "2", **rest: Any) -> Equation:
     return Equation(label=label, section=section, title=title, printed=printed, **rest)
 
 
-def appendix(label: str, title: str, *printed: Relation, **rest) -> Equation:
+def appendix(label: str, title: str, *printed: Relation, **rest: Any) -> Equation:
     return equation(label, title, *printed, section="A", **rest)
 
 

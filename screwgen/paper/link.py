@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ..algebra.expression import Symbol, block, hat, identity, inverse, stack
 from .equation import Equation, Relation
 from .link_ends import ENDS, SECTIONS
@@ -20,7 +22,7 @@ over = lambda integrand: L.integral(integrand, rho_A)  # noqa: E731
 to_tip, to_base = hat(L.r_b_c) + hat(L.r_xi_c), hat(L.r_b_a) + hat(L.r_xi_a)
 
 
-def equation(label: str, title: str, *printed: Relation, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Relation, **rest: Any) -> Equation:
     return Equation(label=label, section="3", title=title, printed=printed, isolated=True, **rest)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -34,12 +35,11 @@ def at_rest(printed: Relation, derived: Relation | None, where: Mapping[str, Exp
     return judge
 
 
-def static(label: str, title: str, printed: Relation, derived: Relation | None = None, **rest) -> Equation:
+def static(label: str, title: str, printed: Relation, derived: Relation | None = None, **rest: Any) -> Equation:
     """An equation that a beam at rest judges."""
     rest = {"judge": at_rest(printed, derived, rest.get("where", {}))} | rest
-    return Equation(
-        label=label, section="3", title=title, printed=(printed,), derived=(derived,) if derived else (), **rest
-    )
+    holds = (derived,) if derived else ()
+    return Equation(label=label, section="3", title=title, printed=(printed,), derived=holds, **rest)
 
 
 def moment_matrix(seed: int) -> tuple[float, float]:

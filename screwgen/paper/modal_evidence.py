@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from copy import copy
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -15,6 +15,7 @@ from ..algebra.expression import Expression, Symbol
 from ..algebra.rewrite import symbols
 from .appendix_b import DERIVED_H_MD, DERIVED_M_DPSI, PRINTED_H_MD, PRINTED_M_DPSI
 from .arm import LENGTHS
+from .arm_state import View
 from .discretised import RATE, VELOCITY, energy
 from .evaluate import evaluate
 from .jets import Jet, skew
@@ -39,7 +40,7 @@ def at_origin_of_link_2(left: Expression) -> float:
     r = np.array([[LENGTHS[0]], [0.0], [0.0]])
     given = {"omega:i": np.array([[0.0], [0], [1]]), "r_ob:i": r, "r:i": r, "rhoA:i": np.ones((1, 1)), "R:i": np.eye(3)}
     zeros = {s.name: np.zeros(s.shape) for s in symbols(left) if isinstance(s, Symbol)}
-    return float(evaluate(left, SimpleNamespace(values=zeros | given))[0, 0])
+    return float(evaluate(left, View(zeros | given, {}))[0, 0])
 
 
 # ------------------------------------------------------------------------------- the judge's arm
@@ -95,8 +96,8 @@ def lowest_eigenvalue(seed: int = 1) -> tuple[float, float]:
     v = Motion(seed).values
     M = np.block([[v["M_dyn_diff:i"], v["M_D_link:i"]], [v["M_Dphi_diff:i"], v["M_Wphi:i"]]])
     rows = block_diag(np.eye(6) + v["T_gamma:i"].T, np.eye(len(M) - 6))
-    found = [np.linalg.eigvalsh((X + X.T) / 2) for X in (M, rows @ M)]
-    return tuple(float(x[0] / x[-1]) for x in found)
+    printed, derived = (np.linalg.eigvalsh((X + X.T) / 2) for X in (M, rows @ M))
+    return float(printed[0] / printed[-1]), float(derived[0] / derived[-1])
 
 
 def block_asymmetry(seed: int = 1) -> tuple[float, float]:
@@ -116,15 +117,16 @@ def force_of_turning(seed: int = 1) -> tuple[float, float, float]:
     truth = link.rhoA * link.sum(np.cross([0.0, 0, 1], motion.values["r_xi:2"][..., 0])[..., None])
     printed = evaluate(PRINTED_M_DPSI, motion)[18:21] @ unit  # its third row block of link 2 is the force
     derived = evaluate(DERIVED_M_DPSI, motion)[21:24] @ unit
-    return tuple(float(np.abs(x).max()) for x in (printed, derived, truth))
+    size = lambda x: float(np.abs(x).max())  # noqa: E731
+    return size(printed), size(derived), size(truth)
 
 
 def moved_end() -> tuple[float, float]:
     """The elastic acceleration of the base of a straight link at 1 rad/s² about z, printed in (B2) and derived."""
     motion = Motion(1)
-    straight = SimpleNamespace(values=motion.values | STRAIGHT, weights=motion.weights)
-    rows = [evaluate(PRINTED_M_DPSI, straight)[0:3, 6:9], evaluate(DERIVED_M_DPSI, straight)[3:6, 6:9]]
-    return tuple(float(np.linalg.norm(x @ [0.0, 0, 1])) for x in rows)
+    straight = View(motion.values | STRAIGHT, motion.weights)
+    size = lambda x: float(np.linalg.norm(x @ [0.0, 0, 1]))  # noqa: E731
+    return size(evaluate(PRINTED_M_DPSI, straight)[0:3, 6:9]), size(evaluate(DERIVED_M_DPSI, straight)[3:6, 6:9])
 
 
 def deformation_carried(seed: int = 1) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -138,11 +140,14 @@ def deformation_carried(seed: int = 1) -> tuple[tuple[float, float, float], tupl
     still = np.zeros_like(link.eta.value)
     link.eta = Jet(link.eta.value, still, still)
     bias, moved = (Accelerated(link, Z, still).values["D_star"] for Z in (0 * Zdot, Zdot))
-    rigid = SimpleNamespace(values=motion.values | {"etadot:1": still, "etadot:2": still}, weights=motion.weights)
+    rigid = View(motion.values | {"etadot:1": still, "etadot:2": still}, motion.weights)
     size = lambda x: float(np.abs(x).max())  # noqa: E731
-    columns = [evaluate(M, motion)[18:, 18:] @ Zdot for M in (PRINTED_M_DPSI, DERIVED_M_DPSI)]
-    biases = [evaluate(h, rigid)[18:] for h in (PRINTED_H_MD, DERIVED_H_MD)]
-    return (*map(size, columns), size(moved - bias)), (*map(size, biases), size(bias))
+    columns = lambda M: size(evaluate(M, motion)[18:, 18:] @ Zdot)  # noqa: E731
+    biases = lambda h: size(evaluate(h, rigid)[18:])  # noqa: E731
+    return (
+        (columns(PRINTED_M_DPSI), columns(DERIVED_M_DPSI), size(moved - bias)),
+        (biases(PRINTED_H_MD), biases(DERIVED_H_MD), size(bias)),
+    )
 
 
 # ------------------------------------------------------------------------------------ a cantilever
@@ -161,8 +166,8 @@ def first_frequencies(count: int = 4) -> tuple[float, float, float]:
     mix = np.linalg.inv(np.linalg.cholesky((table(0) * weights) @ table(0).T))
     value, bent, fourth = (mix @ table(order) for order in (0, 2, 4))
     strong, weak = np.diag((fourth * weights) @ value.T), (bent * weights) @ bent.T
-    squares = (strong.min(), np.diag(weak).min(), eigh(weak, eigvals_only=True)[0])
-    return tuple(float(np.sqrt(max(x, 0.0))) for x in squares)
+    root = lambda x: float(np.sqrt(max(x, 0.0)))  # noqa: E731
+    return root(strong.min()), root(np.diag(weak).min()), root(eigh(weak, eigvals_only=True)[0])
 
 
 # ------------------------------------------------------------------------------------ coordinates
@@ -175,12 +180,15 @@ def attitude_errors(duration: float = 1.0, steps: int = 400) -> tuple[float, flo
     """
     omega, start = np.array([[0.0], [0], [1]]), np.array([[1.0], [0], [0]])
     truth = Rotation.from_rotvec(start[:, 0]) * Rotation.from_rotvec(duration * omega[:, 0])
-    laws = (lambda t: body_jacobian(t) @ omega, lambda t: np.linalg.solve(body_jacobian(t), omega))
-    found = (_integrated(law, start, duration / steps, steps) for law in laws)
-    return tuple(float(np.degrees((truth.inv() * turned).magnitude())) for turned in found)
+
+    def error(law: Callable[[np.ndarray], np.ndarray]) -> float:
+        turned = _integrated(law, start, duration / steps, steps)
+        return float(np.degrees((truth.inv() * turned).magnitude()))
+
+    return error(lambda t: body_jacobian(t) @ omega), error(lambda t: np.linalg.solve(body_jacobian(t), omega))
 
 
-def _integrated(law, theta: np.ndarray, h: float, steps: int) -> Rotation:
+def _integrated(law: Callable[[np.ndarray], np.ndarray], theta: np.ndarray, h: float, steps: int) -> Rotation:
     for _ in range(steps):
         k1 = law(theta)
         k2 = law(theta + h / 2 * k1)

@@ -80,8 +80,8 @@ def stress(link: MovingLink) -> np.ndarray:
 def section_twist(link: MovingLink, place: float) -> np.ndarray:
     """The twist about the frame's origin that unit modal rates give a section normal to the centreline, (6, modes)."""
     turn = skew(np.array([[1.0], [0], [0]])) @ link.shapes(place, 1)
-    at = sum(x.value for x in link.displaced(place))
-    return np.vstack([turn, link.shapes(place) + skew(at) @ turn])
+    r_b, r_xi = link.displaced(place)
+    return np.vstack([turn, link.shapes(place) + skew(r_b.value + r_xi.value) @ turn])
 
 
 class Rows:

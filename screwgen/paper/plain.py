@@ -62,8 +62,9 @@ def plain(e: Expression) -> str:
         case Inverse():
             return f"{_factor(e.arg.arg)}⁻ᵀ" if isinstance(e.arg, Transpose) else f"{_factor(e.arg)}⁻¹"
         case Hat():
-            letter = isinstance(e.arg, Symbol | Constant)
-            return accent(letters(e.arg.display), "\u0303") if letter else f"hat({plain(e.arg)})"
+            if isinstance(e.arg, Symbol | Constant):
+                return accent(letters(e.arg.display), "\u0303")
+            return f"hat({plain(e.arg)})"
         case Trace():
             return f"tr({plain(e.arg)})"
         case Integral():

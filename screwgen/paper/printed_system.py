@@ -14,6 +14,7 @@ from ..algebra.screw import lever, twice
 from ..topology.chain import Chain
 from . import appendix_b, link, projection
 from .arm_state import ArmState, LinkState, View
+from .equation import relation
 from .evaluate import evaluate
 from .quantities import Link
 from .synthesis import joint_bias, section_bias
@@ -200,8 +201,8 @@ def modal_bias(system: System) -> None:
         for triple in triples(state):
             (printed,), (derived,) = equation.printed, equation.derived
             own = of_mode(view, state, triple)
-            per_mass = evaluate(printed.read(equation.reading).right, own) * view.values["rhoA:i"]
-            change = (per_mass - evaluate(derived.right, own)).ravel() * system.scale(k)
+            per_mass = evaluate(relation(printed).read(equation.reading).right, own) * view.values["rhoA:i"]
+            change = (per_mass - evaluate(relation(derived).right, own)).ravel() * system.scale(k)
             for axis, mode in triple.items():
                 system.H[system.modes(k).start + mode] += change[axis]
 

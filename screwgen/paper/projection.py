@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from ..algebra.expression import (
     Expression,
     Negative,
+    Sum,
     Symbol,
     Transpose,
     add,
@@ -33,7 +35,7 @@ over = lambda integrand: L.integral(integrand, rho_A)  # noqa: E731
 O33 = zeros(3, 3)
 
 
-def equation(label: str, title: str, *printed: Relation | Formula, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Relation | Formula, **rest: Any) -> Equation:
     return Equation(label=label, section="5", title=title, printed=printed, **rest)
 
 
@@ -179,6 +181,12 @@ def boundary(end: str, sign: int) -> Expression:
     return force - moment if sign > 0 else moment - force
 
 
+def per_mass(force: Expression) -> Expression:
+    """Every term of a sum over the mass per length."""
+    assert isinstance(force, Sum)
+    return add(*(inverse(rho_A) @ term for term in force.terms))
+
+
 PROJECTED = (
     equation(
         "81",
@@ -208,7 +216,7 @@ PROJECTED = (
                 L.integral(P.T) @ L.rddot
                 + L.integral(P.T @ L.phi) @ L.etaddot
                 + L.integral(Negative(P.T @ hat(L.r_ob))) @ L.omegadot
-                + add(*(inverse(rho_A) @ term for term in (WEAK + boundary("c", 1) + boundary("a", -1)).terms))
+                + per_mass(WEAK + boundary("c", 1) + boundary("a", -1))
                 + L.integral(P.T @ (rates(L.r_ob, L.rdot_ob) - gravity)),
                 UNLOADED_P,
             ),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ..algebra.expression import Expression, Inverse, Transpose, block, hat, identity, stack, zeros
 from .equation import Equation, Relation
 from .quantities import Link
@@ -11,7 +13,7 @@ O3, O33, I3 = zeros(3), zeros(3, 3), identity(3)
 NONE = zeros(6)
 
 
-def equation(label: str, title: str, *printed: Relation, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Relation, **rest: Any) -> Equation:
     return Equation(label=label, section="4", title=title, printed=printed, **rest)
 
 

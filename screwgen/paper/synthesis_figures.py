@@ -7,14 +7,14 @@ from functools import cache
 import numpy as np
 from numpy.linalg import inv, norm
 
-from ..algebra.expression import block, zeros
+from ..algebra.expression import Block, block, zeros
 from ..algebra.rewrite import substitute
-from ..model import derive
+from ..model import Model, derive
 from ..spec.robot import Joint, Link, Modes, Robot
 from ..studies.analysis.regularity import regularity, with_projectors_alone
 from .arm import SECTION, SET_POINTS, ella
 from .arm_state import ArmState, View
-from .equation import Equation, Relation
+from .equation import Equation, Relation, relation
 from .erratum import Figure, misfit
 from .evaluate import evaluate
 from .jets import Jet, skew, turn, unskew
@@ -38,7 +38,7 @@ def found(label: str) -> Equation:
 
 
 @cache
-def model(section_rotation: bool = False):
+def model(section_rotation: bool = False) -> Model:
     return derive(ella(section_rotation=section_rotation))
 
 
@@ -61,7 +61,7 @@ def elbow_apart() -> tuple[Figure, ...]:
     view = posture((0, 0, 0), (0, 0, 1), 1)
     twists = {"V_T:i-1": BEFORE.V + BEFORE.V_b_c, "V_B:i": L.V + L.V_b_a}
     printed, derived = (
-        np.abs(evaluate(substitute(e.left, twists), view)).max()
+        np.abs(evaluate(substitute(relation(e).left, twists), view)).max()
         for e in (found("45").printed[0], found("45").derived[0])
     )
     what = "velocity with which the elbow of ELLA, straight, comes apart while it turns at 1 rad/s"
@@ -72,12 +72,14 @@ def blocked_turn() -> tuple[Figure, ...]:
     """E13: what the rows block of a turn that the base joint makes; what axes fixed in the link let through."""
     view = posture(SET_POINTS, (1, 0, 0), 0)
     fixed = L.R @ L.A_zero
-    printed, derived = (norm(evaluate((I3 - x) @ (L.R @ L.omega), view)) for x in (fixed @ fixed.T, L.A @ L.A_plus))
+    printed, derived = (
+        float(norm(evaluate((I3 - x) @ (L.R @ L.omega), view))) for x in (fixed @ fixed.T, L.A @ L.A_plus)
+    )
     motion = Motion(1)
     twice_over = [np.abs(P @ P - P).max() for P in (np.eye(3) - _outer(motion), motion.values["P:i"][:3, :3])]
     return (
         *misses("43", "oA"),
-        Figure("largest entry of PP − P for two skew axes", "-", *twice_over, scale=1.0),
+        Figure.of("largest entry of PP − P for two skew axes", "-", twice_over, scale=1.0),
         Figure("angular velocity that the rows of ELLA's base block while it turns about y at 1 rad/s, at the set "
                "points", "rad/s", printed, derived, scale=1.0),
         Figure("turn left over when a joint about y and z has made a quarter turn about each and taken both back",
@@ -112,7 +114,7 @@ def blocked_share() -> tuple[Figure, ...]:
         P = evaluate(I3 - L.A @ L.A_plus, posture((0, 0, 0), (0, 0, 0), link))
         shares = [(unit.T @ matrix @ unit).item() for matrix in (np.diag(printed), P)]
         what = f"share that joint {link + 1} of ELLA blocks of a turn about {axis}"
-        out.append(Figure(what, "-", *shares, truth, scale=1.0))
+        out.append(Figure.of(what, "-", shares, truth, scale=1.0))
     return tuple(out)
 
 
@@ -122,13 +124,13 @@ def turning_projector() -> tuple[Figure, ...]:
     rows = (Relation(L.P @ GAP_RATE, NONE), Relation(L.P @ GAP_RATE + L.Pdot @ GAP, NONE))
     gaps = [r.misfit(motion) for r in rows]
     q, v = (0, 0, 0), (1, 0, 1)
-    printed = -evaluate(found("accconst5").printed[0].right, posture(q, v, 1))[0, 0]
+    printed = -evaluate(relation(found("accconst5").printed[0]).right, posture(q, v, 1))[0, 0]
     H = model().numpy().assemble(state(q, v), [0.0] * 3, np.zeros((2, 6)))[1]
     carried = np.cross(E_Y[:, 0], E_Z[:, 0])[0]
     what = "angular acceleration of ELLA's forearm about x, base turning about y and elbow about z at 1 rad/s"
     return (
         *misses("accconst1", "accconst5"),
-        Figure("relative misfit of (accconst1) with the Adjoint mended", "-", *gaps, within=1e-11, scale=1.0),
+        Figure.of("relative misfit of (accconst1) with the Adjoint mended", "-", gaps, within=1e-11, scale=1.0),
         Figure(what, "rad/s²", printed, -H[12], carried),
     )
 
@@ -148,19 +150,20 @@ def lost_reference() -> tuple[Figure, ...]:
 def misplaced() -> tuple[Figure, ...]:
     """E15: one misplacement at a time, everything else as derived."""
     motion, rows = Motion(1), [list(row) for row in M_S.rows]
-    right = found("66").printed[0]
+    right = relation(found("66").printed[0])
     missing = lambda M: right.read({"M_s:all": M}).misfit(motion)  # noqa: E731
     signs = [[-x for x in rows[0]], rows[1], [-x for x in rows[2]], rows[3]]
     shifted = [*rows[:3], list(PRINTED_M_S.rows[3])]
-    own = found("59").derived[0].right
+    own = relation(found("59").derived[0]).right
+    assert isinstance(own, Block)
     below = own.rows[1]
     wrong = block(own.rows[0], (below[0], below[3], below[2], below[1]))
-    pair = found("58").printed[0]
+    pair = relation(found("58").printed[0])
     in_pair = [pair.read({"M_c:i": M}).misfit(motion) for M in (wrong, own)]
     exact = missing(M_S)
     head = "relative misfit on a random motion of"
     return (
-        Figure(f"{head} (58), only the link's inertia in the column printed", "-", *in_pair, scale=1.0),
+        Figure.of(f"{head} (58), only the link's inertia in the column printed", "-", in_pair, scale=1.0),
         Figure(f"{head} (66), only the fourth row of (68) as printed", "-", missing(block(*shifted)), exact, scale=1.0),
         Figure(f"{head} (66), only the signs of rows one and three as printed", "-", missing(block(*signs)), exact,
                scale=1.0),
@@ -227,12 +230,12 @@ def zero_singular_values() -> tuple[Figure, ...]:
         M = judge.assemble(judge.dae_state(q, v), [0.0] * arm.n_joints, np.zeros((arm.n_links, 6)))[0]
         lost = [len(M) - regularity(x, like=M).rank for x in (with_projectors_alone(arm, M), M)]
         what = rf"zero singular values of $\mathbf{{M}}_{{sys}}$ of {name} ({arm.n_joints} axes)"
-        out.append(Figure(what, "-", *lost))
+        out.append(Figure.of(what, "-", lost))
     return tuple(out)
 
 
 @cache
-def mixed():
+def mixed() -> Model:
     """Three flexible links behind joints of one, two and three axes."""
     modes = Modes(basis="clamped_free", bending_y=1, bending_z=1)
     links = [

@@ -7,6 +7,7 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from ..algebra.expression import Symbol
 from ..algebra.notation import latex
 from .equation import Equation, Formula, Relation, Standing
 from .erratum import Erratum, Figure
@@ -70,7 +71,7 @@ def equation_text(e: Equation) -> str:
     return "\n".join(lines + _symbols(e))
 
 
-def _named(e: Equation, name: str):
+def _named(e: Equation, name: str) -> Symbol:
     return next(s for s in e.symbols if s.name == name)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import sympy as sp
 
@@ -269,7 +270,7 @@ def _columns(b: Block, rows: Rows, T: Symbol, modes: int) -> Symbol:
 def _bias(b: Block, rows: Rows, names: tuple[str, str, str, str, str], change: Expression) -> None:
     """``h_Ms`` of some rows, and their bias in Z: ``h_dyn = h_Ms + h_MD + h_s``."""
     name, display, in_z, difference, display_difference = names
-    shared = {"unit": rows.bias_unit, "numbered": rows.numbered}
+    shared: dict[str, Any] = {"unit": rows.bias_unit, "numbered": rows.numbered}
     meaning = f"{rows.whose}: bias of the change to Z"
     h = b.step(difference, change, display_difference, equation="HMs", meaning=meaning, **shared)
     meaning = f"{rows.whose}: bias with the twist's rate as unknown"

@@ -127,7 +127,7 @@ def color(link: int, n: int) -> tuple | str:
 
 
 def _lines(
-    run: Run, model: RobotModel | None, values: np.ndarray, names: tuple[str, ...], part: str, axes=False
+    run: Run, model: RobotModel | None, values: np.ndarray, names: tuple[str, ...], part: str, axes: bool = False
 ) -> list[Line]:
     """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link.
 

@@ -63,7 +63,7 @@ class Stage:
     def picture(self) -> np.ndarray:
         """The picture (height, width, 3) as bytes."""
         self.figure.canvas.draw()
-        return np.asarray(self.figure.canvas.buffer_rgba())[:, :, :3].copy()  # type: ignore[attr-defined]
+        return np.asarray(self.figure.canvas.buffer_rgba())[:, :, :3].copy()
 
 
 class Polygons(PolyCollection):

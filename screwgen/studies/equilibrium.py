@@ -163,13 +163,17 @@ def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarra
     return (Shut if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
-def _balanced(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _balanced(
+    model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+) -> tuple[Statics, Balance]:
     """The equilibrium that the search from `start` (nq,) ends in."""
     statics = _statics(model, p, tau, w_ext, held)
     return statics, search(statics, start)
 
 
-def _rested(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _rested(
+    model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+) -> tuple[Statics, Balance]:
     """The same with elastic drives: at rest a gear passes on its torque, so the arm rests as one with rigid gears does.
 
     The rotors are turned until their gears pass on the torques at the joints.

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import notebook
-from ..arguments import Given, Numbers, array, choice, nearest
+from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
@@ -159,8 +159,8 @@ def linearise(
     model: RobotModel,
     q: Numbers,
     v: Numbers | None = None,
-    tau: Numbers | None = None,
-    w_ext: Any = None,
+    tau: Loads = None,
+    w_ext: Loads = None,
     parameters: Given = None,
     outputs: Sequence[str] | str = OUTPUTS,
     inputs: Sequence[str] | str = INPUTS,

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -145,7 +146,7 @@ class Chain(Coordinates):
         """The names of the links in code; of segments `boom_2`."""
         return [s.identifier for s in self.segments]
 
-    def tip_wrenches(self, given, name: str) -> np.ndarray:
+    def tip_wrenches(self, given: Any, name: str) -> np.ndarray:
         """Wrenches on the tips (n, 6) from those given, of all segments or on the tips of the robot's links alone."""
         links = len(self.robot.links)
         if links == self.n or not (hasattr(given, "__len__") and len(given) == links):

@@ -81,7 +81,9 @@ def read_looks(path: str | os.PathLike[str]) -> Looks:
     return looks
 
 
-def _surfaces(trimesh, visual: Visual, file: str, notes: list[str]) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
+def _surfaces(
+    trimesh: Any, visual: Visual, file: str, notes: list[str]
+) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
     """The surfaces of a visual, cut along their creases, with their colours."""
     for mesh, color in _meshes(trimesh, visual, file, notes):
         plain = trimesh.Trimesh(mesh.vertices, mesh.faces)  # equal vertices are one, whatever their textures
@@ -93,7 +95,7 @@ def _surfaces(trimesh, visual: Visual, file: str, notes: list[str]) -> Iterator[
         yield points, triangles.reshape(-1, 3), visual.color or color
 
 
-def _meshes(trimesh, visual: Visual, file: str, notes: list[str]) -> list[tuple[Any, str]]:
+def _meshes(trimesh: Any, visual: Visual, file: str, notes: list[str]) -> list[tuple[Any, str]]:
     shape = visual.shape
     if shape.tag != "mesh":
         make, keys = {
@@ -143,7 +145,7 @@ def _where(name: str) -> str:
     return f"; set ROS_PACKAGE_PATH to the folder that holds the folder '{package}'"
 
 
-def _color(mesh) -> str:
+def _color(mesh: Any) -> str:
     """The colour that a mesh brings along."""
     material = getattr(mesh.visual, "material", None)
     if material is None and not mesh.visual.defined:
@@ -218,7 +220,7 @@ def _cut(points: np.ndarray, triangles: np.ndarray, longest: float, shown: str) 
 
 
 def _segments(
-    points, triangles, model: Model, link: int, scene: dict, poses: tuple
+    points: np.ndarray, triangles: np.ndarray, model: Model, link: int, scene: dict, poses: tuple
 ) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
     """The points and triangles of each segment of a link, by where along it the triangles' middles are."""
     first, last = model.chain.firsts[link], model.chain.lasts[link]

@@ -196,7 +196,10 @@ def _shapes(mesh: Mesh, modes, frequency, interface, base, tip, file) -> tuple[n
         shapes = _lowest(K[:own, :own], M[:own, :own], seen[:, :own], modes, frequency, most, file)
         lowest = np.vstack([shapes, np.zeros((T.shape[1] - own, shapes.shape[1]))])
     V = V - lowest @ (lowest.T @ (M @ V))
-    V = np.hstack([V / np.sqrt(np.sum(V * (M @ V), axis=0)), lowest])
+    masses = np.sum(V * (M @ V), axis=0)
+    if not np.all(masses > 0):
+        raise np.linalg.LinAlgError
+    V = np.hstack([V / np.sqrt(masses), lowest])
     if not V.shape[1]:
         raise RobotFileError(f"{file}: no mode is left; raise modes or frequency")
     squares, turn = scipy.linalg.eigh(V.T @ (K @ V), V.T @ (M @ V))

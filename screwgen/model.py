@@ -137,7 +137,7 @@ class Model(RobotModel):
         return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods)
 
     def mpc(self, file: str | os.PathLike, **options):
-        """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.Mpc`."""
+        """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.CompiledMpc`."""
         from .studies.predictive import controller
 
         return controller(self, file, **options)

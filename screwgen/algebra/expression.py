@@ -147,7 +147,7 @@ class Diagonal(Unary):
 
 
 @dataclass(frozen=True)
-class Block(Expression):
+class BlockMatrix(Expression):
     """A matrix put together from blocks, row by row."""
 
     rows: tuple[tuple[Expression, ...], ...]
@@ -297,7 +297,7 @@ def transpose(e: Expression) -> Expression:
             return product(transpose(e.right), transpose(e.left))
         case Hat():
             return -e
-        case Block():
+        case BlockMatrix():
             return block(*([transpose(x) for x in col] for col in zip(*e.rows, strict=True)))
         case Constant() if is_zero(e):
             return zeros(*e.shape[::-1])
@@ -320,7 +320,7 @@ def hat(a: Expression) -> Expression:
 
 
 def block(*rows: Sequence[Expression]) -> Expression:
-    return Block(tuple(tuple(r) for r in rows))
+    return BlockMatrix(tuple(tuple(r) for r in rows))
 
 
 def stack(*parts: Expression) -> Expression:

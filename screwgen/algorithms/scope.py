@@ -4,7 +4,7 @@ A chain of n links has n + 1 *nodes*: node 0 is the base, node i + 1 is the tip 
 link i reads and writes signals. The prefix of a signal's name says where it is stored:
 
 ``base.*``, ``tip.*``  node i and node i + 1: twists, poses, accelerations, reactions
-``at0.*``, ``at1.*``   the nodes of the stations, other sections at which the link carries links; see :class:`Station`
+``at0.*``, ``at1.*``   the nodes of the stations, other sections at which the link carries links: :class:`StationScope`
 ``w.*``                the link's store, which later phases of the same link read
 ``c.*``                constants of the link, prepared from its parameters
 anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, ``wrench`` ...)
@@ -187,7 +187,7 @@ class Scope:
     @cached_property
     def stations(self) -> list[Scope]:
         """The other sections at which the link carries links."""
-        return [Station(self, number) for number in range(len(self.key.stations_at))]
+        return [StationScope(self, number) for number in range(len(self.key.stations_at))]
 
     def constant(self, label: str) -> Value:
         """A constant of the link, by the label of the step that prepares it."""
@@ -252,7 +252,7 @@ OF_TIP = frozenset(KEPT.split()) | PER_CHILD
 """What a link keeps of its tip, and writes of what is carried there."""
 
 
-class Station(Scope):
+class StationScope(Scope):
     """The scope of a phase in which a station stands for the tip: its node, its blocks, what is kept of it.
 
     So what a phase does at the tip is done there by the same lines. Nothing acts on a station but what it carries.

@@ -11,7 +11,7 @@ from .functions import MOTION, Functions
 from .fused import fuse
 
 
-class Tip(Functions):
+class TipFunctions(Functions):
     """The functions of a robot, with the velocity of its last tip."""
 
     def tip_velocity(self, q, v) -> list[Value]:
@@ -27,7 +27,7 @@ def tip_terms(chain: Chain, turning: bool, moving: bool, constants="constants") 
     if ``moving``; that with v is ``r_q``.
     """
 
-    def body(f: Tip, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
+    def body(f: TipFunctions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
         R, r = f.poses(x["q"])[1][chain.last]
         flat = lambda values: [s for column in columns(values, x["q"]) for s in column]  # noqa: E731
         out: dict[str, Sequence[Value]] = {"r": r, "r_q": flat(r)}
@@ -38,4 +38,4 @@ def tip_terms(chain: Chain, turning: bool, moving: bool, constants="constants") 
             out |= {"u": u, "u_q": flat(u)}
         return out
 
-    return fuse(chain, "tip_terms", {"q": chain.nq, "v": chain.nv}, body, constants, Tip)
+    return fuse(chain, "tip_terms", {"q": chain.nq, "v": chain.nv}, body, constants, TipFunctions)

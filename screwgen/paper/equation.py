@@ -12,7 +12,7 @@ import sympy as sp
 from ..algebra.expression import Constant, Expression, Symbol, is_zero
 from ..algebra.rewrite import difference, expand, substitute, symbols
 from .evaluate import evaluate, size
-from .motion import Motion, instant
+from .motion import RandomMotion, instant
 
 TOLERANCE = 1e-11
 """What a formula that holds may miss, relative to its largest term."""
@@ -28,7 +28,7 @@ class Standing(Enum):
 
 
 @dataclass(frozen=True)
-class Relation:
+class Equality:
     """``left = right``: matrix expressions over the paper's symbols."""
 
     left: Expression
@@ -38,11 +38,11 @@ class Relation:
     def residual(self) -> Expression:
         return self.left - self.right
 
-    def read(self, reading: Mapping[str, Expression]) -> Relation:
+    def read(self, reading: Mapping[str, Expression]) -> Equality:
         """The relation with symbols replaced."""
-        return Relation(substitute(self.left, reading), substitute(self.right, reading)) if reading else self
+        return Equality(substitute(self.left, reading), substitute(self.right, reading)) if reading else self
 
-    def misfit(self, motion: Motion) -> float:
+    def misfit(self, motion: RandomMotion) -> float:
         """How far the two sides are apart, relative to the largest term of either."""
         gap = np.abs(evaluate(self.left, motion) - evaluate(self.right, motion)).max()
         scale = max(size(self.left, motion), size(self.right, motion))
@@ -66,7 +66,7 @@ class Formula:
         return [first, *(t if t.startswith("-") else f"+ {t}" for t in rest)]
 
 
-Statement = Relation | Formula
+Statement = Equality | Formula
 Judge = Callable[[int], tuple[float, float]]
 """From a seed to the relative misfits of the printed and of the derived statement."""
 
@@ -106,7 +106,7 @@ class Equation:
     @property
     def symbols(self) -> list[Symbol]:
         """The symbols of the printed lines, then of the derived ones, in the order of their appearance."""
-        sides = [side for s in (*self.printed, *self.derived) if isinstance(s, Relation) for side in (s.left, s.right)]
+        sides = [side for s in (*self.printed, *self.derived) if isinstance(s, Equality) for side in (s.left, s.right)]
         return list(dict.fromkeys(s for side in sides for s in symbols(side)))
 
     def misfits(self, seed: int) -> tuple[float, float]:
@@ -120,7 +120,7 @@ class Equation:
 
     def differences(self) -> list[Expression]:
         """Printed minus derived, line by line, with equal terms cancelled; empty where nothing differs."""
-        if not self.derived or not all(isinstance(s, Relation) for s in (*self.printed, *self.derived)):
+        if not self.derived or not all(isinstance(s, Equality) for s in (*self.printed, *self.derived)):
             return []
         pairs = zip(self.printed, self.derived, strict=True)
         return [d for d in (self._difference(p.read(self.reading), d) for p, d in pairs) if not is_zero(d)]
@@ -131,7 +131,7 @@ class Equation:
         equalities = [_subtracted(p.statement, d.statement) for p, d in pairs if _are_equalities(p, d)]
         return (*self.differences(), *equalities, *self.gap)
 
-    def _difference(self, printed: Relation, derived: Relation) -> Expression:
+    def _difference(self, printed: Equality, derived: Equality) -> Expression:
         """The shorter of the differences with and without the definitions put in."""
         found = []
         for where in ({}, self.where):

@@ -7,7 +7,7 @@ from functools import reduce
 import numpy as np
 
 from ..algebra.expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Expression,
     Hat,
@@ -21,10 +21,10 @@ from ..algebra.expression import (
     Transpose,
 )
 from .jets import skew
-from .motion import Motion
+from .motion import RandomMotion
 
 
-def evaluate(e: Expression, motion: Motion) -> np.ndarray:
+def evaluate(e: Expression, motion: RandomMotion) -> np.ndarray:
     """The value of ``e``, (r, c), or of a field, (points, r, c); KeyError names a quantity the motion lacks."""
     inner = lambda x: evaluate(x, motion)  # noqa: E731
     match e:
@@ -47,27 +47,27 @@ def evaluate(e: Expression, motion: Motion) -> np.ndarray:
             return skew(inner(e.arg))
         case Trace():
             return np.trace(inner(e.arg), axis1=-2, axis2=-1)[..., None, None]
-        case Block():
+        case BlockMatrix():
             return _joined(e, motion)
         case Integral():
             return _integral(e, motion)
     raise TypeError(f"no value for {type(e).__name__}")
 
 
-def _joined(e: Block, motion: Motion) -> np.ndarray:
+def _joined(e: BlockMatrix, motion: RandomMotion) -> np.ndarray:
     rows = [[evaluate(x, motion) for x in row] for row in e.rows]
     lead = max((x.shape[:-2] for row in rows for x in row), key=len)
     whole = [[np.broadcast_to(x, (*lead, *x.shape[-2:])) for x in row] for row in rows]
     return np.concatenate([np.concatenate(row, -1) for row in whole], -2)
 
 
-def _integral(e: Integral, motion: Motion) -> np.ndarray:
+def _integral(e: Integral, motion: RandomMotion) -> np.ndarray:
     weights, field = motion.weights[e.index], evaluate(e.integrand, motion)
     total = np.tensordot(weights, field, 1) if field.ndim == 3 else weights.sum() * field
     return total if e.weight is None else evaluate(e.weight, motion) * total
 
 
-def size(e: Expression, motion: Motion) -> float:
+def size(e: Expression, motion: RandomMotion) -> float:
     """The largest entry among the terms of a sum, or of a product with one: against this a residual is small or not."""
     match e:
         case Sum():

@@ -21,7 +21,7 @@ from scipy.sparse.linalg import ArpackError, eigsh, splu
 from ..errors import RobotFileError, one_line
 from ..files import open_arrays, sound
 from . import INTERFACES
-from .invariants import EPS, Invariants, Node, hat
+from .invariants import EPS, BodyNode, Invariants, hat
 from .standard import MOST_MODES
 
 PARTS = ("data", "indices", "indptr", "shape")
@@ -288,10 +288,10 @@ def _invariants(mesh: Mesh, V: np.ndarray, omega: np.ndarray, base: str, tip: st
     return Invariants(G, mass * np.eye(r), np.diag(mass * omega**2), np.zeros((r, r)), none, none, names, nodes)
 
 
-def _node(mesh: Mesh, name: str, V: np.ndarray, origin: np.ndarray, clamped: bool) -> Node:
+def _node(mesh: Mesh, name: str, V: np.ndarray, origin: np.ndarray, clamped: bool) -> BodyNode:
     r = V.shape[1]
     motion = np.zeros((6, r)) if clamped else _motion(mesh, name) @ V
     for part in (motion[:3], motion[3:]):
         part[np.abs(part) < NOISE * np.abs(part).max(initial=0.0)] = 0.0
     none = np.zeros((3, r, r))
-    return Node(name, mesh.points[name] - origin, motion[:3], motion[3:], np.eye(3), none, none)
+    return BodyNode(name, mesh.points[name] - origin, motion[:3], motion[3:], np.eye(3), none, none)

@@ -22,7 +22,7 @@ from ..robot_model import RobotModel
 from .differentiated import NO_METHOD, Differentiated
 from .forms import Forms
 from .library import load
-from .memory import Array, Motion, pointer
+from .memory import Array, LinkMotions, pointer
 from .pace import slices
 from .stepper import Stepper
 
@@ -214,16 +214,16 @@ class Compiled(Differentiated):
 
     # poses and statics ------------------------------------------------------------------------
 
-    def kinematics(self, q, v=None) -> Motion:
+    def kinematics(self, q, v=None) -> LinkMotions:
         """Poses of all links and of their tips, and the twists of the tips; rates left out are zero."""
         with self._lock:
             self._set(q, self._no_v if v is None else v)
             return self.motion()
 
-    def motion(self) -> Motion:
+    def motion(self) -> LinkMotions:
         """The same of the state in memory."""
         self.check(self.library.shim_kinematics(self.memory))
-        return Motion(*(x.copy() for x in self._motion))
+        return LinkMotions(*(x.copy() for x in self._motion))
 
     def tip_jacobian(self, q) -> Array:
         """``J`` (6, nv): J v is the twist [omega; v] of the last tip, in inertial components."""

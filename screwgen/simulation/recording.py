@@ -28,7 +28,7 @@ from ..robot_model import RobotModel
 from ..spec.load import one_line
 from .hits import Hits
 from .inputs import Inputs
-from .integrate import Dynamics, Evaluator, Stepper
+from .integrate import CasadiEvaluator, Dynamics, EquationForm
 from .loop_watch import LoopWatch
 from .runs import Run, column_names, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
@@ -44,7 +44,7 @@ BLOCK = 4096
 
 
 @dataclass(frozen=True)
-class Task:
+class RunTask:
     """A run to make: `steps` steps of `step` seconds that end at `duration`, every `every`-th sampled, and the end.
 
     `q0`, `v0` (nq,): where it starts; `given`: what acts on the arm; `law`: the controller behind its torques;
@@ -78,7 +78,7 @@ class Task:
         return k % self.every == 0 or k == self.steps
 
 
-Walk = Callable[[Task, "Table"], None]
+Walk = Callable[[RunTask, "SampleTable"], None]
 """A way to make a run."""
 
 
@@ -95,7 +95,7 @@ def _widths(model: RobotModel) -> dict[str, int]:
     return widths | {row.name: entries(row, model.chain) for row in reported(model.chain)}
 
 
-class Table:
+class SampleTable:
     """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, and what is reported."""
 
     def __init__(self, model: RobotModel, times: np.ndarray, p: np.ndarray, q0: np.ndarray):
@@ -106,7 +106,7 @@ class Table:
         self.width = int(ends[-1])
         self.rows, self.count = np.empty((len(times), self.width)), 0
         self.watch, self.hits, self.loops = Watch(model.chain.names), Hits(model, p), LoopWatch(model, p, q0)
-        self.store: Store | None = None
+        self.store: RunFile | None = None
 
     @property
     def shapes(self) -> dict[str, tuple[int, ...]]:
@@ -133,13 +133,14 @@ class Table:
 class Recorder:
     """Samples of a motion by CasADi's functions."""
 
-    def __init__(self, table: Table):
+    def __init__(self, table: SampleTable):
         functions, self.table = table.model.casadi(), table
         self.dynamics = Dynamics(table.model, table.p)  # type: ignore[arg-type]
         modal = table.model.modal_functions
-        self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
-        self.tip_pose = Evaluator(functions["tip_pose"])
-        self.reports = {row.name: (row.names, Evaluator(functions[row.name])) for row in reported(table.model.chain)}
+        self.watched, self.measures = CasadiEvaluator(modal["watched_dynamics"]), CasadiEvaluator(modal["measures"])
+        self.tip_pose = CasadiEvaluator(functions["tip_pose"])
+        rows = reported(table.model.chain)
+        self.reports = {row.name: (row.names, CasadiEvaluator(functions[row.name])) for row in rows}
 
     def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
         """The joint wrenches; None if a link bends by more than its length."""
@@ -155,7 +156,7 @@ class Recorder:
         self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *told])
         self.table.filled(row + 1)
 
-    def weigh(self, t: float, plant: Stepper, before: object, after: object, *held) -> None:
+    def weigh(self, t: float, plant: EquationForm, before: object, after: object, *held) -> None:
         """Note the energies of the states before and after a step at `t` under held (torques, wrenches, seconds)."""
 
         def energy(state: object) -> np.ndarray:
@@ -188,7 +189,7 @@ def part_of(path: str | os.PathLike[str]) -> Path:
 
 
 @contextmanager
-def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
+def stored(table: SampleTable, path: str | os.PathLike[str] | None) -> Iterator[None]:
     """Store the table's samples as they come; a run that ends is moved to `path`. Without a path nothing is stored.
 
     The text of an error or interruption names the file that remains.
@@ -200,7 +201,7 @@ def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
     stream = _claimed(part, path)
     try:
         with stream:
-            table.store = Store(table, stream, suffix(path) == ".csv")
+            table.store = RunFile(table, stream, suffix(path) == ".csv")
             try:
                 yield
             finally:
@@ -234,10 +235,10 @@ def _claimed(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
         raise unwritable(path, error) from None
 
 
-class Store:
+class RunFile:
     """The file of a run that has not ended."""
 
-    def __init__(self, table: Table, stream: BinaryIO, text: bool):
+    def __init__(self, table: SampleTable, stream: BinaryIO, text: bool):
         self.table, self.stream, self.text = table, stream, text
         self.dtype = np.dtype([(name, "<f8", shape) for name, shape in table.shapes.items()])
         self.count, self.ready, self.clock = 0, 0, time.monotonic()

@@ -23,7 +23,7 @@ WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
 
 
 @dataclass(frozen=True)
-class Run:
+class CFunction:
     """An algorithm that is a C function, and its results."""
 
     algorithm: Algorithm
@@ -43,11 +43,11 @@ class Run:
     """Whether results at nodes are those of every tip, not of the last alone."""
 
 
-def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, **more) -> Run:
-    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
+def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, **more) -> CFunction:
+    return CFunction(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
 
 
-RUNS: dict[str, Run] = {
+RUNS: dict[str, CFunction] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
@@ -77,7 +77,7 @@ RUNS: dict[str, Run] = {
         "Joint form: inverse dynamics, with joint wrenches.",
         "force base_force force_theta force_eta wrench",
     ),
-    "inertia": Run(
+    "inertia": CFunction(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
         frozenset({"force", "base_force", "force_theta", "force_eta"}),
@@ -121,7 +121,7 @@ class Links:
     _written: dict[tuple, Function] = field(default_factory=dict)
 
     @property
-    def runs(self) -> dict[str, Run]:
+    def runs(self) -> dict[str, CFunction]:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:

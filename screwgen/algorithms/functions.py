@@ -18,7 +18,8 @@ from .drives import drive_power, rotor_accelerations
 from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
-from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
+from .marker_functions import MarkerFunctions
+from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 
@@ -61,7 +62,7 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     return out
 
 
-class Functions(LoopFunctions):
+class Functions(LoopFunctions, MarkerFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
@@ -78,16 +79,14 @@ class Functions(LoopFunctions):
     def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
 
-    def _nodes(self) -> list[dict[str, list]]:
-        return nodes(self.chain, self.gravity)
-
     def _run(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> tuple[list, list]:
-        places = self._nodes()
+        chain = seen_by(self.chain, algorithm)
+        places = nodes(chain, self.gravity)
         links = [dict(c) for c in self.constants]
         for part in parts:
             for link, more in zip(links, part, strict=True):
                 link.update(more)
-        return execute(self.chain, algorithm, links, places, self.apply), places
+        return execute(chain, algorithm, links, places, self.apply), places
 
     def _motion(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
         position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")

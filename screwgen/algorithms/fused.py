@@ -15,7 +15,7 @@ from ..topology.chain import Chain
 from .columns import columns, link_columns
 from .dae_functions import DaeFunctions, state_size, unknown_size
 from .functions import EVERYTHING, Functions
-from .schedule import Algorithm, constant_labels, is_column, preparation
+from .schedule import Algorithm, constant_labels, is_column, preparation, seen_by
 
 DIGITS = 40
 
@@ -24,18 +24,24 @@ Body = Callable[[Any, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Valu
 
 
 def fuse(
-    chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constants="parameters", kind=Functions
+    chain: Chain,
+    name: str,
+    inputs: Mapping[str, int],
+    body: Body,
+    constants="parameters",
+    kind=Functions,
+    algorithms: Sequence[Algorithm] = EVERYTHING,
 ) -> Program:
     """Trace a function of the whole robot into one program.
 
     ``constants`` says where the links' constants come from: prepared inside from an input ``p``
     (``"parameters"``), inputs of their own (``"constants"``), or numbers (``"baked"``); ``kind`` is the class of
-    functions that ``body`` is given.
+    functions that ``body`` is given, ``algorithms`` are those for which there are constants.
     """
     tracer = Tracer()
     values = {key: tracer.input(key, size) for key, size in inputs.items()}
     read: dict[str, int] = dict(inputs)
-    links, gravity = _sources(chain, tracer, constants, read)
+    links, gravity = _sources(chain, tracer, constants, read, algorithms)
     names = chain.identifiers
     apply = lambda i, _, program, given: inline(program, given, tracer, names[i], i)  # noqa: E731
     functions = kind(chain, links, gravity, apply)
@@ -44,18 +50,19 @@ def fuse(
     return tracer.program(name, read, {k: list(v) for k, v in outputs.items()})
 
 
-def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int]):
+def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int], algorithms: Sequence[Algorithm]):
     if constants == "baked":
-        return baked(chain), [p.value for p in parameters(chain.robot)[:3]]
+        return baked(chain, algorithms), [p.value for p in parameters(chain.robot)[:3]]
     if constants == "parameters":
         size = len(parameters(chain.robot))
         p = tracer.input("p", size)
         read["p"] = size
         called = chain.identifiers
-        return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, called[i])), p[:3]
+        apply = lambda i, program, given: inline(program, given, tracer, called[i])  # noqa: E731
+        return prepared(chain, p, apply, algorithms), p[:3]
     links = []
-    for i, key in enumerate(chain.keys):
-        names = {f"c.{label}": 1 for label in constant_labels(key, EVERYTHING)}
+    for i in range(chain.n):
+        names = {f"c.{label}": 1 for label in constant_labels(chain, i, algorithms)}
         for part, span in chain.given(i).items():
             names |= dict.fromkeys(link_columns(chain, part), span.stop - span.start)
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
@@ -76,23 +83,23 @@ def prepared(
     constants are for.
     """
     out = []
-    for i, key in enumerate(chain.keys):
-        program, places = preparation(key, constant_labels(key, algorithms)), chain.parameter_labels[i]
+    for i, key in enumerate(seen_by(chain, *algorithms).keys):
+        program, places = preparation(key, constant_labels(chain, i, algorithms)), chain.parameter_labels[i]
         outputs = evaluate(i, program, {name: [p[places[name[2:]]]] for name in program.inputs})
         out.append({name if is_column(name) else f"c.{name}": values for name, values in outputs.items()})
     return out
 
 
-def exact(chain: Chain) -> tuple[list, list[dict[str, list]]]:
+def exact(chain: Chain, algorithms: Sequence[Algorithm] = EVERYTHING) -> tuple[list, list[dict[str, list]]]:
     """The parameters and the constants of every link in mpmath, at the precision of the surrounding context."""
     p = [mpmath.mpf(x.value) for x in parameters(chain.robot)]
-    return p, prepared(chain, p, lambda _, program, given: run(program, given, precise)[0])
+    return p, prepared(chain, p, lambda _, program, given: run(program, given, precise)[0], algorithms)
 
 
-def baked(chain: Chain) -> list[dict[str, list[float]]]:
+def baked(chain: Chain, algorithms: Sequence[Algorithm] = EVERYTHING) -> list[dict[str, list[float]]]:
     """The constants of every link as numbers, evaluated with many digits: the same on every machine."""
     with mpmath.workdps(DIGITS):
-        return [{n: [float(x) for x in v] for n, v in link.items()} for link in exact(chain)[1]]
+        return [{n: [float(x) for x in v] for n, v in link.items()} for link in exact(chain, algorithms)[1]]
 
 
 def precise(op: str, x):
@@ -135,7 +142,9 @@ class Maker(Hashable, Protocol):
     def __call__(self, chain: Chain, constants: str = ...) -> Program: ...
 
 
-def program(names: str, name="", kind=Functions, constants="parameters") -> Callable[[Callable], Maker]:
+def program(
+    names: str, name="", kind=Functions, constants="parameters", algorithms: Sequence[Algorithm] = EVERYTHING
+) -> Callable[[Callable], Maker]:
     """Makes ``(chain, constants) -> Program`` of a function that takes the robot's functions and the inputs ``names``.
 
     ``name``: of the program, if it is not the function's; ``constants``: those by default; the rest as of :func:`fuse`.
@@ -143,7 +152,8 @@ def program(names: str, name="", kind=Functions, constants="parameters") -> Call
 
     def made(body: Callable) -> Maker:
         def make(chain: Chain, constants: str = constants) -> Program:
-            return fuse(chain, name or body.__name__, inputs(chain, names), lambda f, x: body(f, **x), constants, kind)
+            given, run = inputs(chain, names), lambda f, x: body(f, **x)
+            return fuse(chain, name or body.__name__, given, run, constants, kind, algorithms)
 
         named: Any = update_wrapper(make, body, updated=())
         del named.__wrapped__  # the signature is that of make

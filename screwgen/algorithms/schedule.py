@@ -60,6 +60,8 @@ class Phase:
     direction: int
     per_child: bool = False
     """Whether the phase depends on each of the links that a link carries, not on their sum."""
+    at_markers: bool = False
+    """Whether the phase runs at all markers of a link, not only where it carries others."""
 
     @property
     def name(self) -> str:
@@ -161,9 +163,14 @@ def _prepared(scope: Scope, block, label: str) -> Value:
     return values[place[0]]
 
 
-def constant_labels(key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
-    """The constants that programs of a class ask for, sorted."""
-    programs = [p for a in algorithms for p in trace(key, a)]
+def seen_by(chain: Chain, *algorithms: Algorithm) -> Chain:
+    """The chain over which algorithms run: with a node for every marker if one of them measures there."""
+    return chain.seen if any(phase.at_markers for a in algorithms for phase in a) else chain
+
+
+def constant_labels(chain: Chain, i: int, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
+    """The constants of a link that programs ask for, sorted."""
+    programs = [p for a in algorithms for p in trace(seen_by(chain, a).keys[i], a)]
     return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")}))
 
 

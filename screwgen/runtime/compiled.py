@@ -9,24 +9,25 @@ from functools import partial
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
-from ..algorithms.robot_functions import BY_NAME, RobotFunction, results
+from ..algorithms.robot_functions import BY_NAME, SENSORS, RobotFunction, entries, results
 from ..arguments import Given, array, choice, parameters_keyword, seconds, whole
-from ..backends.c.columns import rendered
 from ..backends.c.forms import split
 from ..backends.c.project import CProject
-from ..backends.c.shim import shims
+from ..backends.c.shim import SENSING, shims
 from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
 from .differentiated import NO_METHOD, Differentiated
-from .forms import Forms
+from .forms import Forms, Later
 from .library import load
 from .memory import Array, LinkMotions, pointer
 from .pace import slices
 from .stepper import Stepper
 
 FORMS = ("joint", "dae")
+LEFT_OUT = ("reference.h", SENSORS)
+"""What begins the names of templates of which a shared library has no use at once."""
 
 
 class LeanProject(CProject):
@@ -35,8 +36,13 @@ class LeanProject(CProject):
     _recorded = ()
 
     def files(self) -> dict[str, str]:
-        used = {file: template for file, template in self.library.items() if template != "reference.h"}
-        return {file: rendered(template, **self.context) for file, template in used.items()}
+        used = {file: template for file, template in self.library.items() if not template.startswith(LEFT_OUT)}
+        return {file: self.text(template) for file, template in used.items()}
+
+    def sensing(self) -> dict[str, str]:
+        """What the library of sensors, which is compiled when it is asked for, is made of besides other headers."""
+        own = {f"{self.name}_{name}": name for name in ("sensors.h", "sensors.c", "real.c")} | {SENSING: SENSING}
+        return {file: self.text(template) for file, template in own.items()}
 
 
 class Compiled(Differentiated):
@@ -74,9 +80,12 @@ class Compiled(Differentiated):
         options = {"derivatives": derivatives, "methods": methods, "outputs": True}
         self.project = LeanProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
-        joint, dae = split(self.project, self.project.files() | shims(self.project))
+        files = self.project.files() | shims(self.project)
+        joint, dae = split(self.project, files)
+        headers = {name: text for name, text in files.items() if name.endswith(".h")}
         compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
-        self.library = Forms(compiled(joint), partial(compiled, dae))
+        self.library = Forms(compiled(joint), Later(lambda: compiled(dae)))
+        self._sensors = Later(lambda: compiled(headers | self.project.sensing()))
         self._place()
         self.prepare(None)
 
@@ -149,9 +158,9 @@ class Compiled(Differentiated):
             return self.vdot.copy() if out is None else self._given((out,), (self.vdot,))[0]
 
     def __getattr__(self, name: str) -> Callable:
-        """What ``<robot>_outputs.c`` reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
+        """What the C reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
         row = BY_NAME.get(name)
-        if row is None or not row.in_c:
+        if row is None or not row.c_file:
             raise AttributeError(f"'Compiled' has no attribute '{name}'", name=name, obj=self)
         return partial(self._report, row)
 
@@ -159,6 +168,10 @@ class Compiled(Differentiated):
         """The results of a function: arrays, numbers, a tuple where they are several."""
         with self._lock:
             self._set(q, self._no_v if v is None else v, tau, w_ext)
+            if row.c_file == SENSORS:
+                found = np.zeros(max(entries(row, self.chain), 1), self.real)
+                self.check(getattr(self._sensors, f"shim_{row.name}")(self.memory, pointer(found)))
+                return results(row, self.chain, found[: entries(row, self.chain)])
             self.check(getattr(self.library, f"shim_{row.name}")(self.memory))
             return results(row, self.chain, self._reports[row.name].copy())
 

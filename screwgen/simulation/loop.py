@@ -137,6 +137,8 @@ class CompiledRuns:
         for k in range(task.steps + 1):
             with at_time(task.time(k)):
                 c.tau[:], c.w_ext[:] = task.given(task.time(k), c.q, c.v)
+            if task.sampled(k):
+                self.table.acted(task.rows(k), c.w_ext)
             self._call(k, 1)
             self.table.filled(task.rows(k + 1))
             if task.progress and k and (k % often == 0 or k == task.steps):

@@ -98,8 +98,9 @@ def _widths(model: RobotModel) -> dict[str, int]:
 class SampleTable:
     """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, and what is reported."""
 
-    def __init__(self, model: RobotModel, times: np.ndarray, p: np.ndarray, q0: np.ndarray):
-        self.model, self.times, self.p = model, times, p
+    def __init__(self, model: RobotModel, times: np.ndarray, p: np.ndarray, q0: np.ndarray, given: Inputs):
+        self.model, self.times, self.p, self.given = model, times, p, given
+        self.w_ext = given.wrenches(len(times))
         widths = _widths(model)
         ends = np.cumsum(list(widths.values()))
         self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}
@@ -114,6 +115,11 @@ class SampleTable:
         sizes = {name: (place.stop - place.start,) for name, place in self.places.items()}
         return sizes | {"t": (), "wrench": (self.model.n_links, 6)}
 
+    def acted(self, row: int, w_ext: np.ndarray) -> None:
+        """Keep the tip wrenches of a sample, if they vary."""
+        if self.given.wrenches_vary:
+            self.w_ext[row] = w_ext
+
     def filled(self, count: int) -> None:
         """Report that the first `count` rows are filled."""
         self.count = count
@@ -126,7 +132,12 @@ class SampleTable:
         arrays: dict[str, Any] = {name: rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": rows[:, 0], "wrench": arrays["wrench"].reshape(len(rows), m.n_links, 6)}
         arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        arrays |= {"robot": m.robot, "parameters": np.array(self.p, float)}
+        arrays |= {
+            "robot": m.robot,
+            "parameters": np.array(self.p, float),
+            "model": m,
+            "w_ext": self.w_ext[: len(rows)],
+        }
         return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all, ended=ended)
 
 

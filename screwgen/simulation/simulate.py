@@ -102,7 +102,7 @@ def simulate(
     if isinstance(law, PD):
         hits.warn_goals(model, p, law.set_points)
     given = Inputs(model, law, w_ext)
-    table = SampleTable(model, time_grid(duration, step, every), p, q0)
+    table = SampleTable(model, time_grid(duration, step, every), p, q0, given)
     judge = Judge(Sampled(model, p, given, law, method_used(form, integrator), step, duration), q0, v0)
     try:
         with stored(table, store), judge.of(table):
@@ -168,6 +168,7 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                     if joints is None:
                         raise left(plant.method, table.watch)
                     if task.sampled(k):
+                        table.acted(task.rows(k), wrench)
                         record(task.rows(k), q, v, joints, tau)
                 if k < task.steps:
                     before, held = state, (tau, wrench, task.reach(k))

@@ -16,7 +16,7 @@ from ...integrators.methods import METHODS
 from ...integrators.se3 import FLAT, programs
 from ...topology.chain import Chain
 from .expressions import expressions
-from .functions import coordinate_rates, function, rotations, symbols
+from .functions import coordinate_rates, function, side_by_side, symbols
 
 STEP = "modal_midpoint"
 """The method of the function `step`, which is that of a simulation."""
@@ -88,7 +88,7 @@ def tip_jacobian(chain: Chain) -> ca.Function:
     """``(q, p) -> (J)``: J v is the twist of the last tip, [ω; ṙ] of its section and point in inertial components."""
     given = symbols(chain, "q p")
     found, own = expressions(fused.poses(chain), given), chain.last_entries
-    R, position = rotations(found["tip_R"], chain.n)[:, own], found["tip_position"][own]
+    R, position = side_by_side(found["tip_R"], 3, 3)[:, own], found["tip_position"][own]
     slopes = along_rates(chain, ca.vec(R), given)
     columns = [_axis(ca.reshape(slopes[:, k], 3, 3) @ R.T) for k in range(chain.nv)]
     turning = ca.horzcat(ca.SX(3, 0), *columns)

@@ -24,7 +24,7 @@ from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
 
 if TYPE_CHECKING:
     from .runtime.compiled import Compiled
-    from .runtime.mpc import Mpc
+    from .runtime.mpc import CompiledMpc
 
 TARGETS = ("c", "casadi", "latex")
 """What is written unless targets are named."""
@@ -57,8 +57,9 @@ class Model(RobotModel):
         ``rotor_rates`` (of elastic drives), ``modes``, ``mode_rates``, ``base_pose``, ``base_twist`` (of a floating
         base), ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
         ``base_strain`` (of each link's beam: axial strain; curvature u'', 1/m, which times the distance from the
-        neutral axis is the strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``,
-        ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext`` stands for all entries below it.
+        neutral axis is the strain that bending adds there; twist), ``strain`` (the same also at markers); ``inputs``:
+        out of ``torques``, ``tip_wrench``, ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext``
+        stands for all entries below it.
         Raises UsageError, and SingularError that names the joint.
         """
         return linearise(self, q, v, tau, w_ext, parameters, outputs, inputs)
@@ -155,8 +156,8 @@ class Model(RobotModel):
 
         return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods)
 
-    def mpc(self, file: str | os.PathLike, **options: Any) -> Mpc:
-        """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.Mpc`."""
+    def mpc(self, file: str | os.PathLike, **options: Any) -> CompiledMpc:
+        """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.CompiledMpc`."""
         from .studies.predictive import controller
 
         return controller(self, file, **options)

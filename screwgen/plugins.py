@@ -34,7 +34,7 @@ CHECKOUT = Path(__file__).resolve().parents[1] / "pyproject.toml"
 T = TypeVar("T")
 
 
-class Chapter(Protocol):
+class PluginChapter(Protocol):
     """What a plug-in adds to a document, made of :mod:`.backends.latex.content`."""
 
     @property
@@ -88,7 +88,7 @@ class Plugin:
     """What makes CasADi functions, by name."""
     casadi_notes: str = ""
     """What the README of the CasADi functions says of them, in Markdown."""
-    chapter: Callable[[Chain], Chapter | None] = lambda _: None
+    chapter: Callable[[Chain], PluginChapter | None] = lambda _: None
     """What a robot's document says, before its link classes."""
     trees: bool = True
     """Whether documents of robots that are no chains have its blocks and its chapter."""

@@ -11,6 +11,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from .algorithms.dae_functions import dae_names
+from .algorithms.gauges import strain_names
 from .algorithms.scope import derived
 from .arguments import Given, parameters_keyword
 from .backends.numpy.loop_rows import choose_rows
@@ -48,6 +49,7 @@ class RobotModel:
         names = coordinate_names(robot)
         self.q_names, self.v_names = list(names.q), list(names.v)
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
+        self.marker_names, self.strain_names = [m.name for m in self.chain.markers], list(strain_names(self.chain))
         self.parameter_names = [p.name for p in parameters(robot)]
         self.parameter_values = [p.value for p in parameters(robot)]
         self._kept: dict[Hashable, object] = {}

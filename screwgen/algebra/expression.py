@@ -148,7 +148,7 @@ class Diagonal(Unary):
 
 
 @dataclass(frozen=True)
-class Block(Expression):
+class BlockMatrix(Expression):
     """A matrix put together from blocks, row by row."""
 
     rows: tuple[tuple[Expression, ...], ...]
@@ -297,7 +297,7 @@ def transpose(e: Expression) -> Expression:
             return product(transpose(e.right), transpose(e.left))
         case Hat():
             return -e
-        case Block():
+        case BlockMatrix():
             return block(*([transpose(x) for x in col] for col in zip(*e.rows, strict=True)))
         case Constant() if is_zero(e):
             return zeros(*e.shape[::-1])
@@ -319,8 +319,8 @@ def hat(a: Expression) -> Expression:
     return zeros(3, 3) if is_zero(a) else Hat(a)
 
 
-def block(*rows: Sequence[Expression]) -> Block:
-    return Block(tuple(tuple(r) for r in rows))
+def block(*rows: Sequence[Expression]) -> BlockMatrix:
+    return BlockMatrix(tuple(tuple(r) for r in rows))
 
 
 def stack(*parts: Expression) -> Expression:

@@ -2,8 +2,8 @@
 
 The equations (:mod:`.link`) are written in a body's moments of mass, its modal momenta, inertia and stiffness, and the
 integrals of products of its fields. A body declares the parameters of these invariants and states them as steps of the
-link's block. :class:`.rod.Rod` has integrals in closed form, :class:`.reduced.Reduced` has numbers, and
-:class:`.rigid.Rigid` has no modes.
+link's block. :class:`.rod.RodBody` has integrals in closed form, :class:`.reduced.ReducedBody` has numbers, and
+:class:`.rigid.RigidBody` has no modes.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class RigidMoments(Protocol):
         """About the joint point, in F_i axes; parameters and steps may be declared in the block."""
 
 
-class Turning(NamedTuple):
+class RotaryInertia(NamedTuple):
     """The inertia of a body's sections about an axis of F_i, with the energy ``1/2 ∫ρI (omega + thetadot)^2 dξ``.
 
     ``theta = shapes eta`` is their turn by the modes, of first order.
@@ -43,7 +43,7 @@ class Turning(NamedTuple):
     """(1, r): ``∫ρI shapes dξ``."""
 
 
-class Body(Protocol):
+class LinkBody(Protocol):
     """The body of a link class, in the link's block."""
 
     @property
@@ -87,7 +87,7 @@ class Body(Protocol):
         """Their (r, r) damping."""
 
     @property
-    def turnings(self) -> list[Turning]:
+    def turnings(self) -> list[RotaryInertia]:
         """The axes about which sections have an inertia of their own; known from ``modal`` on."""
 
     def declare(self, start: Expression) -> None:

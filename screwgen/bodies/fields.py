@@ -15,7 +15,7 @@ from ..spec.link_class import AXIS, TURN, LinkClass
 from ..spec.markers import TIP
 from ..spec.modes import DIRECTIONS
 from .moments import XI, Moments
-from .second_order import Part, parts
+from .second_order import EntryTerm, parts
 
 STRAIN = {direction: row for row, direction in enumerate(DIRECTIONS)}
 """Row of the strain vector u_x', u_y'', u_z'', θ_x', γ_y, γ_z; without shear the first four."""
@@ -121,7 +121,7 @@ class Fields(Moments):
             return l * integral if powers == 0 else l * (a * integral + l * number(shape.moment[k]))
         raise ValueError(f"no closed form for the integral of {sp.Mul(*monomial)}")
 
-    def _levers(self, second: sp.Symbol, powers: int) -> Iterator[tuple[int, sp.Expr, Part, int]]:
+    def _levers(self, second: sp.Symbol, powers: int) -> Iterator[tuple[int, sp.Expr, EntryTerm, int]]:
         """The integral of a power of ξ times a second-order shape: power of l, factor, part, and power of s."""
         for part, k in itertools.product(self.second[second], range(powers + 1)):
             lever = sp.binomial(powers, k) * self.start ** (powers - k)

@@ -23,12 +23,12 @@ from ..algebra.expression import (
 )
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import Body, RigidMoments, Turning
+from .contract import LinkBody, RigidMoments, RotaryInertia
 from .coupled_rod import CoupledRod
 from .lumped import lumped
-from .reduced import Reduced
-from .rigid import Rigid
-from .rod import Rod
+from .reduced import ReducedBody
+from .rigid import RigidBody
+from .rod import RodBody
 from .varying_rod import VaryingRod
 
 
@@ -55,7 +55,7 @@ class LinkBlock(Block):
         super().__init__("turning_link" if turning else "link", title)
         self.key, self.turning = key, turning
         self._declare()
-        self.body: Body = self._body()
+        self.body: LinkBody = self._body()
         self.start = self._start()
         self.body.declare(self.start)
         self._constants()
@@ -73,14 +73,14 @@ class LinkBlock(Block):
         self.rho = self.generators("rho")
         self.udot = self.generators("udot")
 
-    def _body(self) -> Body:
+    def _body(self) -> LinkBody:
         if self.key.elastic is not None:
-            return Reduced(self, self.key)
+            return ReducedBody(self, self.key)
         if not self.key.beam:
-            return Rigid(self)
+            return RigidBody(self)
         if self.key.stations:
             return VaryingRod(self, self.key)
-        return CoupledRod(self, self.key) if self.key.coupled else Rod(self, self.key)
+        return CoupledRod(self, self.key) if self.key.coupled else RodBody(self, self.key)
 
     def _start(self) -> Expression:
         """The place of the joint on the centreline of F_i."""
@@ -194,7 +194,7 @@ class LinkBlock(Block):
             stress = stress + self.body.resistance @ self.etadot
         self.step("h_phi", self.symbol("h_eta") + self.step("f_eta", stress))
 
-    def _turned(self, momentum: Callable[[Turning], Expression]) -> Expression:
+    def _turned(self, momentum: Callable[[RotaryInertia], Expression]) -> Expression:
         """``omega x l`` of the sections' own angular momentum ``l``, given about each axis."""
         return _moment(1, *(momentum(t) @ (hat(self.omega) @ unit(t.axis)) for t in self.body.turnings))
 

@@ -15,7 +15,7 @@ import sympy as sp
 from ..algebra.expression import Diagonal, Expression, Root, Symbol, matrix, number, vector, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import Moments6, Turning
+from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
 from .moments import Moments
 from .second_order import AXES, entry
@@ -24,7 +24,7 @@ ROUNDING = 1e-12
 """Rotary inertia of the modes below this, over their inertia, is a rounding error."""
 
 
-class Table(Moments):
+class ReducedMoments(Moments):
     """The generators of a body given by numbers, and the integrals of their products over its mass."""
 
     def __init__(self, key: LinkClass):
@@ -58,10 +58,10 @@ class Table(Moments):
         return self.table.get(frozenset(pair), sp.S.Zero)
 
 
-class Reduced(Elastic):
+class ReducedBody(Elastic):
     """A flexible body from a file."""
 
-    turnings: ClassVar[list[Turning]] = []
+    turnings: ClassVar[list[RotaryInertia]] = []
 
     def __init__(self, b: Block, key: LinkClass):
         assert key.elastic is not None
@@ -71,7 +71,7 @@ class Reduced(Elastic):
 
     def declare(self, start: Expression) -> None:
         """The fields of the body; F_i sits at the base."""
-        f = self.fields = Table(self.key)
+        f = self.fields = ReducedMoments(self.key)
         field = self.b.field
         self.r_b = field("r_b", np.array([f.place], dtype=object).T)
         Phi = field("Phi", np.array(f.phi, dtype=object).T)

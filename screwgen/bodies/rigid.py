@@ -9,11 +9,11 @@ import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, zeros
 from ..ir.block import Block
-from .contract import Moments6, Turning
+from .contract import Moments6, RotaryInertia
 from .moments import Moments
 
 
-class Rigid:
+class RigidBody:
     """A link without a section. Its integrals are the moments that the link's block has named."""
 
     def __init__(self, b: Block):
@@ -30,7 +30,7 @@ class Rigid:
         self.r_b = self.u = self.udot_modal = zeros(3)
 
     stiffness = resistance = zeros(0, 0)
-    turnings: ClassVar[list[Turning]] = []
+    turnings: ClassVar[list[RotaryInertia]] = []
 
     def moments(self) -> Moments6:
         """Zero: the link itself has no mass."""

@@ -14,7 +14,7 @@ import sympy as sp
 from ..algebra.expression import Expression, Symbol, add, identity, is_zero, unit, zeros
 from ..ir.block import Binding, Block
 from ..spec.link_class import AXIS, TURN, LinkClass
-from .contract import Moments6, Turning
+from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
 from .fields import XI, Fields, length
 from .rod_stiffness import RodStiffness
@@ -27,7 +27,7 @@ TURNED = (
 """Of each axis of the sections: inertia per length, its integral, the turn by each mode, the momentum of each mode."""
 
 
-class Rod(Elastic, RodStiffness):
+class RodBody(Elastic, RodStiffness):
     """Sections along a centreline, with mode shapes in four directions, with shear in six."""
 
     kind: type[Fields] = Fields
@@ -106,14 +106,14 @@ class Rod(Elastic, RodStiffness):
         if self.key.order == 2:
             self.second.moments(self.rhoA)
 
-    def _turning(self, axis: int) -> Turning:
+    def _turning(self, axis: int) -> RotaryInertia:
         """The sections' inertia about an axis and the modes' momenta about it."""
         _, inertia, _, name = TURNED[axis]
         rho, shapes = self.densities[axis], self.turns[axis]
         momentum: Expression = zeros(1, self.key.modes)
         if self.key.turns(axis):
             momentum = self.b.step(name, self.integral(shapes, rho))
-        return Turning(axis, rho, self.b.symbol(inertia), shapes, momentum)
+        return RotaryInertia(axis, rho, self.b.symbol(inertia), shapes, momentum)
 
     def _name_turns(self) -> None:
         """``∫ρI φ_k'`` and ``∫ρI φ_k' φ_m'`` of the slopes of bending, for the kinetic energy."""

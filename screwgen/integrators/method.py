@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any, Literal, Protocol
 
 from ..errors import UsageError
-from .order import Place, unmet
+from .order import StageState, unmet
 from .se3 import FLAT, Space
 
 Motion = tuple[Any, Any]
@@ -156,9 +156,9 @@ class Method:
         return f"it has the order {power - 1}, not {self.order}" if power else None
 
     @cached_property
-    def places(self) -> list[Place]:
+    def places(self) -> list[StageState]:
         """The states of the stages and of the end, in terms of the accelerations."""
-        places: list[Place] = []
+        places: list[StageState] = []
         n = len(self.stages)
         for move in (*self.stages, self.end):
             rates = move.exact + (Fraction(0),) * (n - len(move.weights))
@@ -166,15 +166,15 @@ class Method:
                 inner = [sum((w * places[j].rates[k] for j, w in move.terms), Fraction(0)) for k in range(n)]
             else:
                 inner = [move.kick * w for w in rates]
-            places.append(Place(move.reach, tuple(inner), rates))
+            places.append(StageState(move.reach, tuple(inner), rates))
         return places
 
-    def _elastic(self, i: int, place: Place) -> Place:
+    def _elastic(self, i: int, place: StageState) -> StageState:
         """The state at which stage i takes the elastic forces."""
         if not (part := self.stages[i].part):
             return place
         own = [Fraction(int(k == i)) for k in range(len(self.stages))]
-        return Place(part, tuple(part**2 * x for x in own), tuple(part * x for x in own))
+        return StageState(part, tuple(part**2 * x for x in own), tuple(part * x for x in own))
 
     @property
     def implicit(self) -> bool:

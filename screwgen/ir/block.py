@@ -30,7 +30,7 @@ class Binding(IntEnum):
 
 
 @dataclass(frozen=True)
-class Signal:
+class NamedSignal:
     """A named quantity: shape, unit, frame of its components, and how the paper writes it."""
 
     name: str
@@ -73,7 +73,7 @@ class Step:
     symbols of inputs and earlier steps.  Entries that are numbers or earlier symbols need none.
     """
 
-    signal: Signal
+    signal: NamedSignal
     expression: Expression
     equation: str
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
@@ -95,11 +95,11 @@ class Block:
 
     name: str
     title: str
-    inputs: dict[str, Signal] = field(default_factory=dict)
+    inputs: dict[str, NamedSignal] = field(default_factory=dict)
     steps: dict[str, Step] = field(default_factory=dict)
     values: dict[str, Array] = field(default_factory=dict)
     bindings: dict[sp.Symbol, Binding] = field(default_factory=dict)
-    along: dict[str, Signal] = field(default_factory=dict)
+    along: dict[str, NamedSignal] = field(default_factory=dict)
     """What varies along the link and is listed in documents."""
 
     def input(
@@ -176,7 +176,7 @@ class Block:
         signal = self.signal(name)
         return Symbol(name, signal.shape, signal.display)
 
-    def signal(self, name: str) -> Signal:
+    def signal(self, name: str) -> NamedSignal:
         return self.inputs[name] if name in self.inputs else self.steps[name].signal
 
     def _binding(self, raw: Array) -> Binding:
@@ -184,7 +184,9 @@ class Block:
         symbols = set().union(*(entry.free_symbols for entry in raw.flat)) if raw.size else set()
         return max((self.bindings[s] for s in symbols), default=Binding.CONSTANT)
 
-    def _name(self, signal: Signal, raw: Array, symmetric: bool) -> tuple[Array, tuple[tuple[sp.Symbol, sp.Expr], ...]]:
+    def _name(
+        self, signal: NamedSignal, raw: Array, symmetric: bool
+    ) -> tuple[Array, tuple[tuple[sp.Symbol, sp.Expr], ...]]:
         """Give every entry that is not a number or a plain symbol a symbol of its own."""
         values, assignments = np.empty(raw.shape, dtype=object), []
         for (i, j), label in signal.labels():
@@ -199,8 +201,8 @@ class Block:
         return values, tuple(assignments)
 
 
-def _signal(name: str, shape: tuple[int, int], q: Quantity, binding: Binding) -> Signal:
-    return Signal(name, shape, q.display, q.unit, q.frame, q.meaning, binding, q.numbered)
+def _signal(name: str, shape: tuple[int, int], q: Quantity, binding: Binding) -> NamedSignal:
+    return NamedSignal(name, shape, q.display, q.unit, q.frame, q.meaning, binding, q.numbered)
 
 
 def _negated(entry: sp.Expr) -> bool:

@@ -10,12 +10,12 @@ import sympy as sp
 
 from ..algebra.functions import stumpff
 from .block import Binding, Block, Step
-from .program import Array, Tracer, Value, give_label
+from .program import Array, Tracer, Value, Vector, give_label
 
 
 def lower(
     block: Block,
-    inputs: Mapping[str, Array],
+    inputs: Mapping[str, Vector],
     outputs: Sequence[str],
     tracer: Tracer,
     constant: Callable[[str], Value] | None = None,

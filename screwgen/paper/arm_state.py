@@ -26,7 +26,7 @@ AXES = {"axial": 0, "bending_y": 1, "bending_z": 2}
 
 
 @dataclass(frozen=True)
-class View:
+class EquationValues:
     """Values and weights under the indices of an equation, as :func:`.evaluate.evaluate` takes them."""
 
     values: dict[str, np.ndarray]
@@ -178,10 +178,10 @@ class ArmState:
         rates = [np.cross(turning + A[:, :k] @ qdot[:k], A[:, k : k + 1], axis=0) for k in range(A.shape[1])]
         return np.hstack(rates) if rates else A
 
-    def view(self, **indices: int) -> View:
+    def view(self, **indices: int) -> EquationValues:
         """The values under an equation's indices: ``view(i=1)``; ``i=k`` brings ``i-1`` with it."""
         places = {name.lstrip("_"): k for name, k in indices.items()}
         if places.get("i", 0) > 0:
             places["i-1"] = places["i"] - 1
         values = {f"{n}:{index}": x for index, k in places.items() for n, x in self.links[k].values.items()}
-        return View(values, {index: self.links[k].weights for index, k in places.items()})
+        return EquationValues(values, {index: self.links[k].weights for index, k in places.items()})

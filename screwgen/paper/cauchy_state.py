@@ -10,7 +10,7 @@ from numpy.linalg import inv, lstsq, solve
 from scipy.spatial.transform import Rotation
 
 from .jets import Jet, constant, skew
-from .modal_rows import Rows
+from .modal_rows import ModalRows
 from .moving_link import MovingLink, adjoint, blocks, logarithm_rate, stack
 
 N, MODES = 2, 6
@@ -60,7 +60,7 @@ def completed_solution(known: Values, links: Links) -> np.ndarray:
     What the rows lack of the loads is measured anew after a first solution: their matrix is one of differences, whose
     rounding goes with it.  Elastic forces, which rows and loads share, are left out: they cost digits.
     """
-    rows, truth = Rows(links), known["q_sys:all"]
+    rows, truth = ModalRows(links), known["q_sys:all"]
     rows.stress = [0 * force for force in rows.stress]
     torques = motor_rows(links)
     M, loads = known["M_sys:all"] + torques, rows(truth)[0] + torques @ truth

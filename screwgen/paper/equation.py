@@ -28,7 +28,7 @@ class Standing(Enum):
 
 
 @dataclass(frozen=True)
-class Relation:
+class Equality:
     """``left = right``: matrix expressions over the paper's symbols."""
 
     left: Expression
@@ -38,9 +38,9 @@ class Relation:
     def residual(self) -> Expression:
         return self.left - self.right
 
-    def read(self, reading: Mapping[str, Expression]) -> Relation:
+    def read(self, reading: Mapping[str, Expression]) -> Equality:
         """The relation with symbols replaced."""
-        return Relation(substitute(self.left, reading), substitute(self.right, reading)) if reading else self
+        return Equality(substitute(self.left, reading), substitute(self.right, reading)) if reading else self
 
     def misfit(self, motion: Instant) -> float:
         """How far the two sides are apart, relative to the largest term of either."""
@@ -66,7 +66,7 @@ class Formula:
         return [first, *(t if t.startswith("-") else f"+ {t}" for t in rest)]
 
 
-Statement = Relation | Formula
+Statement = Equality | Formula
 Judge = Callable[[int], tuple[float, float]]
 """From a seed to the relative misfits of the printed and of the derived statement."""
 
@@ -106,7 +106,7 @@ class Equation:
     @property
     def symbols(self) -> list[Symbol]:
         """The symbols of the printed lines, then of the derived ones, in the order of their appearance."""
-        sides = [side for s in (*self.printed, *self.derived) if isinstance(s, Relation) for side in (s.left, s.right)]
+        sides = [side for s in (*self.printed, *self.derived) if isinstance(s, Equality) for side in (s.left, s.right)]
         return list(dict.fromkeys(s for side in sides for s in symbols(side)))
 
     def misfits(self, seed: int) -> tuple[float, float]:
@@ -120,7 +120,7 @@ class Equation:
 
     def differences(self) -> list[Expression]:
         """Printed minus derived, line by line, with equal terms cancelled; empty where nothing differs."""
-        if not self.derived or not all(isinstance(s, Relation) for s in (*self.printed, *self.derived)):
+        if not self.derived or not all(isinstance(s, Equality) for s in (*self.printed, *self.derived)):
             return []
         pairs = zip(map(relation, self.printed), map(relation, self.derived), strict=True)
         return [d for d in (self._difference(p.read(self.reading), d) for p, d in pairs) if not is_zero(d)]
@@ -131,7 +131,7 @@ class Equation:
         equalities = [_subtracted(*both) for p, d in pairs if (both := _equalities(p, d))]
         return (*self.differences(), *equalities, *self.gap)
 
-    def _difference(self, printed: Relation, derived: Relation) -> Expression:
+    def _difference(self, printed: Equality, derived: Equality) -> Expression:
         """The shorter of the differences with and without the definitions put in."""
         found = []
         for where in ({}, self.where):
@@ -141,9 +141,9 @@ class Equation:
         return min(found, key=length)
 
 
-def relation(statement: Statement) -> Relation:
+def relation(statement: Statement) -> Equality:
     """A line that relates matrix expressions; TypeError for a formula of sympy."""
-    if isinstance(statement, Relation):
+    if isinstance(statement, Equality):
         return statement
     raise TypeError(f"{statement} relates no matrix expressions")
 

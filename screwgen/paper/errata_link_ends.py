@@ -17,7 +17,7 @@ from .evaluate import evaluate
 from .jets import skew, turn
 from .link import DEFORMATION, DERIVED_H_STAR, EQUATIONS, M_STAR, PRINTED_H_STAR, WRENCHES, L
 from .link_ends import DERIVED_H, PRINTED_H
-from .motion import Motion
+from .motion import RandomMotion
 from .single_link import INSIDE, LENGTH, RHO_A, SingleLink
 
 G = 9.81
@@ -67,7 +67,7 @@ def direction_of_weight() -> tuple[Figure, ...]:
 
 def rank_of_inertia() -> tuple[Figure, ...]:
     """The inertia of a straight centreline, and of a round bar, whose sections have area."""
-    motion = Motion(1)
+    motion = RandomMotion(1)
     rank = matrix_rank(evaluate(M_STAR, motion)), matrix_rank(motion.values["M_star:i"])
     line, bar = evaluate(L.I_b, motion)[0, 0], _spin_of_bar(density=2700.0, radius=0.02, length=1.0)
     mass = 2700 * np.pi * 0.02**2

@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from ..algebra.expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Expression,
     Hat,
@@ -60,14 +60,14 @@ def evaluate(e: Expression, motion: Instant) -> np.ndarray:
             return skew(inner(e.arg))
         case Trace():
             return np.trace(inner(e.arg), axis1=-2, axis2=-1)[..., None, None]
-        case Block():
+        case BlockMatrix():
             return _joined(e, motion)
         case Integral():
             return _integral(e, motion)
     raise TypeError(f"no value for {type(e).__name__}")
 
 
-def _joined(e: Block, motion: Instant) -> np.ndarray:
+def _joined(e: BlockMatrix, motion: Instant) -> np.ndarray:
     rows = [[evaluate(x, motion) for x in row] for row in e.rows]
     lead = max((x.shape[:-2] for row in rows for x in row), key=len)
     whole = [[np.broadcast_to(x, (*lead, *x.shape[-2:])) for x in row] for row in rows]

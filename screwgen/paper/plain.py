@@ -7,7 +7,7 @@ import unicodedata
 from itertools import groupby
 
 from ..algebra.expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Expression,
     Hat,
@@ -70,7 +70,7 @@ def plain(e: Expression) -> str:
         case Integral():
             weight = "" if e.weight is None else f"{plain(e.weight)} "
             return f"{weight}∫" + ("" if is_identity(e.integrand) else f" {_factor(e.integrand)}") + " dξ"
-        case Block():
+        case BlockMatrix():
             return "[" + "; ".join(", ".join(map(plain, row)) for row in e.rows) + "]"
     raise TypeError(f"no text for {type(e).__name__}")
 
@@ -209,7 +209,7 @@ def hung(head: str, lines: list[str]) -> list[str]:
 
 def boxed(e: Expression, width: int = WIDTH) -> list[str]:
     """An expression on several lines."""
-    if not isinstance(e, Block):
+    if not isinstance(e, BlockMatrix):
         return _broken(e, width)
     cells = [[plain(x) for x in row] for row in e.rows]
     columns = [max(shown(row[k]) for row in cells) for k in range(len(cells[0]))]
@@ -221,7 +221,7 @@ def boxed(e: Expression, width: int = WIDTH) -> list[str]:
 
 
 def _tall(e: Expression) -> bool:
-    return isinstance(e, Block) and (len(e.rows) > 1)
+    return isinstance(e, BlockMatrix) and (len(e.rows) > 1)
 
 
 def _row(number: int, row: tuple[Expression, ...], width: int) -> list[str]:

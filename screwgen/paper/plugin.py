@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..errors import UsageError
-from ..plugins import Chapter, Plugin
+from ..plugins import Plugin, PluginChapter
 
 if TYPE_CHECKING:
     import typer
@@ -73,7 +73,7 @@ def _casadi(chain: Chain) -> dict:
     return z_functions(chain) if chain.serial and not chain.n_motors else {}
 
 
-def _chapter(chain: Chain) -> Chapter:
+def _chapter(chain: Chain) -> PluginChapter:
     from .z_latex import z_chapter
 
     return z_chapter(chain)

@@ -7,18 +7,18 @@ from functools import cache
 import numpy as np
 from numpy.linalg import inv, norm
 
-from ..algebra.expression import Block, block, zeros
+from ..algebra.expression import BlockMatrix, block, zeros
 from ..algebra.rewrite import substitute
 from ..model import Model, derive
 from ..spec.robot import Joint, Link, Modes, Robot
 from ..studies.analysis.regularity import regularity, with_projectors_alone
 from .arm import SECTION, SET_POINTS, ella
-from .arm_state import ArmState, View
-from .equation import Equation, Relation, relation
+from .arm_state import ArmState, EquationValues
+from .equation import Equality, Equation, relation
 from .erratum import Figure, misfit
 from .evaluate import evaluate
 from .jets import Jet, skew, turn, unskew
-from .motion import Motion
+from .motion import RandomMotion
 from .stacking import EQUATIONS as STACKED
 from .stacking import M_S, ONE, PRINTED_M_S
 from .synthesis import AXES, BEFORE, GAP, GAP_RATE, I3, NONE, L, printed_rate, section_rate
@@ -42,7 +42,7 @@ def model(section_rotation: bool = False) -> Model:
     return derive(ella(section_rotation=section_rotation))
 
 
-def posture(q: tuple[float, ...], v: tuple[float, ...], link: int) -> View:
+def posture(q: tuple[float, ...], v: tuple[float, ...], link: int) -> EquationValues:
     """ELLA undeformed with joint angles ``q`` and rates ``v``; ``i`` is the link with the number 0 or 1."""
     return ArmState(model(), state(q, v)).view(i=link)
 
@@ -75,7 +75,7 @@ def blocked_turn() -> tuple[Figure, ...]:
     printed, derived = (
         float(norm(evaluate((I3 - x) @ (L.R @ L.omega), view))) for x in (fixed @ fixed.T, L.A @ L.A_plus)
     )
-    motion = Motion(1)
+    motion = RandomMotion(1)
     twice_over = [np.abs(P @ P - P).max() for P in (np.eye(3) - _outer(motion), motion.values["P:i"][:3, :3])]
     return (
         *misses("43", "oA"),
@@ -87,7 +87,7 @@ def blocked_turn() -> tuple[Figure, ...]:
     )  # fmt: skip
 
 
-def _outer(motion: Motion) -> np.ndarray:
+def _outer(motion: RandomMotion) -> np.ndarray:
     return motion.values["A:i"] @ motion.values["A:i"].T
 
 
@@ -96,7 +96,7 @@ def turn_left(fixed: bool) -> float:
     R, q2 = np.eye(3), 0.0
     for which, way in ((0, 1), (1, 1), (0, -1), (1, -1)):
         given = {"R_two:i": turn(E_Z, 0.0 if fixed else q2, 0, 0).value, "a_one:i": E_Y, "a_two:i": E_Z}
-        axis = evaluate(AXES, View(given, {}))[:, which]
+        axis = evaluate(AXES, EquationValues(given, {}))[:, which]
         R = R @ turn(axis, way * QUARTER, 0, 0).value
         q2 += which * way * QUARTER
     return float(np.arctan2(norm(R - R.T) / np.sqrt(8), (np.trace(R) - 1) / 2))
@@ -120,8 +120,8 @@ def blocked_share() -> tuple[Figure, ...]:
 
 def turning_projector() -> tuple[Figure, ...]:
     """E27: the rows with the Adjoint mended, without the rate of P; and the elbow of ELLA at constant joint rates."""
-    motion = Motion(1)
-    rows = (Relation(L.P @ GAP_RATE, NONE), Relation(L.P @ GAP_RATE + L.Pdot @ GAP, NONE))
+    motion = RandomMotion(1)
+    rows = (Equality(L.P @ GAP_RATE, NONE), Equality(L.P @ GAP_RATE + L.Pdot @ GAP, NONE))
     gaps = [r.misfit(motion) for r in rows]
     q, v = (0, 0, 0), (1, 0, 1)
     printed = -evaluate(relation(found("accconst5").printed[0]).right, posture(q, v, 1))[0, 0]
@@ -149,13 +149,13 @@ def lost_reference() -> tuple[Figure, ...]:
 
 def misplaced() -> tuple[Figure, ...]:
     """E15: one misplacement at a time, everything else as derived."""
-    motion, rows = Motion(1), [list(row) for row in M_S.rows]
+    motion, rows = RandomMotion(1), [list(row) for row in M_S.rows]
     right = relation(found("66").printed[0])
     missing = lambda M: right.read({"M_s:all": M}).misfit(motion)  # noqa: E731
     signs = [[-x for x in rows[0]], rows[1], [-x for x in rows[2]], rows[3]]
     shifted = [*rows[:3], list(PRINTED_M_S.rows[3])]
     own = relation(found("59").derived[0]).right
-    assert isinstance(own, Block)
+    assert isinstance(own, BlockMatrix)
     below = own.rows[1]
     wrong = block(own.rows[0], (below[0], below[3], below[2], below[1]))
     pair = relation(found("58").printed[0])
@@ -172,7 +172,7 @@ def misplaced() -> tuple[Figure, ...]:
 
 def ground() -> tuple[Figure, ...]:
     """E31: W_0 from the balance of the first link against that of the whole arm about the inertial origin."""
-    motion = Motion(1)
+    motion = RandomMotion(1)
     inner = ONE.W_star + ONE.W - ONE.M_star @ ONE.Vdot - ONE.D_star - ONE.H_star
     printed, truth = evaluate(inner, motion), on_ground(motion)
     derived = evaluate(ONE.Ad_back.T @ inner, motion)
@@ -187,7 +187,7 @@ def ground() -> tuple[Figure, ...]:
     )  # fmt: skip
 
 
-def on_ground(motion: Motion) -> np.ndarray:
+def on_ground(motion: RandomMotion) -> np.ndarray:
     """External wrenches less the rate of momentum and weight of every element, about the inertial origin, (6, 1)."""
     total = np.zeros((6, 1))
     for link in motion.links:

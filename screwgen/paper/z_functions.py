@@ -50,8 +50,8 @@ def cauchy_names(chain: Chain) -> dict[str, list[str]]:
 class ZFunctions(DaeFunctions):
     """The functions of the Z-form, on values of any algebra."""
 
-    def _nodes(self) -> list[dict[str, list]]:
-        places = super()._nodes()
+    def _nodes(self, chain: Chain) -> list[dict[str, list]]:
+        places = super()._nodes(chain)
         places[0]["h_M"] = [0.0] * 6
         return places
 

@@ -22,7 +22,7 @@ def rgb(color: str) -> np.ndarray:
     return np.array(colors.to_rgb(color))
 
 
-class Stage:
+class Canvas:
     """The picture, `size` pixels, (0, 0) its top left corner."""
 
     @styled

@@ -21,7 +21,7 @@ from scipy.sparse.linalg import ArpackError, eigsh, splu
 from ..errors import RobotFileError, one_line
 from ..files import open_arrays, sound
 from . import INTERFACES
-from .invariants import EPS, Invariants, Node, hat
+from .invariants import EPS, BodyNode, Invariants, hat
 from .standard import MOST_MODES
 
 PARTS = ("data", "indices", "indptr", "shape")
@@ -202,7 +202,10 @@ def _shapes(
         shapes = _lowest(K[:own, :own], M[:own, :own], seen[:, :own], modes, frequency, most, file)
         lowest = np.vstack([shapes, np.zeros((T.shape[1] - own, shapes.shape[1]))])
     V = V - lowest @ (lowest.T @ (M @ V))
-    V = np.hstack([V / np.sqrt(np.sum(V * (M @ V), axis=0)), lowest])
+    masses = np.sum(V * (M @ V), axis=0)
+    if not np.all(masses > 0):
+        raise np.linalg.LinAlgError
+    V = np.hstack([V / np.sqrt(masses), lowest])
     if not V.shape[1]:
         raise RobotFileError(f"{file}: no mode is left; raise modes or frequency")
     squares, turn = scipy.linalg.eigh(V.T @ (K @ V), V.T @ (M @ V))
@@ -299,10 +302,10 @@ def _invariants(mesh: Mesh, V: np.ndarray, omega: np.ndarray, base: str, tip: st
     return Invariants(G, mass * np.eye(r), np.diag(mass * omega**2), np.zeros((r, r)), none, none, names, nodes)
 
 
-def _node(mesh: Mesh, name: str, V: np.ndarray, origin: np.ndarray, clamped: bool) -> Node:
+def _node(mesh: Mesh, name: str, V: np.ndarray, origin: np.ndarray, clamped: bool) -> BodyNode:
     r = V.shape[1]
     motion = np.zeros((6, r)) if clamped else _motion(mesh, name) @ V
     for part in (motion[:3], motion[3:]):
         part[np.abs(part) < NOISE * np.abs(part).max(initial=0.0)] = 0.0
     none = np.zeros((3, r, r))
-    return Node(name, mesh.points[name] - origin, motion[:3], motion[3:], np.eye(3), none, none)
+    return BodyNode(name, mesh.points[name] - origin, motion[:3], motion[3:], np.eye(3), none, none)

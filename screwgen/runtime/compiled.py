@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
-from ..algorithms.robot_functions import BY_NAME, RobotFunction, results
+from ..algorithms.robot_functions import BY_NAME, SENSORS, RobotFunction, entries, results
 from ..arguments import Given, Loads, Numbers, array, choice, parameters_keyword, seconds, whole
 from ..backends.c.forms import split
 from ..backends.c.shim import shims
@@ -19,16 +19,12 @@ from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
 from .differentiated import NO_METHOD, Differentiated
-from .forms import Forms
+from .forms import Forms, Later
 from .lean import LeanProject
 from .library import load
-from .memory import Array, Motion, Pair, pointer
+from .memory import Array, LinkMotions, Pair, pointer
 from .pace import slices
 from .stepper import Stepper
-
-FORMS = ("joint", "dae")
-
-_S = TypeVar("_S", bound=tuple)
 
 
 class Compiled(Differentiated):
@@ -63,13 +59,15 @@ class Compiled(Differentiated):
         self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
-        self.project = LeanProject(
-            self.chain, model.version, parameters, layout, derivatives=derivatives, methods=methods, outputs=True
-        )
+        options: dict[str, Any] = {"derivatives": derivatives, "methods": methods, "outputs": True}
+        self.project = LeanProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
-        joint, dae = split(self.project, self.project.files() | shims(self.project))
+        files = self.project.files() | shims(self.project)
+        joint, dae = split(self.project, files)
+        headers = {name: text for name, text in files.items() if name.endswith(".h")}
         compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
-        self.library = Forms(compiled(joint), partial(compiled, dae))
+        self.library = Forms(compiled(joint), Later(lambda: compiled(dae)))
+        self._sensors = Later(lambda: compiled(headers | self.project.sensing()))
         self._place()
         self.prepare(None)
 
@@ -121,7 +119,7 @@ class Compiled(Differentiated):
             return self._given(out, self.vdot, self.wrench)
 
     def _forward_of(self, form: str) -> Callable[..., int]:
-        dae = choice(form, FORMS, "there is no form") == "dae"
+        dae = choice(form, ("joint", "dae"), "there is no form") == "dae"
         return self.library.shim_dae_forward if dae else self._forward
 
     def complete_dynamics(
@@ -152,9 +150,9 @@ class Compiled(Differentiated):
             return self.vdot.copy() if out is None else self._given((out,), self.vdot)[0]
 
     def __getattr__(self, name: str) -> Callable:
-        """What ``<robot>_outputs.c`` reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
+        """What the C reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
         row = BY_NAME.get(name)
-        if row is None or not row.in_c:
+        if row is None or not row.c_file:
             raise AttributeError(f"'Compiled' has no attribute '{name}'", name=name, obj=self)
         return partial(self._report, row)
 
@@ -164,6 +162,10 @@ class Compiled(Differentiated):
         """The results of a function: arrays, numbers, a tuple where they are several."""
         with self._lock:
             self._set(q, self._no_v if v is None else v, tau, w_ext)
+            if row.c_file == SENSORS:
+                found = np.zeros(max(entries(row, self.chain), 1), self.real)
+                self.check(getattr(self._sensors, f"shim_{row.name}")(self.memory, pointer(found)))
+                return results(row, self.chain, found[: entries(row, self.chain)])
             self.check(getattr(self.library, f"shim_{row.name}")(self.memory))
             return results(row, self.chain, self._reports[row.name].copy())
 
@@ -193,32 +195,29 @@ class Compiled(Differentiated):
 
         ``method``: a built-in integrator, or one of those that the model was compiled with.
         """
-        place = lambda q, v: self._set(q, v, tau, w_ext)  # noqa: E731
-        read = lambda: (self.q.copy(), self.v.copy())  # noqa: E731
-        return self._steps(self.library.shim_step, method, count, dt, (q, v), place, read)
+        step, read = self._stepping(self.library.shim_step, method, dt), lambda: (self.q.copy(), self.v.copy())
+        q, v = self._steps(step, count, (q, v), lambda q, v: self._set(q, v, tau, w_ext), read)
+        return q, v
+
+    def _stepping(self, call: Callable[..., int], method: str | Method, dt: float) -> Callable[[int], int]:
+        """What makes so many steps of the state in memory."""
+        number, size = self.number(method), self._real(seconds(dt, "dt"))
+        return lambda count: call(self.memory, number, count, size)
 
     def _steps(
-        self,
-        call: Callable[..., int],
-        method: str | Method,
-        count: int,
-        dt: float,
-        state: tuple,
-        place: Callable[..., None],
-        read: Callable[[], _S],
-    ) -> _S:
+        self, call: Callable[[int], int], count: int, state: tuple, place: Callable, read: Callable[[], tuple]
+    ) -> tuple[Array, ...]:
         """The state after steps, in parts between which others may use the memory.
 
         ``place``: writes a state and the inputs into memory; ``read``: returns the state there.
         """
-        number, size = self.number(method), self._real(seconds(dt, "dt"))
         for _, part in slices(whole(count, "count", 0)) if count else ((0, 0),):
             with self._lock:
                 place(*state)
-                if status := call(self.memory, number, part, size):
+                if status := call(part):
                     self.check(status)
-                state = reached = read()
-        return reached
+                state = read()
+        return state
 
     def stepper(
         self, dt: float, method: str | Method = "modal_midpoint", count: int = 1, parameters: Given = None
@@ -232,16 +231,16 @@ class Compiled(Differentiated):
 
     # poses and statics ------------------------------------------------------------------------
 
-    def kinematics(self, q: Numbers, v: Numbers | None = None) -> Motion:
+    def kinematics(self, q: Numbers, v: Numbers | None = None) -> LinkMotions:
         """Poses of all links and of their tips, and the twists of the tips; rates left out are zero."""
         with self._lock:
             self._set(q, self._no_v if v is None else v)
             return self.motion()
 
-    def motion(self) -> Motion:
+    def motion(self) -> LinkMotions:
         """The same of the state in memory."""
         self.check(self.library.shim_kinematics(self.memory))
-        return Motion(*(x.copy() for x in self._motion))
+        return LinkMotions(*(x.copy() for x in self._motion))
 
     def tip_jacobian(self, q: Numbers) -> Array:
         """``J`` (6, nv): J v is the twist [omega; v] of the last tip, in inertial components."""
@@ -302,7 +301,8 @@ class Compiled(Differentiated):
         def place(x: Array) -> None:
             self.x, self.tau[:], self.w_ext[:] = x, tau, w_ext
 
-        return self._steps(self.library.shim_dae_step, method, count, dt, (x,), place, lambda: (self.x,))[0]
+        step = self._stepping(self.library.shim_dae_step, method, dt)
+        return self._steps(step, count, (x,), place, lambda: (self.x,))[0]
 
     def assemble(self, x: Numbers, tau: Loads, w_ext: Loads) -> tuple[Array, Array, Array]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``."""

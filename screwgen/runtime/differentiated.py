@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from ..arguments import Loads, Numbers, seconds
-from ..backends.c.project import CProject
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
+from .lean import LeanProject
 from .memory import Array, Memory, Real, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
@@ -24,7 +24,7 @@ Derivatives = tuple[Array, Array, Array, Array]
 NO_METHOD = "in the generated C there is no integrator"
 
 
-def known(method: str | Method, project: CProject) -> Method:
+def known(method: str | Method, project: LeanProject) -> Method:
     """An integrator of the library of a project; raises UsageError where it is not one of its methods."""
     wanted = method_of(method, project.methods, NO_METHOD)
     if wanted not in project.methods.values():
@@ -55,7 +55,7 @@ class Scratch(dict):
 class Differentiated(Memory):
     """The functions that need ``derivatives=True``."""
 
-    project: CProject
+    project: LeanProject
     single: bool
 
     def linearise(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Derivatives:

@@ -16,7 +16,7 @@ from ..robot_model import RobotModel
 from .differentiated import failure
 from .lean import LeanProject
 from .library import load
-from .memory import Block, Real, pointer
+from .memory import Real, StructMemory, pointer
 
 if TYPE_CHECKING:
     from ..topology.chain import Chain
@@ -137,7 +137,7 @@ class CompiledEstimator:
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
         members = _members(model)
-        self._block = Block(self.library, list(members), np.dtype(self.real))
+        self._block = StructMemory(self.library, list(members), np.dtype(self.real))
         self._memory, kind = self._block.address, lambda name: ctypes.c_int if "has_" in name else None
         self._at = {name: self._block.view(name, *shape, kind=kind(name)) for name, shape in members.items()}
 

@@ -1,4 +1,4 @@
-"""The libraries of a compiled model: that of the joint form, and that of the DAE form, compiled when it is called."""
+"""The libraries of a compiled model: that of the joint form, and others, which are compiled when they are called."""
 
 from __future__ import annotations
 
@@ -8,15 +8,31 @@ from collections.abc import Callable
 from typing import Any
 
 
-class Forms:
-    """The functions of a robot's library by name; those of the DAE form come from a library of their own."""
+class Later:
+    """The functions of a library by name; it is compiled when the first is asked for.
 
-    def __init__(self, joint: ctypes.CDLL, dae: Callable[[], ctypes.CDLL]):
-        self._joint, self._make, self._lock = joint, dae, threading.Lock()
+    Raises AttributeError for a name that it does not have, ScrewgenError where it does not compile.
+    """
+
+    def __init__(self, make: Callable[[], ctypes.CDLL]):
+        self._make, self._lock = make, threading.Lock()
         self._made: ctypes.CDLL | None = None
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
-        """A function; raises AttributeError where there is none, ScrewgenError where the DAE form does not compile."""
+        with self._lock:
+            if self._made is None:
+                self._made = self._make()
+        return getattr(self._made, name)
+
+
+class Forms:
+    """The functions of a robot's library by name; those of the DAE form come from a library of their own."""
+
+    def __init__(self, joint: ctypes.CDLL, dae: Later):
+        self._joint, self._dae = joint, dae
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        """A function; raises as :class:`Later`."""
         try:
             found = getattr(self._joint, name)
         except AttributeError:
@@ -26,10 +42,3 @@ class Forms:
 
     def __getitem__(self, name: str) -> Callable[..., Any]:
         return getattr(self, name)
-
-    @property
-    def _dae(self) -> ctypes.CDLL:
-        with self._lock:
-            if self._made is None:
-                self._made = self._make()
-            return self._made

@@ -29,7 +29,7 @@ MOTION = {"rotation": (3, 3), "position": (3,), "tip_rotation": (3, 3), "tip_pos
 """The members of the motion of a robot, with their shape for one link."""
 
 
-class Motion(NamedTuple):
+class LinkMotions(NamedTuple):
     """Poses and twists of a robot with n links, in the inertial frame."""
 
     rotation: Array
@@ -44,7 +44,7 @@ class Motion(NamedTuple):
     """(n, 6): [omega; v] of tip section and tip point, rad/s and m/s."""
 
 
-class Block:
+class StructMemory:
     """Memory for a struct of a library, and its members by name."""
 
     def __init__(self, library: Any, names: Sequence[str], real: np.dtype):
@@ -78,7 +78,7 @@ class Memory:
     def _place(self) -> None:
         """Allocate the memory and find the views in it."""
         self._lock = threading.Lock()
-        c, self._block = self.chain, Block(self.library, views(self.chain), self.real)
+        c, self._block = self.chain, StructMemory(self.library, views(self.chain), self.real)
         self.memory, view = self._block.address, self._block.view
         self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nv), view("output.vdot", c.nv)
         self.tau, self.w_ext = view("input.tau", c.n_tau), view("input.w_ext", c.n, 6)

@@ -16,7 +16,7 @@ from ..robot_model import RobotModel
 from .differentiated import failure
 from .lean import LeanProject
 from .library import load
-from .memory import Block, pointer
+from .memory import StructMemory, pointer
 
 OUTCOMES = ("solved", "limited", "infeasible")
 COUNTS = ("options.qp_iterations", "options.delay", "mpc.outcome", "mpc.iterations", "mpc.converged", "mpc.prepared")
@@ -79,7 +79,7 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
     return out | {f"mpc.{name}": shape for name, shape in own.items()}
 
 
-class Mpc:
+class CompiledMpc:
     """``<robot>_mpc`` of the generated C; arrays are NumPy's, in the order of ``model.q_names`` and ``tau_names``.
 
     Made by :meth:`screwgen.Model.mpc` from a file.  ``parameters``: values in the order of ``model.parameter_names`` or
@@ -111,7 +111,7 @@ class Mpc:
         files = project.files() | {"shim.c": project.shim("mpc_shim.c", list(members))}
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler, cache)
-        self._block = Block(self.library, list(members), self.real)
+        self._block = StructMemory(self.library, list(members), self.real)
         self._memory = self._block.address
         kind = lambda name: ctypes.c_int if name in COUNTS else None  # noqa: E731
         at = {k: self._block.view(k, *s, kind=kind(k)) for k, s in members.items() if k != "options.reference"}

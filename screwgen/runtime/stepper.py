@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .memory import Array, Motion, Real
+from .memory import Array, LinkMotions, Real
 
 if TYPE_CHECKING:
     from .compiled import Compiled
@@ -40,6 +40,6 @@ class Stepper:
         if status := self._call(*self._given):
             self._compiled.check(status)
 
-    def kinematics(self) -> Motion:
+    def kinematics(self) -> LinkMotions:
         """Poses of all links and of their tips, and twists of the tips, in the state."""
         return self._compiled.motion()

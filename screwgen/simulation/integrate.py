@@ -31,7 +31,7 @@ LIMIT = 1e9
 _State = TypeVar("_State")
 
 
-class Stepper(Protocol[_State]):
+class EquationForm(Protocol[_State]):
     """The interface of a form of the equations for runs; the type of a state is the form's own."""
 
     default: str
@@ -52,7 +52,7 @@ class Stepper(Protocol[_State]):
         """`q` (nq,) and `v` (nv,) of a state."""
 
 
-class Evaluator:
+class CasadiEvaluator:
     """A CasADi function on NumPy arrays without intermediate copies, which saves about 10 µs a call."""
 
     def __init__(self, function: Any):
@@ -83,8 +83,8 @@ class Dynamics:
     def __init__(self, model: RobotModel, p: Numbers):
         functions = model.modal_functions
         self.p, self.n_links = np.array(p, float), model.n_links
-        self.evaluate = Evaluator(functions["modal_dynamics"])
-        self.own = OwnForces.of_columns(model.chain, Evaluator(functions["modal_properties"])(self.p))
+        self.evaluate = CasadiEvaluator(functions["modal_dynamics"])
+        self.own = OwnForces.of_columns(model.chain, CasadiEvaluator(functions["modal_properties"])(self.p))
 
     def explicit(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         """`vdot` (nv,) and the joint wrenches (6 n,)."""
@@ -103,7 +103,7 @@ class Dynamics:
         return self.evaluate(*there, tau, w_ext, own.inertia(h), own.force(own.of(q), own.of(v), h), self.p)[0]
 
 
-class Held(NamedTuple):
+class HeldAccelerations(NamedTuple):
     """The accelerations while torques and external wrenches are held."""
 
     dynamics: Dynamics
@@ -153,7 +153,7 @@ class JointStepper:
         return JointState(np.array(q, float), np.array(v, float))
 
     def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
-        q, v = self.method.step(Held(self.dynamics, tau, w_ext), state.q, state.v, dt, self.space)
+        q, v = self.method.step(HeldAccelerations(self.dynamics, tau, w_ext), state.q, state.v, dt, self.space)
         new = JointState(unit(q) if self.floating else q, v)
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
             self.reference.forward_dynamics(state.q, state.v, tau, w_ext)

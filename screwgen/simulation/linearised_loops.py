@@ -12,7 +12,7 @@ from .linearised import Linearised
 from .mobility import motions
 
 
-class Shut(Linearised):
+class LinearisedWithLoops(Linearised):
     """The accelerations of the coordinates that the loops leave independent, to first order about a state.
 
     Motions are those of d coordinates and their rates. A method steps them as it would a robot written in these alone:

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..algorithms.gauges import base_strains
 from ..arguments import Given, real_numbers, seconds, whole
 from ..errors import UsageError
 from ..integrators.method import Method
@@ -21,6 +22,7 @@ from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
 from .chunks import How, in_chunks, merged
 from .loop import added
+from .measured import MEASURED
 from .rollout_loops import opened
 from .rollout_samples import Source
 from .rollout_validity import watched
@@ -47,7 +49,7 @@ class Rollout:
     Computed when first asked for, at every sample, NaN where there is no dynamics, the last input held on at the end:
     ``wrench`` (batch, steps + 1, n, 6), joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components;
     ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; ``energy`` (.., 2), kinetic, potential, J;
-    ``drive_power`` (.., n_tau), W.
+    ``drive_power`` (.., n_tau), W; what sensors measure at markers, as of :class:`.runs.Run`.
     """
 
     t: np.ndarray
@@ -81,14 +83,17 @@ class Rollout:
 
     def __getattr__(self, name: str) -> np.ndarray:
         """What follows from the motions, by name: computed when it is first asked for, in double precision."""
-        if name not in COMPUTED or name in self.__dict__:
+        if name not in COMPUTED + MEASURED or name in self.__dict__:
             raise AttributeError(f"'Rollout' has no attribute '{name}'", name=name, obj=self)
-        return self._samples[name]
+        if name in COMPUTED:
+            return self._samples[name]
+        self.__dict__[name] = self._source.measured(name, self.q, self.v)
+        return self.__dict__[name]
 
     @cached_property
     def base_strain(self) -> np.ndarray:
         """(batch, steps + 1, strains): as the output ``base_strain`` of :meth:`screwgen.Model.linearise`, its order."""
-        return self._source.base_strain(self.q)
+        return self.strain[:, :, : base_strains(self._source.model.chain)]
 
     @cached_property
     def _samples(self) -> dict[str, np.ndarray]:

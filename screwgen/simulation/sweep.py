@@ -107,7 +107,7 @@ def sweep(
         "single": single,
     }
     packed = None if isinstance(executor, ThreadPoolExecutor | None) else _packed(model, draw, keep, options)
-    task = Task(_digest(model, draw, keep, options, count, chunk, seed), count, chunk, seed, packed)
+    task = SweepTask(_digest(model, draw, keep, options, count, chunk, seed), count, chunk, seed, packed)
     if packed is None:
         HERE[task.digest] = (model, draw, keep, options)
     target = Store(Path(store), task.digest, count, chunk)
@@ -126,7 +126,7 @@ def sweep(
 
 
 @dataclass(frozen=True)
-class Task:
+class SweepTask:
     """What a worker is told: `packed` holds the model and the functions, unless it shares the memory."""
 
     digest: str
@@ -177,7 +177,7 @@ def _said(what: Any) -> str:
         return f"{what.__module__}.{what.__qualname__}{inner}"
 
 
-def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
+def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
     """Values, statuses and validity of chunk `k`; runs in a worker."""
     model, draw, keep, options = unpacked(task.digest, task.packed)
     ready(model, options["single"], options["integrator"])
@@ -197,7 +197,7 @@ def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
 
 
 def _run(
-    executor: Executor, task: Task, target: Store, progress: Callable[[int, int], object] | None
+    executor: Executor, task: SweepTask, target: Store, progress: Callable[[int, int], object] | None
 ) -> list[Validity]:
     """Store what the workers find; the measures of all scenarios, if there were any."""
     validities: list[Validity] = []

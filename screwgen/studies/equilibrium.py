@@ -21,7 +21,7 @@ from ..simulation.validity import Validity, validity_at_rest
 from ..spec.robot import Robot
 from .afloat import equilibrium_afloat
 from .linear import checked
-from .shut import Shut
+from .shut import StaticsWithLoops
 from .statics import Balance, NoEquilibriumError, Statics, search
 from .steady import wound
 from .stiffness import stiffness
@@ -160,7 +160,7 @@ def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarra
     """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
     load[model.chain.actuated], still[model.chain.actuated] = tau, held
-    return (Shut if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
+    return (StaticsWithLoops if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
 def _balanced(

@@ -22,6 +22,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
 from .loops import Closure, Junction, closures, junctions
+from .markers import Marker, markers, with_markers
 from .parameters import labels
 from .stations import mounted
 
@@ -50,6 +51,16 @@ class Chain(Coordinates):
         """The rows that no motion changes: parameters alone can open them."""
         self.overconstrained = False
         """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
+
+    @cached_property
+    def markers(self) -> tuple[Marker, ...]:
+        """The sections at which functions measure: the tip of every link, and the markers that it declares."""
+        return markers(self.robot, self.segments)
+
+    @cached_property
+    def seen(self) -> Chain:
+        """The same chain with a node for every marker."""
+        return with_markers(self)
 
     @property
     def couplings(self) -> list[Closure]:

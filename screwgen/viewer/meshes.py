@@ -35,7 +35,7 @@ LONGEST = 0.08
 MOST_TRIANGLES = 3_000_000
 
 
-class Part(NamedTuple):
+class ColouredSurface(NamedTuple):
     """A surface in one colour in the frame of a link of the URDF: vertices (V, 3), m, and triangles (F, 3)."""
 
     link: str
@@ -50,7 +50,7 @@ class Looks:
 
     file: str
     urdf: Urdf
-    parts: list[Part] = field(default_factory=list)
+    parts: list[ColouredSurface] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     count: int = 0
     """How many visuals were read."""
@@ -72,7 +72,7 @@ def read_looks(path: str | os.PathLike[str]) -> Looks:
     for visual in visuals(looks.urdf):
         before = len(looks.parts)
         for points, triangles, color in _surfaces(trimesh, visual, os.fsdecode(path), looks.notes):
-            looks.parts.append(Part(visual.link, visual.at.p + points @ visual.at.R.T, triangles, color))
+            looks.parts.append(ColouredSurface(visual.link, visual.at.p + points @ visual.at.R.T, triangles, color))
         looks.count += len(looks.parts) > before
         if looks.triangles > MOST_TRIANGLES:
             raise UsageError(f"{file}: its visuals have more than {MOST_TRIANGLES} triangles; simplify the meshes")

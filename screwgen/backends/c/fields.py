@@ -10,7 +10,7 @@ from types import MappingProxyType
 from ...algorithms.columns import link_columns, robot_columns
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
-from ...ir.block import Signal as Constant
+from ...ir.block import NamedSignal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...spec.markers import TIP, carried_at

@@ -24,7 +24,7 @@ WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
 
 
 @dataclass(frozen=True)
-class Run:
+class CFunction:
     """An algorithm that is a C function, and its results."""
 
     algorithm: Algorithm
@@ -51,11 +51,11 @@ def _run(
     apart: bool = False,
     skipped: Mapping[str, str] | None = None,
     **more: Any,
-) -> Run:
-    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
+) -> CFunction:
+    return CFunction(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
 
 
-RUNS: dict[str, Run] = {
+RUNS: dict[str, CFunction] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
@@ -85,7 +85,7 @@ RUNS: dict[str, Run] = {
         "Joint form: inverse dynamics, with joint wrenches.",
         "force base_force force_theta force_eta wrench",
     ),
-    "inertia": Run(
+    "inertia": CFunction(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
         frozenset({"force", "base_force", "force_theta", "force_eta"}),
@@ -129,7 +129,7 @@ class Links:
     _written: dict[tuple, Function] = field(default_factory=dict)
 
     @property
-    def runs(self) -> dict[str, Run]:
+    def runs(self) -> dict[str, CFunction]:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:

@@ -94,10 +94,10 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
 
 
 def shaped(values: ca.SX, signal: Signal, chain: Chain) -> ca.SX:
-    """A result as CasADi's matrices have it: a column per link, rotations (stored row by row) side by side."""
+    """A result as CasADi's matrices have it: a column per link, matrices (stored row by row) side by side."""
     whole = shape(signal, chain)
-    if signal.shape[-2:] == ROTATION:
-        return rotations(values, 1 if len(whole) == 2 else whole[0])
+    if signal.shape == ROTATION or len(whole) == 3:
+        return side_by_side(values, *whole[-2:])
     return ca.reshape(values, whole[1], whole[0]) if len(whole) == 2 else values
 
 
@@ -191,9 +191,11 @@ def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
     return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.floating else v
 
 
-def rotations(rows: ca.SX, n: int) -> ca.SX:
-    """Rotations stored row by row, side by side as 3 x 3n."""
-    return ca.horzcat(*(ca.reshape(rows[9 * i : 9 * i + 9], 3, 3).T for i in range(n)))
+def side_by_side(entries: ca.SX, rows: int, columns: int) -> ca.SX:
+    """Matrices stored one after the other, row by row, side by side."""
+    size = rows * columns
+    parts = [entries[k : k + size] for k in range(0, entries.numel() if size else 0, size)]
+    return ca.horzcat(ca.SX(rows, 0), *(ca.reshape(part, columns, rows).T for part in parts))
 
 
 # ------------------------------------------------------------------------------------ the CasADi target

@@ -30,7 +30,7 @@ from ...ir.adjoint import only
 from ...ir.program import Program
 from ...topology.chain import Chain
 from ..casadi.functions import Made
-from .programs import Evaluator, Values, straight
+from .programs import JaxProgram, Values, straight
 
 PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
 STEP = "modal_midpoint"
@@ -43,7 +43,7 @@ def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterabl
     if precision == "double" and not jax.config.read("jax_enable_x64"):
         said = "call jax.config.update('jax_enable_x64', True) first, or give precision='single'"
         raise UsageError(f"JAX is set to single precision; {said}")
-    own = Own(chain, PRECISIONS[precision], straight if forward_mode else Evaluator)
+    own = Own(chain, PRECISIONS[precision], straight if forward_mode else JaxProgram)
     found = with_built_in(methods)
     steps: dict[str, Callable] = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
     return Made({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
@@ -156,14 +156,14 @@ class Own:
         """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds."""
 
         def body(x: Values) -> tuple[jax.Array, jax.Array]:
-            space = Curved(self) if self.chain.floating else FLAT
-            q, v = method.step(Held(self, x), x["q"], x["v"], x["dt"], space)
+            space = JaxSpace(self) if self.chain.floating else FLAT
+            q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], space)
             return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 
         return old_order_too(self.function("q v tau w_ext p dt", body))
 
 
-class Held:
+class JaxAccelerations:
     """Accelerations at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
 
     def __init__(self, own: Own, x: Values):
@@ -198,7 +198,7 @@ class Held:
         return out
 
 
-class Curved:
+class JaxSpace:
     """The coordinates behind a floating base: a :class:`~screwgen.integrators.se3.Space`."""
 
     def __init__(self, own: Own):

@@ -34,7 +34,7 @@ Kept = tuple[dict[str, Any], dict[str, tuple[()]]]
 """Inputs, and as keys of a tree without leaves the names of those that are differentiated."""
 
 
-class Evaluator:
+class JaxProgram:
     """A program on JAX arrays: ``(inputs) -> (outputs, guards)``, vectors by name, all of one floating-point type.
 
     It works below ``jit``, ``vmap``, ``scan`` and ``grad``, of any order; forward mode is refused by JAX.
@@ -42,7 +42,7 @@ class Evaluator:
 
     def __init__(self, program: Program):
         self.program = program
-        self._adjoints: dict[tuple[str, ...], Evaluator] = {}
+        self._adjoints: dict[tuple[str, ...], JaxProgram] = {}
         self._tables: dict[Any, Callable] = {}
         self._differentiable = jax.custom_vjp(self._plain)
         self._differentiable.defvjp(self._forward, self._backward, symbolic_zeros=True)
@@ -72,10 +72,10 @@ class Evaluator:
             found |= {name: outputs[GRADIENT + name] for name in moving}
         return (found,)
 
-    def _adjoint(self, wanted: tuple[str, ...], outputs: tuple[str, ...]) -> Evaluator:
+    def _adjoint(self, wanted: tuple[str, ...], outputs: tuple[str, ...]) -> JaxProgram:
         key = (*wanted, "", *outputs)
         if key not in self._adjoints:
-            self._adjoints[key] = Evaluator(adjoint(self.program, wanted, outputs))
+            self._adjoints[key] = JaxProgram(adjoint(self.program, wanted, outputs))
         return self._adjoints[key]
 
 

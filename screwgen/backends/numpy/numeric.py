@@ -177,7 +177,7 @@ class Numeric:
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The same where loops close the tree: ``M dvdot - Jᵀ dλ = given dτ - df`` and ``J dvdot = -d(J vdot)``."""
         functions = self._functions(FORWARD, MOTION, INVERSE, SENSITIVITY)
-        _, f, rows = closed_slopes(functions, q, v, tau, w_ext, functions.section)
+        _, f, rows = closed_slopes(functions, q, v, tau, w_ext)
         M, J = np.tril(f.M.astype(float)), rows.J.astype(float)
         inertia, drifts = M + np.tril(M, -1).T, [rows.by_q, rows.by_v, np.zeros((len(J), given.shape[1]))]
         free = np.linalg.solve(inertia, np.hstack([-f.f_q.astype(float), -f.f_v.astype(float), given]))

@@ -21,7 +21,7 @@ from ..algebra.expression import (
     Transpose,
 )
 from .jets import skew
-from .motion import RandomMotion
+from .random_motion import RandomMotion
 
 
 def evaluate(e: Expression, motion: RandomMotion) -> np.ndarray:

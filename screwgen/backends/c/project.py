@@ -22,7 +22,7 @@ from . import batch, check, derivatives, estimator, files, laws, levers, loops, 
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
 from .fields import (
-    Field,
+    StructMember,
     constant_fields,
     fused_place,
     given_coordinates,
@@ -262,10 +262,10 @@ class CProject:
         if self.baked is not None:
             return []
         fields = constant_fields(self.chain, {x for labels in self.labels for x in labels})
-        return fields or [Field("none", (), "no constant depends on parameters")]
+        return fields or [StructMember("none", (), "no constant depends on parameters")]
 
     @cached_property
-    def parameters(self) -> dict[str, list[Field]]:
+    def parameters(self) -> dict[str, list[StructMember]]:
         """The members of the parameters' structs."""
         names: list[set[str]] = [set() for _ in self.chain.robot.links]
         for segment, key, labels in zip(self.chain.segments, self.chain.keys, self.labels, strict=True):

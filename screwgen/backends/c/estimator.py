@@ -20,12 +20,11 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     """The templates' context; ``place`` is that of the fused function."""
     program = tip_acceleration(chain, "baked" if baked else "constants")
     say_time(chain, "accelerations of the tip", program.operation_count)
-    plain = not (chain.closures or chain.floating)
     own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}
     own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}
     return pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work")) | {
         "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
-        "per_prediction": (11 if plain else 17) * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
+        "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
         "per_entry": 6 * chain.nv**2,
         "gauges": [_gauge(chain, g) for g in gauges(chain)],
         "curvatures": _curvatures(chain),

@@ -33,6 +33,7 @@ class MarkerFunctions:
     gravity: Sequence
     _run: Callable[..., tuple[list, list]]
     _motion: Callable[..., list[dict[str, list]]]
+    _state: Callable[..., list[dict[str, list]]]
 
     def marker_poses(self, q) -> tuple[list, list]:
         """Rotation (9, row by row) and position (3) of every marker in the inertial frame."""
@@ -57,7 +58,7 @@ class MarkerFunctions:
     def tip_acceleration(self, q, v, vdot) -> list:
         """The same of the last tip alone: acceleration against free fall (3), in tip-frame components."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
-        _, places = self._run(GIVEN_MOTION, self._motion(q, v), motion)
+        _, places = self._run(GIVEN_MOTION, self._state(q, v), motion)
         return places[self.chain.tree.tip(self.chain.last)]["acc"][3:]
 
     def marker_biases(self, q, v) -> list:

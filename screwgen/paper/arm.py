@@ -11,7 +11,7 @@ from ..spec.robot import Body, Link, Modes, Robot
 from ..spec.section import Section
 
 
-class Rod(NamedTuple):
+class SectionNumbers(NamedTuple):
     """The numbers of a section, as the robot file names them."""
 
     rhoA: float
@@ -29,7 +29,7 @@ MASSES = (3.3, 2.1)
 AXES = ("yz", "z")
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 """rad: theta_y1, theta_z1, theta_z2 at the end of the paper's motion."""
-ROD = Rod(rhoA=1.6302, EA=4.38e7, EIy=2.12e3, EIz=3.67e3, rhoIp=2.15e-4)
+ROD = SectionNumbers(rhoA=1.6302, EA=4.38e7, EIy=2.12e3, EIz=3.67e3, rhoIp=2.15e-4)
 SECTION = Section(**ROD._asdict())
 FREE_FALL = (0.0, 0.0, -9.81)
 STILL = (0.0, 0.0, 0.0)

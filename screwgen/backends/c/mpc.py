@@ -67,7 +67,8 @@ class Fitted:
         for asked, what in (
             (bool(chain.robot.loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
-            (bool(chain.curved), "a floating base or a ball joint"),
+            (chain.floating, "a floating base"),
+            (bool(chain.curved), "a ball joint"),
             (bool(chain.n_motors), "elastic drives"),
             (bool(chain.cranked), "transmissions"),
         ):

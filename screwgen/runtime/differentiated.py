@@ -110,7 +110,10 @@ class Differentiated(Memory):
 
     def number(self, method: str | Method) -> int:
         """The number that an integrator has in the library; raises UsageError where it has none."""
-        return list(self.project.methods.values()).index(known(method, self.project))
+        methods = self.project.methods
+        if isinstance(method, str) and method in methods:
+            return list(methods).index(method)
+        return list(methods.values()).index(known(method, self.project))
 
     def _real(self, value: float):
         return ctypes.c_float(value) if self.single else ctypes.c_double(value)

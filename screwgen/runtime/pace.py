@@ -13,10 +13,11 @@ FIRST, GROWTH = 256, 4
 def slices(count: int, first: int = FIRST) -> Iterator[tuple[int, int]]:
     """`count` steps in parts that take about a slice of time each: pairs of the first step and how many."""
     k, part = 0, first
-    while k < count:
-        part = min(part, count - k)
+    while count - k > part:
         clock = time.perf_counter()
         yield k, part
         k += part
         spent = time.perf_counter() - clock
         part = max(1, min(GROWTH * part, int(part * SLICE / max(spent, 1e-9))))
+    if k < count:
+        yield k, count - k

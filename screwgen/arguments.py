@@ -109,6 +109,8 @@ def nearest(name: str, known: Sequence[str]) -> str:
 # ------------------------------------------------------------------------------ parameters
 
 Numbers = Sequence[float] | np.ndarray
+Loads = Numbers | Sequence[Numbers] | None
+"""Torques (n_tau,), or wrenches (n, 6) in rows or flat; None: all are zero."""
 Given = Numbers | Mapping[str, Any] | None
 """Values of all parameters, or of some by name; None: the robot file's."""
 

@@ -21,8 +21,8 @@ from test_loops import angles
 from screwgen import SingularError, UsageError, equilibrium
 from screwgen.errors import ScrewgenError
 from screwgen.plotting.mode_plot import displaced
-from screwgen.runtime.compiled import LeanProject
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.runtime.lean import LeanProject
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.integrate import JointStepper
 

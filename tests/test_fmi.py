@@ -17,8 +17,7 @@ from helpers import arm, link, model_of, quick, relative
 
 from screwgen.algorithms import fused
 from screwgen.algorithms.robot_functions import function_named
-from screwgen.backends.casadi.functions import coordinate_rates, expressions, rotations
-from screwgen.backends.casadi.linear import base_strains
+from screwgen.backends.casadi.functions import coordinate_rates, expressions, side_by_side
 from screwgen.bodies.validity import MEASURES
 from screwgen.errors import TargetWarning
 from screwgen.integrators import METHODS
@@ -90,11 +89,12 @@ def responses(model) -> ca.Function:
     given = {name: ca.SX.sym(name, *size) for name, size in sizes.items()} | {"p": ca.DM(model.parameter_values)}
     dynamics, poses = expressions(fused.forward_dynamics(chain), given), expressions(fused.poses(chain), given)
     energy, tips = expressions(fused.energy(chain), given), chain.lasts
-    R = rotations(poses["tip_R"], chain.n)
+    R = side_by_side(poses["tip_R"], 3, 3)
+    strains = expressions(function_named("strain").program(chain), given)["strain"]
     parts = [coordinate_rates(chain, given["q"], given["v"], given["p"]), dynamics["vdot"], given["q"], given["v"]]
     parts += [poses["tip_position"][3 * i : 3 * i + 3] for i in tips]
     parts += [ca.vec(R[:, 3 * i : 3 * i + 3].T) for i in tips]
-    parts += [dynamics["wrench"], base_strains(chain, given["q"], given["p"]), energy["kinetic"], energy["potential"]]
+    parts += [dynamics["wrench"], strains, energy["kinetic"], energy["potential"]]
     parts.append(expressions(function_named("drive_power").program(chain), given)["power"])
     point = ca.vertcat(*(ca.vec(given[name]) for name in sizes))
     return ca.Function("responses", [point], [ca.jacobian(ca.vertcat(*parts), point)])

@@ -38,14 +38,14 @@ def test_numpy_casadi_jax_and_c_give_the_same(name, row):
     expected = parts(getattr(model.numpy(), row.name)(*given))
     assert [x.shape for x in expected] == [shape(of, model.chain) for of in row.results.values()]
     columns = [x.T if x.ndim == 2 else x for x in given]
-    for found, y in zip(model.casadi()[row.name].call([*columns, p]), expected, strict=True):
+    for of, found, y in zip(row.results.values(), model.casadi()[row.name].call([*columns, p]), expected, strict=True):
         matrix = found.full()
-        across = np.hstack(list(y)) if y.ndim == 3 else y if y.shape == (3, 3) else y.T if y.ndim == 2 else y
+        across = np.hstack(list(y)) if y.ndim == 3 else y if of.shape == (3, 3) else y.T if y.ndim == 2 else y
         assert relative(matrix.reshape(np.shape(across)), across) < 1e-9
     with jax.enable_x64(True):
         for found, y in zip(parts(model.jax()[row.name](*given, np.array(p))), expected, strict=True):
             assert found.shape == y.shape and relative(found, y) < 1e-9
-    if row.in_c:
+    if row.c_file:
         named = dict(zip(row.names, given, strict=True))
         for found, y in zip(parts(getattr(quick(model), row.name)(**named)), expected, strict=True):
             assert found.shape == y.shape and relative(found, y) < 1e-11

@@ -106,8 +106,8 @@ def test_samples_are_those_of_the_whole_run():
 
 def test_c_is_taken_where_it_can_be(monkeypatch):
     calls = []
-    real = loop.Loop.__call__
-    monkeypatch.setattr(loop.Loop, "__call__", lambda self, *a: calls.append(1) or real(self, *a))
+    real = loop.CompiledRuns.__call__
+    monkeypatch.setattr(loop.CompiledRuns, "__call__", lambda self, *a: calls.append(1) or real(self, *a))
     simulate(soft(), 0.01, 1e-3)
     assert calls == [1]
     simulate(soft(), 0.01, 1e-3, backend="numpy")

@@ -1,5 +1,9 @@
 """Scalar functions that sympy lacks."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import sympy as sp
 
 
@@ -12,17 +16,17 @@ class stumpff(sp.Function):
     """
 
     @classmethod
-    def eval(cls, k, x):
+    def eval(cls, k: sp.Expr, x: sp.Expr) -> sp.Expr | None:
         if x.is_zero:
             return 1 / sp.factorial(k)
         return None
 
-    def fdiff(self, argindex=2):
+    def fdiff(self, argindex: int = 2) -> sp.Expr:
         k, x = self.args
         if argindex != 2:
             raise sp.ArgumentIndexError(self, argindex)
         return (k * stumpff(k + 2, x) - stumpff(k + 1, x)) / 2
 
-    def _latex(self, printer, exp=None):
+    def _latex(self, printer: Any, exp: str | None = None) -> str:
         k, x = (printer._print(a) for a in self.args)
         return rf"c_{{{k}}}\left({x}\right)" + (rf"^{{{exp}}}" if exp else "")

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from .expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Diagonal,
     Expression,
@@ -42,7 +42,7 @@ def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
             return zeros(*e.shape)
         case Product():
             return add(product(inner(e.left), e.right), product(e.left, inner(e.right)))
-        case Sum() | Negative() | Transpose() | Hat() | Trace() | Diagonal() | Block():
+        case Sum() | Negative() | Transpose() | Hat() | Trace() | Diagonal() | BlockMatrix():
             return e.map(inner)
         case Rotation():
             axis = vector(e.axis, axis_latex(e.axis))

@@ -8,6 +8,7 @@ State ``x = [pose_1; ...; pose_n; theta; eta; V_1; ...; V_n; thetadot; etadot; q
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from ..errors import UsageError
 from ..ir.program import Value
@@ -115,7 +116,7 @@ class DaeFunctions(Functions):
         links, _ = self._run(PLACEMENT, self._state(q, v))
         return self.pack(links, PLACED)
 
-    def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
+    def _solve(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> list[dict[str, list]]:
         if self.chain.closures:
             tau, w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
@@ -126,7 +127,7 @@ class DaeFunctions(Functions):
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
         return [rate for link in links for rate in link["qdot"]]
 
-    def rates(self, x, tau, w_ext) -> tuple[list, list, list]:
+    def rates(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list, list]:
         """``xdot``, ``vdot`` of the joint form, and the joint wrenches, by block elimination."""
         links = self._solve(x, tau, w_ext)
         wrench = [w for link in links for w in link["wrench"]]
@@ -169,7 +170,7 @@ class DaeFunctions(Functions):
         join, links = self.chain.join, [a | b for a, b in zip(state, links, strict=True)]
         return join(links, "q", "eta"), join(links, "qdot", "etadot")
 
-    def assemble(self, x, tau, w_ext) -> tuple[Entries, list, list]:
+    def assemble(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[Entries, list, list]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z.
 
         The wrenches of loops on the tips are part of ``W_sys``.
@@ -180,7 +181,7 @@ class DaeFunctions(Functions):
         links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._stacked(links)
 
-    def _stacked(self, links: Sequence[Mapping[str, list]]) -> tuple[Entries, list, list]:
+    def _stacked(self, links: Sequence[Mapping[str, Any]]) -> tuple[Entries, list, list]:
         """The blocks of all links, each at its rows and columns."""
         M: Entries = {}
         for i, link in enumerate(links):

@@ -27,7 +27,15 @@ IN_LINE = 0.05
 
 
 def slopes(
-    s: int, t: Tracer, q: Value, ground, crank, coupler, rocker, angle, elastic=False
+    s: int,
+    t: Tracer,
+    q: Value,
+    ground: Value,
+    crank: Value,
+    coupler: Value,
+    rocker: Value,
+    angle: Value,
+    elastic: bool = False,
 ) -> tuple[Value, Value, Value]:
     """``psi'``, ``psi''``, and what must be > 0: ``sin^2 mu``, less the rounding, times ``4 c^2 k^2``.
 

@@ -18,7 +18,8 @@ from .drives import drive_power, rotor_accelerations
 from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
-from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
+from .marker_functions import MarkerFunctions
+from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by, trace
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 
@@ -46,7 +47,7 @@ EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTI
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
-def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
+def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     """The nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
     out: list[dict[str, list]] = [{} for _ in range(chain.tree.size)]
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
@@ -61,7 +62,7 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     return out
 
 
-class Functions(LoopFunctions):
+class Functions(LoopFunctions, MarkerFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
@@ -75,19 +76,20 @@ class Functions(LoopFunctions):
     section: Callable[[str], AbstractContextManager] = nullcontext
     """Opens a titled section of the program that is being recorded, if one is."""
 
-    def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
+    def __init__(self, chain: Chain, constants: Sequence[dict[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
 
-    def _nodes(self) -> list[dict[str, list]]:
-        return nodes(self.chain, self.gravity)
+    def _nodes(self, chain: Chain) -> list[dict[str, list]]:
+        return nodes(chain, self.gravity)
 
     def _run(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> tuple[list, list]:
-        places = self._nodes()
+        chain = seen_by(self.chain, algorithm)
+        places = self._nodes(chain)
         links = [dict(c) for c in self.constants]
         for part in parts:
             for link, more in zip(links, part, strict=True):
                 link.update(more)
-        return execute(self.chain, algorithm, links, places, self.apply), places
+        return execute(chain, algorithm, links, places, self.apply), places
 
     def _motion(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
         position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
@@ -165,68 +167,70 @@ class Functions(LoopFunctions):
     def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:
         return [{"w_ext": list(w_ext[6 * i : 6 * i + 6])} for i in range(self.chain.n)]
 
-    def forward_dynamics(self, q, v, tau, w_ext) -> tuple[list, list]:
+    def forward_dynamics(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """``vdot`` and the joint wrenches, link by link."""
         return self.watched_dynamics(q, v, tau, w_ext)[:2]
 
-    def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
+    def watched_dynamics(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list, list]:
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
         links, _ = self.forward(q, v, *self.with_loops(q, v, tau, w_ext))
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
 
-    def forward(self, q, v, tau, w_ext) -> tuple[list, list]:
+    def forward(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The links and the nodes of the open tree after forward dynamics."""
         return self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
 
-    def measures(self, q, wrench, motion) -> list:
+    def measures(self, q: Sequence, wrench: Sequence, motion: Sequence) -> list:
         """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
         n, eta = range(self.chain.n), self.chain.split(q, "q", "eta")
         given = [{"wrench": list(wrench[6 * i : 6 * i + 6]), "motion": list(motion[4 * i : 4 * i + 4])} for i in n]
         return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
 
-    def measures_at_rest(self, q, w_ext) -> list:
+    def measures_at_rest(self, q: Sequence, w_ext: Sequence) -> list:
         """The measures at rest in a held posture."""
         rest = [0.0] * self.chain.nv
         still = self.chain.split(rest, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
         return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
 
-    def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
+    def inverse_dynamics(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> list:
         """Inverse dynamics: the generalised forces of a given motion."""
         return self.loads(q, v, vdot, w_ext)[0]
 
-    def loads(self, q, v, vdot, w_ext) -> tuple[list, list]:
+    def loads(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The generalised forces of a given motion, and the joint wrenches, link by link."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
         return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
 
-    def statics(self, q, w_ext) -> tuple[list, list]:
+    def statics(self, q: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The same at rest."""
         rest = [0.0] * self.chain.nv
         return self.loads(q, rest, rest, w_ext)
 
-    def levers(self, q) -> list:
+    def levers(self, q: Sequence) -> list:
         """What the torque of each axis is multiplied by: the travel of its transmission per rad, or 1."""
         return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
 
-    def drive_power(self, q, v, tau) -> list:
+    def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
         """The power that each drive gives to the arm."""
         return [x for link in self._run(POWER, self._motion(q, v), self._torques(tau))[0] for x in link["power"]]
 
-    def sensitivities(self, q, v, vdot, w_ext, tau) -> list[dict[str, list]]:
+    def sensitivities(
+        self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
+    ) -> list[dict[str, list]]:
         """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext), self._torques(tau))[0]
 
-    def poses(self, q) -> tuple[list, list]:
+    def poses(self, q: Sequence) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""
         links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
         tips = places[1 : self.chain.n + 1]
         return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in tips]
 
-    def coordinate_rates(self, q, v) -> list:
+    def coordinate_rates(self, q: Sequence, v: Sequence) -> list:
         """``dq/dt``: the rates themselves, but for the pose of a floating base."""
         if not self.chain.floating:
             return list(v)
@@ -234,7 +238,7 @@ class Functions(LoopFunctions):
         found = self.apply(0, 0, program, {name: state[name] for name in program.inputs})
         return [*found["position_rate"], *found["quaternion_rate"], *v[self.chain.base_v :]]
 
-    def energy(self, q, v) -> tuple[Value, Value]:
+    def energy(self, q: Sequence, v: Sequence) -> tuple[Value, Value]:
         """Kinetic and potential energy."""
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)

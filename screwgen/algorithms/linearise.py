@@ -9,7 +9,7 @@ per unit of ``vdot`` (columns), and inward the derivatives with a node's motion 
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,7 +39,7 @@ PAIRS = (
 OF_MOTION = ("R_T", "r_T", "udot_T", "omega_s")
 """Those that a section's motion in the link consists of."""
 
-Section = Callable[[str], AbstractContextManager]
+LinkSection = Callable[[int], AbstractContextManager]
 
 
 @dataclass
@@ -54,32 +54,39 @@ class Slopes:
     f_v: Array
 
 
-def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext(), own=True) -> Slopes:
+def slopes(
+    f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence, own: bool = True
+) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
     Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``.  Only the lower
-    triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.  Without ``own`` the given inertia, the
-    springs, dampers, friction and stops of single coordinates are left out: a step takes them elsewhere.
+    triangle of ``M`` counts.  Without ``own`` the given inertia, the springs, dampers, friction and stops of single
+    coordinates are left out: a step takes them elsewhere.
     """
-    return _slopes(f, q, v, vdot, w_ext, tau, section, (), own)[0]
+    return _slopes(f, (q, v, vdot, w_ext, tau), (), own)[0]
 
 
-def closed_slopes(f: Functions, q, v, tau, w_ext, section: Section, own=True) -> tuple[list, Slopes, RowChange]:
+def closed_slopes(
+    f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, own: bool = True
+) -> tuple[list, Slopes, RowChange]:
     """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
     chain = f.chain
     shut, forces = f.loop_forces(q, v, tau, w_ext)
     loads = Loads(tau, w_ext).plus(shut.loads(forces))
     links, places = f.forward(q, v, *loads)
     vdot = chain.join(links, "qddot", "etaddot")
-    found, at = _slopes(f, q, v, vdot, loads.w_ext, tau, section, tips(chain), own)
-    with section("loops: their rows, and what their wrenches do as the tips move"):
+    found, at = _slopes(f, (q, v, vdot, loads.w_ext, tau), tips(chain), own)
+    with f.section("loops: their rows, and what their wrenches do as the tips move"):
         rows, bend = loop_changes(chain, shut, shut.accelerations(links, places), forces, at, f.apply)
         found.f_q = found.f_q - bend
     return vdot, found, rows
 
 
-def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence[int], own: bool):
+def _slopes(
+    f: Functions, state: Sequence[Sequence], at: Sequence[int], own: bool
+) -> tuple[Slopes, dict[int, TipChange]]:
     """The slopes, and how the tips of some links move; their motions stand below the rows of f."""
+    (q, v, vdot, w_ext, tau), section = state, f.section
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
@@ -175,7 +182,7 @@ def _more(chain: Chain) -> str:
     return "".join(f"; {word}" for word in words)
 
 
-def _drives(f: Functions, q, v, out: Slopes) -> None:
+def _drives(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
     """The rows and columns of rotors, and the slopes of laws."""
     chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
     rotors, pairs = enumerate(chain.geared, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
@@ -208,7 +215,9 @@ Columns = list[tuple[Array, list[int]]]
 """At every node: a matrix, and the numbers of its columns among the coordinates or of its rows among those of ``f``."""
 
 
-def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section, tips: Sequence[int]) -> Columns:
+def _outward(
+    chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section: LinkSection, tips: Sequence[int]
+) -> Columns:
     """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations.
 
     Returns these accelerations, of nodes that carry links and of the given tips.
@@ -226,7 +235,11 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
 
 
 def accelerations(
-    chain: Chain, links: Sequence[Mapping[str, Array]], section, at_nodes: Columns, tips: Container[int] = ()
+    chain: Chain,
+    links: Sequence[Mapping[str, Array]],
+    section: LinkSection,
+    at_nodes: Columns,
+    tips: Container[int] = (),
 ) -> Iterator[tuple[int, list, Array]]:
     """Every link that another carries, the coordinates of those that do, and its acceleration per unit of theirs.
 
@@ -268,9 +281,9 @@ def _moved(r: Array, accelerations: Array) -> Array:
 def inward(
     chain: Chain,
     links: Sequence[Mapping[str, Array]],
-    own_rows,
+    own_rows: Callable[[int], tuple[Array, Sequence[int]]],
     out: tuple[Array, Array],
-    section,
+    section: LinkSection,
     tips: Mapping[int, list[int]] | None = None,
 ) -> None:
     """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates.
@@ -289,7 +302,8 @@ def inward(
             rows = mx.zeros(0, 9)
             for node, own in carrying(chain, i, link, tips):
                 carried, those = at_nodes[node]
-                at_tip, here = rw.to_link(carried, *(own[x] for x in OF_MOTION), link["omega_i"])
+                R_T, r_T, udot, omega_s = (own[x] for x in OF_MOTION)
+                at_tip, here = rw.to_link(carried, R_T, r_T, udot, omega_s, link["omega_i"])
                 for J, joint, modal in zip(out, ("q", "qdot"), ("eta", "etadot"), strict=True):
                     J[those, q] = mx.multiply(here, link[f"u_{joint}"])
                     J[those, eta] = mx.multiply(at_tip, own[f"tip_{modal}"])
@@ -297,16 +311,16 @@ def inward(
             if (parent := chain.tree.parents[i]) != BASE:
                 added, at_rows = own_rows(i)
                 handed = np.vstack([rows, added])
-                joint = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
+                R_rel, omega, omega_J = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
                 carrier, at, node = links[parent], chain.tree.at(i), chain.tree.base(i)
                 omega_s, R_T = (carrier[edge_name(name, at)] for name in ("omega_s", "R_T"))
                 omega_P = mx.multiply(R_T.T, carrier["omega_i"] + omega_s)
-                handed = rw.to_parent(handed, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
+                handed = rw.to_parent(handed, R_rel, omega, omega_J, omega_P, link["r_B"], link["r_J"], link["v_J"])
                 others, known = at_nodes[node]
                 at_nodes[node] = np.vstack([others, handed]), [*known, *owners, *at_rows]
 
 
-def linearisation(chain: Chain, constants="constants", own=True) -> Program:
+def linearisation(chain: Chain, constants: str = "constants", own: bool = True) -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program; ``own``: see :func:`slopes`.
 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
@@ -319,11 +333,11 @@ def linearisation(chain: Chain, constants="constants", own=True) -> Program:
         given = x["q"], x["v"], x["tau"], x["w_ext"]
         rows: dict[str, list[Value]] = {}
         if chain.closures:
-            vdot, found, closing = closed_slopes(f, *given, f.section, own)
+            vdot, found, closing = closed_slopes(f, *given, own)
             rows = {"J": list(closing.J.flat), "J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
         else:
             vdot, _ = f.forward_dynamics(*given)
-            found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], f.section, own)
+            found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], own)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
 

@@ -50,7 +50,7 @@ class Tip:
         return np.concatenate([self.omega, self.v])
 
 
-class Motion(NamedTuple):
+class TipsAndAxes(NamedTuple):
     """What loops ask about: a quantity (6,) of every tip, and one of every joint axis (n_joints,)."""
 
     tips: Sequence[Array] | Mapping[int, Array]
@@ -88,12 +88,12 @@ class Condition:
     rate: Value
     drift: Value
 
-    def power(self, motion: Motion) -> Value:
+    def power(self, motion: TipsAndAxes) -> Value:
         """The work of the unit force at accelerations of all tips and axes."""
         return _power(self.wrenches, self.torques, motion)
 
 
-def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: Motion) -> Value:
+def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: TipsAndAxes) -> Value:
     parts = [mx.dot(w, motion.tips[i]) for i, w in wrenches.items()]
     parts += [torque * motion.axes[k] for k, torque in torques.items()]
     return sum(parts[1:], parts[0])
@@ -112,7 +112,7 @@ def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
         a, b = tips[closure.first], tips[closure.second]
         gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
         wrenches = dict(zip((closure.first, closure.second), both, strict=True))
-    rate = _power(wrenches, torques, Motion({i: tips[i].twist for i in wrenches}, axes.qdot))
+    rate = _power(wrenches, torques, TipsAndAxes({i: tips[i].twist for i in wrenches}, axes.qdot))
     return Condition(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
 
 
@@ -163,7 +163,7 @@ def offsets(junction: Junction, tips: Sequence[Tip], axes: Axes) -> Offsets:
     for demand in junction.demands:
         if isinstance(demand, Ratio):
             found, turns = [_ratio_gap(demand, axes)], demand.unit == "rad"
-            rates = [_power({}, _torques(demand, axes), Motion((), axes.qdot))]
+            rates = [_power({}, _torques(demand, axes), TipsAndAxes((), axes.qdot))]
         else:
             found, rates = _offset(demand, a, b)
             turns = not isinstance(demand, Distance)
@@ -183,8 +183,8 @@ def _offset(demand: Distance | Angle | Alignment, a: Tip, b: Tip) -> tuple[list[
 class Loads(NamedTuple):
     """What acts on a tree: torques (n_tau,) of the axes, and wrenches on all tips in their tip frames (6 n,)."""
 
-    tau: Vector
-    w_ext: Vector
+    tau: Sequence
+    w_ext: Sequence
 
     def plus(self, more: Loads) -> Loads:
         """The sum of both."""
@@ -200,12 +200,12 @@ class Shut:
         self.tips, self.axes, self.nodes, self.rotations = tips, axes, nodes, rotations
         self.conditions = [condition(c, tips, axes) for c in closures]
 
-    def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> Motion:
+    def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> TipsAndAxes:
         """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""
         nodes = [places[k] for k in self.nodes]
         sums = [[a + b for a, b in zip(node["acc_0"], node["delta"], strict=True)] for node in nodes]
         tips = [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
-        return Motion(tips, [x for link in links for x in link["qddot"]])
+        return TipsAndAxes(tips, [x for link in links for x in link["qddot"]])
 
     def wrenches(self, forces: Vector) -> list[Value]:
         """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""

@@ -7,13 +7,14 @@ float zeros or ones cost no operation, and of a symmetric result only one triang
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
 from ..ir.program import Array, Node, Tracer, Value, Vector
 
 
-def array(entries, shape=None) -> Array:
+def array(entries: Any, shape: tuple[int, ...] | None = None) -> Array:
     out = np.array(entries, dtype=object)
     return out if shape is None else out.reshape(shape)
 

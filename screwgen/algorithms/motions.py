@@ -21,7 +21,7 @@ def poses(s: Scope) -> None:
             R, r = R_rel, s.read("position")
         else:
             R = mx.multiply(R_P, R_rel)
-            joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else None))
+            joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else mx.zeros(0)))
             r = joint - mx.multiply(R, joint_point(s))
         s.write("R", R)
         s.write("r", r)

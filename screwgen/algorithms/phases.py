@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..ir.program import Array
+from ..ir.program import Array, Value
 from . import matrices as mx
 from .drives import accelerate_rotors, condense, own_force, own_inertia, rotor_forces
 from .elastic_gears import carrying_along
@@ -130,7 +130,7 @@ def tip_load(s: Scope) -> tuple[Array, Array]:
         return Lambda, s.name("p_T", s.read("tip.p") + bias - outside, "p")
 
 
-def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
+def body_force(omega: Array, alpha: Array, m: Value | Array, S: Array, I: Array) -> Array:
     """Newton-Euler wrench of rigid bodies at an angular velocity and an acceleration of their reference point."""
     turn = mx.cross(S, alpha[3:]) + mx.multiply(I, alpha[:3]) + mx.cross(omega, mx.multiply(I, omega))
     return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..ir.program import Array
+from ..ir.program import Array, Value, Vector
 from . import matrices as mx
 from .scope import Scope
 
@@ -28,7 +28,7 @@ def unit_quaternion(s: Scope, Q: Array) -> Array:
     return Q * (1.0 / s.tracer.call("sqrt", mx.dot(Q, Q)))
 
 
-def axis_quaternion(s: Scope, axis, angle) -> Array:
+def axis_quaternion(s: Scope, axis: Vector, angle: Value) -> Array:
     half = 0.5 * angle
     sine = s.tracer.call("sin", half)
     return mx.array([s.tracer.call("cos", half), *(sine * a for a in axis)])

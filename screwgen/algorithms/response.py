@@ -4,29 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..bodies.markers import strains
 from ..ir.derivative import gradients, tangents
 from ..ir.program import Node, Program, Tracer, Value
 from ..ir.replay import inline
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
-from .functions import Functions
+from .functions import EVERYTHING, Functions
 from .fused import fuse, prepared
-from .robot_functions import FUNCTIONS, entries, reported
+from .gauges import strain_names
+from .marker_functions import STRAINED
+from .robot_functions import FUNCTIONS, OUTPUTS, entries, reported
 
 Values = Mapping[str, Sequence[Value]]
 
 POINT = ("q", "v", "tau", "w_ext")
 """States and inputs, in the order of a direction."""
 
-REPORTS = tuple(row.name for row in FUNCTIONS if row.in_c)
+REPORTS = tuple(row.name for row in FUNCTIONS if row.c_file == OUTPUTS)
 ANSWERS = ("qdot", "vdot", "position", "rotation", "wrench", "strain", *REPORTS)
 """Rates of the states and outputs, in the order of a direction's image."""
+
+ALGORITHMS = (*EVERYTHING, STRAINED)
+"""Those for which the answers need constants."""
 
 
 def sizes(chain: Chain) -> dict[str, int]:
     """The lengths of all of them; poses are those of the tips of the robot's links."""
-    tips, gauged = len(chain.lasts), sum(len(strains(chain.keys[i], 0.0)) for i in chain.firsts)
+    tips, gauged = len(chain.lasts), len(strain_names(chain))
     point = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     outputs = {"position": 3 * tips, "rotation": 9 * tips, "wrench": 6 * chain.n, "strain": gauged}
     told = {row.name: entries(row, chain) for row in reported(chain)}
@@ -34,16 +38,13 @@ def sizes(chain: Chain) -> dict[str, int]:
     return point | {"qdot": chain.nq, "vdot": chain.nv} | outputs
 
 
-def observation(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, length) -> (qdot, strain, energy, drive_power)``.
-
-    ``length`` (n) has the lengths of the links' segments.
-    """
-    return fuse(chain, "observation", _given(chain, constants, *POINT), _observed, constants)
+def observation(chain: Chain, constants: str = "constants") -> Program:
+    """``(q, v, tau, w_ext) -> (qdot, strain, energy, drive_power)``."""
+    return fuse(chain, "observation", _given(chain, *POINT), _observed, constants, algorithms=ALGORITHMS)
 
 
-def tangent(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, length, d_q, d_v, d_tau, d_w_ext) -> (d_qdot, ...)``: the derivative along a direction."""
+def tangent(chain: Chain, constants: str = "constants") -> Program:
+    """``(q, v, tau, w_ext, d_q, d_v, d_tau, d_w_ext) -> (d_qdot, ...)``: the derivative along a direction."""
 
     def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         answers = _answers(f, x)
@@ -52,12 +53,12 @@ def tangent(chain: Chain, constants="constants") -> Program:
             slopes = tangents([value for values in answers.values() for value in values], seeds)
         return _named(slopes, {f"d_{name}": len(values) for name, values in answers.items()})
 
-    inputs = _given(chain, constants, *POINT)
-    return fuse(chain, "tangent", inputs | {f"d_{n}": inputs[n] for n in POINT}, body, constants)
+    inputs = _given(chain, *POINT)
+    return fuse(chain, "tangent", inputs | {f"d_{n}": inputs[n] for n in POINT}, body, constants, algorithms=ALGORITHMS)
 
 
-def adjoint(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, length, b_qdot, ...) -> (b_q, b_v, b_tau, b_w_ext)``: the gradient of the weighted sum."""
+def adjoint(chain: Chain, constants: str = "constants") -> Program:
+    """``(q, v, tau, w_ext, b_qdot, ...) -> (b_q, b_v, b_tau, b_w_ext)``: the gradient of the weighted sum."""
 
     def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         answers = _answers(f, x)
@@ -68,13 +69,13 @@ def adjoint(chain: Chain, constants="constants") -> Program:
         return _named(found, {f"b_{name}": len(x[name]) for name in POINT})
 
     size = sizes(chain)
-    inputs = _given(chain, constants, *POINT) | {f"b_{name}": size[name] for name in ANSWERS}
-    return fuse(chain, "adjoint", inputs, body, constants)
+    inputs = _given(chain, *POINT) | {f"b_{name}": size[name] for name in ANSWERS}
+    return fuse(chain, "adjoint", inputs, body, constants, algorithms=ALGORITHMS)
 
 
 def sparsity(chain: Chain) -> dict[str, list[list[int]]]:
     """The entries of the point, counted through ``POINT``, on which each entry of every answer depends."""
-    program = fuse(chain, "response", _given(chain, "constants", *POINT), _answers, "constants")
+    program = fuse(chain, "response", _given(chain, *POINT), _answers, "constants", algorithms=ALGORITHMS)
     size = sizes(chain)
     starts = {name: sum(size[n] for n in POINT[:k]) for k, name in enumerate(POINT)}
     masks: dict[int, int] = {}
@@ -93,9 +94,9 @@ def _bits(mask: int) -> list[int]:
     return [k for k in range(mask.bit_length()) if mask >> k & 1]
 
 
-def _given(chain: Chain, constants: str, *names: str) -> dict[str, int]:
+def _given(chain: Chain, *names: str) -> dict[str, int]:
     size = sizes(chain)
-    return {name: size[name] for name in names} | ({} if constants == "baked" else {"length": chain.n})
+    return {name: size[name] for name in names}
 
 
 def _answers(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
@@ -122,7 +123,7 @@ def _fold(f: Functions) -> None:
     """
     tracer = Tracer()
     p = tracer.input("p", len(parameters(f.chain.robot)))
-    known = prepared(f.chain, p, lambda _, program, given: inline(program, given, tracer))
+    known = prepared(f.chain, p, lambda _, program, given: inline(program, given, tracer), ALGORITHMS)
     for own, fixed in zip(f.constants, known, strict=True):
         for name in own.keys() & fixed.keys():
             own[name] = [x if isinstance(k, Node) else k for x, k in zip(own[name], fixed[name], strict=True)]
@@ -131,28 +132,12 @@ def _fold(f: Functions) -> None:
 def _observed(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
     out: dict[str, Sequence[Value]] = {
         "qdot": f.coordinate_rates(x["q"], x["v"]) if f.chain.floating else list(x["v"]),
-        "strain": _strains(f.chain, x["q"], x.get("length")),
+        "strain": f.strains(x["q"]),
     }
     for row in reported(f.chain):
         found = row.program.body(f, **{name: x[name] for name in row.names})
         out[row.name] = [value for values in found.values() for value in values]
     return dict.fromkeys(REPORTS, ()) | out
-
-
-def _strains(chain: Chain, q: Sequence[Value], lengths: Sequence[Value] | None) -> list[Value]:
-    """The strains at the base section of every link, as the linear models have them."""
-    out = []
-    for i in chain.firsts:
-        segment, first = chain.segments[i], chain.eta_q + chain.eta_offset[i]
-        for strain in strains(chain.keys[i], 0.0):
-            length = chain.robot.links[segment.link].length if lengths is None else lengths[i]
-            total: Value = 0.0
-            for k, weight in zip(strain.modes, strain.weights, strict=True):
-                total = total + weight * q[first + k]
-            for _ in range(strain.order):
-                total = total / (length / segment.count)
-            out.append(total)
-    return out
 
 
 def _named(values: Sequence[Value], counts: Mapping[str, int]) -> dict[str, Sequence[Value]]:

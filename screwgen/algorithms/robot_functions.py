@@ -13,18 +13,23 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
-from . import fused
+from . import fused, sensors
 from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER, Functions
+from .gauges import strain_names
 from .loop_functions import MOTION
+from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .schedule import Algorithm
-from .signals import INERTIAL, ROBOT, TIP, WRENCH, Signal
+from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, TWIST, WRENCH, Signal
 
-ROTATION, PLACE = (3, 3), (3,)
+OUTPUTS, SENSORS = "outputs", "sensors"
+"""The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
+ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
 
 
 @dataclass(frozen=True)
@@ -33,7 +38,7 @@ class RobotFunction:
 
     ``inputs``: names, which blanks separate; ``results``: name -> shape, unit, frame and meaning; ``program`` makes it
     as one program, whose ``body`` runs on `Functions`; ``algorithms``: those that the body runs; ``offered``: of which
-    robots there is one; ``in_c``: whether ``<robot>_outputs.c`` has it; ``about``: a sentence.
+    robots there is one; ``c_file``: which file of the C has it, if any, see ``OUTPUTS``; ``about``: a sentence.
     """
 
     name: str
@@ -43,7 +48,7 @@ class RobotFunction:
     algorithms: tuple[Algorithm, ...]
     about: str
     offered: Callable[[Chain], bool] = lambda chain: True
-    in_c: bool = False
+    c_file: str = ""
 
     @property
     def names(self) -> list[str]:
@@ -54,10 +59,11 @@ class RobotFunction:
 def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
     """The shape of a result for a robot."""
     sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NLINKS": chain.n}
+    sizes |= {"NMARKERS": len(chain.markers), "NSTRAINS": len(strain_names(chain))}
     return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)
 
 
-def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray):
+def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray) -> Any:
     """The results from all their entries: arrays, numbers, a tuple where they are several."""
     shapes = [shape(of, chain) for of in function.results.values()]
     ends = np.cumsum([math.prod(size) for size in shapes])
@@ -67,31 +73,31 @@ def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.
 
 
 @fused.program("q v tau")
-def drive_power(f: Functions, q, v, tau):
+def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
     """``(q, v, tau) -> (power)``."""
     return {"power": f.drive_power(q, v, tau)}
 
 
 @fused.program("q v tau w_ext")
-def loop_wrenches(f: Functions, q, v, tau, w_ext):
+def loop_wrenches(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
     """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
     return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
 
 
 @fused.program("q v tau w_ext")
-def coupling_torques(f: Functions, q, v, tau, w_ext):
+def coupling_torques(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
     """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""
     return {"torque": f.coupling_torques(q, v, tau, w_ext)}
 
 
 @fused.program("q")
-def tip_pose(f: Functions, q):
+def tip_pose(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (R, position)`` of the last tip, R row by row."""
     return dict(zip(("R", "position"), f.poses(q)[1][f.chain.last], strict=True))
 
 
 @fused.program("q")
-def link_pose(f: Functions, q):
+def link_pose(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (R, position)`` of the link frames, link by link."""
     frames = f.poses(q)[0]
     return {name: [x for frame in frames for x in frame[k]] for k, name in enumerate(("R", "position"))}
@@ -141,7 +147,7 @@ FUNCTIONS = (
         fused.energy,
         (ENERGY,),
         "Kinetic and potential energy.",
-        in_c=True,
+        c_file=OUTPUTS,
     ),
     RobotFunction(
         "drive_power",
@@ -150,7 +156,7 @@ FUNCTIONS = (
         drive_power,
         (POWER,),
         "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
-        in_c=True,
+        c_file=OUTPUTS,
     ),
     RobotFunction(
         "tip_pose",
@@ -201,6 +207,73 @@ FUNCTIONS = (
         "The torques with which couplings act on the joint axes.",
         offered=lambda chain: bool(chain.couplings),
     ),
+    RobotFunction(
+        "marker_pose",
+        "q",
+        {
+            "R": Signal(("NMARKERS", *ROTATION), "-", INERTIAL, "rotation of every marker"),
+            "position": Signal(("NMARKERS", *PLACE), "m", INERTIAL, "point of every marker"),
+        },
+        sensors.marker_pose,
+        (PLACED,),
+        "The poses of the markers.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "marker_velocity",
+        "q v",
+        {"twist": Signal(("NMARKERS", 6), TWIST, MARKER, "[omega; v] of every marker")},
+        sensors.marker_velocity,
+        (MOVING,),
+        "The twists of the markers.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "marker_jacobian",
+        "q",
+        {"J": Signal(("NMARKERS", 6, "NV"), "rad, m per unit of q", MARKER, "J v is the twist of every marker")},
+        sensors.marker_jacobian,
+        (MOVING,),
+        "The Jacobians of the markers.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "marker_bias",
+        "q v",
+        {"bias": Signal(("NMARKERS", 6), ACCELERATION, MARKER, "J vdot + bias is the acceleration of every marker")},
+        sensors.marker_bias,
+        (ACCELERATING,),
+        "The accelerations of the markers that rates alone cause.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "gyro",
+        "q v",
+        {"omega": Signal(("NMARKERS", 3), "rad/s", MARKER, "angular velocity of every marker")},
+        sensors.gyro,
+        (MOVING,),
+        "What gyroscopes at the markers read.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "accelerometer",
+        "q v tau w_ext",
+        {"a": Signal(("NMARKERS", 3), "m/s^2", MARKER, "acceleration of every marker less that of free fall")},
+        sensors.accelerometer,
+        (FORWARD, ACCELERATING),
+        "What accelerometers at the markers read: at rest gravity, upwards; in free fall nothing.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "strain",
+        "q",
+        {"strain": Signal(("NSTRAINS",), "1, 1/m, rad/m", "-", "stretch, curvatures, twist and shear")},
+        sensors.strain,
+        (STRAINED,),
+        "The strains of the centrelines at the bases of links and at the markers that they declare.",
+        c_file=SENSORS,
+        offered=lambda chain: bool(strain_names(chain)),
+    ),
 )
 """The functions of a robot; `mass_matrix`, which each back end makes in its own way, is none of them."""
 
@@ -212,7 +285,12 @@ def offered(chain: Chain) -> tuple[RobotFunction, ...]:
 
 def reported(chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that ``<robot>_outputs.c``, runs and mock-up units report."""
-    return tuple(function for function in offered(chain) if function.in_c)
+    return in_file(OUTPUTS, chain)
+
+
+def in_file(name: str, chain: Chain) -> tuple[RobotFunction, ...]:
+    """The functions that a file of the C has."""
+    return tuple(function for function in offered(chain) if function.c_file == name)
 
 
 def entries(function: RobotFunction, chain: Chain) -> int:
@@ -236,13 +314,14 @@ def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
 
 def table_row(function: RobotFunction) -> str:
     """The row of a function in the table of docs/functions.md."""
-    sizes = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NLINKS": "n"}
+    sizes = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NLINKS": "n", "NMARKERS": "m", "NSTRAINS": "n_strains"}
     told = [
         f"`{name}` ({', '.join(str(sizes.get(str(n), n)) for n in of.shape) or 'a number'}), {of.unit}"
         for name, of in function.results.items()
     ]
-    where = "also in C, runs, rollouts, units. " if function.in_c else ""
-    return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {where}{function.about} |"
+    where = {"": "", OUTPUTS: "also in C, runs, rollouts, units. ", SENSORS: "also in C, runs, rollouts. "}
+    about = where[function.c_file] + function.about
+    return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {about} |"
 
 
 def function_named(name: str) -> RobotFunction:

@@ -9,7 +9,7 @@ from functools import cache
 from ..elements import FRICTION, STOP
 from ..elements.axis_element import PREFIX
 from ..errors import SingularError
-from ..ir.block import Binding
+from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
@@ -60,6 +60,8 @@ class Phase:
     direction: int
     per_child: bool = False
     """Whether the phase depends on each of the links that a link carries, not on their sum."""
+    at_markers: bool = False
+    """Whether the phase runs at all markers of a link, not only where it carries others."""
 
     @property
     def name(self) -> str:
@@ -139,7 +141,7 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
     return scope.program("prepare")
 
 
-def _parameters(scope: Scope, block) -> dict:
+def _parameters(scope: Scope, block: Block) -> dict:
     """The parameters of a block as inputs of its preparation."""
     out = {}
     for name, signal in block.inputs.items():
@@ -149,7 +151,7 @@ def _parameters(scope: Scope, block) -> dict:
     return out
 
 
-def _prepared(scope: Scope, block, label: str) -> Value:
+def _prepared(scope: Scope, block: Block, label: str) -> Value:
     """One constant: its step and the steps that it depends on, recorded from the parameters."""
     symbol = next(s for s in block.bindings if s.name == label)
     for name, signal in block.inputs.items():
@@ -161,9 +163,14 @@ def _prepared(scope: Scope, block, label: str) -> Value:
     return values[place[0]]
 
 
-def constant_labels(key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
-    """The constants that programs of a class ask for, sorted."""
-    programs = [p for a in algorithms for p in trace(key, a)]
+def seen_by(chain: Chain, *algorithms: Algorithm) -> Chain:
+    """The chain over which algorithms run: with a node for every marker if one of them measures there."""
+    return chain.seen if any(phase.at_markers for a in algorithms for phase in a) else chain
+
+
+def constant_labels(chain: Chain, i: int, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
+    """The constants of a link that programs ask for, sorted."""
+    programs = [p for a in algorithms for p in trace(seen_by(chain, a).keys[i], a)]
     return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")}))
 
 

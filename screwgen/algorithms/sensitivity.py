@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ir.derivative import columns
-from ..ir.program import Array
+from ..ir.program import Array, Value
 from . import elastic_gears
 from . import matrices as mx
 from .given_motion import Motion, tip_motion_in_link, tip_point, tip_rotation
@@ -280,7 +280,7 @@ def subspace_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array
     return Adot, Addot, Tdot, Tddot
 
 
-def _later(A: Array, T: Array, w: Array, l: int, k: int):
+def _later(A: Array, T: Array, w: Array, l: int, k: int) -> Value:
     """``d(S_l . w)/d q_k``: the columns before screw k depend on its coordinate."""
     if k <= l:
         return 0.0

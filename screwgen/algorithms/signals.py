@@ -2,8 +2,9 @@
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
 phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates of
-a link, ``t`` that of its rotors, ``r`` that of its modes, ``b`` that of its coupled pairs of modes. Angular parts come
-first. Accelerations are those of material points in the inertial frame, less free fall.
+a link, ``t`` that of its rotors, ``r`` that of its modes, ``b`` that of its coupled pairs of modes, ``g`` that of the
+directions in which it has modes. Angular parts come first. Accelerations are those of material points in the inertial
+frame, less free fall.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ class Signal(NamedTuple):
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""
         counts: dict[Any, Any] = {"m": key.joints, "f": key.freedoms, "t": len(key.motors)}
-        counts |= {"r": key.modes, "b": len(key.coupled)}
+        counts |= {"r": key.modes, "b": len(key.coupled), "g": len({d for d, _ in key.directions})}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
@@ -74,6 +75,7 @@ NODE = {
     "r_m": Signal((3,), "m", INERTIAL, "position of the tip point before projection"),
     "omega_m": Signal((3,), "rad/s", TIP, "angular velocity of the tip section before projection"),
     "v_m": Signal((3,), "m/s", TIP, "velocity of the tip point before projection"),
+    "strain": Signal(("g",), "1, 1/m, rad/m", "-", "strains of the section"),
     "X": Signal((6, 6), "-, m", NEXT, "map from the twist of the tip to that of the next joint point"),
     "PX": Signal((6, 6), MIXED, NEXT, "next joint's rows, columns of the tip's twist rate"),
 }
@@ -151,6 +153,7 @@ CALL: dict[str, Signal] = {
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
     "levers": Signal(("m",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
     "power": Signal(("m",), "W", "-", "power that each drive gives to the arm"),
+    "strain": Signal(("g",), "1, 1/m, rad/m", "-", "strains of the section at the base"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
 }

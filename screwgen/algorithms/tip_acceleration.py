@@ -6,26 +6,12 @@ from collections.abc import Sequence
 
 from ..ir.derivative import columns, tangents
 from ..ir.program import Node, Value
-from . import given_motion
 from .functions import Functions
-from .fused import program
-from .schedule import OUTWARD, Algorithm, Phase
-
-MOTION: Algorithm = (Phase(given_motion.motion, OUTWARD),)
+from .fused import Outputs, program
 
 
-class Accelerometer(Functions):
-    """The functions of a robot, with the acceleration of its last tip."""
-
-    def tip_acceleration(self, q, v, vdot) -> list[Value]:
-        """The proper acceleration (3) of the last tip point, inertial minus free fall, in tip-frame components."""
-        motion = self.chain.split(vdot, "qddot", "etaddot")
-        _, places = self._run(MOTION, self._state(q, v), motion)
-        return places[self.chain.tree.tip(self.chain.last)]["acc"][3:]
-
-
-@program("q v vdot", kind=Accelerometer, constants="constants")
-def tip_acceleration(f: Accelerometer, **x):
+@program("q v vdot", constants="constants")
+def tip_acceleration(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, vdot) -> (a, a_q, a_v, a_vdot)``: the derivatives (3, nv) column by column, each at the others held.
 
     Those with the pose of a floating base are along ``pose exp(delta)``.

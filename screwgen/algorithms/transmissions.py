@@ -158,7 +158,8 @@ def travel_rate(s: Scope, axis: int, slope: Value, qdot: Array) -> Value:
 
 def _friction(s: Scope, axis: int, rate: Value) -> Value:
     """The friction along the travel at its rate."""
-    drive, total = s.key.drives[axis], 0.0
+    drive = s.key.drives[axis]
+    total: Value = 0.0
     if drive.viscous:
         total = s.constant(f"drive_viscous_{axis + 1}") * rate
     if drive.coulomb:

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from ..reduction.invariants import EPS, Node
+from ..reduction.invariants import EPS, BodyNode
 from ..spec.link_class import TURN, LinkClass
 from ..spec.robot import Link
 from ..spec.stations import Stations
@@ -82,7 +82,7 @@ class Integrals:
                 sag[c, k, m], moment[0, c, k, m] = self.of(h), self.of(XI, h)
         return sag, moment
 
-    def node(self, s: float, name: str) -> Node:
+    def node(self, s: float, name: str) -> BodyNode:
         """A section as a node; second-order parts are those of the tip."""
         psi = np.zeros((3, self.key.modes))
         for k, (d, i) in enumerate(self.key.directions):
@@ -95,4 +95,4 @@ class Integrals:
         ]
         second = [np.array(x, float) if quadratic else np.zeros((3,) + psi.shape[1:] * 2) for x in parts]
         place = np.array([self.start + s * self.length, 0.0, 0.0])
-        return Node(name, place, markers.displacement(self.key, (s,))[0], psi, np.eye(3), *second)
+        return BodyNode(name, place, markers.displacement(self.key, (s,))[0], psi, np.eye(3), *second)

@@ -80,7 +80,7 @@ def entries(key: LinkClass, terms: list[Term]) -> Iterator[tuple[int, int, Term,
                 yield modes[term.first[0], i], modes[term.second[0], j], term, i, j
 
 
-class Part(NamedTuple):
+class EntryTerm(NamedTuple):
     """A part of an entry of ``H_c(ξ)``: ``factor l^power ∫…∫ psi_i^(.) psi_j^(.) ds``, as its term says."""
 
     factor: sp.Expr
@@ -100,13 +100,13 @@ class Part(NamedTuple):
         return self.first, self.second, self.term.first[1], self.term.second[1], self.term.times
 
 
-def parts(key: LinkClass) -> dict[sp.Symbol, list[Part]]:
+def parts(key: LinkClass) -> dict[sp.Symbol, list[EntryTerm]]:
     """The entries of the ``H_c(ξ)``."""
-    out: dict[sp.Symbol, list[Part]] = {}
+    out: dict[sp.Symbol, list[EntryTerm]] = {}
     for axis, terms in zip(AXES, PLACE, strict=True):
         for k, m, term, i, j in entries(key, terms):
             families = key.shapes(term.first[0]), key.shapes(term.second[0])
-            part = Part(term.factor * (2 if k == m else 1), *families, i, j, term)
+            part = EntryTerm(term.factor * (2 if k == m else 1), *families, i, j, term)
             out.setdefault(entry(axis, k, m), []).append(part)
     return out
 

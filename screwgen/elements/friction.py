@@ -12,7 +12,7 @@ from .law import Secant, Value
 
 
 @dataclass(frozen=True)
-class Friction:
+class DryFriction:
     """The law; ``speed`` is the square of s."""
 
     name: str = "dry"
@@ -29,4 +29,4 @@ class Friction:
         return Secant(0.0, t.named("secant", coulomb / t.call("sqrt", there * there + speed)), 0.0)
 
 
-FRICTION = Friction()
+FRICTION = DryFriction()

@@ -7,7 +7,7 @@ import numpy as np
 from ..algorithms import matrices as mx
 from ..algorithms.exponential import Series, exponential
 from ..ir.derivative import columns
-from ..ir.program import Array, Program, Tracer
+from ..ir.program import Array, Program, Tracer, Value
 
 
 def pose_slopes() -> Program:
@@ -30,12 +30,12 @@ def pose_slopes() -> Program:
     return tracer.program("pose_slopes", {"u": 6}, {"turned": list(turned.flat), "carried": list(carried.flat)})
 
 
-def _turned(w, b: Array) -> Array:
+def _turned(w: Value, b: Array) -> Array:
     """The rotation of a unit quaternion."""
     square = mx.symmetric(3, lambda i, j: b[i] * b[j] - (mx.dot(b, b) if i == j else 0.0))
     return mx.identity(3) + 2.0 * (w * mx.hat(b) + square)
 
 
-def _conjugate(w, b: Array) -> Array:
+def _conjugate(w: Value, b: Array) -> Array:
     """(3, 4): the vector of the conjugate of a quaternion times another."""
     return np.hstack([-b[:, None], mx.identity(3) * w - mx.hat(b)])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import quoteattr
 
@@ -221,7 +221,9 @@ class _Writer:
         name = f"{link.name}_axis_{k}"
         return name if name not in self.names else f"{name}_without_mass"
 
-    def _motion(self, joint: Joint, k: int, screw: Screw, above: str, below: str, origin: str):
+    def _motion(
+        self, joint: Joint, k: int, screw: Screw, above: str, below: str, origin: str
+    ) -> tuple[str, str, str, list[str]]:
         limit = joint.limits[k] if joint.limits else None
         lower, upper = (limit.lower, limit.upper) if limit else (None, None)
         kind = "prismatic" if screw.slides else "continuous" if lower is None and upper is None else "revolute"
@@ -284,7 +286,7 @@ def _joint_name(link: Link, k: int) -> str:
     return f"{link.name}_joint" + (f"_{k}" if len(link.joint.screws) > 1 else "")
 
 
-def _row(values) -> str:
+def _row(values: Iterable[float]) -> str:
     """Numbers as an attribute, to the last digit."""
     return quoteattr(" ".join(repr(float(x) + 0.0) for x in values))
 

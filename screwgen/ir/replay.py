@@ -15,10 +15,10 @@ def run(
     program: Program,
     inputs: Mapping[str, list],
     unary: Callable[[str, Any], Any],
-    epsilon=0.0,
+    epsilon: float = 0.0,
     literal: Callable[[float], Any] = lambda x: x,
     binary: Mapping[str, Callable] = BINARY,
-):
+) -> tuple[dict[str, list], list]:
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 
     ``unary(op, value)`` evaluates ``neg`` and the ``FUNCTIONS``, ``binary`` has the other operations by name;
@@ -39,7 +39,9 @@ def run(
     return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
 
 
-def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, link="", origin=0):
+def inline(
+    program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, link: str = "", origin: int = 0
+) -> dict[str, list[Value]]:
     """Replay a program into a tracer: the fused layout.
 
     ``link`` is added to labels and section titles; ``origin`` is the number of the link that a failing guard reports.

@@ -16,10 +16,10 @@ def free_block(b: Block) -> Block:
     u = stack(*Q[1:])
     turning = stack(-(u.T @ omega), Q[0] @ omega + hat(u) @ omega)
     half = number(sp.Rational(1, 2))
-    words = {"frame": "-", "meaning": "rate of the quaternion, half its product with [0, ω]"}
-    b.step("quaternion_rate", half @ turning, r"\dot{\mathbf{Q}}_i", unit="1/s", **words)
-    words = {"frame": "inertial", "meaning": "rate of the position"}
-    b.step("position_rate", R @ v, r"\dot{\mathbf{r}}_{oi}", unit="m/s", **words)
+    step, meaning = b.step, "rate of the quaternion, half its product with [0, ω]"
+    step("quaternion_rate", half @ turning, r"\dot{\mathbf{Q}}_i", unit="1/s", frame="-", meaning=meaning)
+    shown, meaning = r"\dot{\mathbf{r}}_{oi}", "rate of the position"
+    step("position_rate", R @ v, shown, unit="m/s", frame="inertial", meaning=meaning)
     return b
 
 

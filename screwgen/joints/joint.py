@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from ..algebra.expression import Expression, Rotation, Symbol, hat, identity, stack, unit, zeros
@@ -41,7 +43,9 @@ def joint_block(key: LinkClass) -> Block:
     return b
 
 
-def _slip(key: LinkClass, b: Block, motion: Kinematics, qdot: Symbol, rates, omega_R: Symbol):
+def _slip(
+    key: LinkClass, b: Block, motion: Kinematics, qdot: Symbol, rates: Mapping[str, Expression], omega_R: Symbol
+) -> tuple[Expression, Expression]:
     """For sliding joints: the joint point's velocity relative to the parent, and its contribution to ``beta_v``."""
     if not key.slides:
         return zeros(3), zeros(3)
@@ -91,7 +95,7 @@ def motion_block(key: LinkClass) -> Block:
     alpha = b.step("alpha", alpha_R - hat(omega_J) @ omega_R + axis_rate)
     r_R = b.step("r_R", R.T @ (b.symbol("r_J") if key.slides else r_m))
     b.step("lever", r_R - r_B)
-    seen = {"omega_R": alpha_R}
+    seen: dict[str, Expression] = {"omega_R": alpha_R}
     if key.slides:
         v_J, _ = _slip(key, b, motion, qdot, rates, omega_R)
         seen |= {"r_R": v_J, "v_J": b.symbol("slip_rate") + hat(omega_J) @ v_J}

@@ -39,6 +39,7 @@ def kinematics(screws: Sequence[Screw], coordinates: Sequence[Symbol]) -> Kinema
         (_exact_number(s.travel) * axis) @ q if s.slides else zeros(3)
         for s, axis, q in zip(screws, axes, coordinates, strict=True)
     ]
+    unturned: Expression = identity(3)
     angular, linear = [], []
     for k, screw in enumerate(screws):
         turning = axes[k] if screw.turn else zeros(3)
@@ -47,7 +48,7 @@ def kinematics(screws: Sequence[Screw], coordinates: Sequence[Symbol]) -> Kinema
         angular.append(_turned_back(turns[k + 1 :], turning))
         linear.append(_turned_back(turns[k + 1 :], moving))
     return Kinematics(
-        reduce(lambda a, b: a @ b, turns, identity(3)),
+        reduce(lambda a, b: a @ b, turns, unturned),
         _displacement(turns, shifts),
         block(angular) if screws else zeros(3, 0),
         block(linear) if screws else zeros(3, 0),

@@ -23,7 +23,7 @@ INDICES = {"i-1": 0, "i": 1, "1": 0, "2": 1}
 """What the paper calls the judge's two links."""
 
 
-class Motion:
+class RandomMotion:
     """One instant of a random motion.
 
     ``values`` holds the value of every symbol by name: an array of its shape, a field with one more axis in front,
@@ -67,6 +67,6 @@ class Motion:
 
 
 @lru_cache(maxsize=16)
-def instant(seed: int, isolated: bool = False) -> Motion:
+def instant(seed: int, isolated: bool = False) -> RandomMotion:
     """The motion of a seed, made once: to be read, not changed."""
-    return Motion(seed, isolated)
+    return RandomMotion(seed, isolated)

@@ -85,7 +85,9 @@ def prefixed(size: float, unit: str) -> tuple[float, str]:
     return 10.0**-power, PREFIXES[power] + unit
 
 
-def scale(t: np.ndarray, curves: Sequence[np.ndarray], unit: str, bounds: Sequence[float] = (), ends=()) -> Scale:
+def scale(
+    t: np.ndarray, curves: Sequence[np.ndarray], unit: str, bounds: Sequence[float] = (), ends: Sequence[float] = ()
+) -> Scale:
     """The scale for curves (N,) over t, SI: all values, unless a transient at the start would flatten the rest.
 
     `bounds`: limits ±b of the curves; they are on the scale where that leaves half of it to the curves.

@@ -28,7 +28,7 @@ TIPS = (
 """Title, axis of the link, and the directions of modes that move the tip along it."""
 
 
-class Line(NamedTuple):
+class PanelCurve(NamedTuple):
     """A curve over time with colour, style and label, and the goal and the bound that are drawn with it."""
 
     values: np.ndarray
@@ -47,7 +47,7 @@ class Panel(NamedTuple):
     title: str
     symbol: str
     unit: str
-    lines: list[Line]
+    lines: list[PanelCurve]
 
     @property
     def largest(self) -> float:
@@ -58,9 +58,10 @@ class Panel(NamedTuple):
 def panels(run: Run, controller: Any = None, model: RobotModel | None = None) -> list[Panel]:
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
     kinetic, potential = run.energy.T
-    energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
-    energy.append(Line(kinetic + potential, INK, "--", "total"))
-    place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
+    energy = [PanelCurve(kinetic, PALETTE[0], label="kinetic"), PanelCurve(potential, PALETTE[1], label="potential")]
+    energy.append(PanelCurve(kinetic + potential, INK, "--", "total"))
+    axes = zip("xyz", run.tip_position.T, PALETTE, strict=False)
+    place = [PanelCurve(x, shade, "-", name) for name, x, shade in axes]
     beside = {"goal": set_points(run, model, controller), "bound": bounds_of(run, model, controller)}
     beside |= {"ends": None if model is None else model.chain.limits}
     titles = _titles(run, model)
@@ -86,7 +87,7 @@ def _titles(run: Run, model: RobotModel | None) -> dict[str, str]:
     return direct | ({} if pushed else {"Forces of drives": "Forces on slides"})
 
 
-def _of_axes(run: Run, model: RobotModel | None, x: AxisCurves, beside: dict[str, Any]) -> list[Line]:
+def _of_axes(run: Run, model: RobotModel | None, x: AxisCurves, beside: dict[str, Any]) -> list[PanelCurve]:
     """The curves of a panel of axes, with set points, bounds or limits of the axes."""
     names = run.names_of(x.array)
     out = _lines(run, model, run.arrays[x.array], names, x.word, axes=True)
@@ -104,7 +105,7 @@ def _base(run: Run) -> list[Panel]:
     turns = Rotation.from_quat(run.q[:, 3:7], scalar_first=True)
     turned = (turns * turns[0].inv()).as_rotvec()
     place, turn = (
-        [Line(x, shade, "-", name) for name, x, shade in zip("xyz", values.T, PALETTE, strict=False)]
+        [PanelCurve(x, shade, "-", name) for name, x, shade in zip("xyz", values.T, PALETTE, strict=False)]
         for values in (run.q[:, :3], turned)
     )
     return [Panel("Base, inertial frame", "r", "m", place), Panel("Turn of the base", "θ", "rad", turn)]
@@ -127,8 +128,8 @@ def color(link: int, n: int) -> tuple | str:
 
 
 def _lines(
-    run: Run, model: RobotModel | None, values: np.ndarray, names: tuple[str, ...], part: str, axes=False
-) -> list[Line]:
+    run: Run, model: RobotModel | None, values: np.ndarray, names: tuple[str, ...], part: str, axes: bool = False
+) -> list[PanelCurve]:
     """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link.
 
     `axes`: they belong to joint axes, whose letters the labels have.
@@ -140,11 +141,11 @@ def _lines(
         i, own, number = links.index(owner(link)), owner(link), int(member[:-1])
         word = axis_word(given[own], number) if axes and own in given else str(number + 1) if number else ""
         label = _few(f"{own} {word}".strip(), len(links))
-        out.append(Line(values[:, k], color(i, len(links)), STYLES[number % len(STYLES)], label))
+        out.append(PanelCurve(values[:, k], color(i, len(links)), STYLES[number % len(STYLES)], label))
     return out
 
 
-def _modes(q: Callable[[str], list[Line]]) -> list[Panel]:
+def _modes(q: Callable[[str], list[PanelCurve]]) -> list[Panel]:
     """The modal coordinates of a run whose model is not at hand."""
     titles = {d: f"Modes, {d.replace('_', ' in ')}" for d in DIRECTIONS} | {ELASTIC: "Modes of bodies from files"}
     units = {"torsion": "rad"}
@@ -155,7 +156,7 @@ def _tips(run: Run, model: RobotModel) -> list[Panel]:
     """How far the tips of flexible links are from those of the undeformed links, and how far they are twisted."""
     tips, names, n = tip_deflections(model, run.q), [x.name for x in model.robot.links], len(link_names(run))
     has = lambda i, kinds: any(modal_columns(model, i, kind) for kind in kinds)  # noqa: E731
-    named = lambda i, values: Line(values, color(i, n), "-", _few(names[i], n))  # noqa: E731
+    named = lambda i, values: PanelCurve(values, color(i, n), "-", _few(names[i], n))  # noqa: E731
     moved = [
         Panel(title, f"$u_{axis}$", "m", [named(i, u[:, "xyz".index(axis)]) for i, u in tips.items() if has(i, kinds)])
         for title, axis, kinds in TIPS
@@ -170,7 +171,7 @@ def _wrenches(run: Run) -> list[Panel]:
     names, n = link_names(run), len(joints)
     return [
         Panel(f"Joint {what}s in {axis}", f"${letter}_{axis}$", unit, [
-            Line(run.wrench[:, i, row + k], color(j, n), "-", _few(names[j], n)) for j, i in enumerate(joints)
+            PanelCurve(run.wrench[:, i, row + k], color(j, n), "-", _few(names[j], n)) for j, i in enumerate(joints)
         ])
         for what, letter, unit, row in (("force", "F", "N", 3), ("moment", "M", "N·m", 0))
         for k, axis in enumerate("xyz")
@@ -182,7 +183,7 @@ def _few(name: str, n: int) -> str | None:
     return name if n <= len(PALETTE) else None
 
 
-def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[Line]:
+def _with(lines: list[PanelCurve], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[PanelCurve]:
     """The lines with one field each from the `chosen` ones of `values`, one per joint axis, if there are any."""
     if values is None or len(values) != len(chosen):
         return lines

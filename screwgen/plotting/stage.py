@@ -22,7 +22,7 @@ def rgb(color: str) -> np.ndarray:
     return np.array(colors.to_rgb(color))
 
 
-class Stage:
+class Canvas:
     """The picture, `size` pixels, (0, 0) its top left corner."""
 
     @styled
@@ -63,7 +63,7 @@ class Stage:
     def picture(self) -> np.ndarray:
         """The picture (height, width, 3) as bytes."""
         self.figure.canvas.draw()
-        return np.asarray(self.figure.canvas.buffer_rgba())[:, :, :3].copy()  # type: ignore[attr-defined]
+        return np.asarray(self.figure.canvas.buffer_rgba())[:, :, :3].copy()
 
 
 class Polygons(PolyCollection):

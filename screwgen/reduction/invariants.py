@@ -35,7 +35,7 @@ DEFINITE, ROUNDING = 1e-12, 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class Node:
+class BodyNode:
     """A node of the body: what the modes do to it, in the body's axes."""
 
     name: str
@@ -74,7 +74,7 @@ class Invariants:
     """(3, r, r) kg: its moment, ``∫ r x H dm``."""
     names: tuple[str, ...]
     """What the modes are, for documents."""
-    nodes: tuple[Node, ...]
+    nodes: tuple[BodyNode, ...]
     """The base first, the tip last."""
 
     @cached_property
@@ -124,12 +124,12 @@ class Invariants:
         return any(bool(x.any()) for x in arrays)
 
     @property
-    def base(self) -> Node:
+    def base(self) -> BodyNode:
         """Where the joint holds the body."""
         return self.nodes[0]
 
     @property
-    def tip(self) -> Node:
+    def tip(self) -> BodyNode:
         """Where the next link is mounted."""
         return self.nodes[-1]
 
@@ -209,7 +209,7 @@ class Invariants:
             T[own, 0] = spin @ b.origin - turn @ b.phi[:, k]
         return T
 
-    def _seen(self, n: Node, turn: np.ndarray) -> Node:
+    def _seen(self, n: BodyNode, turn: np.ndarray) -> BodyNode:
         """A node as the base sees it."""
         b = self.base
         lever = n.origin - b.origin
@@ -226,7 +226,7 @@ def _digest(x: object) -> str:
         value = getattr(x, f.name)
         if isinstance(value, np.ndarray):
             text.update(repr(value.shape).encode() + np.ascontiguousarray(value + 0.0).tobytes())
-        elif isinstance(value, tuple) and value and isinstance(value[0], Node):
+        elif isinstance(value, tuple) and value and isinstance(value[0], BodyNode):
             text.update("".join(map(_digest, value)).encode())
         else:
             text.update(repr(value).encode())

@@ -7,12 +7,14 @@ import sys
 import warnings
 from collections.abc import Sequence
 
+from ..algorithms.marker_functions import STRAINED
+from ..algorithms.robot_functions import OUTPUTS
 from ..backends.fmi.code import content
 from ..backends.fmi.package import archive, unit
 from ..errors import TargetWarning
 from ..integrators.method import Method
 from ..robot_model import RobotModel
-from .compiled import LeanProject
+from .lean import LeanProject
 from .library import binary, has_compiler
 
 FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
@@ -24,6 +26,12 @@ PLACES = {
     3: {"x86_64": "x86_64-linux", "aarch64": "aarch64-linux"},
 }
 """The folders of binaries of Linux, by version and processor."""
+
+
+class UnitProject(LeanProject):
+    """The library of a unit, which knows the strains besides."""
+
+    further = (STRAINED,)
 
 
 def unit_files(
@@ -51,7 +59,7 @@ def unit_files(
 
 def _common(model: RobotModel, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
     """What the units of both versions share: the library, the programs besides, and what is compiled of them."""
-    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods, outputs=True)
+    project = UnitProject(model.chain, model.version, parameters, layout, methods=methods, outputs=[OUTPUTS])
     return project, content(project), {}
 
 

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
+from ..arguments import Numbers
 from ..backends.numpy.dae_step import DaeDynamics, HeldDae
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from .integrate import DEFAULT, LIMIT, DivergedError, Evaluator
+from .integrate import DEFAULT, LIMIT, CasadiEvaluator, DivergedError
 
 
-def dynamics(model: RobotModel, p: Sequence[float]) -> DaeDynamics:
+def dynamics(model: RobotModel, p: Numbers) -> DaeDynamics:
     """The DAE form with parameters ``p``, evaluated by CasADi."""
     functions, given = model.modal_functions, np.array(p, float)
 
     def at_p(name: str) -> Callable[..., list[np.ndarray]]:
-        evaluate = Evaluator(functions[name])
+        evaluate = CasadiEvaluator(functions[name])
         return lambda *values: evaluate(*values, given)
 
     properties = at_p("modal_properties")()
@@ -30,10 +31,10 @@ class DaeStepper:
 
     default = DEFAULT
 
-    def __init__(self, model: RobotModel, integrator: str | Method, p: Sequence[float]):
+    def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), dynamics(model, p)
         self.reference, self.n_joints, self.floating = model.numpy(p), model.n_joints, model.chain.floating
-        self.p, self.place = np.array(p, float), Evaluator(model.casadi()["dae_state"])
+        self.p, self.place = np.array(p, float), CasadiEvaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The state that satisfies the joint constraints."""

@@ -18,7 +18,7 @@ from .loop_watch import OpenedError
 from .validity import ModelLeftError, Validity
 
 if TYPE_CHECKING:
-    from .recording import Table
+    from .recording import SampleTable
 
 KNOWN = ModelLeftError, OpenedError, SingularError
 """Failures whose own words name the cause, unless a loop of control is behind them."""
@@ -34,7 +34,7 @@ class Judge:
         self.fault = ""
 
     @contextmanager
-    def of(self, table: Table) -> Iterator[None]:
+    def of(self, table: SampleTable) -> Iterator[None]:
         """Warn of the loop of control before a run, of the model's limits after it, and name the cause of a failure."""
         self.fault = self.sampled.fault(self._ahead())
         if self.fault:
@@ -53,7 +53,7 @@ class Judge:
             if not (diverged or self.fault):  # then the measures say nothing about the model
                 table.watch.validity().warn(table.model, stacklevel=4)
 
-    def _cause(self, error: DivergedError | SingularError, table: Table) -> DivergedError | SingularError:
+    def _cause(self, error: DivergedError | SingularError, table: SampleTable) -> DivergedError | SingularError:
         """The error, or one that names what is behind it."""
         when = "" if error.at is None else f"t = {error.at:.6g} s: "
         self.fault = self.fault or self.sampled.fault([self._last(table)] if table.count else [], ended=True)
@@ -88,7 +88,7 @@ class Judge:
             return []
         return [Posture(t, q, np.zeros(model.nv))]
 
-    def _last(self, table: Table) -> Posture:
+    def _last(self, table: SampleTable) -> Posture:
         """The last sample before a link bent far, without its rates, which may be those of the failure."""
         t, bent = table.rows[: table.count, 0], table.watch.first[:, :2]
         limit = np.nanmin(bent) if np.isfinite(bent).any() else np.inf

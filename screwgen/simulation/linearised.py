@@ -23,7 +23,7 @@ from ..robot_model import RobotModel
 from ..spec.parameters import turning
 from . import mobility
 from .inputs import Inputs, coordinates, started
-from .integrate import Dynamics, Evaluator
+from .integrate import CasadiEvaluator, Dynamics
 
 Parameters = Sequence[float] | Mapping[str, float]
 Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
@@ -51,7 +51,7 @@ def check_step(step: float) -> None:
         raise UsageError(f"the step is {step:g} s; it must be a finite number > 0")
 
 
-class Slopes(NamedTuple):
+class AccelerationSlopes(NamedTuple):
     """Derivatives of the accelerations (nv,) by coordinates, rates, torques and the forces of modes and joints."""
 
     q: np.ndarray
@@ -61,7 +61,7 @@ class Slopes(NamedTuple):
 
 
 class Linearised:
-    """The accelerations to first order about a state, as integration methods ask for them: see `integrate.Held`.
+    """The accelerations to first order about a state, as methods ask `integrate.HeldAccelerations` for them.
 
     `q` (nq,), `v` (nv,); `tau` (n_tau,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` its torques at
     t = 0 follow the motion instead. Motions are matrices, a column per motion, of small changes (nv,) of the
@@ -89,7 +89,7 @@ class Linearised:
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
         self.numeric = model.numpy(self.p)
         self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
-        self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
+        self.dynamics = Dynamics(model, self.p)
         own = self.dynamics.own
         self.own = own.acting(own.of(self.q), own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))
@@ -97,7 +97,7 @@ class Linearised:
         self.gains = np.zeros((model.n_tau, 2 * model.nv)) if controller is None else self._gains()
         self.trim: np.ndarray | None = None
         self.armature = np.zeros(model.nv)
-        self._known: dict[float, Slopes] = {}
+        self._known: dict[float, AccelerationSlopes] = {}
 
     def trimmed(self) -> Linearised:
         """The same about the same state, with constant generalised forces that make the accelerations zero."""
@@ -173,7 +173,7 @@ class Linearised:
         here = (self.q, self.v)
         return self.v + h * self.dynamics.implicit(*here, self.tau, self.w_ext, h, here)
 
-    def slopes(self, h: float) -> Slopes:
+    def slopes(self, h: float) -> AccelerationSlopes:
         """The derivatives of the accelerations with modes and sprung joints implicit over `h`."""
         if h not in self._known:
             self._known = {0.0: self._known[0.0]} if 0.0 in self._known else {}
@@ -184,11 +184,11 @@ class Linearised:
         return self._known[h]
 
     @cached_property
-    def _light(self) -> Slopes:
+    def _light(self) -> AccelerationSlopes:
         """Those without implicit forces and without inertia that was added."""
         return self._derivatives(0.0)
 
-    def _heavier(self, h: float) -> Slopes:
+    def _heavier(self, h: float) -> AccelerationSlopes:
         """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes.
 
         Where loops close the tree `M_h a_h − Jᵀ λ = M a` with `J a_h = J a`.
@@ -201,11 +201,11 @@ class Linearised:
             J = mobility.jacobian(self.model, self.q, self.p)
             reach = np.linalg.solve(heavy, J.T)
             factor += reach @ self.numeric.row_forces(J @ reach, J @ (np.eye(len(heavy)) - factor))
-        return Slopes(*(factor @ slope for slope in self._light))
+        return AccelerationSlopes(*(factor @ slope for slope in self._light))
 
-    def _derivatives(self, h: float) -> Slopes:
+    def _derivatives(self, h: float) -> AccelerationSlopes:
         if not self.model.nv:
-            return Slopes(*4 * [np.zeros((0, 0))])
+            return AccelerationSlopes(*4 * [np.zeros((0, 0))])
         own, chain = self.own, self.model.chain
         nv, m, n, b = chain.nv, chain.n_tau, chain.n, chain.base_v
         force, torque = own.force(own.of(self.q), own.of(self.v), h), self.tau
@@ -224,7 +224,7 @@ class Linearised:
         if not np.isfinite(columns).all():
             what = "the accelerations have no finite derivatives in this state"
             raise SingularError(f"{what}; masses or stiffnesses differ by too many orders of magnitude")
-        return Slopes(*np.split(columns.reshape(parts[-1], nv).T, parts[:-1], axis=1))
+        return AccelerationSlopes(*np.split(columns.reshape(parts[-1], nv).T, parts[:-1], axis=1))
 
     def _gains(self) -> np.ndarray:
         """The controller's derivatives by changes and rates (n_tau, 2 nv)."""
@@ -249,8 +249,8 @@ def slopes_of(torque: Torque, q: np.ndarray, v: np.ndarray, space: Space, width:
     return np.reshape(sides, (2 * len(v), -1)).T
 
 
-def _directional(model: RobotModel) -> Evaluator:
+def _directional(model: RobotModel) -> CasadiEvaluator:
     """The derivatives of `modal_dynamics` in nv + nv + n_tau + n_given directions at once."""
     function, chain = model.modal_functions["modal_dynamics"], model.chain
     primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nv + chain.n_tau + chain.n_given
-    return Evaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))
+    return CasadiEvaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))

@@ -19,7 +19,7 @@ from ..runtime.pace import slices
 from .controllers import PD
 from .inputs import at_time
 from .integrate import LIMIT, JointState, JointStepper, diverged, left
-from .recording import WATCH, Table, Task
+from .recording import WATCH, RunTask, SampleTable
 from .validity import FAR
 
 LEFT, OPEN = 16, 17
@@ -91,13 +91,13 @@ def available(model: RobotModel, method: Method) -> bool:
         return False
 
 
-class Loop:
+class CompiledRuns:
     """Runs of the joint form by an integrator, in C."""
 
     def __init__(self, compiled: Compiled, method: Method):
         self.compiled, self.method = compiled, method
 
-    def __call__(self, task: Task, table: Table) -> None:
+    def __call__(self, task: RunTask, table: SampleTable) -> None:
         """Fill the table."""
         c, self.task, self.table = self.compiled, task, table
         number = c.number(self.method)
@@ -123,7 +123,7 @@ class Loop:
         self._law = _PD(*(None if a is None else a.ctypes.data for a in self._arrays), law.duration if path else 0.0)
         self.plan.pd = ctypes.addressof(self._law)
 
-    def _in_slices(self, task: Task) -> None:
+    def _in_slices(self, task: RunTask) -> None:
         """Run entirely in C, with as many steps per call as take about one slice of time."""
         for k, count in slices(task.steps + 1):
             self._call(k, count)
@@ -131,12 +131,14 @@ class Loop:
             if task.progress:
                 task.progress(min(k + count, task.steps), task.steps)
 
-    def _step_by_step(self, task: Task) -> None:
+    def _step_by_step(self, task: RunTask) -> None:
         """Run step by step, with torques or wrenches from Python."""
         c, often = self.compiled, max(1, task.steps // 200)
         for k in range(task.steps + 1):
             with at_time(task.time(k)):
                 c.tau[:], c.w_ext[:] = task.given(task.time(k), c.q, c.v)
+            if task.sampled(k):
+                self.table.acted(task.rows(k), c.w_ext)
             self._call(k, 1)
             self.table.filled(task.rows(k + 1))
             if task.progress and k and (k % often == 0 or k == task.steps):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -83,7 +83,7 @@ def by_spring(J: np.ndarray, springs: np.ndarray) -> Kinds:
     return [[np.flatnonzero(springs == 0)[::-1].tolist()], [sprung[np.argsort(-sizes, kind="stable")].tolist()]]
 
 
-def closing(model: RobotModel):
+def closing(model: RobotModel) -> Callable[..., Any]:
     """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model."""
     from ..backends.casadi.linear import closing as made
 

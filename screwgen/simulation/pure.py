@@ -23,7 +23,7 @@ OURS = {"screwgen.model", "screwgen.simulation.controllers", "screwgen.backends.
 """Modules of this package whose objects are not changed by a call, as far as results tell."""
 
 
-class Seen:
+class CapturedState:
     """What a function sees; `admissible`: whether it can be called and all be as before after :meth:`restore`."""
 
     def __init__(self, function: Any):

@@ -7,24 +7,27 @@ import secrets
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
 from .. import notebook
-from ..algorithms.robot_functions import FUNCTIONS, entry_names, function_named
+from ..algorithms.robot_functions import FUNCTIONS, OUTPUTS, entry_names, function_named
 from ..errors import UsageError
 from ..files import Arrays, create, open_arrays
+from ..robot_model import RobotModel
 from ..spec.load import dump, one_line
 from .hits import Hit
+from .measured import MEASURED, measured
 from .validity import Validity
 
 if TYPE_CHECKING:
     from ..spec.robot import Robot
 
 OWN = ("t", "q", "v", "tau", "wrench", "tip_position")
-REPORTED = tuple(row.name for row in FUNCTIONS if row.in_c)
+REPORTED = tuple(row.name for row in FUNCTIONS if row.c_file == OUTPUTS)
 """What is reported at every sample besides, by the names of the functions that give it."""
 ARRAYS = (*OWN, *REPORTED)
 NEEDED = (*OWN, "energy")
@@ -42,6 +45,9 @@ class Run:
     the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame. The names
     belong to the columns. What functions of the robot report at every sample: `energy` (N, 2), J: kinetic, potential;
     `drive_power` (N, n_tau), W: torque of each drive times the rate of what it turns, force times that of its travel.
+
+    Computed when first asked for: `accelerometer` (N, m, 3), m/s², `gyro` (N, m, 3), rad/s, and the others of
+    `MEASURED`, at the markers in the order of `model.marker_names`; `strain` (N, strains), as `model.strain_names`.
     """
 
     name: str
@@ -67,6 +73,26 @@ class Run:
     """The values of its parameters; those of the file if None."""
     ended: str = ""
     """Why the run ended before its time; .npz files store it where it did."""
+    w_ext: np.ndarray | None = None
+    """(N, n, 6): the tip wrenches held from each sample to the next; .npz files store them where any acted."""
+    model: RobotModel | None = None
+    """The model, of a run that is not from a file."""
+
+    def __getattr__(self, name: str) -> Any:
+        """What sensors measure at the samples, by the names of the functions: computed when it is first asked for."""
+        if name not in MEASURED:
+            raise AttributeError(f"'Run' has no attribute '{name}'", name=name, obj=self)
+        if self.robot is None:
+            raise UsageError(f"this run does not know its robot, so there is no {name}; take one of simulate")
+        acted = np.zeros((len(self.t), *self.wrench.shape[1:])) if self.w_ext is None else self.w_ext
+        samples, model = {"q": self.q, "v": self.v, "tau": self.tau, "w_ext": acted}, self._model
+        self.__dict__[name] = measured(model, name, samples, model.chain.parameters.vector(self.parameters))
+        return self.__dict__[name]
+
+    @cached_property
+    def _model(self) -> RobotModel:
+        assert self.robot is not None
+        return RobotModel(self.robot) if self.model is None else self.model
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
@@ -137,6 +163,8 @@ def write_npz(run: Run, stream: BinaryIO) -> None:
         with suppress(UsageError):
             arrays["robot"] = np.array(dump(run.robot))
         arrays["parameters"] = run.parameters
+    if run.w_ext is not None and np.any(run.w_ext):
+        arrays["w_ext"] = run.w_ext
     if run.ended:
         arrays["ended"] = np.array(run.ended)
     np.savez(stream, **arrays)

@@ -6,7 +6,7 @@ from collections.abc import Hashable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from ..bases import Basis, shapes
+from ..bases import Basis, Shapes, shapes
 from ..elements import AxisElement
 from ..reduction.invariants import Invariants
 from .drive import NO_FRICTION
@@ -232,7 +232,7 @@ class LinkClass:
             return AXIS.get(first) == AXIS.get(second)
         return bool(self.stations) or (first in TURN and TURN[first][0] in self.rotary)
 
-    def shapes(self, direction: str):
+    def shapes(self, direction: str) -> Shapes:
         """The mode shapes of a direction."""
         k = DIRECTIONS.index(direction)
         return shapes(self.bases[k], direction, self.counts[k])

@@ -21,7 +21,7 @@ from ..simulation.validity import Validity, validity_at_rest
 from ..spec.robot import Robot
 from .afloat import equilibrium_afloat
 from .linear import checked
-from .shut import Shut
+from .shut import StaticsWithLoops
 from .statics import Balance, NoEquilibriumError, Statics, search
 from .steady import wound
 from .stiffness import stiffness
@@ -160,16 +160,20 @@ def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarra
     """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
     load[model.chain.actuated], still[model.chain.actuated] = tau, held
-    return (Shut if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
+    return (StaticsWithLoops if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
-def _balanced(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _balanced(
+    model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+) -> tuple[Statics, Balance]:
     """The equilibrium that the search from `start` (nq,) ends in."""
     statics = _statics(model, p, tau, w_ext, held)
     return statics, search(statics, start)
 
 
-def _rested(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _rested(
+    model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+) -> tuple[Statics, Balance]:
     """The same with elastic drives: at rest a gear passes on its torque, so the arm rests as one with rigid gears does.
 
     The rotors are turned until their gears pass on the torques at the joints.

@@ -15,7 +15,7 @@ from ..robot_model import RobotModel
 from ..simulation.mobility import closing
 from ..topology.loops import Closure
 from .equilibrium import closed_start, rest
-from .shut import RANK, ShutBalance
+from .shut import RANK, BalanceWithLoops
 from .steady import Steady, unresisted
 
 
@@ -23,7 +23,7 @@ def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
     """Small motions about rest under gravity, with the stated joints of `q` (nq,) held while the links bend."""
     start, stated = closed_start(model, p, q, True)
     b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
-    assert isinstance(b, ShutBalance)
+    assert isinstance(b, BalanceWithLoops)
     torques = np.where(stated, b.force[model.chain.actuated], 0.0)
     tau = efforts(model.chain, torques, b.q[: model.n_joints], p, actuated=True)
     return about(model, b.q, p, dict(zip(model.chain.closures, b.forces, strict=True)), tau)

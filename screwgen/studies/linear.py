@@ -9,15 +9,14 @@ from typing import Any
 import numpy as np
 
 from .. import notebook
-from ..arguments import Given, Numbers, array, choice, nearest
+from ..algorithms.gauges import base_strains, strain_names
+from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
-from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
 from ..integrators import se3
 from ..robot_model import RobotModel
 from ..simulation.mobility import motions
 from ..spec.load import one_line
-from ..spec.modes import DIRECTIONS
 from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
 from ..topology.chain import Chain
 
@@ -30,7 +29,6 @@ OUTPUTS = ("joint_angles", "tip_position")
 INPUTS = ("torques",)
 TIP_UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²"}
 WRENCH_UNITS = tuple((part, "N" if part.startswith("F") else "N·m") for part in WRENCH)
-STRAIN_UNITS = dict.fromkeys(DIRECTIONS, "1") | {"bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -159,8 +157,8 @@ def linearise(
     model: RobotModel,
     q: Numbers,
     v: Numbers | None = None,
-    tau: Numbers | None = None,
-    w_ext: Any = None,
+    tau: Loads = None,
+    w_ext: Loads = None,
     parameters: Given = None,
     outputs: Sequence[str] | str = OUTPUTS,
     inputs: Sequence[str] | str = INPUTS,
@@ -267,12 +265,9 @@ def output_groups(chain: Chain) -> Groups:
     named = {name: dict(own) for name, own in parts.items() if own or not name.startswith(("rotor", "base"))}
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
     wrenches = dict(zip(names.wrench, [unit for _, unit in WRENCH_UNITS] * chain.n, strict=True))
-    gauged = {
-        f"{chain.segments[i].owner}.base_strain.{strain.direction}": STRAIN_UNITS[strain.direction]
-        for i in chain.firsts
-        for strain in strains(chain.keys[i], 0.0)
-    }
-    return {**named, **tip, "wrenches": wrenches, "base_strain": gauged}
+    gauged = strain_names(chain)
+    at_bases = dict([*gauged.items()][: base_strains(chain)])
+    return {**named, **tip, "wrenches": wrenches, "base_strain": at_bases, "strain": gauged}
 
 
 def entries(groups: Groups) -> dict[str, str]:

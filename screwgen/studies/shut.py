@@ -17,7 +17,7 @@ RANK = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class ShutBalance(Balance):
+class BalanceWithLoops(Balance):
     """The same under the forces of the loops: these are part of `force`, `stiffness` and `wrench`."""
 
     J: np.ndarray
@@ -30,10 +30,10 @@ class ShutBalance(Balance):
     """(n, 6): what the loops exert on the tips, in the tip frames."""
 
 
-class Shut(Statics):
+class StaticsWithLoops(Statics):
     """The forces on a robot at rest whose loops hold it besides. What moves are the motions that keep these closed."""
 
-    def at(self, q: np.ndarray) -> ShutBalance:
+    def at(self, q: np.ndarray) -> BalanceWithLoops:
         """The balance at `q`, with the loops' forces that leave the least force unbalanced."""
         b, i, D = super().at(q), self.moving, self.units[self.moving]
         J = self._loops(q, None)[1]
@@ -44,7 +44,7 @@ class Shut(Statics):
         more = {"J": J, "forces": forces, "free": scipy.linalg.null_space(A, rcond=RANK), "loop_wrench": wrench.T}
         own = {name: getattr(b, name) for name in Balance.__dataclass_fields__}
         own |= {"force": b.force - J.T @ forces, "stiffness": b.stiffness - bend}
-        return ShutBalance(**own, **more)
+        return BalanceWithLoops(**own, **more)
 
     def _loops(self, q: np.ndarray, forces: np.ndarray | None) -> list[np.ndarray]:
         rows, rest = len(self.model.chain.closures), np.zeros(self.model.nv)
@@ -56,7 +56,7 @@ class Shut(Statics):
         return Z.T @ force, Z.T @ K @ Z
 
     def directions(self, b: Balance) -> np.ndarray:
-        assert isinstance(b, ShutBalance)
+        assert isinstance(b, BalanceWithLoops)
         return b.free
 
     def moved(self, b: Balance, step: np.ndarray) -> Balance:
@@ -77,7 +77,7 @@ class Shut(Statics):
         return q
 
     def borne(self, b: Balance) -> np.ndarray:
-        assert isinstance(b, ShutBalance)
+        assert isinstance(b, BalanceWithLoops)
         return self.w_ext + b.loop_wrench
 
     def wrenches(self, b: Balance) -> np.ndarray:

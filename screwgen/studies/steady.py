@@ -73,7 +73,7 @@ def steady(
     loaded: bool,
     p: np.ndarray,
     moving: np.ndarray,
-    settle=True,
+    settle: bool = True,
 ) -> Steady:
     """Small motions about the steady motion of the joints at `rates` (n_joints,) from `q` (nq,).
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
 from .loops import Closure, Junction, closures, junctions
+from .markers import Marker, markers, with_markers
 from .parameters import labels
 from .stations import mounted
 
@@ -49,6 +51,16 @@ class Chain(Coordinates):
         """The rows that no motion changes: parameters alone can open them."""
         self.overconstrained = False
         """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
+
+    @cached_property
+    def markers(self) -> tuple[Marker, ...]:
+        """The sections at which functions measure: the tip of every link, and the markers that it declares."""
+        return markers(self.robot, self.segments)
+
+    @cached_property
+    def seen(self) -> Chain:
+        """The same chain with a node for every marker."""
+        return with_markers(self)
 
     @property
     def couplings(self) -> list[Closure]:
@@ -145,7 +157,7 @@ class Chain(Coordinates):
         """The names of the links in code; of segments `boom_2`."""
         return [s.identifier for s in self.segments]
 
-    def tip_wrenches(self, given, name: str) -> np.ndarray:
+    def tip_wrenches(self, given: Any, name: str) -> np.ndarray:
         """Wrenches on the tips (n, 6) from those given, of all segments or on the tips of the robot's links alone."""
         links = len(self.robot.links)
         if links == self.n or not (hasattr(given, "__len__") and len(given) == links):

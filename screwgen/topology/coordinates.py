@@ -280,7 +280,7 @@ class Coordinates:
         """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""
         return self.n_given + self.below_offset[-1] + self.n_motors
 
-    def modal_product(self, A, x):
+    def modal_product(self, A: Any, x: Any) -> Any:
         """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
         out = A[: self.n_given] * x
         for k, (i, j) in enumerate(self.coupled, self.n_given):

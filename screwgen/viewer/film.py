@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..model import Model
-from ..plotting.stage import Polygons, Stage, rgb
+from ..plotting.stage import Canvas, Polygons, rgb
 from ..simulation.runs import Run
 from ..spec.load import one_line
 from .meshes import Looks, placed
@@ -127,7 +127,7 @@ class Film:
 
     def _prepare(self, runs: Sequence[tuple[Run, Model, str]], magnified: float) -> None:
         """The picture, with what does not move."""
-        self.stage = Stage(self.size, PAPER)
+        self.stage = Canvas(self.size, PAPER)
         cell = self._floor()
         self.shadow = self.stage.polygons(1, SHADOW)
         style = dict(color=INK, linewidth=1.4)

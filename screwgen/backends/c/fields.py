@@ -10,13 +10,13 @@ from types import MappingProxyType
 from ...algorithms.columns import link_columns, robot_columns
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
-from ...ir.block import Signal as Constant
+from ...ir.block import NamedSignal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...spec.markers import TIP, carried_at
 from ...spec.parents import parents
 from ...topology.chain import Chain
-from .code import literal
+from .code import entries, literal
 
 SLIDING = {"rad": "m", "rad/s": "m/s", "rad/s^2": "m/s^2", "N*m": "N"}
 """The units of joint coordinates and their forces: of an axis that turns, of one that slides."""
@@ -53,7 +53,7 @@ def structs(chain: Chain) -> dict[str, list[Field]]:
     inner = "NINNER" if chain.n_motors else "NMODES"
 
     def field(struct: str, name: str, s: Signal) -> Field:
-        sizes = {"NINERTIA": inertia} | ({"NMODES": inner} if struct.startswith("dae") else {})
+        sizes: dict[int | str, str] = {"NINERTIA": inertia, **({"NMODES": inner} if struct.startswith("dae") else {})}
         comment = joint_comment(s, chain.sliding) + effort(chain) * (name == "tau")
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return Field(name, shape, ROTORS[name] if "NINNER" in shape else comment)
@@ -99,10 +99,8 @@ def fused_place(name: str, k: int) -> str:
     struct = next((struct for struct, own in ROBOT.items() if name in own and name != "m_eta"), "")
     if not struct:
         return f"{name}[{k}]"
-    entry = ""
-    for n in reversed(ROBOT[struct][name].shape[1:]):
-        k, entry = k // int(n), f"[{k % int(n)}]{entry}"
-    return f"{'c' if struct == 'constants' else struct}->{name}[{k}]{entry}"
+    sizes = map(int, ROBOT[struct][name].shape[1:])
+    return entries(f"{'c' if struct == 'constants' else struct}->{name}", *sizes)(k)
 
 
 def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
@@ -274,7 +272,7 @@ def scratch(
     return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
 
-def stumpff_terms(order: int, count=14) -> list[str]:
+def stumpff_terms(order: int, count: int = 14) -> list[str]:
     """The coefficients ``1 / (order + 2 j)!`` of a Stumpff function."""
     return [literal(1 / math.factorial(order + 2 * j)) for j in range(count)]
 

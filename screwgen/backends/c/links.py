@@ -6,6 +6,7 @@ import math
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places, edge_places
@@ -23,7 +24,7 @@ WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
 
 
 @dataclass(frozen=True)
-class Run:
+class CFunction:
     """An algorithm that is a C function, and its results."""
 
     algorithm: Algorithm
@@ -43,11 +44,18 @@ class Run:
     """Whether results at nodes are those of every tip, not of the last alone."""
 
 
-def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, **more) -> Run:
-    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
+def _run(
+    algorithm: Algorithm,
+    comment: str,
+    results: str,
+    apart: bool = False,
+    skipped: Mapping[str, str] | None = None,
+    **more: Any,
+) -> CFunction:
+    return CFunction(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
 
 
-RUNS: dict[str, Run] = {
+RUNS: dict[str, CFunction] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
@@ -77,7 +85,7 @@ RUNS: dict[str, Run] = {
         "Joint form: inverse dynamics, with joint wrenches.",
         "force base_force force_theta force_eta wrench",
     ),
-    "inertia": Run(
+    "inertia": CFunction(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
         frozenset({"force", "base_force", "force_theta", "force_eta"}),
@@ -121,7 +129,7 @@ class Links:
     _written: dict[tuple, Function] = field(default_factory=dict)
 
     @property
-    def runs(self) -> dict[str, Run]:
+    def runs(self) -> dict[str, CFunction]:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:
@@ -155,7 +163,7 @@ class Links:
     def parts(self, run: str) -> list[dict]:
         """The C functions of a run: name, comment, phases, and whether they set the acceleration of the base."""
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
-        out = []
+        out: list[dict] = []
         shares = (
             ((self.chain.sprung or self.chain.closures) and RUNS[run].parts_if_sprung)
             or RUNS[run].parts
@@ -172,7 +180,7 @@ class Links:
     def edges(self, run: str) -> list[dict]:
         """The functions of a run that compute the blocks of a carried link besides the last one of its node."""
         algorithm, found = RUNS[run].algorithm, [p for p in self.passages(run) if p.edge is not None]
-        edges = list(dict.fromkeys(p.edge for p in found))
+        edges = list(dict.fromkeys(p.edge for p in found if p.edge is not None))
         return [
             {
                 "child": self.chain.identifiers[edge],
@@ -228,7 +236,7 @@ class Places:
     entries: tuple[tuple[str, int], ...] = ()
     matrix: dict[tuple[str, int], int] = field(init=False)
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         self.matrix = {place: k for k, place in enumerate(self.entries)}
 
     @property

@@ -124,7 +124,8 @@ def bodies(robot: Robot) -> dict[str, object]:
 def limits(robot: Robot) -> list[str]:
     """Conditions on which a link's parameters are refused; members that no link states have none."""
     sections = [link.section if isinstance(link.section, Section) else None for link in robot.links]
-    stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
+    lengths, masses = [link.length for link in robot.links], [s.rhoA if s else None for s in sections]
+    stated: dict[str, Sequence[float | None]] = {"length": lengths, "rhoA": masses}
     tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
     inertias = ("rhoIp", "rhoIy", "rhoIz")
     return tests + [f"link->{name} < 0" for name in inertias if any(s and s.states(name) for s in sections)]

@@ -13,7 +13,7 @@ from .code import Writer, literal, trimmed
 from .steps import LONGEST, Steps
 
 
-class Slopes(Steps):
+class StepSlopes(Steps):
     """The operations of a method, and of every move the terms that its change consists of."""
 
     def evaluated(self, op: Operation) -> int:
@@ -60,7 +60,7 @@ def _part(part: Fraction, step: str) -> str:
 
 def content(chain: Chain, methods: Mapping[str, Method], per_stage: int) -> dict:
     """The templates' context; ``per_stage``: the operations of an acceleration's derivatives, the solver's included."""
-    steps = [Slopes(method) for method in methods.values()]
+    steps = [StepSlopes(method) for method in methods.values()]
     product = 2 * chain.nv**2 * (2 * chain.nv + chain.n_tau)
     count = lambda m: len(m.method.stages) * per_stage + m.products * product  # noqa: E731
     return {

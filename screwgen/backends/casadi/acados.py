@@ -5,7 +5,7 @@ acados itself is not needed: the export holds CasADi expressions on SX, and :met
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -67,7 +67,7 @@ class AcadosExport:
 
 
 def acados(
-    chain: Chain, functions: Mapping[str, Any], form="joint", binding="runtime", w_ext: bool = False
+    chain: Chain, functions: Mapping[str, Any], form: str = "joint", binding: str = "runtime", w_ext: bool = False
 ) -> AcadosExport:
     """The export of a chain from its CasADi functions; see :meth:`screwgen.Model.acados`."""
     _check("form", form, FORMS)
@@ -89,7 +89,9 @@ def _check(what: str, given: object, allowed: tuple[str, ...]) -> None:
         raise UsageError(f"there is no {what} '{given}'; choose {' or '.join(allowed)}")
 
 
-def _parameters(chain: Chain, binding: str, w_ext: bool):
+def _parameters(
+    chain: Chain, binding: str, w_ext: bool
+) -> tuple[ca.SX, ca.SX, ca.SX, tuple[str, ...], tuple[float, ...]]:
     """The column p, the robot's parameters and the tip wrenches (6 x n) in it, names and values of its entries."""
     own = parameters(chain.robot)
     values, names = [p.value for p in own], [p.name for p in own]
@@ -146,7 +148,7 @@ def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca
     """The rows of the loops at given accelerations, and what their forces exert: on axes, and on tips (6 x n)."""
     given = {"q": q, "v": v, "forces": forces, "p": p}
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         gap, loads = f.loops_at(x["q"], x["forces"])
         return {"gap": gap, "rate": f.gaps(x["q"], x["v"])[1], "torque": loads.tau, "wrench": loads.w_ext}
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import casadi as ca
 
-from ...algorithms import fused
+from ...algorithms import fused, sensors
 from ...algorithms.functions import Functions
-from ...bodies.markers import strains
-from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .expressions import expressions
 from .functions import coordinate_rates, function, symbols
@@ -18,22 +18,29 @@ def linearisation(chain: Chain) -> ca.Function:
 
     δ (nv) are small changes of q: those of its entries, but of a floating base the rotation vector and the displacement
     in axes of F_1. y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s,
-    m/s²), the joint wrenches link by link (6 n) and the strains of :func:`base_strains`.
+    m/s²), the joint wrenches link by link (6 n) and the strains.
     """
     given = symbols(chain, "q v tau w_ext p")
     q, v, p = given["q"], given["v"], given["p"]
     qdot = coordinate_rates(chain, q, v, p)
     dynamics = expressions(fused.forward_dynamics(chain), given)
-    vdot, position = dynamics["vdot"], expressions(fused.poses(chain), given)["tip_position"][-3:]
-    velocity = along(position, q, qdot)
-    acceleration = along(velocity, q, qdot) + along(velocity, v, vdot)
-    y = ca.vertcat(q, v, position, velocity, acceleration, dynamics["wrench"], base_strains(chain, q, p))
+    vdot, strains = dynamics["vdot"], expressions(sensors.strain(chain), given)["strain"]
+    y = ca.vertcat(q, v, *tip_motion(chain, given | {"vdot": vdot}), dynamics["wrench"], strains)
     u, moving = ca.vertcat(given["tau"], ca.vec(given["w_ext"])), ca.jacobian(qdot, v)
     slopes = {}
     for name, f in (("vdot", vdot), ("y", y)):
         slopes[f"{name}_x"] = ca.horzcat(ca.jacobian(f, q) @ moving, ca.jacobian(f, v))
         slopes[f"{name}_u"] = ca.jacobian(f, u)
     return function("linearisation", given, vdot=vdot, y=y, **slopes)
+
+
+def tip_motion(chain: Chain, given: Mapping[str, ca.SX]) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """Position, velocity and acceleration of the last tip in the inertial frame, from q, v, vdot and p."""
+    tip = [(m.is_tip, m.segment) for m in chain.markers].index((True, chain.last))
+    found = expressions(sensors.marker_motion(chain), given)
+    R = ca.reshape(found["R"][9 * tip : 9 * tip + 9], 3, 3).T
+    velocity, acceleration = (R @ found[name][6 * tip + 3 : 6 * tip + 6] for name in ("twist", "acceleration"))
+    return found["position"][3 * tip : 3 * tip + 3], velocity, acceleration + given["p"][:3]
 
 
 def closing(chain: Chain) -> ca.Function:
@@ -45,7 +52,7 @@ def closing(chain: Chain) -> ca.Function:
     rows = len(chain.closures)
     given = symbols(chain, "q v") | {"forces": ca.SX.sym("forces", rows)} | symbols(chain, "p")
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         gap, loads = f.loops_at(x["q"], x["forces"])
         return {"gap": gap, "wrench": loads.w_ext}
 
@@ -78,7 +85,7 @@ def statics(chain: Chain) -> ca.Function:
     """
     chain.needs_fixed("equilibrium", "simulate it with dampers, or with PD control")
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         rest = [0.0] * chain.nv
         force, wrench = f.statics(x["q"], x["w_ext"])
         energy, tip = f.energy(x["q"], rest)[1], f.poses(x["q"])[1][chain.last][1]
@@ -96,26 +103,3 @@ def statics(chain: Chain) -> ca.Function:
         wrench=ca.reshape(found["wrench"], 6, chain.n),
         tip=found["tip"],
     )
-
-
-def strain_function(chain: Chain) -> ca.Function:
-    """The CasADi function ``(q, p) -> (strain)`` of :func:`base_strains`."""
-    q, p = ca.SX.sym("q", chain.nq), ca.SX.sym("p", len(parameters(chain.robot)))
-    return ca.Function("base_strains", [q, p], [base_strains(chain, q, p)], ["q", "p"], ["strain"])
-
-
-def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
-    """The strains of the beam at the base section of every link, one for each of its directions that has modes.
-
-    Axial: u_x' (1); bending: the curvatures u_y'' and u_z'' (1/m); torsion: the twist θ_x' (rad/m);
-    shear: γ_y and γ_z (1).
-    """
-    names = [x.name for x in parameters(chain.robot)]
-    rows = []
-    for i in chain.firsts:
-        segment, first = chain.segments[i], chain.eta_q + chain.eta_offset[i]
-        for strain in strains(chain.keys[i], 0.0):
-            length = p[names.index(f"{segment.owner}.length")] / segment.count
-            eta = q[[first + k for k in strain.modes]]
-            rows.append(ca.dot(ca.DM(strain.weights), eta) / length**strain.order)
-    return ca.vertcat(ca.SX(0, 1), *rows)

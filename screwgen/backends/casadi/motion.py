@@ -16,7 +16,7 @@ from ...integrators.methods import METHODS
 from ...integrators.se3 import FLAT, programs
 from ...topology.chain import Chain
 from .expressions import expressions
-from .functions import coordinate_rates, function, rotations, symbols
+from .functions import coordinate_rates, function, side_by_side, symbols
 
 STEP = "modal_midpoint"
 """The method of the function `step`, which is that of a simulation."""
@@ -33,7 +33,7 @@ def steps(chain: Chain, methods: Iterable[Method]) -> dict[str, Callable[[], ca.
     return {f"step_{m}": partial(step, chain, m, f"step_{m}") for m in methods}
 
 
-class Held:
+class CasadiAccelerations:
     """Accelerations in SX at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
 
     def __init__(self, chain: Chain, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
@@ -60,7 +60,7 @@ class Held:
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
 
 
-class Curved:
+class CasadiSpace:
     """The coordinates behind a floating base in SX: a :class:`~screwgen.integrators.se3.Space`."""
 
     def __init__(self, chain: Chain):
@@ -79,8 +79,8 @@ def step(chain: Chain, method: Method, name: str) -> ca.Function:
     The quaternion of a floating base is multiplied by unit quaternions and not scaled.
     """
     given = symbols(chain, "q v tau w_ext p dt")
-    held = Held(chain, given["tau"], given["w_ext"], given["p"])
-    q, v = method.step(held, given["q"], given["v"], given["dt"], Curved(chain) if chain.floating else FLAT)
+    held = CasadiAccelerations(chain, given["tau"], given["w_ext"], given["p"])
+    q, v = method.step(held, given["q"], given["v"], given["dt"], CasadiSpace(chain) if chain.floating else FLAT)
     return function(name, given, q_next=q, v_next=v)
 
 
@@ -88,7 +88,7 @@ def tip_jacobian(chain: Chain) -> ca.Function:
     """``(q, p) -> (J)``: J v is the twist of the last tip, [ω; ṙ] of its section and point in inertial components."""
     given = symbols(chain, "q p")
     found, own = expressions(fused.poses(chain), given), chain.last_entries
-    R, position = rotations(found["tip_R"], chain.n)[:, own], found["tip_position"][own]
+    R, position = side_by_side(found["tip_R"], 3, 3)[:, own], found["tip_position"][own]
     slopes = along_rates(chain, ca.vec(R), given)
     columns = [_axis(ca.reshape(slopes[:, k], 3, 3) @ R.T) for k in range(chain.nv)]
     turning = ca.horzcat(ca.SX(3, 0), *columns)

@@ -92,11 +92,8 @@ def _printed(project: CProject, program: Program) -> dict:
 
 def _own(project: CProject) -> dict[str, Callable[[int], str]]:
     """The places of directions and answers: their entries one after the other."""
-    size, segments = response.sizes(project.chain), project.chain.segments
-    own: dict[str, Callable[[int], str]] = {
-        "gravity": lambda k: f"c->gravity[{k}]",
-        "length": lambda k: f"p->links[{segments[k].link}].length",
-    }
+    size = response.sizes(project.chain)
+    own: dict[str, Callable[[int], str]] = {"gravity": lambda k: f"c->gravity[{k}]"}
     parts = {"q": "state", "v": "state", "tau": "input", "w_ext": "input"}
     for names, along, against in ((response.POINT, "x", "y"), (response.ANSWERS, "y", "x")):
         first = 0

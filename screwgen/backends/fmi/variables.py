@@ -12,12 +12,11 @@ from math import prod
 import numpy as np
 
 from ...algorithms import response
+from ...algorithms.gauges import strain_names
 from ...algorithms.robot_functions import entry_names, entry_units, reported, shape
-from ...bodies.markers import strains
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
-from ...spec.modes import DIRECTIONS
 from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units, parameters
 from ...topology.chain import Chain
 
@@ -30,7 +29,6 @@ MODE_NOMINAL, RATE_NOMINAL = 1e-2, 1e-1
 GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *response.ANSWERS, "measures")
 """The groups of variables, in the order of their value references."""
 
-STRAIN_UNITS = dict.fromkeys(DIRECTIONS, "1") | {"bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
 WRENCH_UNITS = {part: "N" if part.startswith("F") else "N·m" for part in WRENCH}
 TWIST_UNITS = ("rad", "rad", "rad", "m", "m", "m")
 MEASURE_UNITS = {"slope": "rad"}
@@ -154,10 +152,8 @@ def _outputs(chain: Chain) -> Iterator[Variable]:
                 yield of("rotation", name, "1", "rotation of the tip frame, in the inertial frame")
     for k, name in enumerate(coordinate_names(chain.robot).wrench):
         yield of("wrench", name, WRENCH_UNITS[WRENCH[k % 6]], "of the joint on the link, at the joint point, in F_i")
-    for i in chain.firsts:
-        for strain in strains(chain.keys[i], 0.0):
-            name = f"{chain.segments[i].owner}.base_strain.{strain.direction}"
-            yield of("strain", name, STRAIN_UNITS[strain.direction], "strain of the centreline at the link's base")
+    for name, unit in strain_names(chain).items():
+        yield of("strain", name, unit, "strain of the centreline at the link's base, or at its marker")
     drives = coordinate_names(chain.robot).tau
     for told in reported(chain):
         meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]

@@ -30,7 +30,7 @@ from ...ir.adjoint import only
 from ...ir.program import Program
 from ...topology.chain import Chain
 from ..casadi.functions import Made
-from .programs import Evaluator, Values, straight
+from .programs import JaxProgram, Values, straight
 
 PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
 STEP = "modal_midpoint"
@@ -43,7 +43,7 @@ def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterabl
     if precision == "double" and not jax.config.read("jax_enable_x64"):
         said = "call jax.config.update('jax_enable_x64', True) first, or give precision='single'"
         raise UsageError(f"JAX is set to single precision; {said}")
-    own = Own(chain, PRECISIONS[precision], straight if forward_mode else Evaluator)
+    own = Own(chain, PRECISIONS[precision], straight if forward_mode else JaxProgram)
     found = with_built_in(methods)
     steps: dict[str, Callable] = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
     return Made({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
@@ -53,7 +53,7 @@ def old_order_too(step: Callable) -> Callable:
     """`step` (q, v, tau, w_ext, p, dt), which takes its arguments as (…, h, p) as well, with a DeprecationWarning."""
 
     @wraps(step)
-    def call(*args, **named):
+    def call(*args: Any, **named: Any) -> Any:
         swapped = len(args) == 6 and not np.ndim(args[4]) and np.ndim(args[5])
         if swapped or "h" in named:
             warnings.warn("steps take (q, v, tau, w_ext, p, dt), no longer (…, h, p)", DeprecationWarning, stacklevel=2)
@@ -97,7 +97,7 @@ class Own:
         """``body`` of the named inputs, converted and checked."""
         names = inputs.split()
 
-        def call(*args, **named):
+        def call(*args: Any, **named: Any) -> Any:
             given = dict(zip(names, args, strict=False)) | named
             if len(args) > len(names) or given.keys() != set(names) or len(given) != len(args) + len(named):
                 raise UsageError(f"the arguments are ({', '.join(names)})")
@@ -107,7 +107,7 @@ class Own:
         call.__doc__ = f"``({', '.join(names)})``"
         return call
 
-    def _array(self, name: str, value: Any):
+    def _array(self, name: str, value: Any) -> jax.Array:
         try:
             out = jnp.asarray(value, self.real)
         except (TypeError, ValueError):
@@ -129,20 +129,20 @@ class Own:
         own += [(row.name, f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)]
         return {name: partial(self.function, inputs, body) for name, inputs, body in own}
 
-    def _results(self, row: RobotFunction, x: Values):
+    def _results(self, row: RobotFunction, x: Values) -> Any:
         """The results of a function of the robot, a tuple where they are several."""
         found = self.run(row.program, " ".join(row.results), x)
         shaped = [y.reshape(shape(of, self.chain)) for y, of in zip(found, row.results.values(), strict=True)]
         return tuple(shaped) if len(shaped) > 1 else shaped[0]
 
-    def _mass_matrix(self, x: Values):
+    def _mass_matrix(self, x: Values) -> jax.Array:
         force = lambda vdot: self.run(fused.inertial_force, "force", {**x, "vdot": vdot})[0]  # noqa: E731
         return jax.jacrev(force)(jnp.zeros(self.chain.nv, self.real))
 
-    def _coordinate_rates(self, x: Values):
+    def _coordinate_rates(self, x: Values) -> jax.Array:
         return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.floating else x["v"]
 
-    def _tip_jacobian(self, x: Values):
+    def _tip_jacobian(self, x: Values) -> jax.Array:
         """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
         tip_pose = partial(self._results, function_named("tip_pose"))
         pose = lambda q: (tip_pose({**x, "q": q}),) * 2  # noqa: E731
@@ -155,15 +155,15 @@ class Own:
     def step(self, method: Method) -> Callable:
         """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds."""
 
-        def body(x: Values):
-            space = Curved(self) if self.chain.floating else FLAT
-            q, v = method.step(Held(self, x), x["q"], x["v"], x["dt"], space)
+        def body(x: Values) -> tuple[jax.Array, jax.Array]:
+            space = JaxSpace(self) if self.chain.floating else FLAT
+            q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], space)
             return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 
         return old_order_too(self.function("q v tau w_ext p dt", body))
 
 
-class Held:
+class JaxAccelerations:
     """Accelerations at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
 
     def __init__(self, own: Own, x: Values):
@@ -198,7 +198,7 @@ class Held:
         return out
 
 
-class Curved:
+class JaxSpace:
     """The coordinates behind a floating base: a :class:`~screwgen.integrators.se3.Space`."""
 
     def __init__(self, own: Own):

@@ -23,7 +23,7 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..templates import folder, render
 from . import tables, text
-from .content import CITATION, Document, Item, Paragraph, Section, parse
+from .content import CITATION, Document, DocumentSection, Item, Paragraph, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
@@ -129,8 +129,8 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     sections += [
-        Section("Symbols", [tables.symbols(entries(known, named))]),
-        Section("Parameters", [tables.parameters(parameters(robot))]),
+        DocumentSection("Symbols", [tables.symbols(entries(known, named))]),
+        DocumentSection("Parameters", [tables.parameters(parameters(robot))]),
     ]
     return Document(robot.name, __version__, tuple(sections))
 
@@ -155,7 +155,7 @@ def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
     return {"R_rel": joint["R_rel"], "Phi_c": tip["Phi_c"]} | {n: tip.get(n, v) for n, v in still.items()} | bare
 
 
-def _robot(robot: Robot, chain: Chain) -> Section:
+def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
     pieces = sum(link.pieces for link in robot.links)
     links += f" of {pieces} segments" if pieces > len(robot.links) else ""
@@ -167,10 +167,10 @@ def _robot(robot: Robot, chain: Chain) -> Section:
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         tables.links(robot, chain.keys, chain.classes),
     ]
-    return Section("The robot", items)
+    return DocumentSection("The robot", items)
 
 
-def _theory(robot: Robot, chain: Chain) -> list[Section]:
+def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
     free_fall = rf"[{gravity}]^{{\top}}".replace(", ", r",\ ")
     first = all(key.order == 1 for key in chain.keys)
@@ -201,4 +201,5 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )
-    return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]
+    pages = {"Conventions": conventions, "Equations of motion": equations}
+    return [DocumentSection(title, parse(text)) for title, text in pages.items()]

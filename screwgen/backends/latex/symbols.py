@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ...algebra.expression import Symbol
 from ...algebra.notation import latex
-from ...ir.block import Binding, Block, Signal
+from ...ir.block import Binding, Block, NamedSignal
 from .content import Named, frame, unit, words
 from .steps import BlockView
 
@@ -119,7 +119,7 @@ def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = 
 
     A symbol that is ``named`` replaces that of the text.
     """
-    found: dict[str, list[tuple[str, Signal]]] = {}
+    found: dict[str, list[tuple[str, NamedSignal]]] = {}
     for block, view in blocks:
         for signal in _signals(block, view):
             found.setdefault(written(signal), []).append((block.name, signal))
@@ -129,7 +129,7 @@ def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = 
     return [*(e for e in _text(text.values()) if e.display not in found), *steps]
 
 
-def written(signal: Signal) -> str:
+def written(signal: NamedSignal) -> str:
     """A signal as the formulas have it."""
     return latex(Symbol(signal.name, signal.shape, signal.display))
 
@@ -139,7 +139,7 @@ def _text(symbols: Iterable[Named]) -> Iterator[Entry]:
         yield Entry(display, words(meaning), unit(unit_), frame(frame_), _shape_text(shape), binding)
 
 
-def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
+def _signals(block: Block, view: BlockView) -> Iterator[NamedSignal]:
     """The signals that the shown steps define or use."""
     defined = {s.name for s in view.defined}
     yield from (s for s in view.defined if not s.display.startswith("-"))
@@ -150,7 +150,7 @@ def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
             yield block.along[used.name]
 
 
-def _entry(display: str, signals: list[Signal]) -> Entry:
+def _entry(display: str, signals: list[NamedSignal]) -> Entry:
     first = signals[0]
     shape = _shape([s.shape for s in signals], first.name)
     binding = max(s.binding for s in signals)

@@ -7,7 +7,6 @@ from the same block elimination as the joint form's.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
@@ -48,11 +47,15 @@ class DaeDynamics:
         self.joints = slice(chain.base_v, chain.base_v + chain.n_joints)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
 
-    def rates(self, x: np.ndarray, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> np.ndarray:
+    def rates(
+        self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float = 0.0, start: np.ndarray | None = None
+    ) -> np.ndarray:
         """The ``xdot`` of :meth:`solution`."""
         return self.solution(x, tau, w_ext, h, start)[0]
 
-    def solution(self, x, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> Sequence[np.ndarray]:
+    def solution(
+        self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float = 0.0, start: np.ndarray | None = None
+    ) -> Sequence[np.ndarray]:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         here = self.own(x)
         own, rate = here if start is None or start is x else self.own(start)
@@ -110,7 +113,7 @@ class HeldDae:
         """Find the rates of the next stage."""
         there, u = self.moved(stage)
         start = self.x if stage.implicit else None
-        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, Fraction(stage.implicit)), start)
+        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, stage.part), start)
         turn, reach = algebra_rate(u, self.d.twists(there)), times(self.h, stage.reach)
         self.found.append(Evaluated(rates, vdot, turn, reach))
 

@@ -14,7 +14,7 @@ from ...elements.law import Secant
 from ...topology.chain import Chain
 
 
-class Acting(NamedTuple):
+class ActingLaw(NamedTuple):
     """A law on its coordinates, with its constants by name; over a step the linear force of ``held``."""
 
     law: OfRobot
@@ -40,14 +40,14 @@ class OwnForces:
     M: np.ndarray
     K: np.ndarray
     D: np.ndarray
-    laws: Sequence[Acting] = ()
+    laws: Sequence[ActingLaw] = ()
 
     @classmethod
     def of_columns(cls, chain: Chain, columns: Sequence[np.ndarray]) -> OwnForces:
         """Out of the robot's columns, in the order of :func:`...algorithms.columns.columns`."""
         M, K, D, *rest = columns
         own, laws = iter(rest), of_robot(chain)
-        return cls(chain, M, K, D, [Acting(one, {name: next(own) for name in one.law.constants}) for one in laws])
+        return cls(chain, M, K, D, [ActingLaw(one, {name: next(own) for name in one.law.constants}) for one in laws])
 
     def of(self, x: np.ndarray) -> np.ndarray:
         """The part of ``q`` or ``v`` (nq, ...) that belongs to these coordinates."""

@@ -102,7 +102,9 @@ def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
 
 
 @fused.program("q v tau w_ext vdot")
-def rounded_dynamics(f: Functions, q, v, tau, w_ext, vdot):
+def rounded_dynamics(
+    f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, vdot: Sequence
+) -> fused.Outputs:
     """Forward dynamics, the pose of the last tip, and the ``inverse`` dynamics' wrenches at accelerations ``vdot``."""
     found, wrench = f.forward_dynamics(q, v, tau, w_ext)
     R, position = f.poses(q)[1][f.chain.last]

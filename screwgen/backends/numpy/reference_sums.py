@@ -108,14 +108,16 @@ class _Soft:
         """The DAE form of the same functions."""
         f = self.functions
 
-        def solve(x, tau, w_ext, inertia, force):
+        def solve(
+            x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, inertia: np.ndarray, force: np.ndarray
+        ) -> list[np.ndarray]:
             f.given = (inertia.tolist(), force.tolist())
             return [np.array(y) for y in f.rates(x.tolist(), tau.tolist(), w_ext.tolist())]
 
-        def project(x):
+        def project(x: np.ndarray) -> tuple[np.ndarray]:
             return (np.array(f.project(x.tolist())),)
 
-        def joint_rates(x):
+        def joint_rates(x: np.ndarray) -> tuple[np.ndarray]:
             return (np.array(f.joint_rates(x.tolist())),)
 
         return DaeDynamics(self.chain, self.columns, solve, project, joint_rates)

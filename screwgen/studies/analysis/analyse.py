@@ -17,7 +17,7 @@ from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...errors import SingularError, UsageError
 from ...robot_model import RobotModel
 from ...simulation.linearised import Law, Linearised, check_step, speed
-from ...simulation.linearised_loops import Shut
+from ...simulation.linearised_loops import LinearisedWithLoops
 from ...simulation.mobility import loads_of_loops
 from ...simulation.state import State, state_of
 from ...simulation.validity import validity
@@ -25,8 +25,8 @@ from ...spec.parameters import turning
 from ...spec.reduced import elastic, reach, sizes
 from ...spec.robot import Link
 from .findings import Findings, StateAnalysis
-from .regularity import LinkBlock, link_blocks, loops_of, regularity, structure, with_projectors_alone
-from .spectrum import Motion, motions
+from .regularity import LinkRegularity, link_blocks, loops_of, regularity, structure, with_projectors_alone
+from .spectrum import LinearMotion, motions
 from .step_limits import StepLimit, paper_bound, step_limits
 from .text import report
 
@@ -87,8 +87,8 @@ def analyse_state(
 ) -> StateAnalysis:
     """The analysis of one state."""
     system = projectors = acceleration = loops = None
-    blocks: tuple[LinkBlock, ...] = ()
-    found: tuple[Motion, ...] = ()
+    blocks: tuple[LinkRegularity, ...] = ()
+    found: tuple[LinearMotion, ...] = ()
     limits: tuple[StepLimit, ...] = ()
     measures: tuple[tuple[float, ...], ...] = ()
     singular = ""
@@ -99,7 +99,7 @@ def analyse_state(
         system, projectors = regularity(M), regularity(with_projectors_alone(model, M), M)
         blocks = tuple(link_blocks(model, M))
         tau = state.tau if controller is None else None
-        kind = Shut if model.chain.closures else Linearised
+        kind = LinearisedWithLoops if model.chain.closures else Linearised
         motion = kind(model, state.q, state.v, tau, controller, state.w_ext)
         acceleration, found = float(np.abs(motion.vdot).max(initial=0.0)), tuple(motions(motion))
         limits = tuple(step_limits(motion, step))

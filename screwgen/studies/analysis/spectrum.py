@@ -66,7 +66,7 @@ def growth(S: np.ndarray) -> float:
 
 
 @dataclass(frozen=True)
-class Motion:
+class LinearMotion:
     """A motion `exp(λ t)` of the linearised arm; a conjugate pair is one, with the positive imaginary part.
 
     `kind`: "oscillates", "grows" (an oscillation that gains), "falls" (real, growing), "decays" (real, shrinking) or
@@ -81,7 +81,7 @@ class Motion:
     coordinate: str
 
 
-def motions(motion: Linearised) -> list[Motion]:
+def motions(motion: Linearised) -> list[LinearMotion]:
     """The spectrum: motions that fall, then the others by |λ|, slowest first."""
     eigenvalues, vectors = np.linalg.eig(motion.jacobian)
     largest = np.abs(eigenvalues).max(initial=0.0)
@@ -96,10 +96,10 @@ def motions(motion: Linearised) -> list[Motion]:
     return sorted(found, key=lambda m: (m.kind != "falls", abs(m.eigenvalue)))
 
 
-def _motion(x: complex, coordinate: str) -> Motion:
+def _motion(x: complex, coordinate: str) -> LinearMotion:
     if x == 0:
-        return Motion(x, "free", 0.0, 0.0, coordinate)
+        return LinearMotion(x, "free", 0.0, 0.0, coordinate)
     if x.imag == 0:
-        return Motion(x, "falls" if x.real > 0 else "decays", 0.0, float(-np.sign(x.real)), coordinate)
+        return LinearMotion(x, "falls" if x.real > 0 else "decays", 0.0, float(-np.sign(x.real)), coordinate)
     damping = -x.real / abs(x)
-    return Motion(x, "grows" if damping < -TOLERANCE else "oscillates", abs(x) / (2 * np.pi), damping, coordinate)
+    return LinearMotion(x, "grows" if damping < -TOLERANCE else "oscillates", abs(x) / (2 * np.pi), damping, coordinate)

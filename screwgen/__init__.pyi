@@ -1,4 +1,4 @@
-"""The public names, for type checkers."""
+"""The public names with the modules that define them: for type checkers, and for the package, which reads this."""
 
 from .backends.numpy.closing import OpenLoopError as OpenLoopError
 from .errors import RobotFileError as RobotFileError

@@ -130,9 +130,9 @@ class RobotModel:
     @cached_property
     def _casadi(self) -> Made:
         from .backends.casadi import functions as casadi
-        from .backends.casadi import motion as casadi_motion
+        from .backends.casadi import steps
 
-        own = (casadi.functions, casadi.dae_functions, casadi_motion.motion_functions)
+        own = (casadi.functions, casadi.dae_functions, steps.motion_functions)
         integrands = {
             "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),
             "dae": lambda: casadi.dae(self.chain, found["assemble"]),
@@ -149,7 +149,7 @@ class RobotModel:
         ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
         ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
         """
-        from .backends.casadi.motion import steps
+        from .backends.casadi.steps import steps
         from .integrators.methods import with_built_in
 
         with_built_in(more := tuple(methods))

@@ -10,7 +10,7 @@ from helpers import relative
 from screwgen.algorithms import fused
 from screwgen.algorithms.exponential import Series
 from screwgen.backends.casadi.functions import expressions
-from screwgen.backends.casadi.motion import step
+from screwgen.backends.casadi.steps import step
 from screwgen.integrators import METHODS
 from screwgen.integrators.se3 import FLAT, Floating, programs
 from screwgen.ir.replay import run

@@ -12,9 +12,9 @@ from helpers import example_dict, model_of
 import screwgen
 from screwgen.cli.main import main
 from screwgen.errors import DivergedError
+from screwgen.simulation.captured_state import CapturedState
 from screwgen.simulation.control_loop import ControlLoopWarning
 from screwgen.simulation.controllers import PD, read_pd
-from screwgen.simulation.pure import CapturedState
 from screwgen.simulation.validity import ModelValidityWarning
 from screwgen.studies.light_joints import SLOW, light_joints, steps_borne
 

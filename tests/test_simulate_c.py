@@ -20,7 +20,7 @@ from test_simulate import END, START, soft, soft_dict
 from screwgen import PD, SingularError, UsageError
 from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
-from screwgen.simulation import loop
+from screwgen.simulation import compiled_runs
 from screwgen.simulation.integrate import DivergedError
 from screwgen.simulation.runs import ARRAYS
 from screwgen.simulation.simulate import simulate
@@ -106,8 +106,8 @@ def test_samples_are_those_of_the_whole_run():
 
 def test_c_is_taken_where_it_can_be(monkeypatch):
     calls = []
-    real = loop.CompiledRuns.__call__
-    monkeypatch.setattr(loop.CompiledRuns, "__call__", lambda self, *a: calls.append(1) or real(self, *a))
+    real = compiled_runs.CompiledRuns.__call__
+    monkeypatch.setattr(compiled_runs.CompiledRuns, "__call__", lambda self, *a: calls.append(1) or real(self, *a))
     simulate(soft(), 0.01, 1e-3)
     assert calls == [1]
     simulate(soft(), 0.01, 1e-3, backend="numpy")

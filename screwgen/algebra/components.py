@@ -26,7 +26,7 @@ from .expression import (
     Trace,
     Transpose,
 )
-from .functions import stumpff
+from .stumpff import stumpff
 
 Array = np.ndarray
 

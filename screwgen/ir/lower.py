@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
-from ..algebra.functions import stumpff
+from ..algebra.stumpff import stumpff
 from .block import Binding, Block, Step
 from .program import Array, Tracer, Value, Vector, give_label
 

@@ -76,11 +76,6 @@ def _unary(op: str, value: Value, tracer: Tracer) -> Value:
     return tracer.neg(value) if op == "neg" else tracer.call(op, value)
 
 
-def specialise(program: Program, known: Mapping[str, list[float]]) -> Program:
-    """The program with some inputs bound to numbers: partial evaluation."""
-    return bind(program, known)
-
-
 def bind(program: Program, known: Mapping[str, Sequence[float | None]]) -> Program:
     """The program with some entries of its inputs bound to numbers; None leaves an entry as it is."""
     tracer = Tracer()

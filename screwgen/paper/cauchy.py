@@ -11,8 +11,8 @@ from ..algebra.expression import Expression, Inverse, Symbol, block, identity, s
 from .cauchy_state import inertial_states, measured_states, solution_misfits, step_defects
 from .equation import Equality, Equation, Formula, Judge
 from .evaluate import evaluate
-from .motion import RandomMotion
 from .quantities import symbol
+from .random_motion import RandomMotion
 
 
 def all_links(name: str, display: str) -> Symbol:

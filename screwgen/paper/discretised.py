@@ -9,9 +9,9 @@ import numpy as np
 from ..algebra.expression import Expression, Symbol, Transpose, block, hat, identity, inverse, stack, zeros
 from .appendix_b import DERIVED_H_MD, DERIVED_M_D, DERIVED_M_DPSI, ONE, PARTS, TWO
 from .equation import Equality, Equation, Formula
-from .motion import RandomMotion
 from .projection import TO_BASE, L, shown
 from .quantities import LinkLetters
+from .random_motion import RandomMotion
 
 A = LinkLetters("all")
 O3, O6, O66, O33 = zeros(3), zeros(6), zeros(6, 6), zeros(3, 3)

@@ -12,7 +12,7 @@ import sympy as sp
 from ..algebra.expression import Constant, Expression, Symbol, is_zero
 from ..algebra.rewrite import difference, expand, substitute, symbols
 from .evaluate import Instant, evaluate, size
-from .motion import instant
+from .random_motion import instant
 
 TOLERANCE = 1e-11
 """What a formula that holds may miss, relative to its largest term."""

@@ -7,7 +7,7 @@ import numpy as np
 from .erratum import Erratum, Figure, misfit
 from .evaluate import evaluate
 from .kinematics import EQUATIONS, L
-from .motion import RandomMotion
+from .random_motion import RandomMotion
 
 
 def missing_transport() -> tuple[Figure, ...]:

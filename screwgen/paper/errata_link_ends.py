@@ -17,7 +17,7 @@ from .evaluate import evaluate
 from .jets import skew, turn
 from .link import DEFORMATION, DERIVED_H_STAR, EQUATIONS, M_STAR, PRINTED_H_STAR, WRENCHES, L
 from .link_ends import DERIVED_H, PRINTED_H
-from .motion import RandomMotion
+from .random_motion import RandomMotion
 from .single_link import INSIDE, LENGTH, RHO_A, SingleLink
 
 G = 9.81

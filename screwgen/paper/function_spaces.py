@@ -6,7 +6,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.polynomial.legendre import leggauss
 
-from .motion import RandomMotion
+from .random_motion import RandomMotion
 
 POINTS = 12
 HERMITE = Polynomial([0, 0, 3, -2])

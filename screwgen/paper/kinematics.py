@@ -8,8 +8,8 @@ import numpy as np
 
 from ..algebra.expression import Symbol, block, hat, stack, zeros
 from .equation import Equality, Equation, Formula
-from .motion import RandomMotion
 from .quantities import LinkLetters
+from .random_motion import RandomMotion
 
 L = LinkLetters("i")
 O3, O33 = zeros(3), zeros(3, 3)

@@ -20,9 +20,9 @@ from .discretised import RATE, VELOCITY, energy
 from .evaluate import evaluate
 from .jets import Jet, skew
 from .modal_rows import Accelerated
-from .motion import RandomMotion
 from .moving_link import body_jacobian
 from .projection import L
+from .random_motion import RandomMotion
 
 ROOT = 1.8751040687119611
 """The first root of cos x cosh x = -1."""

@@ -18,7 +18,7 @@ from .equation import Equality, Equation, relation
 from .erratum import Figure, misfit
 from .evaluate import evaluate
 from .jets import Jet, skew, turn, unskew
-from .motion import RandomMotion
+from .random_motion import RandomMotion
 from .stacking import EQUATIONS as STACKED
 from .stacking import M_S, ONE, PRINTED_M_S
 from .synthesis import AXES, BEFORE, GAP, GAP_RATE, I3, NONE, L, printed_rate, section_rate

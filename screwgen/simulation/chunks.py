@@ -19,7 +19,7 @@ from ..integrators.methods import method_of
 from ..robot_model import RobotModel
 from ..runtime.batch import compiled_batch
 from ..runtime.compiled import NO_METHOD
-from .loop import added
+from .compiled_runs import added
 from .validity import Validity
 
 TRIES = 4

@@ -11,10 +11,10 @@ import numpy as np
 
 from ..backends.numpy.dae_step import space_of
 from ..robot_model import RobotModel
+from .captured_state import CapturedState
 from .controllers import PD
 from .inputs import Inputs
 from .linearised import DIFFERENCE, slopes_of
-from .pure import CapturedState
 
 BEFORE, AFTER = 0.02, 2.0
 """How long a function in Python may be asked for its gains before a run, and after one that failed, s."""

@@ -21,7 +21,7 @@ from ..runtime.batch import OK, SINGULAR, CompiledBatch, compiled_batch
 from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
 from .chunks import How, in_chunks, merged
-from .loop import added
+from .compiled_runs import added
 from .measured import MEASURED
 from .rollout_loops import opened
 from .rollout_samples import Source

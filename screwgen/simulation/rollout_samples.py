@@ -12,7 +12,7 @@ from ..algorithms.robot_functions import entries, reported
 from ..integrators.methods import METHODS
 from ..robot_model import RobotModel
 from ..runtime.memory import pointer
-from .loop import instance
+from .compiled_runs import instance
 from .measured import measured
 
 

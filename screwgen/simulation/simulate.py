@@ -15,11 +15,11 @@ from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from . import hits, loop
+from . import compiled_runs, hits
 from .control_loop import Sampled
 from .controllers import PD, Controller
 from .dae import DaeStepper
-from .failing import Judge
+from .failed_runs import Judge
 from .inputs import Inputs, at_time, coordinates, started
 from .integrate import EquationForm, JointStepper, left
 from .mobility import check_closed, check_staying_closed
@@ -126,7 +126,7 @@ def _in_c(backend: str | None, form: str | MakeStepper, model: RobotModel, integ
                 f"the backend 'c' steps the joint form, not '{form}'; leave out backend, or choose form 'joint'"
             )
         return False
-    return backend == "c" or (backend is None and loop.available(model, _method(integrator)))
+    return backend == "c" or (backend is None and compiled_runs.available(model, _method(integrator)))
 
 
 def _method(integrator: str | Method | None) -> Method:
@@ -145,7 +145,7 @@ def method_used(form: str | MakeStepper, integrator: str | Method | None) -> Met
 
 def _c_walk(model: RobotModel, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:
     method = _method(integrator)
-    return loop.CompiledRuns(loop.instance(model, p, method), method)
+    return compiled_runs.CompiledRuns(compiled_runs.instance(model, p, method), method)
 
 
 def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:

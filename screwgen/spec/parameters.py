@@ -40,7 +40,7 @@ class Parameter:
     sign: str = ""
 
 
-class ParameterKey(NamedTuple):
+class Field(NamedTuple):
     """A kind of parameter: the pattern of its names below the link's, unit, meaning, names of components."""
 
     pattern: str
@@ -55,57 +55,53 @@ TENSOR = ("xx", "yy", "zz", "xy", "xz", "yz")
 MEASURED = "natural frequency of the bare link clamped at its base:"
 
 FIELDS = {
-    "gravity": ParameterKey("gravity[{}]", "m/s²", "acceleration of free fall, inertial frame", XYZ),
-    "length": ParameterKey("length", "m", "length of the undeformed centreline"),
-    "frame_at": ParameterKey("frame_at", "m", "distance from the link's base to its frame's origin"),
-    "rhoA": ParameterKey("rhoA", "kg/m", "mass per length"),
-    "EA": ParameterKey("EA", "N", "axial stiffness"),
-    "EIy": ParameterKey("EIy", "N·m²", "bending stiffness about y"),
-    "EIz": ParameterKey("EIz", "N·m²", "bending stiffness about z"),
-    "GJ": ParameterKey("GJ", "N·m²", "torsional stiffness"),
-    "rhoIp": ParameterKey("rhoIp", "kg·m", "spin inertia per length about the centreline"),
-    "GAy": ParameterKey("GAy", "N", "shear stiffness along y"),
-    "GAz": ParameterKey("GAz", "N", "shear stiffness along z"),
-    "rhoIy": ParameterKey("rhoIy", "kg·m", "rotary inertia per length about y"),
-    "rhoIz": ParameterKey("rhoIz", "kg·m", "rotary inertia per length about z"),
-    "frequencies.axial": ParameterKey("frequencies.axial[{}]", "Hz", f"{MEASURED} axial mode"),
-    "frequencies.bending_y": ParameterKey("frequencies.bending_y[{}]", "Hz", f"{MEASURED} bending in y"),
-    "frequencies.bending_z": ParameterKey("frequencies.bending_z[{}]", "Hz", f"{MEASURED} bending in z"),
-    "frequencies.torsion": ParameterKey("frequencies.torsion[{}]", "Hz", f"{MEASURED} torsion"),
-    "damping.ratio": ParameterKey("damping.ratio", "1", "damping ratio of each mode"),
-    "joint.mount.xyz": ParameterKey("joint.mount.xyz[{}]", "m", "joint point from the parent's tip, tip frame", XYZ),
-    "joint.mount.rpy": ParameterKey("joint.mount.rpy[{}]", "rad", "turn of the joint, Rz(y) Ry(p) Rx(r)", RPY),
-    "joint.armature": ParameterKey("joint.armature[{}]", "kg·m²", "rotor inertia seen at the joint axis"),
-    "joint.damping": ParameterKey("joint.damping[{}]", "N·m·s/rad", "viscous damping about the joint axis"),
-    "joint.stiffness": ParameterKey("joint.stiffness[{}]", "N·m/rad", "stiffness about the joint axis"),
-    "joint.drives.ratio": ParameterKey("joint.drives[{}].ratio", "1", "turns of the rotor per turn of the joint"),
-    "joint.drives.rotor_inertia": ParameterKey("joint.drives[{}].rotor_inertia", "kg·m²", "inertia of the rotor"),
-    "joint.drives.stiffness": ParameterKey(
-        "joint.drives[{}].stiffness", "N·m/rad", "stiffness of the gear at the joint"
-    ),
-    "joint.drives.damping": ParameterKey("joint.drives[{}].damping", "N·m·s/rad", "damping of the gear at the joint"),
-    "joint.drives.friction.coulomb": ParameterKey("joint.drives[{}].friction.coulomb", "N·m", "dry friction"),
-    "joint.drives.friction.viscous": ParameterKey("joint.drives[{}].friction.viscous", "N·m·s/rad", "viscous friction"),
-    "joint.drives.friction.velocity": ParameterKey(
+    "gravity": Field("gravity[{}]", "m/s²", "acceleration of free fall, inertial frame", XYZ),
+    "length": Field("length", "m", "length of the undeformed centreline"),
+    "frame_at": Field("frame_at", "m", "distance from the link's base to its frame's origin"),
+    "rhoA": Field("rhoA", "kg/m", "mass per length"),
+    "EA": Field("EA", "N", "axial stiffness"),
+    "EIy": Field("EIy", "N·m²", "bending stiffness about y"),
+    "EIz": Field("EIz", "N·m²", "bending stiffness about z"),
+    "GJ": Field("GJ", "N·m²", "torsional stiffness"),
+    "rhoIp": Field("rhoIp", "kg·m", "spin inertia per length about the centreline"),
+    "GAy": Field("GAy", "N", "shear stiffness along y"),
+    "GAz": Field("GAz", "N", "shear stiffness along z"),
+    "rhoIy": Field("rhoIy", "kg·m", "rotary inertia per length about y"),
+    "rhoIz": Field("rhoIz", "kg·m", "rotary inertia per length about z"),
+    "frequencies.axial": Field("frequencies.axial[{}]", "Hz", f"{MEASURED} axial mode"),
+    "frequencies.bending_y": Field("frequencies.bending_y[{}]", "Hz", f"{MEASURED} bending in y"),
+    "frequencies.bending_z": Field("frequencies.bending_z[{}]", "Hz", f"{MEASURED} bending in z"),
+    "frequencies.torsion": Field("frequencies.torsion[{}]", "Hz", f"{MEASURED} torsion"),
+    "damping.ratio": Field("damping.ratio", "1", "damping ratio of each mode"),
+    "joint.mount.xyz": Field("joint.mount.xyz[{}]", "m", "joint point from the parent's tip, tip frame", XYZ),
+    "joint.mount.rpy": Field("joint.mount.rpy[{}]", "rad", "turn of the joint, Rz(y) Ry(p) Rx(r)", RPY),
+    "joint.armature": Field("joint.armature[{}]", "kg·m²", "rotor inertia seen at the joint axis"),
+    "joint.damping": Field("joint.damping[{}]", "N·m·s/rad", "viscous damping about the joint axis"),
+    "joint.stiffness": Field("joint.stiffness[{}]", "N·m/rad", "stiffness about the joint axis"),
+    "joint.drives.ratio": Field("joint.drives[{}].ratio", "1", "turns of the rotor per turn of the joint"),
+    "joint.drives.rotor_inertia": Field("joint.drives[{}].rotor_inertia", "kg·m²", "inertia of the rotor"),
+    "joint.drives.stiffness": Field("joint.drives[{}].stiffness", "N·m/rad", "stiffness of the gear at the joint"),
+    "joint.drives.damping": Field("joint.drives[{}].damping", "N·m·s/rad", "damping of the gear at the joint"),
+    "joint.drives.friction.coulomb": Field("joint.drives[{}].friction.coulomb", "N·m", "dry friction"),
+    "joint.drives.friction.viscous": Field("joint.drives[{}].friction.viscous", "N·m·s/rad", "viscous friction"),
+    "joint.drives.friction.velocity": Field(
         "joint.drives[{}].friction.velocity", "rad/s", "rate over which dry friction changes its sign"
     ),
-    "joint.limits.lower": ParameterKey("joint.limits[{}].lower", "rad", "least coordinate of the joint"),
-    "joint.limits.upper": ParameterKey("joint.limits[{}].upper", "rad", "largest coordinate of the joint"),
-    "joint.limits.stiffness": ParameterKey(
-        "joint.limits[{}].stiffness", "N·m/rad", "stiffness of the stops at the limits"
-    ),
-    "joint.limits.damping": ParameterKey("joint.limits[{}].damping", "N·m·s/rad", "damping of the stops at the limits"),
-    "joint.drives.transmission.crank": ParameterKey(
+    "joint.limits.lower": Field("joint.limits[{}].lower", "rad", "least coordinate of the joint"),
+    "joint.limits.upper": Field("joint.limits[{}].upper", "rad", "largest coordinate of the joint"),
+    "joint.limits.stiffness": Field("joint.limits[{}].stiffness", "N·m/rad", "stiffness of the stops at the limits"),
+    "joint.limits.damping": Field("joint.limits[{}].damping", "N·m·s/rad", "damping of the stops at the limits"),
+    "joint.drives.transmission.crank": Field(
         "joint.drives[{}].transmission.crank", "m", "distance of the cylinder's eye on the link from the joint axis"
     ),
-    "joint.drives.transmission.base": ParameterKey(
+    "joint.drives.transmission.base": Field(
         "joint.drives[{}].transmission.base", "m", "distance of the cylinder's eye on the carrier from the joint axis"
     ),
-    "joint.drives.transmission.angle": ParameterKey(
+    "joint.drives.transmission.angle": Field(
         "joint.drives[{}].transmission.angle", "rad", "angle between the eyes of the cylinder at q = 0"
     ),
     **{
-        f"joint.drives.transmission.four_bar.{name}": ParameterKey(
+        f"joint.drives.transmission.four_bar.{name}": Field(
             f"joint.drives[{{}}].transmission.four_bar.{name}", unit, description
         )
         for name, unit, description in (
@@ -116,9 +112,9 @@ FIELDS = {
             ("angle", "rad", "angle from the ground line to the rocker at q = 0"),
         )
     },
-    "bodies.mass": ParameterKey("bodies[{}].mass", "kg", "mass of the body"),
-    "bodies.com": ParameterKey("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
-    "bodies.inertia": ParameterKey("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
+    "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
+    "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
+    "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
 }
 
 FIELDS |= {  # of a section that is stated at stations

@@ -21,7 +21,6 @@ from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .hanging import about
 from .modes import (
     closed_posture,
     following,
@@ -34,6 +33,7 @@ from .modes import (
 )
 from .steady import Steady, steady
 from .stiffness import on_gears, pressed, relative, stiffness_matrix
+from .vibrations_with_loops import about
 
 NOTHING = 5e-5
 """A relative change of a frequency below this is none."""

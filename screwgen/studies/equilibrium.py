@@ -19,10 +19,10 @@ from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity, validity_at_rest
 from ..spec.robot import Robot
-from .afloat import equilibrium_afloat
+from .equilibrium_of_floating_bases import floating_equilibrium
 from .linear import checked
-from .shut import StaticsWithLoops
 from .statics import Balance, NoEquilibriumError, Statics, search
+from .statics_with_loops import StaticsWithLoops
 from .steady import wound
 from .stiffness import stiffness
 
@@ -117,7 +117,7 @@ def equilibrium(
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
     if model.chain.floating:
-        return equilibrium_afloat(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(parameters))
+        return floating_equilibrium(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(parameters))
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")

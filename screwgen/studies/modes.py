@@ -13,10 +13,10 @@ from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch, validity_at_rest
-from .hanging import hanging
 from .linear import whole
 from .steady import Oscillations, Steady, oscillations, steady
 from .stiffness import on_gears, pressed, relative, stiffness_matrix
+from .vibrations_with_loops import hanging
 
 JOINTS = ("locked", "free")
 

@@ -9,8 +9,8 @@ from screwgen.algebra.rewrite import substitute
 from screwgen.paper.equation import SEEDS, TOLERANCE, Equality, Standing
 from screwgen.paper.erratum import WRONG
 from screwgen.paper.evaluate import evaluate
-from screwgen.paper.motion import instant
 from screwgen.paper.quantities import QUANTITIES
+from screwgen.paper.random_motion import instant
 from screwgen.paper.register import SECTIONS, equations, errata
 
 LABELS = """

@@ -11,7 +11,7 @@ from screwgen.paper.ella_judges import euler_growth, loop_work, root, symplectic
 from screwgen.paper.equation import TOLERANCE
 from screwgen.paper.errata_ella import arm
 from screwgen.paper.frame_elements import ELEMENTS, Bar, arm_bars, arm_frequencies, frequencies
-from screwgen.paper.motion import RandomMotion
+from screwgen.paper.random_motion import RandomMotion
 
 CLAMPED_FREE = [1.8751040687119611, 4.694091132974175, 7.854757438237613]
 WITH_TIP_MASS = {1.0: [1.557298, 16.250085], 0.1: [2.967838, 19.355801]}

@@ -13,7 +13,7 @@ from screwgen.paper.evaluate import evaluate
 from screwgen.paper.jets import Jet, constant, turn
 from screwgen.paper.link import DEFORMATION, DERIVED_D, DERIVED_H_STAR, M_STAR, L
 from screwgen.paper.link_ends import DERIVED_H, ENDS, SECTIONS
-from screwgen.paper.motion import RandomMotion
+from screwgen.paper.random_motion import RandomMotion
 from screwgen.paper.single_link import RHO_A, TO_MASS_CENTRE, SingleLink, shaped
 
 every_seed = pytest.mark.parametrize("seed", SEEDS)

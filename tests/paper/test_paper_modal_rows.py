@@ -8,8 +8,8 @@ import pytest
 from screwgen.paper.function_spaces import Cubic
 from screwgen.paper.jets import Jet, skew
 from screwgen.paper.modal_rows import Accelerated, ModalRows, coordinate_rates, potential, section_twist, stress
-from screwgen.paper.motion import RandomMotion
 from screwgen.paper.moving_link import exponential_coordinates
+from screwgen.paper.random_motion import RandomMotion
 
 SEEDS = (4, 5)
 

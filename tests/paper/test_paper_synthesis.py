@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 from screwgen.paper.equation import SEEDS
 from screwgen.paper.evaluate import evaluate
 from screwgen.paper.jets import skew
-from screwgen.paper.motion import RandomMotion
 from screwgen.paper.quantities import LinkLetters, indexed
+from screwgen.paper.random_motion import RandomMotion
 from screwgen.paper.synthesis import BEFORE, EQUATIONS, L, joint_bias
 
 

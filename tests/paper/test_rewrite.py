@@ -7,9 +7,9 @@ from screwgen.algebra.expression import Inverse, Negative, Product, Sum, block, 
 from screwgen.algebra.rewrite import difference, expand, rebuild, substitute, symbols
 from screwgen.paper.equation import rank
 from screwgen.paper.evaluate import evaluate
-from screwgen.paper.motion import RandomMotion
 from screwgen.paper.plain import WIDTH, boxed, letters, plain, relation, shown
 from screwgen.paper.quantities import LinkLetters
+from screwgen.paper.random_motion import RandomMotion
 
 L = LinkLetters("i")
 MOTION = RandomMotion(1)

@@ -22,12 +22,11 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     """The templates' context; ``place`` is that of the fused function."""
     program = tip_acceleration(chain, "baked" if baked else "constants")
     say_time(chain, "accelerations of the tip", program.operation_count)
-    plain = not (chain.closures or chain.floating)
     own = {slope: _by_columns(slope) for slope in SLOPES}
     own |= {"a": entries("work->a"), "vdot": entries("work->derivatives.vdot")}
     return pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work")) | {
         "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
-        "per_prediction": (11 if plain else 17) * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
+        "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
         "per_entry": 6 * chain.nv**2,
         "gauges": [_gauge(chain, g) for g in gauges(chain)],
         "curvatures": _curvatures(chain),

@@ -23,7 +23,7 @@ SLIDING = {"rad": "m", "rad/s": "m/s", "rad/s^2": "m/s^2", "N*m": "N"}
 
 
 @dataclass(frozen=True)
-class Field:
+class StructMember:
     """One member of a struct; a scalar has no dimensions. Sizes of the robot are named as in the header."""
 
     name: str
@@ -44,7 +44,7 @@ def length(n: int | str) -> str:
     return {"NLINKS": "$$_NLINKS"}.get(n, f"$$_LENGTH($$_{n})") if isinstance(n, str) else str(n)
 
 
-def structs(chain: Chain) -> dict[str, list[Field]]:
+def structs(chain: Chain) -> dict[str, list[StructMember]]:
     """The members of the structs that hold the robot's signals.
 
     Without coupled coordinates NINERTIA is NGIVEN. In the DAE form the rotors of elastic drives stand before the modes.
@@ -52,11 +52,11 @@ def structs(chain: Chain) -> dict[str, list[Field]]:
     inertia = "NINERTIA" if chain.coupled else "NGIVEN"
     inner = "NINNER" if chain.n_motors else "NMODES"
 
-    def field(struct: str, name: str, s: Signal) -> Field:
+    def field(struct: str, name: str, s: Signal) -> StructMember:
         sizes: dict[int | str, str] = {"NINERTIA": inertia, **({"NMODES": inner} if struct.startswith("dae") else {})}
         comment = joint_comment(s, chain.sliding) + effort(chain) * (name == "tau")
         shape = tuple(sizes.get(n, n) for n in s.shape)
-        return Field(name, shape, ROTORS[name] if "NINNER" in shape else comment)
+        return StructMember(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
     own = ROBOT | {"dae_work": ROBOT["dae_work"] | ({"start_rate": START_RATE} if drives(chain) else {})}
     return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
@@ -103,10 +103,10 @@ def fused_place(name: str, k: int) -> str:
     return entries(f"{'c' if struct == 'constants' else struct}->{name}", *sizes)(k)
 
 
-def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
+def constant_fields(chain: Chain, labels: Iterable[str]) -> list[StructMember]:
     """The members of ``ella_link_constants``, documented by the steps that define them."""
     signals = _signals_of_labels(chain.classes)
-    return [Field(name, (), _comment(signals, name)) for name in sorted(labels)]
+    return [StructMember(name, (), _comment(signals, name)) for name in sorted(labels)]
 
 
 def _comment(signals: Mapping[str, Constant], label: str) -> str:
@@ -218,15 +218,15 @@ def topology(chain: Chain) -> dict[str, object]:
     return {**floating_base(chain), **last_tip(chain), **more}
 
 
-def node_fields(programs: Iterable[Program]) -> list[Field]:
+def node_fields(programs: Iterable[Program]) -> list[StructMember]:
     """The members of a node that the programs read or write."""
-    return [Field(n, (s,), NODE[n].comment) for n, s in _signals(programs, is_node).items()]
+    return [StructMember(n, (s,), NODE[n].comment) for n, s in _signals(programs, is_node).items()]
 
 
-def store_fields(programs: Iterable[Program], chain: Chain) -> list[Field]:
+def store_fields(programs: Iterable[Program], chain: Chain) -> list[StructMember]:
     """The members of a link's store."""
     found = _signals(programs, lambda where: where == "w")
-    return [Field(n, (s,), _travelling(chain, n, STORE[plain(n)]) + _where(n)) for n, s in found.items()]
+    return [StructMember(n, (s,), _travelling(chain, n, STORE[plain(n)]) + _where(n)) for n, s in found.items()]
 
 
 def _travelling(chain: Chain, name: str, signal: Signal) -> str:
@@ -255,7 +255,7 @@ def _signals(programs: Iterable[Program], there: Callable[[str], bool]) -> dict[
 
 
 def scratch(
-    c: Chain, node: Sequence[Field], store: Sequence[Field], states: int, modular: bool, kept: int | None
+    c: Chain, node: Sequence[StructMember], store: Sequence[StructMember], states: int, modular: bool, kept: int | None
 ) -> dict[str, int]:
     """The sizes in bytes of the scratch of both forms in double precision.
 

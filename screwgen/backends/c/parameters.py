@@ -12,7 +12,7 @@ from ...spec.robot import Robot
 from ...spec.section import Section
 from ...topology.parameters import label
 from .code import literal
-from .fields import Field
+from .fields import StructMember
 
 FEW = 6
 """The largest number of links that a comment names one by one."""
@@ -57,7 +57,7 @@ def defaults(robot: Robot) -> list[str]:
     return [f"{place(p)} = {literal(p.value)};" for p in parameters(robot)]
 
 
-def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str, list[Field]]:
+def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str, list[StructMember]]:
     """The members of the link, joint and body structs: the parameters that any link of the robot states.
 
     ``read`` has, for every link, the labels of the parameters that its constants depend on. Members that no link's
@@ -68,7 +68,7 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     drives = [drive for link in robot.links for drive in link.joint.drives or ()]
     cylinders = any(drive.transmission and not drive.linked for drive in drives)
     travels = "slides and cylinders" if cylinders else "slides"
-    structs: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
+    structs: dict[str, dict[str, StructMember]] = {"link": {}, "joint": {}, "body": {}}
     meanings: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
     for _, p in own:
         struct, name, _, entry = member(p)
@@ -78,7 +78,7 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
         meanings[struct, name][p.unit] = _general(p)
         units = sorted(meanings[struct, name], key=SLIDING_UNITS.count)
         comment = ascii_unit(f"{f', of {travels} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
-        structs[struct][name] = Field(name, max(shape, known.shape) if known else shape, comment)
+        structs[struct][name] = StructMember(name, max(shape, known.shape) if known else shape, comment)
     return {struct: list(fields.values()) for struct, fields in structs.items()}
 
 

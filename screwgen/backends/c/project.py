@@ -23,7 +23,7 @@ from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
 from .fields import (
-    Field,
+    StructMember,
     constant_fields,
     fused_place,
     given_coordinates,
@@ -286,14 +286,14 @@ class CProject:
         return seen_by(self.chain, *self._run)
 
     @property
-    def constants(self) -> list[Field]:
+    def constants(self) -> list[StructMember]:
         if self.baked is not None:
             return []
         fields = constant_fields(self.seen, {x for labels in self.labels for x in labels})
-        return fields or [Field("none", (), "no constant depends on parameters")]
+        return fields or [StructMember("none", (), "no constant depends on parameters")]
 
     @cached_property
-    def parameters(self) -> dict[str, list[Field]]:
+    def parameters(self) -> dict[str, list[StructMember]]:
         """The members of the parameters' structs."""
         names: list[set[str]] = [set() for _ in self.chain.robot.links]
         for segment, key, labels in zip(self.chain.segments, self.seen.keys, self.labels, strict=True):

@@ -9,8 +9,8 @@ from functools import lru_cache
 
 import sympy as sp
 
-from ...algebra.functions import stumpff
 from ...algebra.notation import number, symbol
+from ...algebra.stumpff import stumpff
 from ...ir.block import Binding, Block, NamedSignal
 
 ELLIPSIS_ABOVE = 16

@@ -15,7 +15,7 @@ from ..robot_model import RobotModel
 from ..simulation.mobility import closing
 from ..topology.loops import Closure
 from .equilibrium import closed_start, rest
-from .shut import RANK, BalanceWithLoops
+from .statics_with_loops import RANK, BalanceWithLoops
 from .steady import Steady, unresisted
 
 

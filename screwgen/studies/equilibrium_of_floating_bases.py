@@ -21,7 +21,7 @@ UNBALANCED = 1e-9
 """The part of the largest load that may be left on the base."""
 
 
-def equilibrium_afloat(
+def floating_equilibrium(
     equilibrium: Callable[..., Equilibrium],
     model: RobotModel,
     q: Numbers | None,

@@ -102,8 +102,8 @@ class Model(RobotModel):
         ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
-        of a predictive controller; ``outputs``: also C of what runs report.  Writes all or nothing; refuses folders
-        with other files (:class:`UsageError`).
+        of a predictive controller; ``outputs``: also C of what runs report and sensors measure, and of units these
+        as outputs.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
         """
         options: dict[str, Any] = {"parameters": parameters, "layout": layout, "methods": methods}
         more: dict[str, Any] = {
@@ -119,7 +119,7 @@ class Model(RobotModel):
             "casadi": lambda: self.casadi_files(functions),
             "latex": lambda: target_files.latex_files(self.robot, self._plugins),
         }
-        makers |= {t: partial(target_files.unit_files, self, t, **options) for t in UNITS}
+        makers |= {t: partial(target_files.unit_files, self, t, **options, sensors=outputs) for t in UNITS}
         unknown = [t for t in targets if t not in makers]
         if unknown:
             raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(makers)}")

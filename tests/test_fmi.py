@@ -82,6 +82,28 @@ def test_outputs_are_those_of_the_model(target, kind):
     assert (unit.get([f"boom.validity.{x}" for x in MEASURES]) == measures[0]).all()
 
 
+@every_form
+def test_what_sensors_measure_is_an_output_of_units_that_are_asked_for_it(target, kind):
+    assert validate_fmu(str(written(target, small, True)[1])) == []
+    unit = pushed(Unit(target, kind, small, True))
+    m, (q, v), u = unit.model, state_of(unit), unit.get(unit.inputs)
+    R, position = m.numpy().marker_pose(q)
+    expected = {
+        "gyro.omega": m.numpy().gyro(q, v),
+        "accelerometer.a": m.numpy().accelerometer(q, v, u[: m.n_tau], u[m.n_tau :].reshape(-1, 6)),
+        "marker_velocity.twist": m.numpy().marker_velocity(q, v),
+        "marker_pose.position": position,
+        "marker_pose.R": R,
+    }
+    for what, values in expected.items():
+        names = [x for x in unit.references if f".{what}" in x]
+        assert [x.partition(f".{what}")[0] for x in names[:: values[0].size]] == m.marker_names
+        assert relative(unit.get(names), values.ravel()) < 1e-12
+    (strain,) = m.numpy().strain(q)
+    assert relative(unit.get(m.strain_names), [strain]) < 1e-13
+    assert not [x for x in Unit(target, kind).references if "gyro" in x]
+
+
 def responses(model) -> ca.Function:
     """``(x, u) -> (J)`` by CasADi: the derivatives of all rates of states and outputs with states and inputs."""
     chain = model.chain

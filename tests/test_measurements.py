@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from conftest import swept
-from helpers import arm, link, model_of, relative
+from helpers import arm, link, model_of, quick, relative
 from measurements import expected, measuring, strains
 
 import screwgen
@@ -68,6 +68,9 @@ def test_every_back_end_measures_the_same(seed, tmp_path):
             for found, x in zip(model.casadi()[name].call([*columns, model.parameter_values]), parts(y), strict=True):
                 across = np.hstack(list(x)) if x.ndim == 3 else x.T
                 assert relative(found.full().reshape(across.shape), across) < 1e-9
+            if seed % 4 == 0:
+                compiled = getattr(quick(model), name)(**dict(zip(row.names, given, strict=True)))
+                assert all(relative(a, b) < 1e-11 for a, b in zip(parts(compiled), parts(y), strict=True))
 
 
 BALL = {"at": "tip", "mass": 1.5, "com": [0.0, 0.02, 0.05], "inertia": [0.02, 0.03, 0.02, 0.0, 0.0, 0.0]}

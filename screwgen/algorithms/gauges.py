@@ -35,6 +35,12 @@ def base_strains(chain: Chain) -> int:
     return sum(len(strains(chain.keys[i], BASE)) for i in chain.firsts)
 
 
+def bending(chain: Chain) -> list[int]:
+    """Which of the strains gauges measure."""
+    names = list(strain_names(chain))[: base_strains(chain)]
+    return [k for k, name in enumerate(names) if name.rpartition(".")[2].startswith("bending")]
+
+
 def strain_names(chain: Chain) -> dict[str, str]:
     """The names and units of the strains: at the bases of all links, then at the markers that links declare."""
     bases = [(f"{chain.segments[i].owner}.base_strain", i, BASE) for i in chain.firsts]

@@ -127,7 +127,7 @@ def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] 
     ]
     names += ["crank_inertia"] * key.swung + list(GEAR_SLOPES) * bool(key.loose)
     shapes = {name: STORE[plain(name)].size_of(key) for name in names}
-    return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
+    return {name: np.fromiter(store[f"w.{name}"], object).reshape(shape) for name, shape in shapes.items()}
 
 
 def places(chain: Chain, i: int) -> tuple[slice, slice]:

@@ -33,6 +33,7 @@ class MarkerFunctions:
     gravity: Sequence
     _run: Callable[..., tuple[list, list]]
     _motion: Callable[..., list[dict[str, list]]]
+    _state: Callable[..., list[dict[str, list]]]
 
     def marker_poses(self, q: Sequence) -> tuple[list, list]:
         """Rotation (9, row by row) and position (3) of every marker in the inertial frame."""
@@ -57,7 +58,7 @@ class MarkerFunctions:
     def tip_acceleration(self, q: Sequence, v: Sequence, vdot: Sequence) -> list:
         """The same of the last tip alone: acceleration against free fall (3), in tip-frame components."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
-        _, places = self._run(GIVEN_MOTION, self._motion(q, v), motion)
+        _, places = self._run(GIVEN_MOTION, self._state(q, v), motion)
         return places[self.chain.tree.tip(self.chain.last)]["acc"][3:]
 
     def marker_biases(self, q: Sequence, v: Sequence) -> list:
@@ -70,10 +71,10 @@ class MarkerFunctions:
         """The strains of ``gauges.strain_names``: at the bases of all links, then at the markers that links declare."""
         links, places = self._run(STRAINED, self.chain.split(q, "q", "eta"))
         at_bases = [x for i in self.chain.firsts for x in links[i]["strain"]]
-        nodes = [places[marker.node(self.chain.seen)] for marker in self.chain.markers if not marker.is_tip]
+        nodes = [places[self.chain.node(marker)] for marker in self.chain.markers if not marker.is_tip]
         return at_bases + [x for node in nodes for x in node["strain"]]
 
     def _at_markers(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> list[dict[str, list]]:
         """The nodes of the markers after an algorithm."""
         _, places = self._run(algorithm, *parts)
-        return [places[marker.node(self.chain.seen)] for marker in self.chain.markers]
+        return [places[self.chain.node(marker)] for marker in self.chain.markers]

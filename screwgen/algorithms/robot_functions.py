@@ -29,6 +29,13 @@ from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, TWIST, WRENCH, Signal
 
 OUTPUTS, SENSORS = "outputs", "sensors"
 """The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
+PARTS: dict[tuple, list[str]] = {
+    (3,): [f".{x}" for x in "xyz"],
+    (6,): [f".{part}_{x}" for part in ("omega", "v") for x in "xyz"],
+    (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
+}
+"""The ends of the names of entries of what there is for each marker."""
+SENSED = ("marker_pose", "marker_velocity", "gyro", "accelerometer")
 ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
 
 
@@ -288,6 +295,11 @@ def reported(chain: Chain) -> tuple[RobotFunction, ...]:
     return in_file(OUTPUTS, chain)
 
 
+def sensed(chain: Chain) -> tuple[RobotFunction, ...]:
+    """The functions of sensors that mock-up units report where they are asked for; strains they have anyway."""
+    return tuple(row for row in in_file(SENSORS, chain) if row.name in SENSED)
+
+
 def in_file(name: str, chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that a file of the C has."""
     return tuple(function for function in offered(chain) if function.c_file == name)
@@ -298,18 +310,25 @@ def entries(function: RobotFunction, chain: Chain) -> int:
     return sum(math.prod(shape(of, chain)) for of in function.results.values())
 
 
-def entry_names(function: RobotFunction, tau_names: Sequence[str]) -> tuple[str, ...]:
-    """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`."""
+def entry_names(function: RobotFunction, drives: Sequence[str], markers: Sequence[str] = ()) -> tuple[str, ...]:
+    """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
+    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker."""
     out: list[str] = []
     for name, signal in function.results.items():
-        per_drive = [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in tau_names]
-        out += per_drive if signal.shape == ("NTAU",) else [f"{function.name}.{name}"]
+        per_drive = [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in drives]
+        what = f"{function.name}.{name}"
+        per_marker = [f"{marker}.{what}{part}" for marker in markers for part in PARTS.get(signal.shape[1:], ())]
+        out += per_drive if signal.shape == ("NTAU",) else per_marker if "NMARKERS" in signal.shape else [what]
     return tuple(out)
 
 
 def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
     """The units of these entries."""
-    return [of.unit for of in function.results.values() for _ in range(math.prod(shape(of, chain)))]
+    out: list[str] = []
+    for of in function.results.values():
+        count, parts = math.prod(shape(of, chain)), of.unit.replace("-", "1").replace("^2", "²").split(", ")
+        out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
+    return out
 
 
 def table_row(function: RobotFunction) -> str:
@@ -319,8 +338,8 @@ def table_row(function: RobotFunction) -> str:
         f"`{name}` ({', '.join(str(sizes.get(str(n), n)) for n in of.shape) or 'a number'}), {of.unit}"
         for name, of in function.results.items()
     ]
-    where = {"": "", OUTPUTS: "also in C, runs, rollouts, units. ", SENSORS: "also in C, runs, rollouts. "}
-    about = where[function.c_file] + function.about
+    units = ", units" * (function.c_file == OUTPUTS or function.name in SENSED)
+    about = f"also in C, runs, rollouts{units}. " * bool(function.c_file) + function.about
     return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {about} |"
 
 

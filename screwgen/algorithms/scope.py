@@ -232,7 +232,7 @@ class Scope:
         layout = self.layouts[name]
         stored = self.read(f"w.{name}", layout.size) if layout.size else mx.zeros(0)
         values = [self._entry(e, stored) for e in layout.entries]
-        return np.array([*values, None], dtype=object)[:-1].reshape(layout.shape)
+        return np.fromiter(values, object).reshape(layout.shape)
 
     def _entry(self, entry: float | tuple[float, int] | tuple[float, str], stored: Array) -> Value:
         if isinstance(entry, float):

@@ -89,7 +89,7 @@ def generate(
         ),
     ] = False,
     outputs: Annotated[
-        bool, typer.Option("--outputs", help="Also C of what runs report: energies, the power of each drive.")
+        bool, typer.Option("--outputs", help="Also C of what runs report, such as energies, and sensors measure.")
     ] = False,
     mpc: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.")

@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Sequence
 
 from ..algorithms.marker_functions import STRAINED
-from ..algorithms.robot_functions import OUTPUTS
+from ..algorithms.robot_functions import OUTPUTS, SENSORS
 from ..backends.fmi.code import content
 from ..backends.fmi.package import archive, unit
 from ..errors import TargetWarning
@@ -35,11 +35,19 @@ class UnitProject(LeanProject):
 
 
 def unit_files(
-    model: RobotModel, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
+    model: RobotModel,
+    target: str,
+    parameters: str = "runtime",
+    layout: str = "auto",
+    methods: Sequence[Method] = (),
+    sensors: bool = False,
 ) -> dict[str, bytes]:
-    """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing."""
-    key = ("unit", parameters, layout, tuple(methods))
-    project, programs, objects = model.once(key, lambda: _common(model, parameters, layout, methods))
+    """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing.
+
+    ``sensors``: whether what sensors measure at markers is among its outputs.
+    """
+    key = ("unit", parameters, layout, tuple(methods), sensors)
+    project, programs, objects = model.once(key, lambda: _common(model, *key[1:]))
     made = unit(project, programs, target)
     name, places = f"{made.name}.fmu", PLACES[made.version] if sys.platform == "linux" else {}
     place = places.get(platform.machine(), "")
@@ -57,9 +65,10 @@ def unit_files(
     }
 
 
-def _common(model: RobotModel, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
+def _common(model: RobotModel, parameters: str, layout: str, methods: Sequence[Method], sensors: bool) -> tuple:
     """What the units of both versions share: the library, the programs besides, and what is compiled of them."""
-    project = UnitProject(model.chain, model.version, parameters, layout, methods=methods, outputs=[OUTPUTS])
+    told = [OUTPUTS] + [SENSORS] * sensors
+    project = UnitProject(model.chain, model.version, parameters, layout, methods=methods, outputs=told)
     return project, content(project), {}
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algorithms.gauges import gauges
+from ..algorithms.gauges import bending, gauges
 from ..algorithms.tip_acceleration import tip_acceleration
 from ..arguments import Given, Loads, Numbers, array
 from ..backends.numpy.numeric import EPSILON, function_of
@@ -40,8 +40,7 @@ class Estimator:
         self._p = chain.parameters.vector(parameters)
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
         self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
-        lengths = [model.parameter_names.index(f"{model.robot.links[g.link].name}.length") for g in self.gauges]
-        self._lengths = np.array([self._p[k] for k in lengths])
+        self._strains = self._numeric.strain_slopes()[bending(chain)]
         self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
         self._own, self.noise, n = chain.closures, Noise(0.0), model.nv
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
@@ -153,11 +152,9 @@ class Estimator:
         return np.eye(2 * chain.nv)[driven], values - self._q[driven + chain.base_q - chain.base_v]
 
     def _strain(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        chain = self.model.chain
-        H, fibre = np.zeros((len(self.gauges), 2 * chain.nv)), self._full(self.noise.fibre, len(self.gauges))
-        for row, gauge, d, length in zip(H, self.gauges, fibre, self._lengths, strict=True):
-            first = chain.eta_v + gauge.first
-            row[first : first + len(gauge.curvatures)] = -d * np.array(gauge.curvatures) / length**2
+        chain, fibre = self.model.chain, self._full(self.noise.fibre, len(self.gauges))
+        H = np.zeros((len(self.gauges), 2 * chain.nv))
+        H[:, chain.eta_v : chain.nv] = -fibre[:, None] * self._strains
         return H, values - H[:, chain.eta_v : chain.nv] @ self._q[chain.eta_q :]
 
     def _acceleration(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -5,6 +5,7 @@ A link that is split into segments stands here as so many links; see :mod:`..spe
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -17,14 +18,16 @@ from ..joints.constraints import Ratio
 from ..spec.drive import Drive
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
+from ..spec.markers import TIP as END
 from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
 from .loops import Closure, Junction, closures, junctions
-from .markers import Marker, markers, with_markers
+from .markers import PlacedMarker, markers
 from .parameters import labels
 from .stations import mounted
+from .tree import TIP
 
 
 class Chain(Coordinates):
@@ -53,14 +56,36 @@ class Chain(Coordinates):
         """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
 
     @cached_property
-    def markers(self) -> tuple[Marker, ...]:
+    def markers(self) -> tuple[PlacedMarker, ...]:
         """The sections at which functions measure: the tip of every link, and the markers that it declares."""
         return markers(self.robot, self.segments)
 
     @cached_property
     def seen(self) -> Chain:
-        """The same chain with a node for every marker."""
-        return with_markers(self)
+        """The same chain with a node for every marker: a tip, or a station behind those that carry links.
+
+        So phases that run over tips and stations run over markers, and all else is as in the chain itself.
+        """
+        further: list[tuple[float, ...]] = [()] * self.n
+        for marker in self.markers:
+            i, known = marker.segment, (END, *self.keys[marker.segment].stations_at)
+            if marker.at not in (*known, *further[i]):
+                further[i] = (*further[i], marker.at)
+        if not any(further):
+            return self
+        out, pairs = copy(self), zip(self.keys, further, strict=True)
+        out.keys = [replace(key, stations_at=(*key.stations_at, *more)) if more else key for key, more in pairs]
+        out.classes = list(dict.fromkeys(out.keys))
+        counts = tuple(len(key.stations_at) for key in out.keys)
+        out.tree = replace(self.tree, carried_at=self.tree.carried_at or (TIP,) * self.n, stations=counts)
+        return out
+
+    def node(self, marker: PlacedMarker) -> int:
+        """The node of a marker in :attr:`seen`."""
+        i, seen = marker.segment, self.seen
+        if marker.at == END:
+            return seen.tree.tip(i)
+        return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
 
     @property
     def couplings(self) -> list[Closure]:

@@ -11,9 +11,9 @@ from math import prod
 
 import numpy as np
 
-from ...algorithms import response
 from ...algorithms.gauges import strain_names
-from ...algorithms.robot_functions import entry_names, entry_units, reported, shape
+from ...algorithms.response import OWN, REPORTED, Response
+from ...algorithms.robot_functions import SENSED, entry_names, entry_units, shape
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
@@ -26,7 +26,7 @@ STEP, METHOD = 1e-3, "modal_implicit"
 MODE_NOMINAL, RATE_NOMINAL = 1e-2, 1e-1
 """Nominal values of modal coordinates (m, torsion: rad) and of their rates; those of all other states are 1."""
 
-GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *response.ANSWERS, "measures")
+GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *OWN, *REPORTED, *SENSED, "measures")
 """The groups of variables, in the order of their value references."""
 
 WRENCH_UNITS = {part: "N" if part.startswith("F") else "N·m" for part in WRENCH}
@@ -53,8 +53,9 @@ class Variable:
     """The values of an enumeration, which are numbered from 1."""
 
 
-def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variable]:
+def variables(answers: Response, methods: Sequence[str], baked: bool) -> list[Variable]:
     """All variables, group by group; parameters that are folded into the code are none."""
+    chain = answers.chain
     tunable = ("parameter", "tunable", "exact")
     start, names = list(methods).index(METHOD) + 1, tuple(methods)
     out: list[Variable] = [
@@ -68,7 +69,7 @@ def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variabl
     out += _states(chain)
     out += _inputs(chain)
     out += _rates(out[first : first + chain.nq + chain.nv], first, chain.nq)
-    out += _outputs(chain)
+    out += _outputs(answers)
     twice = {x.name for x in out if sum(y.name == x.name for y in out) > 1}
     if twice:
         raise UsageError(f"robot '{chain.robot.name}': two variables would be called '{min(twice)}'; rename the link")
@@ -135,8 +136,9 @@ def _rates(states: Sequence[Variable], first: int, nq: int) -> Iterator[Variable
         )
 
 
-def _outputs(chain: Chain) -> Iterator[Variable]:
-    """What is calculated, in the order of ``response.ANSWERS``, then the measures of the model's validity."""
+def _outputs(answers: Response) -> Iterator[Variable]:
+    """What is calculated, in the order of the answers, then the measures of the model's validity."""
+    chain = answers.chain
 
     def of(group: str, name: str, unit: str, description: str) -> Variable:
         return Variable(group, name, unit, description, "output", initial="calculated")
@@ -154,10 +156,10 @@ def _outputs(chain: Chain) -> Iterator[Variable]:
         yield of("wrench", name, WRENCH_UNITS[WRENCH[k % 6]], "of the joint on the link, at the joint point, in F_i")
     for name, unit in strain_names(chain).items():
         yield of("strain", name, unit, "strain of the centreline at the link's base, or at its marker")
-    drives = coordinate_names(chain.robot).tau
-    for told in reported(chain):
+    drives, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
+    for told in answers.rows.values():
         meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        for entry in zip(entry_names(told, drives), entry_units(told, chain), meanings, strict=True):
+        for entry in zip(entry_names(told, drives, markers), entry_units(told, chain), meanings, strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

@@ -25,7 +25,9 @@ from ...algorithms.functions import (
     SENSITIVITY,
     Functions,
 )
+from ...algorithms.gauges import strain_names
 from ...algorithms.linearise import closed_slopes, slopes
+from ...algorithms.marker_functions import STRAINED
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, results
 from ...algorithms.schedule import Algorithm
 from ...arguments import Loads, Numbers, array
@@ -110,6 +112,12 @@ class Numeric:
         closing = self._closing if "tau" in values else ()
         found = row.program.body(self._functions(*row.algorithms, *closing), **values)
         return results(row, self.chain, np.array([x for name in row.results for x in found[name]], float))
+
+    def strain_slopes(self) -> np.ndarray:
+        """(strains, n_modes): the strains per unit of each modal coordinate, in which they are linear."""
+        units = np.eye(self.chain.nq)[self.chain.eta_q :]
+        found = [self._functions(STRAINED).strains(unit) for unit in units.tolist()]
+        return np.array(found, float).reshape(len(units), len(strain_names(self.chain))).T
 
     def gaps(self, q: Numbers, v: Numbers | None) -> tuple[np.ndarray, np.ndarray]:
         """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""

@@ -1,19 +1,15 @@
 """docs/robot.md: its tables are those of the classes that read a robot file, and its example has every key."""
 
-import importlib.util
 import re
-import sys
 import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-DOCS = Path(__file__).resolve().parents[1] / "docs"
-spec = importlib.util.spec_from_file_location("robot_page", DOCS / "tools" / "robot_page.py")
-robot_page = sys.modules["robot_page"] = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(robot_page)
+from docs.tools import robot_page
 
+DOCS = Path(__file__).resolve().parents[1] / "docs"
 PAGE = robot_page.PAGE.read_text(encoding="utf-8")
 WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion

@@ -11,6 +11,7 @@ from screwgen.algorithms import fused
 from screwgen.algorithms.exponential import Series
 from screwgen.backends.casadi.functions import expressions
 from screwgen.backends.casadi.steps import step
+from screwgen.elements import FRICTION, STOP
 from screwgen.integrators import METHODS
 from screwgen.integrators.se3 import FLAT, Floating, programs
 from screwgen.ir.replay import run
@@ -36,7 +37,9 @@ def point(model, seed=3, angle=0.8, modal=0.01, rate=1.0):
     rng, chain = np.random.default_rng(seed), model.chain
     q, v = np.array(chain.home), rate * rng.uniform(-1, 1, chain.nv)
     joints = rng.uniform(-angle, angle, chain.n_joints)
-    q[chain.base_q :] = np.r_[chain.relaxed(joints, model.parameter_values), rng.uniform(-modal, modal, chain.n_modes)]
+    q[chain.base_q :] = np.r_[
+        chain.with_added(joints, model.parameter_values), rng.uniform(-modal, modal, chain.n_modes)
+    ]
     v[chain.eta_v :] *= 0.1
     if chain.floating:
         q[:7] = rng.normal(size=7)
@@ -92,10 +95,10 @@ class Precise:
         n, (q_there, v_there) = chain.n_given, there or (q, v)
         M, K, D = (self.own[name].copy() for name in ("M_eta", "K", "D"))
         x, rate, later = q[len(q) - n :], v[len(v) - n :], v_there[len(v) - n :]
-        for k, i in enumerate(chain.dry):
+        for k, i in enumerate(x.coordinate for x in chain.acted(FRICTION)):
             D[i] += self.own["coulomb"][k] / mpmath.sqrt(later[i] ** 2 + self.own["speed"][k])
         m, f = M + h * (D + h * K), chain.modal_product(K, x + h * rate) + chain.modal_product(D, rate)
-        for k, (i, side) in enumerate(chain.stops):
+        for k, (_, i, side) in enumerate(chain.acted(STOP)):
             columns = (self.own[name][k] for name in ("stop_at", "stop_K", "stop_D"))
             stiffness, damping, rest = stop_secants(side, x[i], rate[i], later[i], h, *columns)
             m[i] += h * (damping + h * stiffness)

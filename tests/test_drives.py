@@ -77,8 +77,8 @@ def test_the_dae_of_casadi_moves_rotors_as_the_joint_form_does():
     f = Function("f", [dae[k] for k in ("x", "z", "u", "p")], [dae["ode"], dae["alg"]])
     ode, alg = (y.full()[:, 0] for y in f(x, z, np.append(tau, w_ext), p))
     rotors = [k for k, name in enumerate(model.dae_names["x"]) if ".theta_rate[" in name]
-    expected = c.oracle.forward_dynamics(**c.state)[0][chain.n_joints : chain.n_joints + chain.n_motors]
-    assert np.abs(alg).max() < 1e-9 * np.abs(H.full()).max() and len(rotors) == chain.n_motors == 3
+    expected = c.oracle.forward_dynamics(**c.state)[0][chain.n_joints : chain.n_joints + chain.n_added]
+    assert np.abs(alg).max() < 1e-9 * np.abs(H.full()).max() and len(rotors) == chain.n_added == 3
     assert relative(ode[rotors], expected) < c.tolerance
 
 

@@ -74,7 +74,7 @@ def test_numpy_and_c_are_the_same_and_stay_closed(name):
     filters = (compiled(name), Estimator(robot))
     for e in filters:
         e.start(*begin(name), deviation(robot), 10 * deviation(robot), noise)
-    tau = 0.1 * robot.chain.at_rotors(rng.normal(size=robot.n_tau), robot.parameter_values)
+    tau = 0.1 * robot.chain.at_efforts(rng.normal(size=robot.n_tau), robot.parameter_values)
     w_ext = 0.1 * rng.normal(size=(robot.n_links, 6))
     for k in range(10):
         for e in filters:
@@ -102,7 +102,7 @@ def test_numpy_and_c_are_the_same_and_stay_closed(name):
 def test_in_float(name):
     robot, noise = model(name), noise_of(model(name))
     e, q, rest = compiled(name, True), begin(name)[0], np.zeros((model(name).n_links, 6))
-    driven = np.array(robot.chain.driven) + robot.chain.base_q - robot.chain.base_v
+    driven = np.array(robot.chain.effort_places) + robot.chain.base_q - robot.chain.base_v
     e.start(*begin(name), deviation(robot), deviation(robot), noise)
     for _ in range(20):
         e.predict(np.zeros(robot.n_tau), rest, 1e-3)
@@ -249,7 +249,7 @@ def test_errors_are_as_large_as_the_covariance_says(name):
         off = P[:, free] @ np.linalg.solve(P[np.ix_(free, free)], d)
         q, v = settled(eye, *changed(robot, q, v, off))
         for k in range(1, max(sizes) + 1):
-            tau = 0.1 * robot.chain.at_rotors(np.cos(np.arange(robot.n_tau) + k * h), robot.parameter_values)
+            tau = 0.1 * robot.chain.at_efforts(np.cos(np.arange(robot.n_tau) + k * h), robot.parameter_values)
             q, v = stepper.step(stepper.initial(q, v), tau, w_ext, h)
             q, v = settled(eye, q, v + np.sqrt(h * noise.density_v) * rng.normal(size=n))
             e.predict(tau, w_ext, h)

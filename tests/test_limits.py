@@ -9,6 +9,7 @@ from stop_robots import mixed
 import screwgen
 from screwgen import PD, LimitWarning, UsageError, load, simulate
 from screwgen.cli.main import main
+from screwgen.elements import STOP
 from screwgen.plotting.plot import figure
 from screwgen.simulation.hits import lines
 from screwgen.spec import dump
@@ -121,7 +122,7 @@ def test_more_hits_than_the_c_keeps_at_once(cart):
 def test_a_range_without_stop_is_watched_and_said():
     model = shuttle()
     bare = model_of(arm(link("cart", axes=[{"slide": "x"}], joint={"limits": [{"upper": 0.2}]}), gravity=(0, 0, 0)))
-    assert not bare.chain.stops and model.chain.stops
+    assert not bare.chain.acted(STOP) and model.chain.acted(STOP)
     with pytest.warns(
         LimitWarning, match=r"cart.slide\[0\] past its upper limit from 0.1 s to the end: 0.2 m deep; noth"
     ):

@@ -13,6 +13,7 @@ from stop_robots import MIXED
 
 from screwgen import equilibrium, natural_frequencies, rollout, simulate
 from screwgen.algorithms import fused
+from screwgen.elements import STOP
 from screwgen.integrators import METHODS
 from screwgen.simulation.integrate import JointState, JointStepper
 from screwgen.studies.analysis.spectrum import step_map
@@ -38,7 +39,7 @@ def everything(seed: int) -> Case:
 def pressed(c: Case) -> int:
     """How many stops act in a case."""
     q, at = c.inputs[0], [x for own in c.model.numpy().constants for x in own.get("stop_at", ())]
-    return sum(side * (q[k] - x) > 0 for (k, side), x in zip(c.model.chain.stops, at, strict=True))
+    return sum(side * (q[k] - x) > 0 for (_, k, side), x in zip(c.model.chain.acted(STOP), at, strict=True))
 
 
 # -------- against the oracle
@@ -57,7 +58,7 @@ def test_the_c_equals_the_oracle_in_both_forms(case):
 @pytest.mark.parametrize("seed", swept(range(2), 1))
 def test_stops_of_every_kind_in_one_robot(seed):
     c = everything(seed)
-    assert 1 <= pressed(c) < len(c.model.chain.stops)
+    assert 1 <= pressed(c) < len(c.model.chain.acted(STOP))
     for judge in (numpy_and_casadi, solved_densely, derivatives):
         judge(c)
     compiled(c, "fused")

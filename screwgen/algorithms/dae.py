@@ -11,7 +11,7 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .drives import joint_torque
+from .axis_terms import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
 from .phases import free_motion, joint_motion, relative_posture, tip_motion, tip_state
 from .quaternions import joint_quaternion, quaternion_matrix, quaternion_product, tip_quaternion, unit_quaternion

@@ -52,13 +52,13 @@ def unknown_size(chain: Chain) -> int:
 def dae_names(chain: Chain) -> dict[str, list[str]]:
     """The names of the entries of ``x`` and ``z``."""
     links, names = chain.names, coordinate_names(chain.robot)
-    inner = list(names.q[chain.eta_q - chain.n_motors :])
-    rates = list(names.v[chain.eta_v - chain.n_motors :])
+    inner = list(names.q[chain.eta_q - chain.n_added :])
+    rates = list(names.v[chain.eta_v - chain.n_added :])
     poses = [f"{link}.{p}" for link in links for p in POSE]
     twists = [f"{link}.{t}" for link in links for t in TWIST]
     unknowns = link_unknowns(chain, TWIST)
     x = poses + inner + twists + rates + list(names.q[: chain.n_joints])
-    modal = rates[chain.n_motors :]
+    modal = rates[chain.n_added :]
     return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in modal]}
 
 
@@ -78,7 +78,7 @@ class DaeFunctions(Functions):
         c, o, t = self.chain, self.chain.eta_offset, self.chain.theta_offset
         at_theta, at_twist = 7 * c.n, 7 * c.n + c.n_inner
         at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_inner
-        at_eta, at_etadot = at_theta + c.n_motors, at_rate + c.n_motors
+        at_eta, at_etadot = at_theta + c.n_added, at_rate + c.n_added
         return [
             {
                 "quaternion": list(x[7 * i : 7 * i + 4]),
@@ -103,7 +103,7 @@ class DaeFunctions(Functions):
 
     def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
         """The state with inertias and forces of modes and sprung joints; joint rates are taken from the twists."""
-        if self.chain.sprung and self.given is None:
+        if self.chain.has_axis_forces and self.given is None:
             found, _ = self._run(kinematics, state)
             state = [dict(x) | {"qdot": link["qdot"]} for x, link in zip(state, found, strict=True)]
         return self._with_terms(state)
@@ -143,14 +143,14 @@ class DaeFunctions(Functions):
         ``tau`` acts on the rotors of elastic drives; their accelerations are no unknowns. Raises UsageError where
         transmissions have elastic gears, whose accelerations need those of the joints.
         """
-        if self.chain.loose:
+        if self.chain.elastic_travels:
             what = "has an elastic gear behind a transmission, for which the DAE has no differential equations"
             raise UsageError(f"robot '{self.chain.robot.name}' {what}; use dae_dynamics, or the joint form")
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
-        if self.chain.n_motors:
+        if self.chain.n_added:
             moving = self._with_terms([a | {"qdot": b["qdot"]} for a, b in zip(self.unpack(x), links, strict=True)])
-            rotors, _ = self._run(ROTORS, moving, self._torques(tau))
-            links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, rotors, strict=True)]
+            added, _ = self._run(ROTORS, moving, self._torques(tau))
+            links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, added, strict=True)]
         n, o = self.chain.n, self.chain.eta_offset
         given = [
             {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}

@@ -8,13 +8,12 @@ from contextlib import AbstractContextManager, nullcontext
 from ..elements import Law
 from ..ir.program import Value
 from ..topology.chain import Chain
-from . import dae, given_motion, transmissions, validity
+from . import dae, given_motion, travels, validity
 from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
-from .columns import is_of_law
-from .drives import drive_power, rotor_accelerations
+from .axis_terms import drive_power, rotor_accelerations
 from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
@@ -32,7 +31,7 @@ ENERGY: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.energy, OUTW
 MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers, INWARD))
 
-LEVERS: Algorithm = (Phase(transmissions.levers, OUTWARD),)
+LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
 POWER: Algorithm = (Phase(drive_power, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
@@ -99,15 +98,15 @@ class Functions(LoopFunctions, MarkerFunctions):
         return self._with_terms(self._motion(q, v))
 
     def _with_terms(self, state: Sequence[Mapping], *parts: str) -> list[dict[str, list]]:
-        """The state with inertia and force of the modes and of sprung joints, or of the named ``parts`` alone."""
+        """The state with inertia and force of modes and joints, or of the named ``parts`` alone."""
         return [dict(x) | self._terms(i, x, parts) for i, x in enumerate(state)]
 
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out: dict[str, list] = {}
-        spans = self.chain.given(i)
+        spans = self.chain.own_spans(i)
         below, gear = (spans.pop(part, None) for part in ("below", "gear"))
         for part, span in spans.items():
-            if is_of_law(part):
+            if not isinstance(part, str):
                 continue
             if self.given is not None:
                 out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
@@ -117,10 +116,9 @@ class Functions(LoopFunctions, MarkerFunctions):
                 out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
         out |= {} if below is None else self._coupled_terms(i, x, below, out["f_eta"])
         key = self.chain.keys[i]
-        acting = key.rubbed or key.stops or key.elements
-        return self._drive_terms(i, x, gear, out) if gear is not None or acting else out
+        return self._axis_terms(i, x, gear, out) if gear is not None or key.laws else out
 
-    def _drive_terms(self, i: int, x: Mapping[str, list], span: slice | None, out: dict[str, list]) -> dict[str, list]:
+    def _axis_terms(self, i: int, x: Mapping[str, list], span: slice | None, out: dict[str, list]) -> dict[str, list]:
         """What gears and laws add to the forces of joint and rotors, unless they are given."""
         key, own = self.chain.keys[i], self.constants[i]
         if self.given is not None:
@@ -131,7 +129,7 @@ class Functions(LoopFunctions, MarkerFunctions):
         if span is not None:
             M, K, D = (own[name] for name in COLUMNS["gear"])
             out["m_gear"] = list(M)
-            for n, axis in enumerate(key.motors):
+            for n, axis in enumerate(key.added_axes):
                 out["f_theta"][n] = out["f_theta"][n] + K[n] * x["q"][axis] + D[n] * x["qdot"][axis]
                 out["f_q"][axis] = out["f_q"][axis] + K[n] * x["theta"][n] + D[n] * x["thetadot"][n]
         for _, (part, n), force, _, _ in self.laws(i, x):

@@ -66,8 +66,8 @@ def _sources(
     links = []
     for i in range(chain.n):
         names = {f"c.{label}": 1 for label in constant_labels(chain, i, algorithms)}
-        for part, span in chain.given(i).items():
-            names |= dict.fromkeys(link_columns(chain, part), span.stop - span.start)
+        for part, span in chain.own_spans(i).items():
+            names |= dict.fromkeys(link_columns(part), span.stop - span.start)
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}
     read["gravity"] = 3
@@ -321,7 +321,7 @@ def kinematic_rates(chain: Chain, constants: str = "parameters") -> Program:
     def body(f: DaeFunctions, x: Mapping[str, Sequence]) -> Outputs:
         return {"ode": f.kinematic_rates(x["x"], x["z"], x.get("tau", ()))}
 
-    given = inputs(chain, "x z tau" if chain.n_motors else "x z")
+    given = inputs(chain, "x z tau" if chain.n_added else "x z")
     return fuse(chain, "kinematic_rates", given, body, constants, DaeFunctions)
 
 

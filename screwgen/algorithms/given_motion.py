@@ -9,8 +9,7 @@ import numpy as np
 from ..ir.program import Array
 from . import matrices as mx
 from .joint_terms import joint_point, rotation
-from .phases import swing as swung
-from .phases import tip_state
+from .phases import swing, tip_state
 from .scope import Scope
 from .tip_turning import Turning, turning
 
@@ -55,7 +54,7 @@ def link_motion(s: Scope) -> tuple[Motion, Array]:
         omegadot = alpha + mx.multiply(A, qddot)
         if s.key.slides:
             a_J = a_J + mx.multiply(s.lower("joint_motion", given, "T")[0], qddot)
-        return Motion(omega, omegadot, a_J - swung(omegadot, omega, joint_point(s))), a_J
+        return Motion(omega, omegadot, a_J - swing(omegadot, omega, joint_point(s))), a_J
 
 
 def tip_motion(s: Scope, link: Motion) -> Motion:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..algebra.expression import Diagonal, Expression, identity, stack, zeros
-from ..algebra.screw import diagonal_blocks, lever, twice
+from ..algebra.screw import diagonal_blocks, shift, twice
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 
@@ -32,13 +32,13 @@ def joint_rows_block(key: LinkClass) -> Block:
     beta = b.input("beta", (6, 1))
     b_P = b.input("b_P", (6, 1))
     tau = b.input("tau", (m, 1))
-    X = b.step("X", twice(R.T) @ lever(_offset(b, key)))
-    J_B = b.step("J_B", lever(joint_point(b, key)))
+    X = b.step("X", twice(R.T) @ shift(_offset(b, key)))
+    J_B = b.step("J_B", shift(joint_point(b, key)))
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
     free = identity(size) - N
-    if key.weighted or key.swung:
-        J_m = b.input("J_m", (m, 1)) if key.swung else b.parameter("armature", (m, 1))
+    if key.has_constant_inertia or key.has_travelling_inertia:
+        J_m = b.input("J_m", (m, 1)) if key.has_travelling_inertia else b.parameter("armature", (m, 1))
         free = free + S_plus.T @ Diagonal(J_m) @ S_plus
     P_c = b.step("P_c", _whole(free, identity(3)))
     b.step("joint_w", _whole(N, zeros(3, 3)))
@@ -75,8 +75,8 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
     total: Expression | None = None
     slides = not all(screw.turn for screw in key.screws)
     for present, name, state, display in (
-        (key.damped, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
-        (key.braced, "joint_stiffness", "q", r"\mathbf{q}_i"),
+        (key.has_dampers, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
+        (key.has_springs, "joint_stiffness", "q", r"\mathbf{q}_i"),
     ):
         if present:
             column = b.parameter(

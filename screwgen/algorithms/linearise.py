@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..elements import FRICTION
 from ..ir.program import Array, Program, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
@@ -21,7 +22,7 @@ from ..topology.tree import BASE, TIP
 from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
-from .elastic_gears import GEAR_SLOPES
+from .elastic_travels import GEAR_SLOPES
 from .functions import Functions
 from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
@@ -95,11 +96,11 @@ def _slopes(
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change" + ", joint stiffness and damping added" * own):
             _own(f, i, link, out, own)
-    if f.chain.loose:
-        _gears(f.chain, links, out)
-    if own and (f.chain.n_motors or of_robot(f.chain)):
+    if f.chain.elastic_travels:
+        _travels(f.chain, links, out)
+    if own and (f.chain.n_added or of_robot(f.chain)):
         with section("drives: rotors, gears and dry friction" + _more(f.chain)):
-            _drives(f, q, v, out)
+            _axes(f, q, v, out)
     J = _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"), at)
     moved, places_of = {}, list(zip(at, range(nv, len(out.f_q), MOTION), strict=True))
     inward(
@@ -125,7 +126,7 @@ def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] 
         *more,
         *(at_station(name, k) for name in PAIRS if name in OF_TIP for k in range(len(key.stations_at))),
     ]
-    names += ["crank_inertia"] * key.swung + list(GEAR_SLOPES) * bool(key.loose)
+    names += ["crank_inertia"] * key.has_travelling_inertia + list(GEAR_SLOPES) * bool(key.elastic_travels)
     shapes = {name: STORE[plain(name)].size_of(key) for name in names}
     return {name: np.fromiter(store[f"w.{name}"], object).reshape(shape) for name, shape in shapes.items()}
 
@@ -147,7 +148,7 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool
     constants, key = f.constants[i], f.chain.keys[i]
     M_q, K_q, D_q = _joint_columns(key, constants, own)
     out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
-    if key.swung:
+    if key.has_travelling_inertia:
         out.M[q, q] = out.M[q, q] + mx.diagonal(link["crank_inertia"])
     out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
     empty = mx.zeros(key.modes, key.modes)
@@ -164,12 +165,13 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool
         J[eta, eta] = link[f"f_{modal}"] + stress
 
 
-def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> None:
+def _travels(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> None:
     """The rows and columns of the elastic gears of transmissions, but for their springs and dampers."""
-    state = [(i, k) for i, key in enumerate(chain.keys) for k in range(len(key.motors))]
-    for (i, k), joint, place in zip(state, chain.geared, range(chain.eta_v - chain.n_motors, chain.eta_v), strict=True):
-        if joint not in chain.loose:
+    state = [(i, k) for i, key in enumerate(chain.keys) for k in range(len(key.added_axes))]
+    for (i, k), joint in zip(state, chain.added_joints, strict=True):
+        if joint not in chain.elastic_travels:
             continue
+        place = chain.elastic_travels[joint]
         M, by_q, by_qdot, back, own = (links[i][name][k] for name in GEAR_SLOPES)
         axis = chain.base_v + joint
         out.M[place, axis] = out.M[axis, place] = M
@@ -178,25 +180,25 @@ def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> N
 
 
 def _more(chain: Chain) -> str:
-    words = ["stops"] * bool(chain.stops) + [kind.WORDS for kind in chain.elements]
+    words = [law.words for law in chain.laws if law != FRICTION]
     return "".join(f"; {word}" for word in words)
 
 
-def _drives(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
-    """The rows and columns of rotors, and the slopes of laws."""
-    chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
-    rotors, pairs = enumerate(chain.geared, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
+def _axes(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
+    """The rows and columns of added coordinates, and the slopes of laws."""
+    chain, first = f.chain, f.chain.eta_v - f.chain.n_added
+    added, pairs = enumerate(chain.added_joints, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
     state = [a | b for a, b in zip(*pairs, strict=True)]
     coordinates = {one.law: iter(one.coordinates) for one in of_robot(chain)}
     for i, key in enumerate(chain.keys):
         own = f.constants[i]
-        for k in range(len(key.motors)):
-            rotor, joint = next(rotors)
+        for k in range(len(key.added_axes)):
+            place, joint = next(added)
             joint += chain.base_v
             for J, name in ((out.M, "M"), (out.f_q, "K"), (out.f_v, "D")):
-                J[rotor, rotor] = J[rotor, rotor] + own[f"{name}_theta"][k]
-                if key.motors[k] not in key.loose:
-                    J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
+                J[place, place] = J[place, place] + own[f"{name}_theta"][k]
+                if key.added_axes[k] not in key.elastic_travels:
+                    J[place, joint] = J[joint, place] = own[f"{name}_gear"][k]
         for law, _, _, by_x, by_w in f.laws(i, state[i]):
             place = next(coordinates[law]) + chain.base_v
             out.f_q[place, place] = out.f_q[place, place] + by_x
@@ -206,9 +208,10 @@ def _drives(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own: bool) -> list[Sequence[Value]]:
     """Inertia, stiffness and damping of the joint's own coordinates; without ``own`` those that are not given."""
     none = [0.0] * key.freedoms
-    if key.sprung:
+    if key.has_axis_forces:
         return [constants[name] for name in COLUMNS["q"]] if own else [none] * 3
-    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
+    inertia = [constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.has_constant_inertia else none
+    return [inertia, none, none]
 
 
 Columns = list[tuple[Array, list[int]]]
@@ -274,8 +277,8 @@ def carrying(
 
 def _moved(r: Array, accelerations: Array) -> Array:
     """Accelerations (6, k) of the origin, converted to the point ``r``."""
-    lever = mx.multiply(mx.hat(r), accelerations[:3])
-    return np.vstack([accelerations[:3], accelerations[3:] - lever])
+    arm = mx.multiply(mx.hat(r), accelerations[:3])
+    return np.vstack([accelerations[:3], accelerations[3:] - arm])
 
 
 def inward(

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .drives import armature, drive_energies, spring
+from .axis_terms import armature, axis_energies, spring
 from .joint_terms import joint_offset, joint_point, rotation
 from .scope import Scope
 
@@ -73,9 +73,9 @@ def energy(s: Scope) -> None:
     m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
     M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
     body = mx.dot(V_T, mx.multiply(M_T, V_T))
-    spin, wound = drive_energies(s, q, qdot)
-    rotor = mx.dot(qdot, armature(s) * qdot) + spin
-    s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
+    spin, wound = axis_energies(s, q, qdot)
+    added = mx.dot(qdot, armature(s) * qdot) + spin
+    s.write("kinetic", [kinetic.item() + 0.5 * (body + added)])
     R, r, R_T, r_T = s.read("R"), s.read("r"), s.read("tip.R"), s.read("tip.r")
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
     springs = mx.dot(q * spring(s), q) + wound

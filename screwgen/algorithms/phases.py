@@ -18,12 +18,12 @@ import numpy as np
 
 from ..ir.program import Array, Value
 from . import matrices as mx
-from .drives import accelerate_rotors, condense, own_force, own_inertia, rotor_forces
-from .elastic_gears import carrying_along
+from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia
+from .elastic_travels import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
-from .transmissions import store
+from .travels import store
 from .validity import axial_motion
 
 
@@ -159,7 +159,7 @@ def eliminate(s: Scope) -> None:
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
-    The rotors of elastic drives are eliminated before, see :mod:`.drives`.
+    The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`.
     """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
@@ -185,8 +185,8 @@ def accelerate(s: Scope) -> None:
         s.write("qddot", qddot[: s.key.joints])
         if s.key.free:
             s.write("Vdot", qddot)
-        if s.key.motors:
-            accelerate_rotors(s, qddot)
+        if s.key.added_axes:
+            accelerate_added(s, qddot)
     with s.step("joint wrench (48)"):
         wrench = mx.zeros(6) if s.key.free else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
         s.write("wrench", mx.shift_wrench(-joint_point(s), wrench))
@@ -267,11 +267,11 @@ def inverse_inward(s: Scope) -> None:
         modal = modal + turned + mx.multiply(station.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal)
     force = mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s)
-    if s.key.loose:
+    if s.key.elastic_travels:
         force = force + carrying_along(s)
     s.write("force", force[: s.key.joints])
-    if s.key.motors:
-        rotor_forces(s, qddot)
+    if s.key.added_axes:
+        added_forces(s, qddot)
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
     if s.key.free:
         s.write("base_force", force)

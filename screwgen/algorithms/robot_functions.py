@@ -76,8 +76,7 @@ def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
 def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray) -> Any:
     """The results from all their entries: arrays, numbers, a tuple where they are several."""
     shapes = [shape(of, chain) for of in function.results.values()]
-    ends = np.cumsum([math.prod(size) for size in shapes])
-    parts = np.split(np.asarray(values), ends[:-1])
+    parts = np.split(np.asarray(values), np.cumsum([math.prod(size) for size in shapes])[:-1])
     out = [part.reshape(size) if size else part.item() for part, size in zip(parts, shapes, strict=True)]
     return tuple(out) if len(out) > 1 else out[0]
 
@@ -197,7 +196,7 @@ FUNCTIONS = (
         fused.levers,
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
-        offered=lambda chain: bool(chain.cranked),
+        offered=lambda chain: bool(chain.travels),
     ),
     RobotFunction(
         "loop_wrenches",

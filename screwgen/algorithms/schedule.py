@@ -15,7 +15,7 @@ from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from .axis_laws import columns_of
-from .drives import constant, labelled
+from .axis_terms import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import AT_TIP, Layout, Scope, derived, owner_of
 from .signals import is_node
@@ -27,27 +27,25 @@ COLUMNS = {
     "theta": ("M_theta", "K_theta", "D_theta"),
     "gear": ("M_gear", "K_gear", "D_gear"),
     "below": ("M_below", "K_below", "D_below"),
-    "dry": FRICTION.constants,
-    "stop": STOP.constants,
 }
-"""Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
-of the rotors of elastic drives, the entries that couple these with their axes,
-and those below the diagonal where modes are coupled (``LinkClass.coupled``);
-dry friction, and limit, stiffness and damping of stops; those of other elements are not listed (:mod:`..elements`)."""
+"""Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if forces act on these,
+of what elements add, the entries that couple these with their axes,
+and those below the diagonal where modes are coupled (``LinkClass.coupled``); those of laws are not listed."""
 
 
 def is_column(name: str) -> bool:
     """Whether a name is that of a column, not of a constant of a link."""
-    return name.startswith(PREFIX) or any(name in names for names in COLUMNS.values())
+    return name.startswith(PREFIX) or any(name in names for names in (*COLUMNS.values(), *BUILT_IN))
 
 
+BUILT_IN = (FRICTION.constants, STOP.constants)
+"""The columns of laws whose names have no prefix."""
 OF_AXES = {
     "q": ("armature", "joint_stiffness", "joint_damping"),
     "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
     "gear": ("gear_inertia", "gear_stiffness", "gear_damping"),
-    "dry": FRICTION.constants,
 }
-"""The constants of axes that the columns of joints and drives hold, see :mod:`.drives`."""
+"""The constants of axes that the columns of joints and drives hold, see :mod:`.axis_terms`."""
 FEW, MANY = 3, 12
 """With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 
@@ -131,8 +129,8 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
             damped = key.damping or not name.startswith("D")
             values = lower(derived(key)["link"], inputs, (name,), tracer)[name] if damped else [0.0] * size
             scope.write(name, values)
-    sprung = range(key.joints) if key.sprung else ()
-    for part, axes in (("q", sprung), ("theta", key.motors), ("gear", key.motors), ("dry", key.rubbed)):
+    joints = range(key.joints) if key.has_axis_forces else ()
+    for part, axes in (("q", joints), ("theta", key.added_axes), ("gear", key.added_axes)):
         for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
             if axes:
                 scope.write(name, [constant(scope, label, axis) for axis in axes])

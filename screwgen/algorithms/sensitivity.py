@@ -19,7 +19,7 @@ import numpy as np
 
 from ..ir.derivative import columns
 from ..ir.program import Array, Value
-from . import elastic_gears
+from . import elastic_travels
 from . import matrices as mx
 from .given_motion import Motion, tip_motion_in_link, tip_point, tip_rotation
 from .joint_terms import joint_offset, joint_point, rotation
@@ -76,12 +76,12 @@ def link_answers(s: Scope) -> Load:
         held = [x.held() for x in loaded]
         for k, name in enumerate(("eta", "etadot")):
             d_wrench, d_force = slopes[name][:6], slopes[name][6:]
-            for x, u, (turned, lever) in zip(loaded, changes, held, strict=True):
+            for x, u, (turned, arm) in zip(loaded, changes, held, strict=True):
                 d_load = mx.multiply(x.load.Gamma, u[k][:3]) + mx.multiply(x.load.Lambda, u[k][3:])
                 d_load = d_load + (mx.zeros(6, s.key.modes) if k else turned)
                 d_wrench = d_wrench + shifted(x.r_T, d_load)
                 d_force = d_force + mx.multiply(x.E.T, d_load)
-                d_wrench = d_wrench if k else d_wrench + lever
+                d_wrench = d_wrench if k else d_wrench + arm
             s.write(f"w.F_{name}", d_wrench)
             for x in () if k else loaded:
                 moment, force = np.split(x.load.wrench, 2)
@@ -110,7 +110,7 @@ class Loaded:
         return cls(s, t, load, r_T, Phi, udot, np.vstack([t.phi, Phi]))
 
     def held(self) -> tuple[Array, Array]:
-        """The change, with the modes, of a load that turns with the section, and of its lever."""
+        """The change, with the modes, of a load that turns with the section, and of its arm."""
         moment, force = np.split(self.load.wrench, 2)
         turned = np.vstack([columns_cross(self.t.phi, moment), columns_cross(self.t.phi, force)])
         return turned, np.vstack([columns_cross(self.Phi, force), mx.zeros(3, self.Phi.shape[1])])
@@ -205,11 +205,11 @@ def joint_answers(s: Scope, carried: Load) -> None:
         w = mx.shift_wrench(-r_B, carried.wrench)
         turned = np.vstack([columns_cross(A, w[:3]) + columns_cross(T, w[3:]), columns_cross(A, w[3:])])
         F_q = mx.multiply(answer, u_q)
-        cranked_q, cranked_qdot = elastic_gears.answers(s)
+        travel_q, travel_qdot = elastic_travels.answers(s)
         later = mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
-        s.write("w.f_q", mx.multiply(axes.T, F_q) + later + cranked_q)
+        s.write("w.f_q", mx.multiply(axes.T, F_q) + later + travel_q)
         F_qdot = mx.multiply(answer, u_qdot)
-        s.write("w.f_qdot", mx.multiply(axes.T, F_qdot) + cranked_qdot)
+        s.write("w.f_qdot", mx.multiply(axes.T, F_qdot) + travel_qdot)
         s.write("w.F_q", F_q + shifted(r_B, turned))
         s.write("w.F_qdot", F_qdot)
         s.write("base.f", mx.shift_wrench(r_J, mx.rotate_wrench(R, w)))
@@ -255,10 +255,10 @@ def joint_changes(s: Scope, A: Array, T: Array, joint: Motion, r_B: Array) -> tu
     omega, omegadot = joint.omega, joint.omegadot
     d_omega = Adot + cross_columns(omega, A)
     d_rate = Addot + cross_columns(omegadot, A) + cross_columns(omega, Adot)
-    d_a = cross_columns(joint.a, A) + _swung_changes(d_omega, d_rate, omega, r_B)
+    d_a = cross_columns(joint.a, A) + _swing_changes(d_omega, d_rate, omega, r_B)
     v_rate, d_v = 2.0 * Adot + cross_columns(omega, A), Tdot + cross_columns(omega, T)
     d_a = d_a + Tddot + cross_columns(omegadot, T) + cross_columns(omega, Tdot + d_v)
-    slip = 2.0 * d_v + _swung_changes(A, v_rate, omega, r_B)
+    slip = 2.0 * d_v + _swing_changes(A, v_rate, omega, r_B)
     return np.vstack([d_omega, d_rate, d_a]), np.vstack([A, v_rate, slip])
 
 
@@ -288,7 +288,7 @@ def _later(A: Array, T: Array, w: Array, l: int, k: int) -> Value:
     return mx.dot(mx.cross(A[:, l], A[:, k]), w[:3]) + mx.dot(moved, w[3:])
 
 
-def _swung_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:
+def _swing_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:
     """Derivative of the origin's acceleration relative to the joint point."""
     d = -mx.multiply(swing(omega, r_B, mx.zeros(3)), d_omega)
     return d + mx.multiply(mx.hat(r_B), d_rate)

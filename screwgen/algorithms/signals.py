@@ -33,7 +33,7 @@ class Signal(NamedTuple):
 
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""
-        counts: dict[Any, Any] = {"m": key.joints, "f": key.freedoms, "t": len(key.motors)}
+        counts: dict[Any, Any] = {"m": key.joints, "f": key.freedoms, "t": len(key.added_axes)}
         counts |= {"r": key.modes, "b": len(key.coupled), "g": len({d for d, _ in key.directions})}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 

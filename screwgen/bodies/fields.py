@@ -107,7 +107,7 @@ class Fields(Moments):
         if second := [g for g in monomial if g in self.second]:
             if len(monomial) > 1 + powers:
                 return sp.S.Zero
-            terms = self._levers(second[0], powers)
+            terms = self._arms(second[0], powers)
             return sp.Add(*(l**n * x * integrals(*part.strains, k)[part.i][part.j] for n, x, part, k in terms))
         if strains:
             return self._stiffness(*strains)
@@ -121,11 +121,11 @@ class Fields(Moments):
             return l * integral if powers == 0 else l * (a * integral + l * number(shape.moment[k]))
         raise ValueError(f"no closed form for the integral of {sp.Mul(*monomial)}")
 
-    def _levers(self, second: sp.Symbol, powers: int) -> Iterator[tuple[int, sp.Expr, EntryTerm, int]]:
+    def _arms(self, second: sp.Symbol, powers: int) -> Iterator[tuple[int, sp.Expr, EntryTerm, int]]:
         """The integral of a power of ξ times a second-order shape: power of l, factor, part, and power of s."""
         for part, k in itertools.product(self.second[second], range(powers + 1)):
-            lever = sp.binomial(powers, k) * self.start ** (powers - k)
-            yield k + 1 + part.power, lever * part.factor, part, k
+            arm = sp.binomial(powers, k) * self.start ** (powers - k)
+            yield k + 1 + part.power, arm * part.factor, part, k
 
     def _slopes(self, monomial: list[sp.Symbol]) -> list[int]:
         """The modes whose slopes a product has."""

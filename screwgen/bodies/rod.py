@@ -46,7 +46,7 @@ class RodBody(Elastic, RodStiffness):
         self.r_b = field("r_b", column(XI, 0, 0))
         self.Phi = field("Phi", f.Phi())
         self.phi_row = field("phi_row", f.translational())
-        self.lever = field("xi_phi", XI * f.translational())
+        self.arm = field("xi_phi", XI * f.translational())
         self.turns = {axis: field(TURNED[axis][2], f.turns(axis)) for axis in (0, *self.key.rotary)}
         sheared = "strains of each mode: u_x', u_y'', u_z'', rate of twist, shear in y and in z"
         self.strain = field("strain", f.strain(), **({"meaning": sheared} if len(self.key.counts) > 4 else {}))
@@ -86,7 +86,7 @@ class RodBody(Elastic, RodStiffness):
         """The modal invariants (momenta, inertia, stiffness), and the names of their moments for later integrals."""
         phi, name = self.fields.phi, self.fields.name_moment
         self.sigma = self.b.step("sigma", self.integral(self.Phi, self.rhoA))
-        self.b.step("chi", self.integral(self.lever, self.rhoA))
+        self.b.step("chi", self.integral(self.arm, self.rhoA))
         by_mass: Expression = self.integral(self.Phi.T @ self.Phi, self.rhoA)
         self.turnings = [self._turning(axis) for axis in self.key.turned]
         turned = [t for t in self.turnings if not is_zero(t.momentum)]

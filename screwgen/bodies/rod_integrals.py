@@ -53,12 +53,12 @@ class Integrals:
                     self._turn(G, axis, 4 + 3 * k, self.of(shape, weight=DENSITIES[axis]) / 2)
         return G + self._lengthened(r)
 
-    def _turn(self, G: np.ndarray, axis: int, mode: int, lever: float) -> None:
+    def _turn(self, G: np.ndarray, axis: int, mode: int, arm: float) -> None:
         """Add sections that turn about an axis with a mode: as displacements across, half of the momentum each."""
         first, second = (axis + 1) % 3, (axis + 2) % 3
         for a, b, sign in ((first, second, 1.0), (second, first, -1.0)):
-            G[1 + a, mode + b] += sign * lever
-            G[mode + b, 1 + a] += sign * lever
+            G[1 + a, mode + b] += sign * arm
+            G[mode + b, 1 + a] += sign * arm
 
     def _lengthened(self, r: int) -> np.ndarray:
         """What the second-order displacement adds to the second moment, the part along the product of two modes."""

@@ -189,20 +189,20 @@ class SecondOrder:
         self.momenta(rhoA)
         self._moments(rhoA, [xi @ H for H in self.H], "E_{}_1", "chi2", "bend_1", XI)
 
-    def _moments(self, rhoA: Symbol, fields: list, names: str, row: str, bend: str, *lever: sp.Symbol) -> Symbol:
+    def _moments(self, rhoA: Symbol, fields: list, names: str, row: str, bend: str, *arm: sp.Symbol) -> Symbol:
         """The moments, with a power of the place, of all second-order fields; returns that of ``u_2`` (3, 1)."""
         b, E = self.b, []
         for axis, field, H in zip(AXES, fields, self.H, strict=True):
             E.append(b.step(names.format(axis), Integral(field, rhoA, self.fields.integrate), symmetric=True))
-            self._name(E[-1], b.values[H.name], lever)
+            self._name(E[-1], b.values[H.name], arm)
         Gamma = b.step(row, rows(b.symbol("eta"), E))
-        self._name(Gamma, self.rows, lever)
+        self._name(Gamma, self.rows, arm)
         displaced = halves(b, Gamma, E, b.symbol("eta"))
-        self._name(displaced, b.values["u_2"], lever)
-        self._name(b.step(bend, forms(b, f"forms {bend}", E, b.symbol("etadot"))), b.values["bend"], lever)
+        self._name(displaced, b.values["u_2"], arm)
+        self._name(b.step(bend, forms(b, f"forms {bend}", E, b.symbol("etadot"))), b.values["bend"], arm)
         return displaced
 
-    def _name(self, step: Symbol, generators: np.ndarray, lever: tuple[sp.Symbol, ...]) -> None:
+    def _name(self, step: Symbol, generators: np.ndarray, arm: tuple[sp.Symbol, ...]) -> None:
         for index, generator in np.ndenumerate(generators):
             if generator != 0:
-                self.fields.name_moment("rhoA", self.b.values[step.name][index], *lever, generator)
+                self.fields.name_moment("rhoA", self.b.values[step.name][index], *arm, generator)

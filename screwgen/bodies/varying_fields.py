@@ -40,7 +40,7 @@ class VaryingFields(Fields):
         power = sum(g == XI for g in monomial)
         if second := [g for g in monomial if g in self.second]:
             if len(monomial) == 1 + power:
-                for n, factor, part, k in self._levers(second[0], power):
+                for n, factor, part, k in self._arms(second[0], power):
                     yield n, factor, weighted_integrals(self.weights, *part.strains, k)[part.i][part.j]
         elif slopes := [self._shape(k) for k in self._slopes(monomial)]:
             (a, i), (_, j) = slopes[0], slopes[-1]

@@ -25,8 +25,8 @@ def pose_slopes() -> Program:
     back = _turned(w, b).T
     turn = 2.0 * (mx.multiply(_conjugate(w, b), slopes[:4]))
     turned = np.vstack([turn, mx.multiply(back, slopes[4:])])
-    lever = -mx.multiply(back, mx.hat(shift))
-    carried = np.vstack([np.hstack([back, mx.zeros(3, 3)]), np.hstack([lever, back])])
+    arm = -mx.multiply(back, mx.hat(shift))
+    carried = np.vstack([np.hstack([back, mx.zeros(3, 3)]), np.hstack([arm, back])])
     return tracer.program("pose_slopes", {"u": 6}, {"turned": list(turned.flat), "carried": list(carried.flat)})
 
 

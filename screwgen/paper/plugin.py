@@ -50,7 +50,7 @@ def _names(model: RobotModel) -> dict[str, list[str]]:
 
     if not model.chain.serial:
         raise UsageError(f"{model.robot.name}: {NO_TREE}")
-    if model.chain.n_motors:
+    if model.chain.n_added:
         raise UsageError(f"{model.robot.name}: {NO_ROTORS}")
     return cauchy_names(model.chain)
 
@@ -70,7 +70,7 @@ def _common() -> dict:
 def _casadi(chain: Chain) -> dict:
     from .z_casadi import z_functions
 
-    return z_functions(chain) if chain.serial and not chain.n_motors else {}
+    return z_functions(chain) if chain.serial and not chain.n_added else {}
 
 
 def _chapter(chain: Chain) -> PluginChapter:

@@ -65,7 +65,7 @@ class PrintedModel:
             raise UsageError(f"{robot.name}: the paper has no torsion modes; leave them out, or the formulation")
         if not self.model.chain.serial:
             raise UsageError(f"{robot.name}: the paper's arm is a chain; leave out parent, or the formulation")
-        if self.model.chain.n_motors or self.model.chain.dry or self.model.chain.stops:
+        if self.model.chain.n_added or self.model.chain.laws:
             said = f"{robot.name}: the paper has neither gears nor friction nor stops"
             raise UsageError(f"{said}; leave out drives and limits, or the formulation")
 

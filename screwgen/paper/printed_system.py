@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..algebra.expression import BlockMatrix, Expression, Negative, hat
-from ..algebra.screw import lever, twice
+from ..algebra.screw import shift, twice
 from ..topology.chain import Chain
 from . import appendix_b, link, projection
 from .arm_state import ArmState, EquationValues, LinkState
@@ -91,7 +91,7 @@ def gap(a: Expression, b: Expression, view: EquationValues) -> np.ndarray:
 
 def at_point(side: LinkLetters, r: Expression) -> Expression:
     """From a link's twist to that of its section at r, inertial components."""
-    return twice(side.R) @ lever(r)
+    return twice(side.R) @ shift(r)
 
 
 # ---------------------------------------------------------------------------------------------- joints

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ..elements import ADDED
 from .look import GREY, SMALL
 
 if TYPE_CHECKING:
@@ -45,9 +46,7 @@ class AxisCurves(NamedTuple):
 AXIS_CURVES = (
     AxisCurves("Joint angles", "q", "rad", "q", ".joint[", "goal"),
     AxisCurves("Slides", "q", "m", "q", ".slide[", "goal"),
-    AxisCurves("Rotor angles", "θ", "rad", "q", ".theta["),
-    AxisCurves("Rotors ahead of their cranks", "e", "rad", "q", ".gear["),
-    AxisCurves("Rotors ahead of their cylinders", "e", "m", "q", ".stretch["),
+    *(AxisCurves(one.title, one.symbol, one.unit, "q", f".{one.name}[") for one in ADDED),
     AxisCurves("Torques", "τ", "N·m", "tau", ".torque[", "bound"),
     AxisCurves("Forces of drives", "f", "N", "tau", ".force[", "bound"),
     AxisCurves("Power of drives", "P", "W", "drive_power", ".power["),

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..elements import ROTOR
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run
@@ -89,10 +90,11 @@ def _named(names: Sequence[str], values: Iterable[np.ndarray]) -> list[PanelCurv
 
 def _titles(run: Run, model: RobotModel | None) -> dict[str, str]:
     """Other titles of panels: torques and forces of a robot whose drives act on its joints directly."""
-    rotors = any(".theta[" in name for name in run.q_names) or (model is not None and bool(model.chain.linked))
-    pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
-    direct = {"Torques": "Joint torques"} if not rotors else {}
-    return direct | ({} if pushed else {"Forces of drives": "Forces on slides"})
+    kinds = model.chain.travel_kinds if model else []
+    behind = any(f".{ROTOR.name}[" in name for name in run.q_names) or any(x.EFFORT_UNIT == "N·m" for x in kinds)
+    turned = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
+    direct = {"Torques": "Joint torques"} if not behind else {}
+    return direct | ({} if turned else {"Forces of drives": "Forces on slides"})
 
 
 def _of_axes(run: Run, model: RobotModel | None, x: AxisCurves, beside: dict[str, Any]) -> list[PanelCurve]:

@@ -54,9 +54,9 @@ class Mesh:
 
     def rigid(self, name: str) -> np.ndarray:
         """(degrees of freedom of the set, 6): its motion by unit displacements and rotations at its point."""
-        lever = self.places[self.sets[name]] - self.points[name]
-        out = np.zeros((len(lever), self.each, 6))
-        out[:, :3, :3], out[:, :3, 3:] = np.eye(3), hat(lever).swapaxes(1, 2)
+        arm = self.places[self.sets[name]] - self.points[name]
+        out = np.zeros((len(arm), self.each, 6))
+        out[:, :3, :3], out[:, :3, 3:] = np.eye(3), hat(arm).swapaxes(1, 2)
         out[:, 3:, 3:] = np.eye(3)[: self.each - 3]
         return out.reshape(-1, 6)
 

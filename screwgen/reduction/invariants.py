@@ -107,7 +107,7 @@ class Invariants:
         return self.gram[0, 4:].reshape(-1, 3).T
 
     @property
-    def levers(self) -> np.ndarray:
+    def arms(self) -> np.ndarray:
         """(3, 3, r) kg·m: ``∫ r_a phi_bk dm``."""
         return self.gram[1:4, 4:].reshape(3, -1, 3).swapaxes(1, 2)
 
@@ -146,7 +146,7 @@ class Invariants:
 
     def check(self) -> None:
         """Raises RobotFileError where no body has these numbers, or a mode moves without strain."""
-        r, P = self.modes, self.levers
+        r, P = self.modes, self.arms
         if not all(np.isfinite(x).all() for x in (self.gram, self.inertia, self.stiffness, self.damping)):
             raise RobotFileError("the body's numbers are not finite; check the file")
         if not self.mass > 0:
@@ -212,10 +212,10 @@ class Invariants:
     def _seen(self, n: BodyNode, turn: np.ndarray) -> BodyNode:
         """A node as the base sees it."""
         b = self.base
-        lever = n.origin - b.origin
-        moved = n.phi - b.phi - np.cross(b.psi, lever, axisa=0).T
+        arm = n.origin - b.origin
+        moved = n.phi - b.phi - np.cross(b.psi, arm, axisa=0).T
         second = {name: np.einsum("ab,bkl->akl", turn, getattr(n, name)) for name in ("phi2", "psi2")}
-        rest = replace(n, origin=turn @ lever, phi=turn @ moved, psi=turn @ (n.psi - b.psi), **second)
+        rest = replace(n, origin=turn @ arm, phi=turn @ moved, psi=turn @ (n.psi - b.psi), **second)
         return replace(rest, axes=turn @ n.axes)
 
 

@@ -99,11 +99,11 @@ class Standard:
         inertia = self.part("J", 3, 3)[0]
         G[1:4, 1:4] = np.trace(inertia) / 2 * np.eye(3) - inertia
         G[0, 4:] = self.part("Ct", r, 3)[0].ravel()
-        G[1:4, 4:] = self._levers().transpose(1, 0, 2).reshape(3, -1)
+        G[1:4, 4:] = self._arms().transpose(1, 0, 2).reshape(3, -1)
         G[4:, 4:] = self._products().transpose(1, 0, 3, 2).reshape(3 * r, 3 * r)
         return np.triu(G) + np.triu(G, 1).T
 
-    def _levers(self) -> np.ndarray:
+    def _arms(self) -> np.ndarray:
         """(r, 3, 3): ``∫ r_a phi_bk dm``, its antisymmetric part by Cr, the other by the slope of J."""
         r = self.modes
         slope = self.part("J", 3, 3)[1]
@@ -159,10 +159,10 @@ class Standard:
 
 def sid_of(body: Invariants) -> Sid:
     """The standard input data of a body, all matrices of order 1 that have one."""
-    r, Q, P, sigma = body.modes, body.products, body.levers, body.momenta
+    r, Q, P, sigma = body.modes, body.products, body.arms, body.momenta
     trace = np.einsum("akal->kl", Q)
-    lever = np.einsum("aak->k", P)
-    C4 = P.transpose(2, 1, 0) - lever[:, None, None] * np.eye(3)
+    arm = np.einsum("aak->k", P)
+    C4 = P.transpose(2, 1, 0) - arm[:, None, None] * np.eye(3)
     C6 = Q.transpose(1, 3, 0, 2) - trace[:, :, None, None] * np.eye(3)
     second = body.gram[1:4, 1:4]
     crossed = np.einsum("cab,albk->ckl", EPS, Q)

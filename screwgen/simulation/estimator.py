@@ -148,7 +148,7 @@ class Estimator:
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], P)
 
     def _encoder(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        driven, chain = np.array(self.model.chain.driven, int), self.model.chain
+        driven, chain = np.array(self.model.chain.effort_places, int), self.model.chain
         return np.eye(2 * chain.nv)[driven], values - self._q[driven + chain.base_q - chain.base_v]
 
     def _strain(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

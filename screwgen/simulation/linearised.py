@@ -209,7 +209,7 @@ class Linearised:
         own, chain = self.own, self.model.chain
         nv, m, n, b = chain.nv, chain.n_tau, chain.n, chain.base_v
         force, torque = own.force(own.of(self.q), own.of(self.v), h), self.tau
-        if self.trim is not None and chain.n_motors:
+        if self.trim is not None and chain.n_added:
             force = force + self.trim[b:]
         elif self.trim is not None:
             modes = np.append(np.zeros(chain.n_given - nv + b + m), self.trim[b + m :])

@@ -184,7 +184,7 @@ class Recorder:
                 state = plant.step(state, tau, w_ext, dt / PARTS)
             return energy(state)
 
-        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.driven]
+        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.effort_places]
         self.table.loops.begin(lambda: energy(before))
         self.table.loops.weigh(t, energy(after), float(tau @ rates) / 2 * dt, again)
 

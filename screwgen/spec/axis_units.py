@@ -1,4 +1,4 @@
-"""Units and meanings of the parameters of axes that do not turn, or that a transmission drives, by their fields."""
+"""Units and meanings of the parameters of axes that do not turn, by their fields."""
 
 SLIDING = {
     "joint.armature": ("kg", "drive's inertia seen along the joint axis"),
@@ -18,19 +18,3 @@ SLIDING = {
 }
 """Unit and meaning of a slide's parameters, in place of those of a joint that turns; friction on a rotor has
 those, and so has a rotor's inertia where a ratio is stated."""
-
-CRANKED = {
-    "joint.drives.ratio": ("rad/m", "turn of the rotor per travel of the cylinder"),
-    "joint.drives.rotor_inertia": SLIDING["joint.drives.rotor_inertia"],
-    "joint.drives.stiffness": ("N/m", "stiffness of the gear along the travel of its transmission"),
-    "joint.drives.damping": ("N·s/m", "damping of the gear along the travel of its transmission"),
-    **{field: SLIDING[field] for field in SLIDING if ".friction." in field},
-}
-"""The same of an axis that a cylinder drives."""
-
-LINKED = {
-    "joint.drives.ratio": ("1", "turns of the rotor per turn of the crank"),
-    "joint.drives.stiffness": ("N·m/rad", "stiffness of the gear along the travel of its transmission"),
-    "joint.drives.damping": ("N·m·s/rad", "damping of the gear along the travel of its transmission"),
-}
-"""The same of an axis that a four-bar linkage drives."""

@@ -101,7 +101,7 @@ def refuse_couplings(links: Sequence[Link], couplings: Sequence[Coupling]) -> No
         for key in ("axis", "of"):
             link, number = coupled_axis(links, getattr(coupling, key), (*at, key))
             drives = links[link].joint.drives
-            if drives and (drives[number].elastic or drives[number].transmission):
+            if drives and (drives[number].elastic or drives[number].travel):
                 what = "an elastic gear" if drives[number].elastic else "a transmission"
                 what = f"is driven through {what}, whose effort does not act on the axis"
                 raise refuse(f"{what}; drive and couple another one", (*at, key))

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ..bases import Basis, Shapes, shapes
-from ..elements import AxisElement
+from ..elements import AxisElement, Travel, gear
 from ..reduction.invariants import Invariants
+from .axis_laws import SIDES, Acting, laws
 from .drive import NO_FRICTION
 from .joint import Joint
 from .markers import TIP
@@ -43,14 +44,21 @@ class DriveClass:
     damping: bool = False
     coulomb: bool = False
     viscous: bool = False
-    transmission: str = ""
-    """The kind of its transmission, if its ratio depends on the posture."""
+    travel: Travel | None = None
+    """Its transmission, if its ratio depends on the posture."""
+
+    @property
+    def elastic(self) -> bool:
+        """Whether its gear is, which then adds a coordinate."""
+        return self.stiffness
+
+    def stated(self, name: str) -> float:
+        """1 for a key that it states, and for the ratio, else 0: what formulas are of these is there or not."""
+        return float(getattr(self, name) or name == "ratio")
 
 
 Stop = tuple[int, str]
 """A compliant stop: the axis, and the limit at which it acts, "lower" or "upper"."""
-SIDES = {"lower": -1, "upper": 1}
-"""The sign of a coordinate beyond each limit."""
 
 
 @dataclass(frozen=True)
@@ -158,56 +166,54 @@ class LinkClass:
         return any(screw.slides for screw in self.screws)
 
     @property
-    def motors(self) -> tuple[int, ...]:
-        """The axes whose rotors have a coordinate of their own, or with a transmission their gears."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.stiffness)
+    def added_axes(self) -> tuple[int, ...]:
+        """The axis of each coordinate that an elastic gear adds: of its rotor, or of the stretch of a transmission."""
+        return tuple(k for k, drive in enumerate(self.drives) if drive.elastic)
 
     @property
-    def rubbed(self) -> tuple[int, ...]:
-        """The axes with dry friction on a coordinate."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.coulomb and not drive.transmission)
-
-    def axes_with(self, kind: type[AxisElement]) -> list[int]:
-        """The axes that have an element of a kind."""
-        return [axis for own, axis in self.elements if own is kind]
-
-    @property
-    def cranked(self) -> tuple[int, ...]:
+    def travels(self) -> tuple[int, ...]:
         """The axes whose drives have a transmission."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.transmission)
+        return tuple(k for k, drive in enumerate(self.drives) if drive.travel)
 
     @property
-    def loose(self) -> tuple[int, ...]:
-        """Those of them whose gear is elastic."""
-        return tuple(k for k in self.cranked if self.drives[k].stiffness)
+    def elastic_travels(self) -> tuple[int, ...]:
+        """The axes whose drives have a transmission with an elastic gear."""
+        return tuple(k for k in self.travels if self.drives[k].elastic)
+
+    @cached_property
+    def laws(self) -> tuple[Acting, ...]:
+        """The forces that are not linear on the coordinates of the joint: friction, stops, elements of axes."""
+        return tuple(laws(self))
 
     @property
-    def weighted(self) -> bool:
+    def has_constant_inertia(self) -> bool:
         """Whether the joint's coordinates have an inertia of their own, the same in every posture."""
-        return self.armature or any(d.rotor_inertia and not (d.stiffness or d.transmission) for d in self.drives)
+        return self.armature or self._gears_add("inertia")
 
     @property
-    def swung(self) -> bool:
+    def has_travelling_inertia(self) -> bool:
         """Whether they have one that depends on the posture."""
-        return any(self.drives[axis].rotor_inertia for axis in self.cranked)
+        return any(gear.travelling(self.drives[axis].stated) for axis in self.travels)
 
     @property
-    def braced(self) -> bool:
-        """Whether springs act on the joint's axes."""
-        return self.stiffness or len(self.motors) > len(self.loose)
+    def has_springs(self) -> bool:
+        """Whether springs act on the joint's axes, those of gears among them."""
+        return self.stiffness or self._gears_add("stiffness")
 
     @property
-    def damped(self) -> bool:
+    def has_dampers(self) -> bool:
         """Whether viscous dampers act on the joint's axes."""
-        return self.joint_damping or any(
-            not d.transmission and (d.damping if d.stiffness else d.viscous) for d in self.drives
-        )
+        return self.joint_damping or self._gears_add("damping")
+
+    def _gears_add(self, term: str) -> bool:
+        """Whether gears add one of the :class:`..elements.Terms` to an axis."""
+        return any(getattr(gear.linear(drive).axis, term)(drive.stated) for drive in self.drives)
 
     @property
-    def sprung(self) -> bool:
+    def has_axis_forces(self) -> bool:
         """Whether springs, dampers, friction, stops or other elements act on the joint's axes."""
-        dry = any(not self.drives[axis].stiffness for axis in self.rubbed)
-        return self.damped or self.braced or dry or bool(self.stops or self.loose or self.elements)
+        acts = any(one.part == "q" for one in self.laws)
+        return self.has_dampers or self.has_springs or acts or bool(self.elastic_travels)
 
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
@@ -268,7 +274,7 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
         friction = drive.friction or NO_FRICTION
         stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
         stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous")}
-        out.append(DriveClass(**stated, transmission=drive.transmission.kind if drive.transmission else ""))
+        out.append(DriveClass(**stated, travel=drive.travel))
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()
 
 

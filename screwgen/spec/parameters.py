@@ -1,12 +1,13 @@
 """The runtime parameters of a robot (the numbers that its file states), and the names of its coordinates."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
+from ..elements import TRAVELS, Added, Travel
 from .axis_elements import numbers_of
-from .axis_units import CRANKED, LINKED, SLIDING
+from .axis_units import SLIDING
 from .base import POSE, POSE_UNITS, TWIST
 from .drive import NO_FRICTION, Drive
 from .joint import Joint
@@ -91,26 +92,12 @@ FIELDS = {
     "joint.limits.upper": Field("joint.limits[{}].upper", "rad", "largest coordinate of the joint"),
     "joint.limits.stiffness": Field("joint.limits[{}].stiffness", "N·m/rad", "stiffness of the stops at the limits"),
     "joint.limits.damping": Field("joint.limits[{}].damping", "N·m·s/rad", "damping of the stops at the limits"),
-    "joint.drives.transmission.crank": Field(
-        "joint.drives[{}].transmission.crank", "m", "distance of the cylinder's eye on the link from the joint axis"
-    ),
-    "joint.drives.transmission.base": Field(
-        "joint.drives[{}].transmission.base", "m", "distance of the cylinder's eye on the carrier from the joint axis"
-    ),
-    "joint.drives.transmission.angle": Field(
-        "joint.drives[{}].transmission.angle", "rad", "angle between the eyes of the cylinder at q = 0"
-    ),
     **{
-        f"joint.drives.transmission.four_bar.{name}": Field(
-            f"joint.drives[{{}}].transmission.four_bar.{name}", unit, description
+        f"joint.drives.transmission.{kind.TABLE}{name}": Field(
+            f"joint.drives[{{}}].transmission.{kind.TABLE}{name}", key.unit, key.meaning
         )
-        for name, unit, description in (
-            ("ground", "m", "distance of the crank's pivot from the joint axis"),
-            ("crank", "m", "length of the crank"),
-            ("coupler", "m", "length of the rod between crank and link"),
-            ("rocker", "m", "distance of the coupler's pin on the link from the joint axis"),
-            ("angle", "rad", "angle from the ground line to the rocker at q = 0"),
-        )
+        for kind in TRAVELS
+        for name, key in kind.KEYS.items()
     },
     "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
     "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
@@ -160,10 +147,10 @@ def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
     if parameter.field not in SLIDING:
         return parameter
     drive = joint.drives[parameter.index[0]] if joint.drives else None
-    units = {} if joint.screws[parameter.index[0]].turn else SLIDING
-    if drive and drive.transmission:
-        units = LINKED if drive.transmission.four_bar else CRANKED
-    on_rotor = drive and drive.elastic and not drive.transmission
+    units: Mapping[str, tuple[str, str]] = {} if joint.screws[parameter.index[0]].turn else SLIDING
+    travel = drive.travel if drive else None
+    units = travel.UNITS if travel else units
+    on_rotor = drive and drive.elastic and not travel
     rotor = parameter.field.endswith(".rotor_inertia")
     turning = on_rotor or (rotor and drive and drive.ratio is not None)
     if parameter.field not in units or (turning and (rotor or ".friction." in parameter.field)):
@@ -269,16 +256,16 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
         q=(
             *per_base(robot, POSE),
             *per_axis(robot, "joint", "slide"),
-            *per_rotor(robot, "theta"),
+            *per_added(robot),
             *per_mode(robot, "eta"),
         ),
         v=(
             *per_base(robot, TWIST),
             *per_axis(robot, "joint_rate", "slide_rate"),
-            *per_rotor(robot, "theta_rate"),
+            *per_added(robot, "_rate"),
             *per_mode(robot, "eta_rate"),
         ),
-        tau=tuple(f"{link.name}.{'torque' if turns else 'force'}[{j}]" for link, j, turns in _driven(robot)),
+        tau=tuple(f"{link.name}.{name}[{j}]" for link, j, name, _ in efforts(robot)),
         wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
     )
 
@@ -286,10 +273,8 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
     modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
-    drives = (drive for link in robot.links for drive in link.joint.drives or () if drive.elastic)
     axes = ("rad" if turns else "m" for turns in turning(robot))
-    rotors = ["m" if drive.transmission and not drive.linked else "rad" for drive in drives]
-    return [*POSE_UNITS * robot.floating, *axes, *rotors, *modal]
+    return [*POSE_UNITS * robot.floating, *axes, *(one.unit for _, _, one in added(robot)), *modal]
 
 
 def turning(robot: Robot) -> list[bool]:
@@ -299,27 +284,34 @@ def turning(robot: Robot) -> list[bool]:
 
 def force_units(robot: Robot) -> list[str]:
     """The units of tau: N·m for axes that turn and for rotors, N for axes that slide and for cylinders."""
-    return ["N·m" if turns else "N" for _, _, turns in _driven(robot)]
+    return [unit for *_, unit in efforts(robot)]
 
 
-def _driven(robot: Robot) -> Iterator[tuple[Link, int, bool]]:
-    """Link and number of every axis, and whether what its torque acts on turns: the axis, its rotor, or a crank."""
+def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:
+    """Link and number of every axis, and what its input is called, with its unit: that of the axis, or of its drive."""
     for link in robot.links:
         drives = link.joint.drives or [Drive()] * len(link.joint.axes)
         for j, (screw, drive) in enumerate(zip(link.joint.screws, drives, strict=True)):
-            pushed = drive.transmission is not None and drive.transmission.four_bar is None
-            yield link, j, not pushed and (drive.elastic or screw.turn)
+            own = ("torque", "N·m") if drive.elastic or screw.turn else ("force", "N")
+            yield link, j, *((drive.travel.EFFORT_NAME, drive.travel.EFFORT_UNIT) if drive.travel else own)
 
 
-def per_rotor(robot: Robot, quantity: str) -> tuple[str, ...]:
-    """One name for each rotor with a coordinate of its own, link by link, with the number of its axis.
+def travels(robot: Robot) -> list[Travel]:
+    """The transmissions of all drives."""
+    return [drive.travel for link in robot.links for drive in link.joint.drives or () if drive.travel]
 
-    The elastic gear of a transmission is called `stretch` (of a cylinder, m) or `gear` (rad) in the place of `theta`.
-    """
-    drives = ((link.name, j, drive) for link in robot.links for j, drive in enumerate(link.joint.drives or ()))
-    kind = lambda drive: "theta" if drive.transmission is None else "gear" if drive.linked else "stretch"  # noqa: E731
-    called = ((f"{name}.{quantity.replace('theta', kind(drive))}[{j}]", drive) for name, j, drive in drives)
-    return tuple(name for name, drive in called if drive.elastic)
+
+def added(robot: Robot) -> Iterator[tuple[Link, int, Added]]:
+    """The coordinates that drives add, link by link, each with the number of its axis."""
+    for link in robot.links:
+        for j, drive in enumerate(link.joint.drives or ()):
+            if drive.added:
+                yield link, j, drive.added
+
+
+def per_added(robot: Robot, rate: str = "") -> tuple[str, ...]:
+    """One name for each of them; ``rate``: what is put behind its word."""
+    return tuple(f"{link.name}.{one.name}{rate}[{j}]" for link, j, one in added(robot))
 
 
 def per_base(robot: Robot, names: Sequence[str]) -> tuple[str, ...]:

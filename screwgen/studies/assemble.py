@@ -45,4 +45,4 @@ def assemble(
     held, p = [name in hold for name in model.q_names], model.chain.parameters.vector(parameters)
     found, chain = closed_softly(model.numpy(p), posture(model, q, p), held), model.chain
     base, joints, _ = np.split(found, [chain.base_q, chain.base_q + chain.n_joints])
-    return np.concatenate([base, chain.relaxed(joints, p), found[chain.eta_q :]])
+    return np.concatenate([base, chain.with_added(joints, p), found[chain.eta_q :]])

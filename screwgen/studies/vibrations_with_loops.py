@@ -10,7 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 import scipy.linalg
 
-from ..algorithms.transmissions import efforts
+from ..algorithms.travels import efforts
 from ..robot_model import RobotModel
 from ..simulation.mobility import closing
 from ..topology.loops import Closure
@@ -24,8 +24,8 @@ def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
     start, stated = closed_start(model, p, q, True)
     b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
     assert isinstance(b, BalanceWithLoops)
-    torques = np.where(stated, b.force[model.chain.actuated], 0.0)
-    tau = efforts(model.chain, torques, b.q[: model.n_joints], p, actuated=True)
+    torques = np.where(stated, b.force[model.chain.held_places], 0.0)
+    tau = efforts(model.chain, torques, b.q[: model.n_joints], p, held=True)
     return about(model, b.q, p, dict(zip(model.chain.closures, b.forces, strict=True)), tau)
 
 

@@ -130,9 +130,8 @@ class Chain(Coordinates):
             said = f"the floating base has no inertia about some axis in this posture{self.caution}"
             return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         said = f"the joint of link '{self.names[link]}' is singular in this posture"
-        if any(self.q_offset[link] + axis in self.linked for axis in self.keys[link].cranked):
-            said += ", or out of the reach of its four-bar linkage, which ends where crank and coupler are in line"
-            said += ", with an elastic gear 0.05 rad before that" * bool(self.keys[link].loose)
+        limits = [drive.travel.limit(drive.elastic) for drive in self.keys[link].drives if drive.travel]
+        said += "".join(f", or {limit}" for limit in dict.fromkeys(filter(None, limits)))
         return SingularError(said + self.caution)
 
     def singular_loops(self) -> SingularError:

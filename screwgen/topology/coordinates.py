@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..elements import AxisElement
-from ..elements.axis_element import PREFIX
+from ..elements import FRICTION, STOP, TRAVELS, Law, Travel
 from ..spec.base import HOME, POSE, TWIST
-from ..spec.link_class import SIDES, LinkClass
+from ..spec.link_class import LinkClass
 
 SLACK = 1e-3
 """How far the length of a stated quaternion may be from one."""
@@ -24,8 +23,16 @@ FREE: dict[str, dict[str, int]] = {
     "force": {"base_force": 6},
 }
 """The signals of a floating base that precede those of the joints, with their sizes."""
-ROTOR = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
-"""The signal of a link's rotors by that of its joint."""
+ADDED = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
+"""The signal of what elements add to a link's coordinates by that of its joint."""
+
+
+class Acted(NamedTuple):
+    """Where a law acts: the link, the coordinate as its number among the last ``n_given``, the side there."""
+
+    link: int
+    coordinate: int
+    side: int
 
 
 class Coordinates:
@@ -38,8 +45,7 @@ class Coordinates:
         self.keys, self.parameter_labels = list(keys), list(parameter_labels)
         offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
         self.q_offset, self.eta_offset = offsets(lambda k: k.joints), offsets(lambda k: k.modes)
-        self.theta_offset, self.dry_offset = offsets(lambda k: len(k.motors)), offsets(lambda k: len(k.rubbed))
-        self.stop_offset = offsets(lambda k: len(k.stops))
+        self.theta_offset = offsets(lambda k: len(k.added_axes))
         self.below_offset = offsets(lambda k: len(k.coupled))
 
     @property
@@ -81,14 +87,14 @@ class Coordinates:
         return self.eta_offset[-1]
 
     @property
-    def n_motors(self) -> int:
-        """The number of rotors with a coordinate of their own, those of elastic drives."""
+    def n_added(self) -> int:
+        """The number of coordinates that elastic gears add."""
         return self.theta_offset[-1]
 
     @property
     def n_inner(self) -> int:
         """The number of coordinates behind those of the joints: rotors and modes."""
-        return self.n_motors + self.n_modes
+        return self.n_added + self.n_modes
 
     @property
     def nq(self) -> int:
@@ -121,7 +127,7 @@ class Coordinates:
         if len(given) == len(out):
             out[:] = given
         elif len(given) in (0, self.n_joints):
-            first, joints = self.base_v if rates else self.base_q, self.relaxed(given, p) if len(given) else given
+            first, joints = self.base_v if rates else self.base_q, self.with_added(given, p) if len(given) else given
             out[first : first + len(joints)] = joints
         else:
             allowed = f"{len(out)} numbers, or the {self.n_joints} of the joints alone"
@@ -134,104 +140,95 @@ class Coordinates:
         return out
 
     @cached_property
-    def sprung(self) -> bool:
+    def has_axis_forces(self) -> bool:
         """Whether springs, dampers, friction, stops or other elements act in any joint."""
-        return any(key.sprung for key in self.keys)
+        return any(key.has_axis_forces for key in self.keys)
 
     @cached_property
-    def geared(self) -> list[int]:
-        """The joint coordinate, as its number among those, that each rotor drives."""
-        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.motors]
+    def added_joints(self) -> list[int]:
+        """The joint coordinate, as its number among those, of the axis of each added coordinate."""
+        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.added_axes]
 
     @cached_property
-    def driven(self) -> list[int]:
+    def effort_places(self) -> list[int]:
         """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor.
 
-        The effort of a transmission acts on the joint, times its lever, and besides on an elastic gear (`loose`).
+        The effort of a transmission acts on the joint, times its lever, and besides on an elastic gear.
         """
-        return [self.base_v + k if k in self.loose else place for k, place in enumerate(self.actuated)]
+        return [self.base_v + k if k in self.elastic_travels else place for k, place in enumerate(self.held_places)]
 
     @cached_property
-    def actuated(self) -> list[int]:
+    def held_places(self) -> list[int]:
         """The coordinate, as an index in `v`, that each drive holds if its joint is to move on its gear alone.
 
-        That of the rotor, or of the gear where a transmission drives the joint; else the joint's.
+        That which its gear adds, of its rotor or along a transmission; else the joint's.
         """
-        out, first = [self.base_v + k for k in range(self.n_joints)], self.eta_v - self.n_motors
-        for k, joint in enumerate(self.geared):
+        out, first = [self.base_v + k for k in range(self.n_joints)], self.eta_v - self.n_added
+        for k, joint in enumerate(self.added_joints):
             out[joint] = first + k
         return out
 
     @cached_property
-    def loose(self) -> dict[int, int]:
+    def elastic_travels(self) -> dict[int, int]:
         """The joint coordinates, as their numbers, that elastic gears of transmissions drive: the place of each gear's
         coordinate in `v`."""
-        there = {self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.loose}
-        return {joint: place for joint, place in enumerate(self.actuated) if joint in there}
+        there = {self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.elastic_travels}
+        return {joint: place for joint, place in enumerate(self.held_places) if joint in there}
 
     def ratios(self, p: Any) -> list:
         """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols; of transmissions 0."""
-        axes = [(i, axis) for i, key in enumerate(self.keys) for axis in key.motors]
+        axes = [(i, axis) for i, key in enumerate(self.keys) for axis in key.added_axes]
         places = [self.parameter_labels[i].get(f"drive_ratio_{axis + 1}") for i, axis in axes]
         stated = [1.0 if place is None else p[place] for place in places]
-        return [0.0 if axis in self.keys[i].loose else x for (i, axis), x in zip(axes, stated, strict=True)]
+        return [0.0 if axis in self.keys[i].elastic_travels else x for (i, axis), x in zip(axes, stated, strict=True)]
 
-    def relaxed(self, q: Any, p: Any) -> np.ndarray:
-        """Joint coordinates or rates (n_joints, ...), and those of the rotors that leave their gears without load."""
+    def with_added(self, q: Any, p: Any) -> np.ndarray:
+        """Joint coordinates or rates (n_joints, ...), and the added ones that leave their gears without load."""
         q = np.asarray(q, float)
-        shape = (self.n_motors, *(1 for _ in q.shape[1:]))
-        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.geared]])
+        shape = (self.n_added, *(1 for _ in q.shape[1:]))
+        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.added_joints]])
 
-    def filled(self, joints: Any, p: Any) -> np.ndarray:
+    def with_inner(self, joints: Any, p: Any) -> np.ndarray:
         """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
-        return np.append(self.relaxed(joints, p), np.zeros(self.n_modes))
+        return np.append(self.with_added(joints, p), np.zeros(self.n_modes))
 
     def of_joints(self, x: Any, rates: bool = False) -> Any:
         """The entries (n_joints,) of the joint axes of all coordinates (nq,), or of all rates (nv,)."""
         first = self.base_v if rates else self.base_q
         return x[first : first + self.n_joints]
 
-    def at_rotors(self, tau: Any, p: Any) -> np.ndarray:
+    def at_efforts(self, tau: Any, p: Any) -> np.ndarray:
         """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
         out = np.array(tau, float)
-        out[self.geared] /= np.array([ratio or 1.0 for ratio in self.ratios(p)])
+        out[self.added_joints] /= np.array([ratio or 1.0 for ratio in self.ratios(p)])
         return out
 
     @cached_property
-    def dry(self) -> list[int]:
-        """The coordinates with dry friction, as their numbers among those with forces of their own (``n_given``)."""
-        places = [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.rubbed]
-        return [self.driven[place] - self.base_v for place in places]
-
-    @cached_property
-    def stops(self) -> list[tuple[int, int]]:
-        """The joint coordinate, as its number among those, of every stop, and the sign of those beyond it."""
-        return [(self.q_offset[i] + axis, SIDES[side]) for i, key in enumerate(self.keys) for axis, side in key.stops]
-
-    @cached_property
-    def elements(self) -> dict[type[AxisElement], list[int]]:
-        """The joint coordinates, as their numbers, that have an element of each kind, link by link."""
-        out: dict[type[AxisElement], list[int]] = {}
+    def laws(self) -> dict[Law, list[Acted]]:
+        """The laws of all joints, each with the coordinates on which it acts, link by link."""
+        found: dict[Law, list[Acted]] = {FRICTION: [], STOP: []}
+        places = {"q": 0, "theta": self.nv - self.base_v - self.n_inner}
+        offsets = {"q": self.q_offset, "theta": self.theta_offset}
         for i, key in enumerate(self.keys):
-            for kind, axis in key.elements:
-                out.setdefault(kind, []).append(self.q_offset[i] + axis)
-        return out
+            for law, part, place, side, _ in key.laws:
+                found.setdefault(law, []).append(Acted(i, places[part] + offsets[part][i] + place, side))
+        return {law: acted for law, acted in found.items() if acted}
+
+    def acted(self, law: Law) -> list[Acted]:
+        """Where a law acts, nowhere if it is not among them."""
+        return self.laws.get(law, [])
 
     @cached_property
-    def cranked(self) -> dict[int, str]:
-        """The joint coordinates, as their numbers, whose drives have a transmission, and of which kind it is."""
-        own = ((self.q_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.cranked)
-        return {place: drive.transmission for place, drive in own}
+    def travels(self) -> dict[int, Travel]:
+        """The joint coordinates, as their numbers, whose drives have a transmission, and what it is."""
+        own = ((self.q_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.travels)
+        return {place: drive.travel for place, drive in own if drive.travel}
 
     @property
-    def pushed(self) -> list[int]:
-        """Those that cylinders drive."""
-        return [place for place, kind in self.cranked.items() if kind == "cylinder"]
-
-    @property
-    def linked(self) -> list[int]:
-        """Those that cranks drive through four-bar linkages."""
-        return [place for place, kind in self.cranked.items() if kind != "cylinder"]
+    def travel_kinds(self) -> list[Travel]:
+        """One transmission of each kind that there is."""
+        there = {type(one) for one in self.travels.values()}
+        return [one for one in {type(one): one for one in TRAVELS}.values() if type(one) in there]
 
     @property
     def slides(self) -> bool:
@@ -241,44 +238,51 @@ class Coordinates:
     @cached_property
     def n_given(self) -> int:
         """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
-        return self.nv - self.base_v if self.sprung else self.n_modes
+        return self.nv - self.base_v if self.has_axis_forces else self.n_modes
 
-    def given(self, i: int) -> dict[str, slice]:
-        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` and ``theta`` of a link.
+    def own_spans(self, i: int) -> dict[str | Law, slice]:
+        """The slices of these coordinates that hold ``eta`` and, where axes have forces, ``q`` and ``theta`` of a link.
 
         ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
-        those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction;
-        ``stop``: of the stops; ``element_spring``: of the elements of a kind.
+        those, behind them, that couple added coordinates and joints. By each law: the link's part of where it acts.
         """
         before, key = self.n_given - self.n_modes, self.keys[i]
         part = lambda first, offsets: slice(*(first + e for e in offsets[i : i + 2]))  # noqa: E731
-        parts = {"eta": part(before, self.eta_offset)}
+        parts: dict[str | Law, slice] = {"eta": part(before, self.eta_offset)}
         if key.coupled:
             parts["below"] = part(self.n_given, self.below_offset)
-        if key.sprung:
+        if key.has_axis_forces:
             parts["q"] = part(0, self.q_offset)
-        if key.motors:
-            parts["theta"] = part(before - self.n_motors, self.theta_offset)
+        if key.added_axes:
+            parts["theta"] = part(before - self.n_added, self.theta_offset)
             parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
-        laws = {"dry": (key.rubbed, self.dry_offset), "stop": (key.stops, self.stop_offset)}
-        parts |= {name: part(0, offsets) for name, (there, offsets) in laws.items() if there}
-        for kind in dict.fromkeys(kind for kind, _ in key.elements):
-            before = sum(len(other.axes_with(kind)) for other in self.keys[:i])
-            parts[f"{PREFIX}{kind.KIND}"] = slice(before, before + len(key.axes_with(kind)))
+        for law in dict.fromkeys(one.law for one in key.laws):
+            links = [acted.link for acted in self.laws[law]]
+            parts[law] = slice(links.index(i), links.index(i) + links.count(i))
         return parts
 
     @cached_property
     def coupled(self) -> list[tuple[int, int]]:
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
-        first = [self.given(i)["eta"].start for i in range(self.n)]
+        first = [self.own_spans(i)["eta"].start for i in range(self.n)]
         modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
         rotors = self.n_given - self.n_inner
-        return modes + [(rotors + k, joint) for k, joint in enumerate(self.geared)]
+        return modes + [(rotors + k, joint) for k, joint in enumerate(self.added_joints)]
+
+    @cached_property
+    def springs(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Every spring and damper of these coordinates: on which it acts, whose motion it feels, its entry among
+        ``n_inertia``. One between two coordinates is there twice."""
+        pairs = [
+            (row, column, k) for k, (i, j) in enumerate(self.coupled, self.n_given) for row, column in ((i, j), (j, i))
+        ]
+        table = np.array([*((k, k, k) for k in range(self.n_given)), *pairs], int).reshape(-1, 3)
+        return table[:, 0], table[:, 1], table[:, 2]
 
     @property
     def n_inertia(self) -> int:
         """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""
-        return self.n_given + self.below_offset[-1] + self.n_motors
+        return self.n_given + self.below_offset[-1] + self.n_added
 
     def modal_product(self, A: Any, x: Any) -> Any:
         """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
@@ -298,15 +302,15 @@ class Coordinates:
         for name, size in FREE[joint].items() if self.floating else ():
             parts[name], count = list(q[count : count + size]), count + size
         m, es, ts = len(q) - self.n_modes, self.eta_offset, self.theta_offset
-        qs, t = [count + k for k in self.q_offset], m - self.n_motors
+        qs, t = [count + k for k in self.q_offset], m - self.n_added
         links = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
-        for i, link in enumerate(links) if self.n_motors else ():
-            link[ROTOR[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
+        for i, link in enumerate(links) if self.n_added else ():
+            link[ADDED[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
         links[0] |= parts
         return links
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
         """The inverse of :meth:`split`."""
         free = [x for name in FREE[joint] for x in links[0][name]] if self.floating else []
-        parts = [joint, *([ROTOR[joint]] if self.n_motors else []), modal]
+        parts = [joint, *([ADDED[joint]] if self.n_added else []), modal]
         return free + [x for part in parts for link in links for x in link.get(part, ())]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..spec.axis_laws import element_label
 from ..spec.parameters import Parameter, parameters
 from ..spec.robot import Robot
 
@@ -36,11 +37,6 @@ def label(parameter: Parameter) -> str:
         case field if field.startswith("section."):
             return f"{field.replace('.', '_')}_{index[0] + 1}"
     return parameter.field
-
-
-def element_label(kind: str, name: str, axis: int) -> str:
-    """The label of a key of an element of an axis."""
-    return f"axis_{kind}_{name}_{axis + 1}"
 
 
 def _component(parameter: Parameter) -> str:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from types import MappingProxyType
 
 from ...algorithms.columns import link_columns, robot_columns
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
+from ...elements import STOP
 from ...ir.block import NamedSignal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
@@ -50,7 +52,7 @@ def structs(chain: Chain) -> dict[str, list[StructMember]]:
     Without coupled coordinates NINERTIA is NGIVEN. In the DAE form the rotors of elastic drives stand before the modes.
     """
     inertia = "NINERTIA" if chain.coupled else "NGIVEN"
-    inner = "NINNER" if chain.n_motors else "NMODES"
+    inner = "NINNER" if chain.n_added else "NMODES"
 
     def field(struct: str, name: str, s: Signal) -> StructMember:
         sizes: dict[int | str, str] = {"NINERTIA": inertia, **({"NMODES": inner} if struct.startswith("dae") else {})}
@@ -58,13 +60,13 @@ def structs(chain: Chain) -> dict[str, list[StructMember]]:
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return StructMember(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
-    own = ROBOT | {"dae_work": ROBOT["dae_work"] | ({"start_rate": START_RATE} if drives(chain) else {})}
+    own = ROBOT | {"dae_work": ROBOT["dae_work"] | ({"start_rate": START_RATE} if has_axis_terms(chain) else {})}
     return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
 
 
-def drives(chain: Chain) -> bool:
-    """Whether the forces of gears, dry friction, stops or other elements act in the robot."""
-    return bool(chain.n_motors or chain.dry or chain.stops or chain.elements)
+def has_axis_terms(chain: Chain) -> bool:
+    """Whether there are forces of axes besides springs and dampers: of gears and laws."""
+    return bool(chain.n_added or chain.laws)
 
 
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
@@ -87,8 +89,7 @@ def joint_comment(signal: Signal, sliding: bool) -> str:
 
 def effort(chain: Chain) -> str:
     """What is added to the comment of torques where drives have transmissions."""
-    force = "; N where a cylinder drives it" if chain.pushed else ""
-    return force + ("; at the crank where a linkage drives it" if chain.linked else "")
+    return "".join(kind.EFFORT_NOTE for kind in chain.travel_kinds)
 
 
 def fused_place(name: str, k: int) -> str:
@@ -140,8 +141,8 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     ``text`` of a column's name, of the robot's column that holds it, and of its place there.
     """
     out = ""
-    for part, span in chain.given(i).items():
-        pairs = zip(link_columns(chain, part), robot_columns(chain, part), strict=True)
+    for part, span in chain.own_spans(i).items():
+        pairs = zip(link_columns(part), robot_columns(part), strict=True)
         arguments = [text(own, name, span.start) for own, name in pairs]
         if span.stop > span.start:
             out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
@@ -152,14 +153,14 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     """Sizes and places of the coordinates whose inertia and force an integrator gives, for the templates.
 
     ``inertia``: the number of entries of their inertia; ``coupled``: row and column, among all modes, of those below
-    the diagonal of the modes' matrices; ``geared``: the joint coordinate of each rotor; ``dry``: the coordinates with
-    dry friction; ``stops``: coordinate and side of each stop, ``ranges``: lower and upper stop of axes with both;
-    ``loose``: joint, number among the rotors and place in ``v`` of the elastic gears of transmissions;
+    the diagonal of the modes' matrices; ``added_joints``: the joint coordinate of each that a gear adds;
+    ``ranges``: lower and upper stop of axes with both;
+    ``elastic_travels``: joint, number among those added and place in ``v`` of the elastic gears of transmissions;
     ``laws``: whether forces depend on the rates at a stage; ``inner``: the number of rotors and modes.
     """
-    modes = zip(chain.eta_offset, chain.keys, strict=False)
+    modes, stops = zip(chain.eta_offset, chain.keys, strict=False), chain.acted(STOP)
     coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
-    parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.geared)) if there]
+    parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.n_added)) if there]
     return {
         "n_given": chain.n_given,
         "n_inertia": chain.n_inertia,
@@ -167,16 +168,16 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
         "coupled": coupled,
         "below": f"; at the end the entries below the diagonal, {' and '.join(parts)}" if parts else "",
         "below_offset": chain.below_offset[:-1],
-        "n_motors": chain.n_motors,
-        "inner": "$$_NINNER" if chain.n_motors else "$$_NMODES",
-        "geared": chain.geared,
-        "driven": chain.driven,
-        "loose": [(joint, chain.geared.index(joint), place) for joint, place in chain.loose.items()],
-        "dry": chain.dry,
-        "stops": chain.stops,
-        "ranges": [(k, k + 1) for k in range(len(chain.stops) - 1) if chain.stops[k][0] == chain.stops[k + 1][0]],
-        "laws": bool(chain.dry or chain.stops or chain.elements),
-        "drives": drives(chain),
+        "n_added": chain.n_added,
+        "inner": "$$_NINNER" if chain.n_added else "$$_NMODES",
+        "added_joints": chain.added_joints,
+        "driven": chain.effort_places,
+        "elastic_travels": [
+            (joint, chain.added_joints.index(joint), place) for joint, place in chain.elastic_travels.items()
+        ],
+        "ranges": [(k, k + 1) for k, (a, b) in enumerate(pairwise(stops)) if a.coordinate == b.coordinate],
+        "laws": bool(chain.laws),
+        "axis_terms": has_axis_terms(chain),
         "theta_offset": chain.theta_offset[:-1],
     }
 
@@ -190,7 +191,7 @@ def floating_base(chain: Chain) -> dict[str, object]:
         "first_v": chain.base_v,
         "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
         "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
-        "rotor": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
+        "added": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
         "ends": {"own": "$$_NGIVEN" if first else "$$_NV"},
     }
 
@@ -230,11 +231,13 @@ def store_fields(programs: Iterable[Program], chain: Chain) -> list[StructMember
 
 
 def _travelling(chain: Chain, name: str, signal: Signal) -> str:
-    """The comment of a member, which names the cranks of linkages if the robot has any."""
+    """The comment of a member, which names what drives move along travels."""
     comment = joint_comment(signal, chain.sliding)
-    if not (chain.linked and name.startswith("crank_")):
+    if not (chain.travel_kinds and name.startswith("crank_")):
         return comment
-    unit, part = ("m, of linkages 1", "cylinder or crank") if chain.pushed else ("1", "crank")
+    first, *others = chain.travel_kinds
+    unit = first.LEVER_UNIT + "".join(f", of {kind.SHORT}s {kind.LEVER_UNIT}" for kind in others)
+    part = " or ".join(kind.PART for kind in chain.travel_kinds)
     return comment.replace("m:", f"{unit}:", name == "crank_slope").replace("cylinder", part)
 
 

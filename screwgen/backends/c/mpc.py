@@ -69,8 +69,8 @@ class Fitted:
             (bool(chain.robot.loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
             (chain.keys[0].free, "a floating base"),
-            (bool(chain.n_motors), "elastic drives"),
-            (bool(chain.cranked), "transmissions"),
+            (bool(chain.n_added), "elastic drives"),
+            (bool(chain.travels), "transmissions"),
         ):
             if asked:
                 raise UsageError(

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ...spec.axis_units import SLIDING
-from ...spec.parameters import BODY_FRAMES, FIELDS, Parameter, parameters
+from ...spec.parameters import BODY_FRAMES, FIELDS, Parameter, parameters, travels
 from ...spec.robot import Robot
 from ...spec.section import Section
 from ...topology.parameters import label
@@ -65,9 +65,8 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     """
     own = [(p.link, p) for p in parameters(robot) if p.link is not None]
     live = {member(p)[:2] for link, p in own if label(p) in read[link]}
-    drives = [drive for link in robot.links for drive in link.joint.drives or ()]
-    cylinders = any(drive.transmission and not drive.linked for drive in drives)
-    travels = "slides and cylinders" if cylinders else "slides"
+    along = dict.fromkeys(kind.PLURAL for kind in travels(robot) if kind.ADDED.unit == "m")
+    sliding = " and ".join(["slides", *along])
     structs: dict[str, dict[str, StructMember]] = {"link": {}, "joint": {}, "body": {}}
     meanings: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
     for _, p in own:
@@ -77,7 +76,7 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
         unused = "" if (struct, name) in live else "; this model does not use it"
         meanings[struct, name][p.unit] = _general(p)
         units = sorted(meanings[struct, name], key=SLIDING_UNITS.count)
-        comment = ascii_unit(f"{f', of {travels} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
+        comment = ascii_unit(f"{f', of {sliding} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
         structs[struct][name] = StructMember(name, max(shape, known.shape) if known else shape, comment)
     return {struct: list(fields.values()) for struct, fields in structs.items()}
 

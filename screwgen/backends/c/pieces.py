@@ -44,10 +44,10 @@ def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]]
         owner, _, what = signal.partition(":")
         if owner == KEPT:
             return f"{kept}[{int(what or 0) + k}]"
-        for part, span in chain.given(int(owner)).items() if is_column(what) else ():
-            names = link_columns(chain, part)
+        for part, span in chain.own_spans(int(owner)).items() if is_column(what) else ():
+            names = link_columns(part)
             if what in names:
-                return f"c->{robot_columns(chain, part)[names.index(what)]}[{span.start + k}]"
+                return f"c->{robot_columns(part)[names.index(what)]}[{span.start + k}]"
         return own[signal](k) if signal in own else place(signal, k)
 
     return placed

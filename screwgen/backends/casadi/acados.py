@@ -121,8 +121,8 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     rows, torques, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closures else (ca.SX(0, 1), 0, 0)
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
-    driven[chain.driven] = tau * functions["levers"](q, p) if chain.cranked else tau
-    for joint, place in chain.loose.items():
+    driven[chain.effort_places] = tau * functions["levers"](q, p) if chain.travels else tau
+    for joint, place in chain.elastic_travels.items():
         driven[place] = tau[joint]
     if chain.couplings:
         driven[chain.base_v : chain.base_v + chain.n_joints] += torques

@@ -24,7 +24,7 @@ from ...algorithms.signals import Signal
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
-from ...spec.parameters import parameters, turning
+from ...spec.parameters import parameters, travels, turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ..templates import render
@@ -250,7 +250,7 @@ def casadi_files(
         others=[name for name in functions if name not in saved | missing],
         parameters=parameter_names,
         sliding=not all(turning(robot)),
-        linked=any(drive.linked for link in robot.links for drive in link.joint.drives or ()),
+        efforts=list(dict.fromkeys(kind.EFFORTS for kind in travels(robot))),
         floating=robot.floating,
         split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],

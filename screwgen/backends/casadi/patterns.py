@@ -8,7 +8,7 @@ from typing import Any
 import casadi as ca
 
 from ...spec.base import POSE
-from ...spec.parameters import coordinate_names, per_rotor
+from ...spec.parameters import coordinate_names, per_added
 from ...spec.robot import Robot
 from ...spec.segments import segments
 
@@ -45,7 +45,7 @@ def structures(robot: Robot, functions: Mapping[str, ca.Function]) -> list[dict[
     A row holds the name of the part of the right-hand side and the nonzeros of its Jacobian, column by column.
     """
     names = coordinate_names(robot)
-    n, m, t = len(segments(robot)), len(names.tau), len(per_rotor(robot, "theta"))
+    n, m, t = len(segments(robot)), len(names.tau), len(per_added(robot))
     q, v = len(names.q), len(names.v)
     r = q - m - t - len(POSE) * robot.floating
     forces = {"u": _stacked({"`tau`": m, "`w_ext`": 6 * n})}

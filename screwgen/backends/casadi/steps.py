@@ -126,8 +126,8 @@ def scaling(chain: Chain) -> ca.Function:
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
     modes = ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given])
     ratios, tau = ca.vertcat(ca.SX(0, 1), *chain.ratios(given["p"])), twice * ca.SX.ones(m)
-    for k, (ratio, joint) in enumerate(zip(chain.ratios(given["p"]), chain.geared, strict=True)):
-        if joint in chain.loose:
+    for k, (ratio, joint) in enumerate(zip(chain.ratios(given["p"]), chain.added_joints, strict=True)):
+        if joint in chain.elastic_travels:
             ratios[k] = ca.sqrt(twice / stiffness[chain.n_given - chain.n_inner + k])
         else:
             tau[joint] /= ratio

@@ -18,7 +18,7 @@ import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.axis_laws import of_robot
-from ...algorithms.law_programs import replayed, stage
+from ...algorithms.law_programs import replayed, spring_stage, stage
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
@@ -181,7 +181,10 @@ class JaxAccelerations:
         q_there, v_there = there or (q, v)
         x, rate, later = (values[len(values) - self.chain.n_given :] for values in (q, v, v_there))
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
-        inertia, force = M + h * D + h**2 * K, self._product(K, x + h * rate) + self._product(D, rate)
+        rows, felt, entries = self.chain.springs
+        inertia = M + replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": K, "D": D}, _unary)["inertia"]
+        springs = {"x": x[felt], "w": rate[felt], "h": h, "K": K[entries], "D": D[entries]}
+        force = jnp.zeros_like(x).at[rows].add(replayed(spring_stage(), springs, _unary)["force"])
         for law, coordinates, sides in self.laws:
             at, side = jnp.array(coordinates), jnp.array(sides, self.own.real)
             state = {"side": side, "x": x[at], "w": rate[at], "there": later[at], "h": h}
@@ -189,13 +192,6 @@ class JaxAccelerations:
             inertia, force = inertia.at[at].add(found["inertia"]), force.at[at].add(found["force"])
         given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
         return self.own.run(fused.modal_dynamics, "vdot", given)[0]
-
-    def _product(self, A: Any, x: Any) -> Any:
-        """:meth:`Chain.modal_product` on arrays that cannot be written to."""
-        out = A[: self.chain.n_given] * x
-        for k, (i, j) in enumerate(self.chain.coupled, self.chain.n_given):
-            out = out.at[i].add(A[k] * x[j]).at[j].add(A[k] * x[i])
-        return out
 
 
 class JaxSpace:

@@ -9,6 +9,7 @@ import sympy as sp
 
 from ...algebra.notation import number
 from ...bases import Basis, Shapes
+from ...elements import TRAVELS
 from ...ir.block import Binding
 from ...spec.link_class import LinkClass
 from ...spec.markers import Place
@@ -89,10 +90,9 @@ def _remarks(link: Link, key: LinkClass) -> str:
     stated = {
         "mount": key.mount_xyz or key.mount_rpy,
         "armature": key.armature,
-        "elastic drives": key.motors,
-        "rigid gears": any(drive.rotor_inertia and not drive.stiffness for drive in key.drives),
-        "cylinders": any(drive.transmission == "cylinder" for drive in key.drives),
-        "four-bar linkages": any(drive.transmission.startswith("four_bar") for drive in key.drives),
+        "elastic drives": key.added_axes,
+        "rigid gears": any(drive.rotor_inertia and not drive.elastic for drive in key.drives),
+        **{kind.PLURAL: any(type(drive.travel) is type(kind) for drive in key.drives) for kind in TRAVELS},
         "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
         "stops": key.stops,
         **{kind.WORDS: True for kind, _ in key.elements},

@@ -42,7 +42,12 @@ class DaeDynamics:
     ):
         n, r = chain.n, chain.n_inner
         self.forces = OwnForces.of_columns(chain, properties)
-        self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
+        self.solve, self.projection, self.sprung, self.joint_rates = (
+            solve,
+            projection,
+            chain.has_axis_forces,
+            joint_rates,
+        )
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
         self.joints = slice(chain.base_v, chain.base_v + chain.n_joints)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)

@@ -172,8 +172,8 @@ class Numeric:
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); with the pose by ``pose exp(δ)``."""
-        given = np.eye(self.chain.nv)[:, self.chain.driven] * self.levers(q)
-        given[list(self.chain.loose.values()), list(self.chain.loose)] = 1.0
+        given = np.eye(self.chain.nv)[:, self.chain.effort_places] * self.levers(q)
+        given[list(self.chain.elastic_travels.values()), list(self.chain.elastic_travels)] = 1.0
         if self.chain.closures:
             return self._closed_derivatives(given, *self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...algorithms.axis_laws import OfRobot, of_robot
-from ...algorithms.law_programs import replayed, secants, stage_slopes
+from ...algorithms.law_programs import replayed, secants, spring_stage, stage_slopes
 from ...elements.law import Secant
 from ...topology.chain import Chain
 
@@ -89,7 +89,7 @@ class OwnForces:
 
     def added(self, h: float) -> np.ndarray:
         """(n_inertia,): what the forces add to the inertia."""
-        out = h * (self.D + h * self.K)
+        out = replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": self.K, "D": self.D})["inertia"]
         for one in self.laws:
             if one.held is not None:
                 np.add.at(out, one.law.coordinates, h * (one.held.damping + h * one.held.stiffness))
@@ -98,8 +98,10 @@ class OwnForces:
     def force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
         """(n_given, ...): the force ``h`` after ``x``, ``rate`` (n_given, ...) without the accelerations' part."""
         column = lambda A: np.reshape(A, (-1, *(1,) * (x.ndim - 1)))  # noqa: E731
-        K, D = column(self.K), column(self.D)
-        out = self.chain.modal_product(K, x + h * rate) + self.chain.modal_product(D, rate)
+        rows, felt, entries = self.chain.springs
+        given = {"x": x[felt], "w": rate[felt], "h": h, "K": column(self.K)[entries], "D": column(self.D)[entries]}
+        out = np.zeros(np.broadcast_shapes(np.shape(x), np.shape(rate)))
+        np.add.at(out, rows, replayed(spring_stage(), given)["force"])
         for one in self.laws:
             if one.held is not None:
                 k, (stiffness, damping, rest, constant) = one.law.coordinates, map(column, one.held)

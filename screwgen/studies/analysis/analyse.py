@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...algorithms.transmissions import efforts
+from ...algorithms.travels import efforts
 from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...errors import SingularError, UsageError
 from ...robot_model import RobotModel
@@ -160,7 +160,7 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
     for _ in range(count * (1 + TRIES * bool(model.chain.closures))):
         if len(out) == count:
             break
-        whole = lambda x: model.chain.relaxed(x, model.parameter_values)  # noqa: E731
+        whole = lambda x: model.chain.with_added(x, model.parameter_values)  # noqa: E731
         drawn = model.chain.reached(most * rng.uniform(-np.pi, np.pi, m), np.pi)
         q = np.append(whole(drawn), deflection * rng.uniform(-1, 1, len(deflection)))
         v = np.append(whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate)))
@@ -211,7 +211,7 @@ def _own_mass(values: dict[str, float], link: Link) -> float:
 def holding(model: RobotModel, q: np.ndarray) -> np.ndarray:
     """Torques (n_tau,) where they act that carry the weight of the arm with undeformed links."""
     still = np.zeros(model.nq)
-    straight = model.chain.filled(q[: model.n_joints], model.parameter_values)
+    straight = model.chain.with_inner(q[: model.n_joints], model.parameter_values)
     p = model.parameter_values
     force = model.numpy().bias(straight, still, loads_of_loops(model, straight, p))[: model.n_joints]
-    return efforts(model.chain, model.chain.at_rotors(force, p), q[: model.n_joints], p)
+    return efforts(model.chain, model.chain.at_efforts(force, p), q[: model.n_joints], p)

@@ -17,7 +17,7 @@ from ..ir.derivative import columns
 from ..ir.program import Array, Value
 from . import matrices as mx
 from .scope import Scope
-from .transmissions import Cranks, cranks, kept, of_axis, rubs
+from .travels import Cranks, cranks, kept, of_axis, rubs
 
 
 def condensed(s: Scope, axis: int, effort: Value, m: Value, f: Value, inverse: Value) -> tuple[Value, ...]:
@@ -37,14 +37,14 @@ def condensed(s: Scope, axis: int, effort: Value, m: Value, f: Value, inverse: V
 def _couplings(s: Scope, slope: Array) -> Array:
     """The inertia (t,) that couples the gears of transmissions with their axes, 0 for other rotors."""
     of = lambda axis: s.constant(f"rotor_inertia_{axis + 1}") * slope[axis]  # noqa: E731
-    return mx.array([of(axis) if axis in s.key.loose else 0.0 for axis in s.key.motors])
+    return mx.array([of(axis) if axis in s.key.elastic_travels else 0.0 for axis in s.key.added_axes])
 
 
 def carrying_along(s: Scope) -> Array:
     """The force (m,) on the axes by the accelerations of their elastic gears."""
     out, coupling = mx.zeros(s.key.joints), _couplings(s, kept(s).slope)
-    for k, axis in enumerate(s.key.motors):
-        if axis in s.key.loose:
+    for k, axis in enumerate(s.key.added_axes):
+        if axis in s.key.elastic_travels:
             out[axis] = coupling[k] * s.read("thetaddot")[k]
     return out
 
@@ -53,8 +53,10 @@ def carried_along(s: Scope, qddot: Array) -> Array:
     """The force (t,) on elastic gears by the accelerations of their axes and by what acts along the travel."""
     found = kept(s)
     coupling = _couplings(s, found.slope)
-    parts = [(coupling[k] * qddot[axis], found.bias[axis]) for k, axis in enumerate(s.key.motors)]
-    return mx.array([a + b if axis in s.key.loose else 0.0 for (a, b), axis in zip(parts, s.key.motors, strict=True)])
+    parts = [(coupling[k] * qddot[axis], found.bias[axis]) for k, axis in enumerate(s.key.added_axes)]
+    return mx.array(
+        [a + b if axis in s.key.elastic_travels else 0.0 for (a, b), axis in zip(parts, s.key.added_axes, strict=True)]
+    )
 
 
 def passed_on(s: Scope, axis: int, k: int, q: Array) -> Value:
@@ -75,8 +77,8 @@ def _gear_answers(s: Scope, coupling: Array, found: Cranks, asked: Array) -> Non
     """The inertia that couples e with the axis, and the derivatives of e's row with q, qdot and edot, and of the
     axis' with edot."""
     rows: list[list[Value]] = []
-    for k, axis in enumerate(s.key.motors):
-        if axis not in s.key.loose:
+    for k, axis in enumerate(s.key.added_axes):
+        if axis not in s.key.elastic_travels:
             rows.append([0.0] * len(GEAR_SLOPES))
             continue
         row = coupling[k] * s.read("qddot")[axis] + found.bias[axis]
@@ -91,16 +93,16 @@ def _gear_answers(s: Scope, coupling: Array, found: Cranks, asked: Array) -> Non
 def answers(s: Scope) -> tuple[Array, Array]:
     """The derivatives (m, m) of what the transmissions ask of the joint, less their efforts, with q and with qdot."""
     m, q, qdot = s.key.joints, s.read("q"), s.read("qdot")
-    if not s.key.cranked:
+    if not s.key.travels:
         return mx.zeros(m, m), mx.zeros(m, m)
     found = cranks(s, q, qdot)
     s.write("w.crank_inertia", found.inertia)
     asked = found.inertia * s.read("qddot") + found.force - found.slope * s.read("tau")
-    if s.key.loose:
+    if s.key.elastic_travels:
         coupling = _couplings(s, found.slope)
-        for k, axis in enumerate(s.key.motors):
+        for k, axis in enumerate(s.key.added_axes):
             asked[axis] = asked[axis] + coupling[k] * s.read("thetaddot")[k]
         _gear_answers(s, coupling, found, asked)
-    both = (columns([asked[k] if k in s.key.cranked else 0.0 for k in range(m)], x) for x in (q, qdot))
+    both = (columns([asked[k] if k in s.key.travels else 0.0 for k in range(m)], x) for x in (q, qdot))
     with_q, with_qdot = (mx.array(x, (m, m)).T for x in both)
     return with_q, with_qdot

@@ -1,88 +1,38 @@
-"""Transmissions: drives whose ratio depends on the posture.
+"""Transmissions of axes in phases: what the travels of their drives (:mod:`..elements.travel`) do to joints.
 
-A transmission of an axis is a relation from its coordinate q to the travel ``l(q)`` of what drives it. The input of
-the axis is the effort ``F`` along that travel, so the axis gets ``l' F``. A rotor of inertia ``J_r`` that turns by
-``N`` per travel has the energy ``J_r N^2 l'^2 qdot^2 / 2``: the inertia ``J_r N^2 l'^2`` of the axis and the force
-``J_r N^2 l' l'' qdot^2``. Friction acts at the rate ``l' qdot``, and ``l'`` times it on the axis. All of it depends on
-posture and rates alone and is explicit in every method. The travel of a cylinder is its length, that of a four-bar
-linkage the angle of its crank, whose torque is then the effort.
+With the travel ``l(q)`` and the effort ``F`` the axis gets ``l' F``. A rotor of inertia ``J`` that turns by ``N`` per
+travel is the inertia ``J N² l'²`` of the axis and the force ``J N² l' l'' qdot²``. Friction acts at the rate ``l'
+qdot``, and ``l'`` times it on the axis. All of it depends on posture and rates alone and is explicit in every method.
 
-Its gear may be elastic: :mod:`.elastic_gears`.
-
-A further transmission is a ``Kind`` in ``KINDS``, with its keys in ``spec/transmission.py``.
+The gear may be elastic: :mod:`.elastic_travels`.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache
 
 import numpy as np
 
 from ..arguments import Numbers
-from ..elements import FRICTION
+from ..elements import FRICTION, Travel
 from ..errors import SingularError
 from ..ir.program import Array, Program, Tracer, Value
 from ..ir.replay import run
-from ..spec.four_bar import NUMBERS
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
-from . import four_bar
 from . import matrices as mx
 from .scope import Scope
 
-Relation = tuple[Value, Value, Value]
-"""The first and second derivative of a travel ``l`` with the coordinate of the axis, and what must be > 0 for them."""
-
-
-@dataclass(frozen=True)
-class Kind:
-    """A kind of transmission: the keys of its parameters, what it is and what drives it, in words, and two functions.
-
-    ``relation`` and the ``travel`` itself are functions of coordinate and parameters, the second of numbers alone.
-    """
-
-    keys: tuple[str, ...]
-    words: tuple[str, str]
-    relation: Callable[..., Relation]
-    travel: Callable[..., float]
-
-
-def cylinder(t: Tracer, q: Value, crank: Value, base: Value, angle: Value) -> Relation:
-    """A cylinder from an eye on the carrier to one on the link; where its length is zero nothing is finite.
-
-    ``l^2 = (base - crank)^2 + 4 base crank sin^2(u / 2)`` with ``u = q + angle`` loses no digits where it is short.
-    """
-    half = 0.5 * (q + angle)
-    sine, cosine = t.call("sin", half), t.call("cos", half)
-    area, gap = base * crank, base - crank
-    square = gap * gap + 4.0 * area * (sine * sine)
-    length = t.call("sqrt", square)
-    slope = 2.0 * area * (sine * cosine) / length
-    return slope, (area * (1.0 - 2.0 * (sine * sine)) - slope * slope) / length, 1.0
-
-
-def _length(q: float, crank: float, base: float, angle: float) -> float:
-    return math.hypot(base - crank * math.cos(q + angle), crank * math.sin(q + angle))
-
-
-FORCE, TORQUE = ("cylinder", "force"), ("four-bar linkage", "torque at the crank")
-KINDS = {
-    "cylinder": Kind(("crank", "base", "angle"), FORCE, cylinder, _length),
-    "four_bar_left": Kind(NUMBERS, TORQUE, partial(four_bar.slopes, 1), partial(four_bar.turn, 1)),
-    "four_bar_right": Kind(NUMBERS, TORQUE, partial(four_bar.slopes, -1), partial(four_bar.turn, -1)),
-}
-
 
 @cache
-def relation(kind: str) -> Program:
-    """``(q, given) -> (relation)`` of a kind, with the values of its keys as ``given``: l' and l''."""
-    tracer, keys = Tracer(), KINDS[kind].keys
-    *found, room = KINDS[kind].relation(tracer, tracer.input("q", 1)[0], *tracer.input("given", len(keys)))
+def relation(travel: Travel) -> Program:
+    """``(q, given) -> (relation)`` of a transmission, with the values of its keys as ``given``: l' and l''."""
+    tracer, count = Tracer(), len(travel.KEYS)
+    *found, room = travel.slopes(tracer, tracer.input("q", 1)[0], *tracer.input("given", count))
     tracer.guard(room)
-    return tracer.program("relation", {"q": 1, "given": len(keys)}, {"relation": list(found)})
+    return tracer.program("relation", {"q": 1, "given": count}, {"relation": list(found)})
 
 
 @dataclass
@@ -104,7 +54,7 @@ class Cranks:
 
 
 def _stored(s: Scope) -> tuple[str, ...]:
-    return ("slope", "inertia", "force", *["bias"] * bool(s.key.loose))
+    return ("slope", "inertia", "force", *["bias"] * bool(s.key.elastic_travels))
 
 
 def kept(s: Scope) -> Cranks:
@@ -115,10 +65,11 @@ def kept(s: Scope) -> Cranks:
 
 def of_axis(s: Scope, axis: int, q: Array, guarded: bool = True) -> tuple[Value, Value]:
     """``l'`` and ``l''`` of an axis with a transmission; ``guarded``: the program has no result out of its reach."""
-    name = s.key.drives[axis].transmission
-    kind, constant = KINDS[name], lambda x: s.constant(f"drive_{x}_{axis + 1}")
-    more = {"elastic": True} if axis in s.key.loose and name != "cylinder" else {}
-    slope, curve, room = kind.relation(s.tracer, q[axis], *map(constant, kind.keys), **more)
+    drive, constant = s.key.drives[axis], lambda x: s.constant(f"drive_{x}_{axis + 1}")
+    assert drive.travel is not None
+    slope, curve, room = drive.travel.slopes(
+        s.tracer, q[axis], *map(constant, drive.travel.KEYS), elastic=drive.elastic
+    )
     if guarded:
         s.tracer.guard(room)
     return slope, curve
@@ -126,14 +77,14 @@ def of_axis(s: Scope, axis: int, q: Array, guarded: bool = True) -> tuple[Value,
 
 def slopes(s: Scope, q: Array) -> Array:
     """``l'`` of every axis (m,), 1 without a transmission."""
-    return mx.array([of_axis(s, k, q)[0] if k in s.key.cranked else 1.0 for k in range(s.key.joints)])
+    return mx.array([of_axis(s, k, q)[0] if k in s.key.travels else 1.0 for k in range(s.key.joints)])
 
 
 def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
     """The transmissions of the joint's axes at a posture and at rates."""
     m = s.key.joints
     out = Cranks(mx.array([1.0] * m), mx.zeros(m), mx.zeros(m), mx.zeros(m))
-    for axis in s.key.cranked:
+    for axis in s.key.travels:
         slope, curve = of_axis(s, axis, q)
         force = _friction(s, axis, travel_rate(s, axis, slope, qdot)) if rubs(s, axis) else 0.0
         if s.key.drives[axis].rotor_inertia:
@@ -153,7 +104,7 @@ def rubs(s: Scope, axis: int) -> bool:
 def travel_rate(s: Scope, axis: int, slope: Value, qdot: Array) -> Value:
     """The rate of the travel of a transmission, with that of the rotor ahead of it where the gear is elastic."""
     rate = slope * qdot[axis]
-    return rate + s.read("thetadot")[s.key.motors.index(axis)] if axis in s.key.loose else rate
+    return rate + s.read("thetadot")[s.key.added_axes.index(axis)] if axis in s.key.elastic_travels else rate
 
 
 def _friction(s: Scope, axis: int, rate: Value) -> Value:
@@ -164,14 +115,14 @@ def _friction(s: Scope, axis: int, rate: Value) -> Value:
         total = s.constant(f"drive_viscous_{axis + 1}") * rate
     if drive.coulomb:
         velocity, coulomb = (s.constant(f"drive_{x}_{axis + 1}") for x in ("velocity", "coulomb"))
-        total = total + FRICTION.force(s.tracer, 1.0, 0.0, rate, coulomb, velocity * velocity)
+        total = total + FRICTION.force(s.tracer, 1.0, 0.0, rate, *FRICTION.prepared(coulomb, velocity))
     return total
 
 
 def kinetic(s: Scope, q: Array, qdot: Array) -> Value:
     """Twice the kinetic energy of the rotors, not a number out of the reach of their linkages."""
     total: Value = 0.0
-    for axis in s.key.cranked if s.key.swung else ():
+    for axis in s.key.travels if s.key.has_travelling_inertia else ():
         if s.key.drives[axis].rotor_inertia:
             rate = travel_rate(s, axis, of_axis(s, axis, q, guarded=False)[0], qdot)
             total = total + s.constant(f"crank_inertia_{axis + 1}") * rate * rate
@@ -180,13 +131,13 @@ def kinetic(s: Scope, q: Array, qdot: Array) -> Value:
 
 def store(s: Scope, q: Array, qdot: Array) -> None:
     """Base to tip: the transmissions of the joint's axes, for the phases that follow."""
-    if s.key.cranked:
+    if s.key.travels:
         cranks(s, q, qdot).keep(s)
 
 
 def levers(s: Scope) -> None:
     """The travel per unit of each axis: what its effort is multiplied by."""
-    s.write("levers", slopes(s, s.read("q")) if s.key.cranked else np.array([1.0] * s.key.joints, object))
+    s.write("levers", slopes(s, s.read("q")) if s.key.travels else np.array([1.0] * s.key.joints, object))
 
 
 # ------------------------------------------------------------------------------------ of a robot, in numbers
@@ -200,18 +151,18 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     """
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
     for i, key in enumerate(chain.keys):
-        for axis in key.cranked:
-            name, place = key.drives[axis].transmission, chain.q_offset[i] + axis
-            given = [float(p[chain.parameter_labels[i][f"drive_{x}_{axis + 1}"]]) for x in KINDS[name].keys]
+        for axis in key.travels:
+            place, travel = chain.q_offset[i] + axis, chain.travels[chain.q_offset[i] + axis]
+            given = [float(p[chain.parameter_labels[i][f"drive_{x}_{axis + 1}"]]) for x in travel.KEYS]
             at = float(q[place])
             try:
-                found, guards = run(relation(name), {"q": [at], "given": given}, _unary, 2.0**-52)
-                travel = KINDS[name].travel(at, *given)
+                found, guards = run(relation(travel), {"q": [at], "given": given}, _unary, 2.0**-52)
+                length = travel.travel(at, *given)
             except (ZeroDivisionError, ValueError):
                 guards = [0.0]
             if not all(x > 0 for x in guards):
                 raise chain.singular(i)
-            out[:, place] = travel, *found["relation"]
+            out[:, place] = length, *found["relation"]
     return out
 
 
@@ -219,21 +170,22 @@ def _unary(op: str, x: float) -> float:
     return -x if op == "neg" else getattr(math, op)(x)
 
 
-def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers, actuated: bool = False) -> np.ndarray:
+def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers, held: bool = False) -> np.ndarray:
     """Torques of the joints (n_tau,) at ``q`` as the efforts that cause them: forces of cylinders, torques of cranks.
 
-    ``actuated``: they are the generalised forces at ``chain.actuated``, which are efforts already where gears are
+    ``held``: they are the generalised forces at ``chain.held_places``, which are efforts already where gears are
     elastic. Raises SingularError where a transmission stands in a dead centre and would need an infinite effort.
     """
-    if not chain.cranked:
+    if not chain.travels:
         return torques
     slope = travels(chain, q, p)[1]
-    slope[list(chain.loose) if actuated else []] = 1.0
-    for joint in chain.cranked:
+    slope[list(chain.elastic_travels) if held else []] = 1.0
+    for joint in chain.travels:
         if abs(slope[joint]) < DEAD and torques[joint]:
             name = coordinate_names(chain.robot).q[chain.base_q + joint]
-            part, effort = KINDS[chain.cranked[joint]].words
-            raise SingularError(f"{name}: its {part} is in a dead centre, where no {effort} turns the joint; leave it")
+            its = chain.travels[joint]
+            said = f"its {its.WORD} is in a dead centre, where no {its.EFFORT} turns the joint"
+            raise SingularError(f"{name}: {said}; leave it")
     return torques / np.where(slope == 0, 1.0, slope)
 
 

@@ -1,31 +1,38 @@
-"""Drives: the constants of a joint's axes and rotors, and the elimination of a rotor's acceleration.
+"""Drives in phases: the constants of a joint's axes and of what gears add, and the elimination of the latter.
 
-The rotor of an elastic drive has the angle ``theta``, inertia ``J_r`` and ratio ``N``; its gear has stiffness ``k`` and
-damping ``d`` at the joint. With ``tau_J = k (theta/N - q) + d (thetadot/N - qdot)`` the equations are
-``J_r thetaddot = tau - tau_J/N - friction`` for the rotor, whose energy is that of its own spin alone, and ``tau_J``
-takes the place of the torque in the joint's rows. The gear is a symmetric coupling of both coordinates, ``-k/N`` and
-``-d/N``; an implicit method adds ``m_gear = -(h d + h^2 k)/N`` to their inertia. The elastic gear of a transmission has
-a coordinate of another kind in the place of theta, see :mod:`.elastic_gears`.
+What a gear does to its axis and to the coordinate that it adds stands in :mod:`..elements.gear`. It couples both
+symmetrically, ``-k/N`` and ``-d/N``; an implicit method adds ``m_gear = -(h d + h^2 k)/N`` to their inertia. The
+elastic gear of a transmission has a coordinate of another kind in the place of theta, see :mod:`.elastic_travels`.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
+from ..elements import gear
 from ..ir.program import Array, Value
 from ..spec.link_class import DriveClass, LinkClass
-from . import elastic_gears as eg
+from . import elastic_travels as et
 from . import matrices as mx
-from . import transmissions as tm
+from . import travels as tm
 from .axis_laws import axis_energy, axis_forces
 from .scope import Scope
 
 NONE = DriveClass()
-PREPARED = (
-    "armature joint_damping joint_stiffness spring "
-    "rotor_inertia rotor_damping rotor_stiffness gear_damping gear_stiffness crank_inertia"
-).split()
-"""The constants of an axis that follow from its drive."""
+TERMS = {
+    "armature": ("axis", "inertia"),
+    "joint_damping": ("axis", "damping"),
+    "joint_stiffness": ("axis", "stiffness"),
+    "rotor_inertia": ("added", "inertia"),
+    "rotor_damping": ("added", "damping"),
+    "rotor_stiffness": ("added", "stiffness"),
+    "gear_inertia": ("between", "inertia"),
+    "gear_damping": ("between", "damping"),
+    "gear_stiffness": ("between", "stiffness"),
+}
+"""The constants that follow from what acts linearly on an axis, see :class:`..elements.Linear`."""
+OTHERS = ("spring", "crank_inertia")
+"""The stiffness of the joint's own spring, and the inertia of a rotor along the travel that it drives."""
 
 
 def drive_of(key: LinkClass, axis: int) -> DriveClass:
@@ -34,56 +41,24 @@ def drive_of(key: LinkClass, axis: int) -> DriveClass:
 
 
 def constant(s: Scope, name: str, axis: int) -> Value:
-    """One of the ``PREPARED`` constants of an axis, recorded from the parameters; 0 where the axis has none."""
+    """One of these constants of an axis, recorded from the parameters; 0 where the axis has none."""
     drive = drive_of(s.key, axis)
     read = lambda label: s.read(f"p.{label}_{axis + 1}", 1)[0]  # noqa: E731
-    stated = lambda what: read(f"drive_{what}") if getattr(drive, what) else 0.0  # noqa: E731
-    ratio, inertia, k, d = read("drive_ratio") if drive.ratio else 1.0, *map(stated, PARTS)
-    match name:
-        case "armature":
-            own = read(name) if s.key.armature else 0.0
-            return own if drive.stiffness or drive.transmission else own + ratio * ratio * inertia
-        case "crank_inertia":
-            return ratio * ratio * inertia
-        case "joint_damping":
-            own = read(name) if s.key.joint_damping else 0.0
-            return own + (0.0 if drive.transmission else d if drive.stiffness else stated("viscous"))
-        case "joint_stiffness":
-            return (read(name) if s.key.stiffness else 0.0) + (0.0 if drive.transmission else k)
-        case "spring":
-            return read("joint_stiffness") if s.key.stiffness else 0.0
-        case "gear_damping" | "gear_stiffness" if drive.transmission:
-            return 0.0
-        case "rotor_inertia" if drive.transmission:
-            return ratio * ratio * inertia
-        case "rotor_damping" | "rotor_stiffness" if drive.transmission:
-            return d if name == "rotor_damping" else k
-        case "rotor_inertia":
-            return inertia
-        case "coulomb":
-            return read("drive_coulomb")
-        case "speed":
-            return read("drive_velocity") * read("drive_velocity")
-        case "gear_inertia":
-            return 0.0
-        case "rotor_damping":
-            return d / (ratio * ratio) + stated("viscous")
-        case "rotor_stiffness":
-            return k / (ratio * ratio)
-        case "gear_damping":
-            return -(d / ratio)
-        case "gear_stiffness":
-            return -(k / ratio)
-    raise KeyError(name)
-
-
-PARTS = ("rotor_inertia", "stiffness", "damping")
+    stated = lambda what: read(f"drive_{what}") if getattr(drive, what) else float(what == "ratio")  # noqa: E731
+    joint = {"armature": s.key.armature, "joint_damping": s.key.joint_damping, "joint_stiffness": s.key.stiffness}
+    if name == "spring":
+        return read("joint_stiffness") if s.key.stiffness else 0.0
+    if name == "crank_inertia":
+        return gear.travelling(stated)
+    part, term = TERMS[name]
+    own = read(name) if joint.get(name) else 0.0
+    return own + getattr(getattr(gear.linear(drive), part), term)(stated)
 
 
 def labelled(s: Scope, label: str) -> Value | None:
     """The constant with the label of an axis, such as ``armature_1``; None if it is no such constant."""
     name, _, number = label.rpartition("_")
-    return constant(s, name, int(number) - 1) if name in PREPARED else None
+    return constant(s, name, int(number) - 1) if name in (*TERMS, *OTHERS) else None
 
 
 # ------------------------------------------------------------------------------------------ elimination
@@ -91,7 +66,9 @@ def labelled(s: Scope, label: str) -> Value | None:
 
 def armature(s: Scope) -> Array:
     """The rotor inertias seen at the joint."""
-    return mx.array([s.constant(f"armature_{j + 1}") if s.key.weighted else 0.0 for j in range(s.key.joints)])
+    return mx.array(
+        [s.constant(f"armature_{j + 1}") if s.key.has_constant_inertia else 0.0 for j in range(s.key.joints)]
+    )
 
 
 def own_inertia(s: Scope) -> Array:
@@ -101,14 +78,14 @@ def own_inertia(s: Scope) -> Array:
     """
     if s.key.free:
         return mx.zeros(6)
-    own = s.read("m_q") if s.key.sprung else armature(s)
-    return own + tm.kept(s).inertia if s.key.swung else own
+    own = s.read("m_q") if s.key.has_axis_forces else armature(s)
+    return own + tm.kept(s).inertia if s.key.has_travelling_inertia else own
 
 
 def own_force(s: Scope) -> Array:
     """The generalised forces of the joint's damper and spring, and of transmissions."""
-    own = s.read("f_q") if s.key.sprung else mx.zeros(s.key.freedoms)
-    return own + tm.kept(s).force if s.key.cranked else own
+    own = s.read("f_q") if s.key.has_axis_forces else mx.zeros(s.key.freedoms)
+    return own + tm.kept(s).force if s.key.travels else own
 
 
 def condense(s: Scope) -> tuple[Array, Array]:
@@ -119,17 +96,17 @@ def condense(s: Scope) -> tuple[Array, Array]:
     """
     inertia, force = own_inertia(s).copy(), own_force(s)
     effort = tau = mx.zeros(6) if s.key.free else s.read("tau")
-    if s.key.cranked:
+    if s.key.travels:
         tau = effort * tm.kept(s).slope
-    if not s.key.motors:
+    if not s.key.added_axes:
         return inertia, tau - force
     m, f, coupling = s.read("m_theta"), s.read("f_theta"), s.read("m_gear")
     follows, alone = mx.zeros(len(m)), mx.zeros(len(m))
-    driving = np.where([axis in s.key.motors for axis in range(s.key.joints)], -force, tau - force)
-    for k, axis in enumerate(s.key.motors):
+    driving = np.where([axis in s.key.added_axes for axis in range(s.key.joints)], -force, tau - force)
+    for k, axis in enumerate(s.key.added_axes):
         inverse = 1.0 / m[k]
-        if axis in s.key.loose:
-            found = eg.condensed(s, axis, effort[axis], m[k], f[k], inverse)
+        if axis in s.key.elastic_travels:
+            found = et.condensed(s, axis, effort[axis], m[k], f[k], inverse)
             follows[k], alone[k], inertia[axis], driving[axis] = found
             continue
         follows[k] = coupling[k] * inverse
@@ -141,26 +118,26 @@ def condense(s: Scope) -> tuple[Array, Array]:
     return inertia, driving
 
 
-def accelerate_rotors(s: Scope, qddot: Array) -> None:
+def accelerate_added(s: Scope, qddot: Array) -> None:
     """The rotors' accelerations from those of the joint."""
     W, w = s.kept("rotor_W"), s.kept("rotor_w")
-    s.write("thetaddot", [w[k] - W[k] * qddot[axis] for k, axis in enumerate(s.key.motors)])
+    s.write("thetaddot", [w[k] - W[k] * qddot[axis] for k, axis in enumerate(s.key.added_axes)])
 
 
-def rotor_forces(s: Scope, qddot: Array) -> None:
+def added_forces(s: Scope, qddot: Array) -> None:
     """Inverse dynamics of the rotors; gears act through the forces alone, but for those of transmissions."""
     force = s.read("m_theta") * s.read("thetaddot") + s.read("f_theta")
-    if s.key.loose:
-        force = force + eg.carried_along(s, qddot)
+    if s.key.elastic_travels:
+        force = force + et.carried_along(s, qddot)
     s.write("force_theta", force)
 
 
 def rotor_accelerations(s: Scope) -> None:
     """The rotors' accelerations by themselves: where no coupling is implicit they need no others."""
-    if not s.key.motors:
+    if not s.key.added_axes:
         return
     tau = s.read("tau")
-    torque = mx.array([tau[axis] for axis in s.key.motors])
+    torque = mx.array([tau[axis] for axis in s.key.added_axes])
     s.write("thetaddot", (torque - s.read("f_theta")) / s.read("m_theta"))
 
 
@@ -170,9 +147,9 @@ def drive_power(s: Scope) -> None:
         s.write("power", mx.zeros(0))
         return
     tau, rates = s.read("tau"), s.read("qdot").copy()
-    for k, axis in enumerate(s.key.motors):
+    for k, axis in enumerate(s.key.added_axes):
         rates[axis] = s.read("thetadot")[k]
-    for axis in s.key.cranked:
+    for axis in s.key.travels:
         rates[axis] = tm.travel_rate(s, axis, tm.of_axis(s, axis, s.read("q"))[0], s.read("qdot"))
     s.write("power", tau * rates)
 
@@ -184,13 +161,16 @@ def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
     friction and stops are included, and what a transmission makes of the drive.
     """
     tau, inertia = s.read("tau").copy(), armature(s)
-    if s.key.cranked:
+    if s.key.travels:
         found = tm.cranks(s, q, qdot)
         tau, inertia = found.slope * tau - found.force, inertia + found.inertia
     of = lambda name, axis: s.constant(f"{name}_{axis + 1}")  # noqa: E731
-    for k, axis in enumerate(s.key.motors):
-        if axis in s.key.loose:
-            tau[axis], inertia[axis] = eg.passed_on(s, axis, k, q), of("armature", axis) if s.key.weighted else 0.0
+    for k, axis in enumerate(s.key.added_axes):
+        if axis in s.key.elastic_travels:
+            tau[axis], inertia[axis] = (
+                et.passed_on(s, axis, k, q),
+                of("armature", axis) if s.key.has_constant_inertia else 0.0,
+            )
             continue
         tau[axis] = -(of("gear_stiffness", axis) * s.read("theta")[k])
         if drive_of(s.key, axis).damping:
@@ -206,13 +186,13 @@ def spring(s: Scope) -> Array:
     return mx.array([s.constant(f"{label}_{j + 1}") if s.key.stiffness else 0.0 for j in range(s.key.joints)])
 
 
-def drive_energies(s: Scope, q: Array, qdot: Array) -> tuple[Value, Value]:
+def axis_energies(s: Scope, q: Array, qdot: Array) -> tuple[Value, Value]:
     """Twice the kinetic energy of the rotors' spin; twice the potential of elastic gears, of stops and elements."""
     kinetic = tm.kinetic(s, q, qdot)
     potential: Value = axis_energy(s, q)
-    for k, axis in enumerate(s.key.motors):
+    for k, axis in enumerate(s.key.added_axes):
         theta, thetadot = s.read("theta")[k], s.read("thetadot")[k]
-        if axis in s.key.loose:
+        if axis in s.key.elastic_travels:
             potential = potential + s.constant(f"rotor_stiffness_{axis + 1}") * theta * theta
             continue
         ratio = s.constant(f"drive_ratio_{axis + 1}") if drive_of(s.key, axis).ratio else 1.0

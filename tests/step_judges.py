@@ -8,13 +8,13 @@ import numpy as np
 from helpers import relative
 
 from screwgen.algorithms import fused
-from screwgen.algorithms.exponential import Series
 from screwgen.backends.casadi.functions import expressions
 from screwgen.backends.casadi.steps import step
 from screwgen.elements import FRICTION, STOP
 from screwgen.integrators import METHODS
-from screwgen.integrators.se3 import FLAT, Floating, programs
+from screwgen.integrators.space import FLAT, Curved, replayed
 from screwgen.ir.replay import run
+from screwgen.joints.exponential import Series
 
 DIGITS = 50
 SHIFT = "1e-16"
@@ -55,7 +55,7 @@ def by_casadi(model, method, q, v, tau, w_ext, h):
     chain = model.chain
     nq, nv, f = chain.nq, chain.nv, step(chain, METHODS.get(method, method), "step")
     x, u, given = ca.SX.sym("x", 2 * nv), ca.SX.sym("u", chain.n_tau), ca.SX.sym("q", nq)
-    moved = expressions(programs(nq, nv)[0], {"q": given, "u": x[:nv]})["q"] if chain.floating else given + x[:nv]
+    moved = replayed(chain, expressions).moved(given, x[:nv])
     after, rates = f(moved, v + x[nv:], u, np.reshape(w_ext, (-1, 6)).T, model.parameter_values, h)
     middle = ca.SX.sym("middle", nq)
     change = ca.vertcat(_pose_change(middle, after), after[7:]) if chain.floating else after
@@ -127,7 +127,7 @@ def by_differences(model, method, q, v, tau, w_ext, h):
         chain, shift, nv = model.chain, mpmath.mpf(SHIFT), model.chain.nv
         number = np.vectorize(mpmath.mpf, otypes=[object])
         series = Series(lambda x: fused.precise("c4", x), lambda x: fused.precise("c5", x))
-        space = Floating(series) if chain.floating else FLAT
+        space = Curved(chain, series) if chain.curved else FLAT
         q, v, tau, h = number(q), number(v), number(tau), mpmath.mpf(h)
 
         def moved(k: int, by) -> tuple:

@@ -72,19 +72,17 @@ def armature(s: Scope) -> Array:
 
 
 def own_inertia(s: Scope) -> Array:
-    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint; a free one has none.
+    """The inertia of the joint coordinates: the armature, or the given one of a sprung joint.
 
     That of the rotors of transmissions is added.
     """
-    if s.key.free:
-        return mx.zeros(6)
     own = s.read("m_q") if s.key.has_axis_forces else armature(s)
     return own + tm.kept(s).inertia if s.key.has_travelling_inertia else own
 
 
 def own_force(s: Scope) -> Array:
     """The generalised forces of the joint's damper and spring, and of transmissions."""
-    own = s.read("f_q") if s.key.has_axis_forces else mx.zeros(s.key.freedoms)
+    own = s.read("f_q") if s.key.has_axis_forces else mx.zeros(s.key.joints)
     return own + tm.kept(s).force if s.key.travels else own
 
 
@@ -95,7 +93,7 @@ def condense(s: Scope) -> tuple[Array, Array]:
     ``-f_q - m_gear / m_theta (tau - f_theta)``, and the inertia ``m_q - m_gear^2 / m_theta``.
     """
     inertia, force = own_inertia(s).copy(), own_force(s)
-    effort = tau = mx.zeros(6) if s.key.free else s.read("tau")
+    effort = tau = s.read("tau") if s.key.torques else mx.zeros(s.key.joints)
     if s.key.travels:
         tau = effort * tm.kept(s).slope
     if not s.key.added_axes:
@@ -143,7 +141,7 @@ def rotor_accelerations(s: Scope) -> None:
 
 def drive_power(s: Scope) -> None:
     """The power of the drives of a joint: torque times the rate of joint or rotor, force times that of the travel."""
-    if not s.key.joints:
+    if not s.key.torques:
         s.write("power", mx.zeros(0))
         return
     tau, rates = s.read("tau"), s.read("qdot").copy()

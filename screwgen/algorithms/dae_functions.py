@@ -16,6 +16,7 @@ from ..spec.base import TWIST
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, ROTORS, Functions
+from .joint_moves import coordinate_rates
 from .schedule import Algorithm
 from .signals import edge_name
 
@@ -29,7 +30,7 @@ RATES = {
     "twist": "Vdot",
     "thetadot": "thetaddot",
     "etadot": "etaddot",
-    "q": "qdot",
+    "q": "qrate",
 }
 """The name of the signal with the rate of each part of the state."""
 
@@ -41,7 +42,7 @@ Entries = dict[tuple[int, int], Value]
 
 def state_size(chain: Chain) -> int:
     """The length of x."""
-    return 13 * chain.n + 2 * chain.n_inner + chain.n_joints
+    return 13 * chain.n + 2 * chain.n_inner + chain.n_redundant
 
 
 def unknown_size(chain: Chain) -> int:
@@ -57,7 +58,7 @@ def dae_names(chain: Chain) -> dict[str, list[str]]:
     poses = [f"{link}.{p}" for link in links for p in POSE]
     twists = [f"{link}.{t}" for link in links for t in TWIST]
     unknowns = link_unknowns(chain, TWIST)
-    x = poses + inner + twists + rates + list(names.q[: chain.n_joints])
+    x = poses + inner + twists + rates + list(names.q[chain.base_q : chain.q_offset[-1]])
     modal = rates[chain.n_added :]
     return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in modal]}
 
@@ -79,6 +80,7 @@ class DaeFunctions(Functions):
         at_theta, at_twist = 7 * c.n, 7 * c.n + c.n_inner
         at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_inner
         at_eta, at_etadot = at_theta + c.n_added, at_rate + c.n_added
+        redundant = [max(k - c.base_q, 0) for k in c.q_offset]
         return [
             {
                 "quaternion": list(x[7 * i : 7 * i + 4]),
@@ -88,7 +90,7 @@ class DaeFunctions(Functions):
                 "etadot": list(x[at_etadot + o[i] : at_etadot + o[i + 1]]),
                 "theta": list(x[at_theta + t[i] : at_theta + t[i + 1]]),
                 "thetadot": list(x[at_rate + t[i] : at_rate + t[i + 1]]),
-                "q": list(x[at_q + c.q_offset[i] : at_q + c.q_offset[i + 1]]),
+                "q": list(x[at_q + redundant[i] : at_q + redundant[i + 1]]),
             }
             for i in range(c.n)
         ]
@@ -99,7 +101,9 @@ class DaeFunctions(Functions):
         get = lambda link, part: link.get(named(part), ()) if "theta" in part else link[named(part)]  # noqa: E731
         gather = lambda *parts: [v for link in links for part in parts for v in get(link, part)]  # noqa: E731
         inner, rates = gather("theta") + gather("eta"), gather("thetadot") + gather("etadot")
-        return [*gather("quaternion", "position"), *inner, *gather("twist"), *rates, *gather("q")]
+        jointed = (link for link, key in zip(links, self.chain.keys, strict=True) if not key.floats)
+        redundant = [v for link in jointed for v in get(link, "q")]
+        return [*gather("quaternion", "position"), *inner, *gather("twist"), *rates, *redundant]
 
     def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
         """The state with inertias and forces of modes and sprung joints; joint rates are taken from the twists."""
@@ -113,8 +117,22 @@ class DaeFunctions(Functions):
 
     def place(self, q: Sequence, v: Sequence) -> list:
         """A state that satisfies the joint constraints: x from coordinates and rates."""
-        links, _ = self._run(PLACEMENT, self._state(q, v))
+        links, _ = self._run(PLACEMENT, self._stated(self._state(q, v)))
         return self.pack(links, PLACED)
+
+    def _stated(self, links: Sequence[dict[str, list]]) -> Sequence[dict[str, list]]:
+        """Joint coordinates and rates as this form states them: of a floating base as pose and twist."""
+        if self.chain.floating:
+            base = links[0]
+            base |= {"position": base["q"][:3], "quaternion": base["q"][3:], "twist": base["qdot"]}
+        return links
+
+    def _of_joints(self, links: Sequence[dict[str, list]]) -> Sequence[dict[str, list]]:
+        """The inverse."""
+        if self.chain.floating:
+            base = links[0]
+            base |= {"q": [*base["position"], *base["quaternion"]], "qdot": base["twist"]}
+        return links
 
     def _solve(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> list[dict[str, list]]:
         if self.chain.closures:
@@ -134,8 +152,17 @@ class DaeFunctions(Functions):
         return self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot"), wrench
 
     def _state_rates(self, x: Sequence, links: Sequence[Mapping[str, list]]) -> list:
-        poses, _ = self._run(DAE_RATES, self.unpack(x))
-        return self.pack([a | b for a, b in zip(links, poses, strict=True)], RATES)
+        state = self.unpack(x)
+        poses, _ = self._run(DAE_RATES, state)
+        return self.pack([a | b for a, b in zip(self._redundant_rates(state, links), poses, strict=True)], RATES)
+
+    def _redundant_rates(self, state: Sequence[Mapping[str, list]], links: Sequence[Mapping[str, list]]) -> list[dict]:
+        """The links with the rates of joint coordinates, which those of joints are but for quaternions."""
+        out = [dict(link) | {"qrate": link["qdot"]} for link in links]
+        for i, joint in ((part.link, part.joint) for part in self.chain.curved if not part.joint.in_space):
+            given = {"q": state[i]["q"], "v": links[i]["qdot"]}
+            out[i]["qrate"] = self.apply(i, 0, coordinate_rates(joint), given)["rates"]
+        return out
 
     def kinematic_rates(self, x: Sequence, z: Sequence, tau: Sequence = ()) -> list:
         """``xdot`` when the accelerations are given: the differential equations of the DAE.
@@ -167,8 +194,8 @@ class DaeFunctions(Functions):
     def coordinates(self, x: Sequence) -> tuple[list, list]:
         """``q`` and ``v`` of a state."""
         links, _ = self._run(DAE_FORWARD[:1], state := self.unpack(x))
-        join, links = self.chain.join, [a | b for a, b in zip(state, links, strict=True)]
-        return join(links, "q", "eta"), join(links, "qdot", "etadot")
+        join, found = self.chain.join, self._of_joints([a | b for a, b in zip(state, links, strict=True)])
+        return join(found, "q", "eta"), join(found, "qdot", "etadot")
 
     def assemble(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[Entries, list, list]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z.

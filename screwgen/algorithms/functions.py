@@ -7,6 +7,7 @@ from contextlib import AbstractContextManager, nullcontext
 
 from ..elements import Law
 from ..ir.program import Value
+from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from . import dae, given_motion, travels, validity
 from . import motions as mo
@@ -14,11 +15,12 @@ from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .axis_terms import drive_power, rotor_accelerations
+from .joint_moves import rates
 from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
 from .marker_functions import MarkerFunctions
-from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by, trace
+from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 
@@ -112,7 +114,7 @@ class Functions(LoopFunctions, MarkerFunctions):
                 out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
             elif not parts or part in parts:
                 M, K, D = (self.constants[i][name] for name in COLUMNS[part])
-                pairs = zip(K, x[part], D, x[f"{part}dot"], strict=True)
+                pairs = zip(K, stretched(self.chain.keys[i], x, part), D, x[f"{part}dot"], strict=True)
                 out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
         out |= {} if below is None else self._coupled_terms(i, x, below, out["f_eta"])
         key = self.chain.keys[i]
@@ -159,7 +161,7 @@ class Functions(LoopFunctions, MarkerFunctions):
         return {"m_below": list(M), "f_eta": out}
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:
-        offset = self.chain.q_offset
+        offset = self.chain.tau_offset
         return [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
 
     def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:
@@ -229,18 +231,19 @@ class Functions(LoopFunctions, MarkerFunctions):
         return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in tips]
 
     def coordinate_rates(self, q: Sequence, v: Sequence) -> list:
-        """``dq/dt``: the rates themselves, but for the pose of a floating base."""
-        if not self.chain.floating:
-            return list(v)
-        state, (program,) = self._state(q, v)[0], trace(self.chain.keys[0], DAE_RATES)
-        found = self.apply(0, 0, program, {name: state[name] for name in program.inputs})
-        return [*found["position_rate"], *found["quaternion_rate"], *v[self.chain.base_v :]]
+        """``dq/dt``: the rates themselves, but for joints whose coordinates do not add up."""
+        return rates(self.chain, q, v, self.apply)
 
     def energy(self, q: Sequence, v: Sequence) -> tuple[Value, Value]:
         """Kinetic and potential energy."""
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+def stretched(key: LinkClass, x: Mapping[str, list], part: str) -> Sequence[Value]:
+    """The coordinates that springs stretch, one for each rate; a joint whose coordinates do not add up has none."""
+    return [0.0] * key.joints if part == "q" and key.joint.curved else x[part]
 
 
 def axial_motions(links: Sequence[Mapping[str, list]]) -> list:

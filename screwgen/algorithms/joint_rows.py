@@ -22,8 +22,8 @@ def joint_rows_block(key: LinkClass) -> Block:
     balance completes the six rows.
     """
     b = Block("joint_rows", "Rows of the joint")
-    if key.free:
-        return _free_rows(b)
+    if key.floats:
+        return _rows_in_space(b)
     m = key.joints
     R = b.input("R_rel", (3, 3))
     size = 6 if key.slides else 3
@@ -36,11 +36,11 @@ def joint_rows_block(key: LinkClass) -> Block:
     J_B = b.step("J_B", shift(joint_point(b, key)))
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
-    free = identity(size) - N
+    inert = identity(size) - N
     if key.has_constant_inertia or key.has_travelling_inertia:
         J_m = b.input("J_m", (m, 1)) if key.has_travelling_inertia else b.parameter("armature", (m, 1))
-        free = free + S_plus.T @ Diagonal(J_m) @ S_plus
-    P_c = b.step("P_c", _whole(free, identity(3)))
+        inert = inert + S_plus.T @ Diagonal(J_m) @ S_plus
+    P_c = b.step("P_c", _whole(inert, identity(3)))
     b.step("joint_w", _whole(N, zeros(3, 3)))
     b.step("joint_V", P_c @ J_B)
     PX = b.step("PX", P_c @ X)
@@ -51,7 +51,7 @@ def joint_rows_block(key: LinkClass) -> Block:
     return b
 
 
-def _free_rows(b: Block) -> Block:
+def _rows_in_space(b: Block) -> Block:
     """Of a floating base: nothing acts at its joint, ``w = 0``. These are the rows with ``S = I``, thus ``P = 0``."""
     b.step("joint_w", identity(6))
     b.step("joint_V", zeros(6, 6))

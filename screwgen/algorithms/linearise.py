@@ -133,9 +133,7 @@ def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] 
 
 def places(chain: Chain, i: int) -> tuple[slice, slice]:
     """The slices of v with the joint and the modal rates of a link."""
-    m, first = chain.eta_v, 0 if chain.keys[i].free else chain.base_v
-    joint = first, first + chain.keys[i].freedoms
-    return slice(*(x + chain.q_offset[i] for x in joint)), slice(*(m + e for e in chain.eta_offset[i : i + 2]))
+    return slice(*chain.v_offset[i : i + 2]), slice(*(chain.eta_v + e for e in chain.eta_offset[i : i + 2]))
 
 
 def _coordinates(chain: Chain, i: int) -> list[int]:
@@ -207,7 +205,7 @@ def _axes(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own: bool) -> list[Sequence[Value]]:
     """Inertia, stiffness and damping of the joint's own coordinates; without ``own`` those that are not given."""
-    none = [0.0] * key.freedoms
+    none = [0.0] * key.joints
     if key.has_axis_forces:
         return [constants[name] for name in COLUMNS["q"]] if own else [none] * 3
     inertia = [constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.has_constant_inertia else none

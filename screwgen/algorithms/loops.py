@@ -27,7 +27,7 @@ from ..joints.constraints import Alignment, Angle, Distance, Ratio
 from ..topology.chain import Chain
 from ..topology.loops import Closure, Junction
 from . import matrices as mx
-from .exponential import Series, exponential
+from .joint_moves import integration
 from .schedule import Apply
 
 
@@ -284,23 +284,15 @@ def combined(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list
 
 
 def moved(chain: Chain, q: Sequence, forces: Sequence, answers: Sequence[Sequence], apply: Apply) -> list:
-    """The coordinates (nq,) and that sum of changes (nv,); a floating base moves by its exponential.
+    """The coordinates (nq,) and that sum of changes (nv,), by which joints move each in its way.
 
-    The answers to forces inside the robot have no momentum, so its centre of mass stays, to first order.
+    The answers to forces inside the robot have no momentum, so the centre of mass of one that floats stays, to first
+    order.
     """
-    count, poses = chain.base_v, chain.base_q
-    own = combined(q[poses:], forces, [answer[count:] for answer in answers])
-    if not chain.floating:
-        return own
-    u = combined([0.0] * count, forces, [answer[:count] for answer in answers])
-    return [*apply(0, 0, displacement(), {"pose": list(q[:poses]), "u": u})["moved"], *own]
-
-
-@cache
-def displacement() -> Program:
-    """``(pose, u) -> (moved)``: the pose of a floating base times ``exp(u)``."""
-    tracer = Tracer()
-    pose, u = (np.array(tracer.input(name, size), dtype=object) for name, size in (("pose", 7), ("u", 6)))
-    call = lambda name: lambda x: tracer.call(name, x)  # noqa: E731
-    found = exponential(np.concatenate([pose[3:], pose[:3]]), u, Series(call("c4"), call("c5")))
-    return tracer.program("displacement", {"pose": 7, "u": 6}, {"moved": [*found[4:], *found[:4]]})
+    own = combined([q[k] for k in chain.flat_q], forces, [[answer[k] for k in chain.flat_v] for answer in answers])
+    out = dict(zip(chain.flat_q.tolist(), own, strict=True))
+    for part in chain.curved:
+        u = combined([0.0] * part.joint.nv, forces, [answer[part.v] for answer in answers])
+        found = apply(part.link, 0, integration(part.joint), {"q": list(q[part.q]), "u": u})["moved"]
+        out |= dict(zip(range(part.q.start, part.q.stop), found, strict=True))
+    return [out[k] for k in range(chain.nq)]

@@ -39,7 +39,9 @@ def joint_quaternion(s: Scope, q: Array) -> Array:
     turns = []
     if s.key.mount_rpy:
         turns += [axis_quaternion(s, mx.identity(3)[k], s.constant(f"mount_rpy_{'xyz'[k]}")) for k in (2, 1, 0)]
-    turns += [axis_quaternion(s, screw.axis, x) for screw, x in zip(s.key.screws, q, strict=True) if screw.turn]
+    if s.key.joint.curved:
+        turns.append(unit_quaternion(s, q))
+    turns += [axis_quaternion(s, screw.axis, x) for screw, x in zip(s.key.screws, q, strict=False) if screw.turn]
     total = mx.array([1.0, 0.0, 0.0, 0.0])
     for turn in turns:
         total = quaternion_product(total, turn)

@@ -22,13 +22,13 @@ from math import prod
 import numpy as np
 
 from ..bodies.energy import energy_block
+from ..bodies.joint import joint_block, motion_block, posture_block
 from ..bodies.link import LinkBlock
 from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_block
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Array, Label, Node, Program, Tracer, Value, Vector, give_label
-from ..joints.joint import joint_block, motion_block, posture_block
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 from .joint_rows import joint_rows_block

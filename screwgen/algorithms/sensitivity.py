@@ -186,8 +186,8 @@ def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
 
 def joint_answers(s: Scope, carried: Load) -> None:
     """The joint's rows, their derivatives with the joint's coordinates, and the load passed to the parent."""
-    if s.key.free:
-        free_answers(s, carried)
+    if s.key.floats:
+        answers_in_space(s, carried)
         return
     m, omega_P = s.key.joints, s.read("base.omega_T")
     q, qdot = s.read("q"), s.read("qdot")
@@ -206,7 +206,7 @@ def joint_answers(s: Scope, carried: Load) -> None:
         turned = np.vstack([columns_cross(A, w[:3]) + columns_cross(T, w[3:]), columns_cross(A, w[3:])])
         F_q = mx.multiply(answer, u_q)
         travel_q, travel_qdot = elastic_travels.answers(s)
-        later = mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
+        later = mx.zeros(m, m) if s.key.joint.curved else _bend(A, T, w)
         s.write("w.f_q", mx.multiply(axes.T, F_q) + later + travel_q)
         F_qdot = mx.multiply(answer, u_qdot)
         s.write("w.f_qdot", mx.multiply(axes.T, F_qdot) + travel_qdot)
@@ -223,13 +223,13 @@ def joint_answers(s: Scope, carried: Load) -> None:
         s.write(f"w.{name}", value)
 
 
-def free_answers(s: Scope, carried: Load) -> None:
+def answers_in_space(s: Scope, carried: Load) -> None:
     """The rows of a floating base, and their derivatives with its twist and with a change delta of its pose.
 
     The pose becomes ``pose exp(delta)``, delta = [turn; shift] in axes of F_i. That turns what comes from outside in
     F_i: free fall alone.
     """
-    omega, v = np.split(s.read("twist"), 2)
+    omega, v = np.split(s.read("qdot"), 2)
     with s.step("floating base: its rows and their changes with pose and twist"):
         none, one = mx.zeros(3, 3), mx.identity(3)
         u_q = np.vstack([np.hstack([none, none])] * 2 + [np.hstack([mx.hat(s.read("w.a_J")), none])])
@@ -238,7 +238,7 @@ def free_answers(s: Scope, carried: Load) -> None:
         rows = np.hstack([carried.Gamma, carried.Lambda])
         F_q, F_qdot = mx.multiply(rows, u_q), mx.multiply(rows, u_qdot)
     changes = {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": mx.identity(6)}
-    changes |= {"F_q": F_q, "F_qdot": F_qdot, "f_q": F_q, "f_qdot": F_qdot, "R_rel": rotation(s)}
+    changes |= {"F_q": F_q, "F_qdot": F_qdot, "f_q": F_q, "f_qdot": F_qdot, "R_rel": rotation(s, s.read("q"))}
     changes |= {"answer": rows, "w_J": mx.zeros(6)}
     for name, value in (changes | dict.fromkeys(("omega_J", "r_B", "r_J", "v_J"), mx.zeros(3))).items():
         s.write(f"w.{name}", value)
@@ -251,12 +251,14 @@ def joint_changes(s: Scope, A: Array, T: Array, joint: Motion, r_B: Array) -> tu
     The frame of reference is the one in which the joint point is at rest.
     """
     qdot, qddot = s.read("qdot"), s.read("qddot")
-    Adot, Addot, Tdot, Tddot = subspace_rates(A, T, qdot, qddot)
+    of_kind = ball_rates if s.key.joint.curved else subspace_rates
+    Adot, Addot, Tdot, Tddot = of_kind(A, T, qdot, qddot)
+    bend = Adot if s.key.joint.curved else 2.0 * Adot
     omega, omegadot = joint.omega, joint.omegadot
     d_omega = Adot + cross_columns(omega, A)
     d_rate = Addot + cross_columns(omegadot, A) + cross_columns(omega, Adot)
     d_a = cross_columns(joint.a, A) + _swing_changes(d_omega, d_rate, omega, r_B)
-    v_rate, d_v = 2.0 * Adot + cross_columns(omega, A), Tdot + cross_columns(omega, T)
+    v_rate, d_v = bend + cross_columns(omega, A), Tdot + cross_columns(omega, T)
     d_a = d_a + Tddot + cross_columns(omegadot, T) + cross_columns(omega, Tdot + d_v)
     slip = 2.0 * d_v + _swing_changes(A, v_rate, omega, r_B)
     return np.vstack([d_omega, d_rate, d_a]), np.vstack([A, v_rate, slip])
@@ -278,6 +280,18 @@ def subspace_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array
         alpha = alpha + A[:, k] * qddot[k] + Adot[:, k] * qdot[k]
         a = a + T[:, k] * qddot[k] + Tdot[:, k] * qdot[k]
     return Adot, Addot, Tdot, Tddot
+
+
+def ball_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array, Array, Array, Array]:
+    """The same of a ball joint, by turns delta in axes of F_i at given rates w: ``d/dt delta = -w x delta``."""
+    Adot = -cross_columns(qdot, A)
+    return Adot, -cross_columns(qdot, Adot) - cross_columns(qddot, A), T, T
+
+
+def _bend(A: Array, T: Array, w: Array) -> Array:
+    """(m, m): how the joint's rows change as its columns do, at the wrench ``w``."""
+    m = A.shape[1]
+    return mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
 
 
 def _later(A: Array, T: Array, w: Array, l: int, k: int) -> Value:

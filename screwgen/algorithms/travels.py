@@ -137,7 +137,7 @@ def store(s: Scope, q: Array, qdot: Array) -> None:
 
 def levers(s: Scope) -> None:
     """The travel per unit of each axis: what its effort is multiplied by."""
-    s.write("levers", slopes(s, s.read("q")) if s.key.travels else np.array([1.0] * s.key.joints, object))
+    s.write("levers", slopes(s, s.read("q")) if s.key.travels else np.array([1.0] * s.key.torques, object))
 
 
 # ------------------------------------------------------------------------------------ of a robot, in numbers
@@ -152,7 +152,7 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
     for i, key in enumerate(chain.keys):
         for axis in key.travels:
-            place, travel = chain.q_offset[i] + axis, chain.travels[chain.q_offset[i] + axis]
+            place, travel = chain.tau_offset[i] + axis, chain.travels[chain.tau_offset[i] + axis]
             given = [float(p[chain.parameter_labels[i][f"drive_{x}_{axis + 1}"]]) for x in travel.KEYS]
             at = float(q[place])
             try:

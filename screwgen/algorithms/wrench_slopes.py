@@ -40,9 +40,9 @@ def wrench_slopes(
     handed = lambda i: (rows[i], range(6 * i, 6 * i + 6))  # noqa: E731
     inward(chain, links, handed, (out["q"], out["v"]), named)
     _columns(chain, links, rows, out, named)
-    if chain.floating:
-        for kind in KINDS:
-            out[kind][:6] = 0.0
+    for i, key in enumerate(chain.keys):
+        for kind in KINDS if key.floats else ():
+            out[kind][of(i)] = 0.0
     return out | {"wrench": np.concatenate([link["w_J"] for link in links])}
 
 

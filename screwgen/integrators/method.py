@@ -14,7 +14,7 @@ from typing import Any, Literal, Protocol
 
 from ..errors import UsageError
 from .order import StageState, unmet
-from .se3 import FLAT, Space
+from .space import FLAT, Space
 
 Motion = tuple[Any, Any]
 """Coordinates (nq,) and rates (nq,)."""

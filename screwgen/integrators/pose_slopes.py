@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..algorithms import matrices as mx
-from ..algorithms.exponential import Series, exponential
 from ..ir.derivative import columns
 from ..ir.program import Array, Program, Tracer, Value
+from ..joints.exponential import Series, exponential
 
 
 def pose_slopes() -> Program:

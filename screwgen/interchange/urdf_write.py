@@ -10,6 +10,7 @@ import numpy as np
 
 from ..backends.numpy.numeric import Numeric
 from ..errors import UsageError
+from ..joints.screw import Screw
 from ..reduction.invariants import hat
 from ..spec.base import FLOATING
 from ..spec.couplings import Axis, coupled_axis
@@ -18,7 +19,6 @@ from ..spec.markers import carried_at
 from ..spec.parents import WORLD, parents
 from ..spec.reduced import elastic, of_link
 from ..spec.robot import Link, Robot
-from ..spec.screw import Screw
 from ..topology.chain import Chain
 from .rigid import HERE, Pose, pose
 from .tables import GRAVITY, STICKING
@@ -53,6 +53,9 @@ class _Writer:
     def exported(self) -> Exported:
         robot = self.robot
         for i, link in enumerate(robot.links):
+            if link.joint.kind.curved:
+                what = f"links[{i}].joint.axes (link {link.name}): is a ball joint, which URDF does not have"
+                raise UsageError(f"{self.file}: {what}; write three axes in its place")
             for k, screw in enumerate(link.joint.screws):
                 if screw.turn and screw.travel:
                     where = f"links[{i}].joint.axes[{k}] (link {link.name})"

@@ -158,7 +158,7 @@ class Memory:
 
 def _order(c: Chain) -> Array:
     """The places of the entries of x in ``<robot>_dae_state``: there positions follow all quaternions."""
-    sizes = (4 * c.n, 3 * c.n, c.n_inner, 6 * c.n, c.n_inner, c.n_joints)
+    sizes = (4 * c.n, 3 * c.n, c.n_inner, 6 * c.n, c.n_inner, c.n_redundant)
     starts = np.cumsum([0, *(max(size, 1) for size in sizes)])
     quaternion, position, *rest = (start + np.arange(size) for start, size in zip(starts, sizes, strict=False))
     return np.concatenate([np.hstack([quaternion.reshape(-1, 4), position.reshape(-1, 3)]).ravel(), *rest])

@@ -28,8 +28,7 @@ class Stepper:
         self.q, self.v, self.tau, self.w_ext = compiled.q, compiled.v, compiled.tau, compiled.w_ext
         self._compiled, self._call = compiled, compiled.library.shim_step
         self._given = compiled.memory, number, count, dt
-        if compiled.chain.floating:
-            self.q[3] = 1.0
+        self.q[: compiled.chain.nq] = compiled.chain.home
 
     def __call__(self) -> None:
         """Make the steps.

@@ -33,7 +33,7 @@ class DaeStepper:
 
     def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), dynamics(model, p)
-        self.reference, self.n_joints, self.floating = model.numpy(p), model.n_joints, model.chain.floating
+        self.reference, self.chain = model.numpy(p), model.chain
         self.p, self.place = np.array(p, float), CasadiEvaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -50,8 +50,7 @@ class DaeStepper:
 
     def coordinates(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """``q`` and ``v``; the joint rates follow from the twists."""
-        d, m = self.dynamics, self.n_joints
-        rates = d.rates(x, np.zeros(m), np.zeros((len(x[d.pose]) // 7, 6)))
-        q, qdot = x[len(x) - m :], rates[len(x) - m :]
-        pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.floating else (x[:0], x[:0])
+        d, qdot = self.dynamics, self.dynamics.joint_rates(x)[0]
+        pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.chain.floating else (x[:0], x[:0])
+        q = x[d.q]
         return np.concatenate([pose, q, x[d.eta]]), np.concatenate([twist, qdot, x[d.etadot]])

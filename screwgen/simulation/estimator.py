@@ -16,7 +16,6 @@ from ..algorithms.tip_acceleration import tip_acceleration
 from ..arguments import Given, Loads, Numbers, array
 from ..backends.numpy.numeric import EPSILON, function_of
 from ..errors import DivergedError, SingularError, UsageError
-from ..integrators.se3 import carried, unit
 from ..robot_model import RobotModel
 from ..runtime.estimator import Noise, check_noise, given_measurements, sensors, spread
 from .integrate import JointStepper
@@ -36,6 +35,7 @@ class Estimator:
     """
 
     def __init__(self, model: RobotModel, parameters: Given = None):
+        model.chain.needs_sums("estimator", "leave it out")
         chain, self.model = model.chain, model
         self._p = chain.parameters.vector(parameters)
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
@@ -54,7 +54,7 @@ class Estimator:
         )
         if chain.floating and not q[3:7].any():
             raise UsageError("q: the quaternion of the base is zero; give [1, 0, 0, 0] for no turn")
-        q, P = unit(q) if chain.floating else np.array(q, float), np.diag(sizes**2)
+        q, P = chain.unit(q), np.diag(sizes**2)
         if chain.closures:
             q, v, _ = self._shut(q, v)
             q, v, T = self._shut(q, v)  # the projection is that at closed rates
@@ -97,8 +97,9 @@ class Estimator:
 
     def _middle(self, q: np.ndarray, v: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """The state in the middle of a step to q and v."""
-        rate, base = (self._v + v) / 2, self.model.chain.base_q
-        half = np.append(dt / 2 * rate[: self.model.chain.base_v], (q - self._q)[base:] / 2)
+        rate, chain = (self._v + v) / 2, self.model.chain
+        half = dt / 2 * rate
+        half[chain.flat_v] = (q - self._q)[chain.flat_q] / 2
         return self._moved(self._q, half), rate
 
     def _transition(
@@ -109,8 +110,7 @@ class Estimator:
         n = self.model.nv
         one, none = np.eye(n), np.zeros((n, n))
         A = np.block([[none, one], [by_q, by_v]])
-        if self.model.chain.floating:
-            A[:6, :6] = carried(v[:6])
+        A[:n, :n] = self.model.chain.carried(v)
         left = np.eye(2 * n) - h / 2 * A
         solved = np.linalg.solve(left, np.hstack([np.eye(2 * n) + h / 2 * A, np.vstack([none, one])]))
         return solved[:, : 2 * n], solved[:, 2 * n :]
@@ -233,7 +233,7 @@ class Estimator:
 
     def _moved(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
         moved = self._space.moved(q, change)
-        return unit(moved) if self.model.chain.floating else moved
+        return self.model.chain.unit(moved)
 
     def _input(self, tau: Numbers, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:
         return array(tau, "tau", (self.model.n_tau,)), array(w_ext, "w_ext", (self.model.n_links, 6))

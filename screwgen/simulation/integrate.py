@@ -15,7 +15,6 @@ from ..backends.numpy.own_forces import OwnForces
 from ..errors import DivergedError
 from ..integrators.method import Method, Motion
 from ..integrators.methods import method_of
-from ..integrators.se3 import unit
 from ..robot_model import RobotModel
 
 if TYPE_CHECKING:
@@ -147,14 +146,14 @@ class JointStepper:
 
     def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), Dynamics(model, p)
-        self.reference, self.space, self.floating = model.numpy(p), space_of(model.chain), model.chain.floating
+        self.reference, self.space, self.chain = model.numpy(p), space_of(model.chain), model.chain
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
         return JointState(np.array(q, float), np.array(v, float))
 
     def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
         q, v = self.method.step(HeldAccelerations(self.dynamics, tau, w_ext), state.q, state.v, dt, self.space)
-        new = JointState(unit(q) if self.floating else q, v)
+        new = JointState(self.chain.unit(q), v)
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
             self.reference.forward_dynamics(state.q, state.v, tau, w_ext)
             raise diverged(self.method)

@@ -18,7 +18,7 @@ from ..backends.numpy.dae_step import space_of
 from ..errors import SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
-from ..integrators.se3 import Space
+from ..integrators.space import Space
 from ..robot_model import RobotModel
 from ..spec.parameters import turning
 from . import mobility
@@ -80,6 +80,7 @@ class Linearised:
         w_ext: Numbers | None = None,
         parameters: Parameters | None = None,
     ):
+        model.chain.needs_sums("linear motion", "take model.numpy().derivatives")
         if controller is not None and tau is not None:
             raise UsageError("torques are given beside a controller; leave one of them out")
         self.model, self.p = model, model.chain.parameters.vector(parameters)

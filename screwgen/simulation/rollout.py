@@ -275,14 +275,15 @@ def _array(values: Any, name: str, shape: tuple[int, ...], allowed: str) -> np.n
 
 def _states(values: Any, model: RobotModel) -> np.ndarray:
     """Initial states, (batch or 1, nq + nv)."""
-    count, sizes = model.nq + model.nv, "nq + nv" if model.chain.floating else "2 nq"
+    count, sizes = model.nq + model.nv, "nq + nv" if model.chain.curved else "2 nq"
     out = _array(values, "x0", (count,), f"(batch, {sizes}) or ({sizes},)")
-    if model.chain.floating:
-        length = np.linalg.norm(out[:, 3:7], axis=1, keepdims=True)
+    for part in model.chain.curved:
+        first = part.q.start + (part.joint.turn_at or 0)
+        length = np.linalg.norm(out[:, first : first + 4], axis=1, keepdims=True)
         for k in np.flatnonzero(~(np.abs(length[:, 0] - 1) <= SLACK))[:1]:
-            said = f"entries 3 to 6 (w, x, y, z) of scenario {k}"
+            said = f"entries {first} to {first + 3} (w, x, y, z) of scenario {k}"
             raise UsageError(f"x0 has a quaternion of length {length[k, 0]:.6g}, {said}; it must have length 1")
-        out = np.hstack([out[:, :3], out[:, 3:7] / length, out[:, 7:]])
+        out = np.hstack([out[:, :first], out[:, first : first + 4] / length, out[:, first + 4 :]])
     return out
 
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from ..joints.screw import Screw, Vector
 from .messages import unknown
 from .ranges import within
-from .screw import Screw, Vector
 from .values import Path, array, numbers, refuse, shown
 
 LETTERS: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -23,9 +23,30 @@ UNIT = 4 * 2.0**-52  # a vector this near to unit length stays as it is, so that
 GENERIC = (0.7, -1.1, 0.4)  # coordinates of no special posture
 
 
+BALL = "ball"
+
+
+class EveryDirection(tuple[Vector, ...]):
+    """The axes of a ball joint, those of F_i: along each there is a rate and a torque, but no coordinate."""
+
+    def __new__(cls) -> EveryDirection:
+        return super().__new__(cls, LETTERS.values())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, EveryDirection)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(BALL)
+
+
 def axes(value: Any) -> tuple[Vector | Screw, ...]:
-    """At most three unit vectors or screws, each of which adds a motion to those before it."""
-    stated = array(value, 'an array of axes, as ["y", "z"]')
+    """At most three unit vectors or screws, each of which adds a motion to those before it; or "ball"."""
+    if value == BALL or isinstance(value, EveryDirection):
+        return EveryDirection()
+    stated = array(value, 'an array of axes, as ["y", "z"], or "ball"')
     if len(stated) > MAX_AXES:
         raise refuse(f"has {len(stated)} axes; at most {MAX_AXES} are allowed")
     units = tuple(axis(entry, at=(i,)) for i, entry in enumerate(stated))
@@ -97,8 +118,10 @@ def checked(screw: Screw, at: Path) -> Vector | Screw:
     return Screw(along, screw.turn, _nonzero(screw.travel, at))
 
 
-def written(axes: Sequence[Vector | Screw]) -> list[Vector | dict[str, Any]]:
+def written(axes: Sequence[Vector | Screw]) -> list[Vector | dict[str, Any]] | str:
     """The axes as a file states them."""
+    if isinstance(axes, EveryDirection):
+        return BALL
     return [_table(axis) if isinstance(axis, Screw) else axis for axis in axes]
 
 

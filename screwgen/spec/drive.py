@@ -8,10 +8,10 @@ from pydantic import Field, PlainValidator, model_validator
 
 from ..elements import Added, Travel
 from ..elements.gear import added_by
+from ..joints.screw import Screw
 from .limit import Limit
 from .part import Part
 from .ranges import within
-from .screw import Screw
 from .transmission import Transmission
 from .values import refuse, shown
 

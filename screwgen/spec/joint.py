@@ -6,14 +6,17 @@ from typing import Annotated, Any, Self
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..elements import AxisElement
-from .axes import axes, screw_of, written
+from ..joints.ball import BALL
+from ..joints.kind import JointKind
+from ..joints.product import product
+from ..joints.screw import Screw, Vector
+from .axes import EveryDirection, axes, screw_of, written
 from .axis_elements import OfAxis, axis_elements, stated
 from .drive import Drive, check, check_reach
 from .limit import Limit
 from .limit import check as check_limits
 from .part import Part
 from .ranges import several
-from .screw import Screw, Vector
 from .values import refuse
 
 Position = Annotated[Vector, PlainValidator(several("position", 3))]
@@ -45,7 +48,9 @@ class Joint(Part):
     `elements`: those of :mod:`screwgen.elements`, of each axis.
     """
 
-    axes: Axes = Field(description='the axes in order, as ["y", { slide = "x" }]; [] welds the link')
+    axes: Axes = Field(
+        description='the axes in order, as ["y", { slide = "x" }]; [] welds the link, "ball" is a ball joint'
+    )
     mount: Mount | None = Field(None, description="where the joint sits; without it at the tip point, axes aligned")
     armature: Annotated[PerAxis, PlainValidator(several("armature"))] | None = Field(
         None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared; of a slide in kg)"
@@ -86,9 +91,21 @@ class Joint(Part):
         return bool((self.armature and self.armature[axis]) or (drive and drive.rotor_inertia))
 
     @property
+    def kind(self) -> JointKind:
+        """How the joint moves its link."""
+        return BALL if isinstance(self.axes, EveryDirection) else product(self.screws)
+
+    @property
     def screws(self) -> tuple[Screw, ...]:
         """The degrees of freedom in order."""
         return tuple(map(screw_of, self.axes))
+
+    @model_validator(mode="after")
+    def _a_ball_joint_has_damping_alone(self) -> Self:
+        for name in ("armature", "stiffness", "drives", "limits", "elements") if self.kind.curved else ():
+            if getattr(self, name) is not None:
+                raise refuse("is stated of a ball joint, which has no axes; leave it out, damping aside", at=(name,))
+        return self
 
     @model_validator(mode="after")
     def _one_number_per_axis(self) -> Self:

@@ -8,6 +8,10 @@ from functools import cached_property
 
 from ..bases import Basis, Shapes, shapes
 from ..elements import AxisElement, Travel, gear
+from ..joints.free import FREE
+from ..joints.kind import JointKind
+from ..joints.product import WELD as WELDED
+from ..joints.screw import Screw
 from ..reduction.invariants import Invariants
 from .axis_laws import SIDES, Acting, laws
 from .drive import NO_FRICTION
@@ -16,7 +20,6 @@ from .markers import TIP
 from .modes import DIRECTIONS, SHEARED
 from .reduced import damped, directions, elastic
 from .robot import Link
-from .screw import Screw
 
 WELD = Joint(axes=())
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2, "shear_y": 1, "shear_z": 2}
@@ -69,8 +72,8 @@ class LinkClass:
     """The basis of each direction that has modes."""
     counts: tuple[int, ...]
     """The numbers of modes in the order of `DIRECTIONS`; without shear the first four."""
-    screws: tuple[Screw, ...]
-    """The degrees of freedom of the joint, in order."""
+    joint: JointKind
+    """The kind of the joint: how the link moves relative to its carrier."""
     mount_xyz: bool
     mount_rpy: bool
     armature: bool
@@ -114,8 +117,6 @@ class LinkClass:
     """The elements of the axes by their kind, each with its axis."""
     light: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
-    free: bool = False
-    """Whether the link is a floating base: its pose and twist are state, and its motion subspace is the identity."""
     stations_at: tuple[float, ...] = ()
     """The places s in [0, 1) along the link, or along its segment, at which it carries others, besides its tip."""
     section_at: float = TIP
@@ -151,19 +152,29 @@ class LinkClass:
         return any(self.counts[1:3]) and self.order == 1
 
     @property
-    def joints(self) -> int:
-        """The number of joint coordinates."""
-        return len(self.screws)
+    def screws(self) -> tuple[Screw, ...]:
+        """The screws of the joint, in order; none of a joint of another kind."""
+        return self.joint.screws
 
     @property
-    def freedoms(self) -> int:
-        """The number of columns of the motion subspace."""
-        return 6 if self.free else self.joints
+    def joints(self) -> int:
+        """The number of joint rates: the columns of the motion subspace."""
+        return self.joint.nv
+
+    @property
+    def torques(self) -> int:
+        """The number of the joint's torques."""
+        return self.joint.torques
+
+    @property
+    def floats(self) -> bool:
+        """Whether the link is a floating base, which nothing carries."""
+        return self.joint.in_space
 
     @property
     def slides(self) -> bool:
         """Whether the joint moves its link along an axis."""
-        return any(screw.slides for screw in self.screws)
+        return self.joint.slides
 
     @property
     def added_axes(self) -> tuple[int, ...]:
@@ -250,7 +261,7 @@ class LinkClass:
 MARKER = LinkClass(
     bases=("",) * 4,
     counts=(0,) * 4,
-    screws=(),
+    joint=WELDED,
     mount_xyz=False,
     mount_rpy=False,
     armature=False,
@@ -297,7 +308,7 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=False)),
         counts=counts,
-        screws=joint.screws,
+        joint=FREE if free else joint.kind,
         mount_xyz=mount is not None and mount.xyz is not None,
         mount_rpy=mount is not None and mount.rpy is not None,
         armature=bool(joint.armature),
@@ -324,5 +335,4 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         segment=segment if stations else 0,
         rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
         light=any(modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()),
-        free=free,
     )

@@ -248,14 +248,14 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
     drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N); of one
     that a four-bar linkage drives `boom.torque[0]` (N·m), at the crank.
-    wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
+    Of a ball joint q: `hand.joint.qw` … `hand.joint.qz`. wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
     Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
     """
     return CoordinateNames(
         q=(
             *per_base(robot, POSE),
-            *per_axis(robot, "joint", "slide"),
+            *per_coordinate(robot),
             *per_added(robot),
             *per_mode(robot, "eta"),
         ),
@@ -273,7 +273,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
     modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
-    axes = ("rad" if turns else "m" for turns in turning(robot))
+    axes = ("m" if ".slide[" in x else "rad" if x.endswith("]") else "1" for x in per_coordinate(robot))
     return [*POSE_UNITS * robot.floating, *axes, *(one.unit for _, _, one in added(robot)), *modal]
 
 
@@ -317,6 +317,13 @@ def per_added(robot: Robot, rate: str = "") -> tuple[str, ...]:
 def per_base(robot: Robot, names: Sequence[str]) -> tuple[str, ...]:
     """The names of a floating base's coordinates or rates, none where the base is fixed."""
     return tuple(f"base.{name}" for name in names if robot.floating)
+
+
+def per_coordinate(robot: Robot) -> tuple[str, ...]:
+    """One name for each joint coordinate, link by link: of an axis, or an entry of a ball joint's quaternion."""
+    named, turns = iter(per_axis(robot, "joint", "slide")), [f"joint.{q}" for q in POSE[3:]]
+    own = ((link, [next(named) for _ in link.joint.axes]) for link in robot.links)
+    return tuple(x for i, axes in own for x in ([f"{i.name}.{q}" for q in turns] if i.joint.kind.curved else axes))
 
 
 def per_axis(robot: Robot, turning: str, sliding: str) -> tuple[str, ...]:

@@ -37,6 +37,7 @@ def assemble(
     loops close with other ones alone; gears are without load. A floating base stays as well. `parameters`: their
     values. Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
     """
+    model.chain.needs_sums("assembly", "state its coordinates")
     if not model.chain.junctions:
         said = f"robot '{model.robot.name}' has neither loops nor couplings"
         raise UsageError(f"{said}; state [[loops]] or [[couplings]] tables, or leave this out")

@@ -112,6 +112,7 @@ def equilibrium(
     bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
     NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
+    model.chain.needs_sums("equilibrium", "simulate it with dampers")
     if not isinstance(hold, bool):
         choice(hold, ("all",), "hold: True, False or 'all'; there is no")
     if hold and tau is not None:

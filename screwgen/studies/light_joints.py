@@ -40,6 +40,7 @@ def light_joints(model: RobotModel) -> list[str]:
 
 def steps_borne(model: RobotModel) -> dict[str, float]:
     """For each joint without a rotor in front of modes the longest step, s, of a loop of 1 Hz."""
+    model.chain.needs_sums("limit of steps", "try steps")
     chain, rng = model.chain, np.random.default_rng(0)
     if not chain.n_modes:
         return {}

@@ -14,7 +14,6 @@ from ..algorithms.linear_model import OUTPUTS as OUTPUT_PARTS
 from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..errors import UnknownNameError, UsageError
-from ..integrators import se3
 from ..robot_model import RobotModel
 from ..simulation.mobility import motions
 from ..spec.load import one_line
@@ -178,7 +177,7 @@ def linearise(
     i, j = list(rows.values()), list(columns.values())
     states = state_names(chain)
     both = [*own, *(chain.nv + own)]
-    A = np.vstack([np.hstack([carried(chain, v), np.eye(chain.nv)]), vdot_x])[both] @ T
+    A = np.vstack([np.hstack([chain.carried(v), np.eye(chain.nv)]), vdot_x])[both] @ T
     return LinearModel(
         A=A,
         B=np.vstack([np.zeros_like(vdot_u), vdot_u])[np.ix_(both, j)],
@@ -221,14 +220,6 @@ def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
     if isinstance(found, str):
         raise UsageError(f"q: {found}")
     return found
-
-
-def carried(chain: Chain, v: np.ndarray) -> np.ndarray:
-    """(nv, nv): how changes of the posture change at constant rates: those of a floating base turn with its axes."""
-    out = np.zeros((chain.nv, chain.nv))
-    if chain.floating:
-        out[:6, :6] = se3.carried(v[:6])
-    return out
 
 
 # ------------------------------------------------------------------------------ names

@@ -48,6 +48,7 @@ def natural_frequencies(
     Where the links bear or bend more than the bounds of the model allow, a :class:`ModelValidityWarning` says so: under
     their weight also where gravity has no part in the frequencies.
     """
+    model.chain.needs_sums("natural frequencies", "take model.numpy().derivatives")
     found = mode_shapes(model, q, joints, parameters, rates, loaded)
     found.validity.warn()
     if found.growth.any():
@@ -87,6 +88,7 @@ def mode_shapes(
     loaded: bool = False,
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
+    model.chain.needs_sums("mode shapes", "take model.numpy().derivatives")
     p = model.chain.parameters.vector(parameters)
     q = closed_posture(model, q, p)
     moving = movable(model, joints, q, p)
@@ -142,6 +144,7 @@ def loaded_motion(
     model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
+    model.chain.needs_sums("modes under load", "take model.numpy().derivatives")
     model.chain.needs_fixed(*LOADED)
     if not model.chain.closures:
         return steady(model, q, rates, loaded, p, moving)

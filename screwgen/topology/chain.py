@@ -118,6 +118,15 @@ class Chain(Coordinates):
         if self.closures:
             raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 
+    def needs_sums(self, what: str, instead: str) -> None:
+        """The same where a joint behind the base has coordinates that do not add up: a ball joint."""
+        for part in self.curved:
+            if not part.joint.in_space:
+                said = (
+                    f"robot '{self.robot.name}' has a {part.joint.name} joint, that of link '{self.names[part.link]}',"
+                )
+                raise UsageError(f"{said} for which there is no {what} yet; {instead}")
+
     def needs_independent_rows(self, what: str, instead: str) -> None:
         """The same where rows of the loops depend on each other in every posture."""
         if self.overconstrained:
@@ -126,7 +135,7 @@ class Chain(Coordinates):
 
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
-        if self.keys[link].free:
+        if self.keys[link].floats:
             said = f"the floating base has no inertia about some axis in this posture{self.caution}"
             return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         said = f"the joint of link '{self.names[link]}' is singular in this posture"

@@ -10,19 +10,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..elements import FRICTION, STOP, TRAVELS, Law, Travel
-from ..spec.base import HOME, POSE, TWIST
 from ..spec.link_class import LinkClass
+from .joint_coordinates import JointCoordinates
 
 SLACK = 1e-3
 """How far the length of a stated quaternion may be from one."""
 
-FREE: dict[str, dict[str, int]] = {
-    "q": {"position": 3, "quaternion": 4},
-    "qdot": {"twist": 6},
-    "qddot": {"Vdot": 6},
-    "force": {"base_force": 6},
-}
-"""The signals of a floating base that precede those of the joints, with their sizes."""
 ADDED = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
 """The signal of what elements add to a link's coordinates by that of its joint."""
 
@@ -35,17 +28,19 @@ class Acted(NamedTuple):
     side: int
 
 
-class Coordinates:
+class Coordinates(JointCoordinates):
     """The coordinates of links of given classes, `q` (nq) and `v` (nv), and their offsets by link.
+
+    Both hold the joints link by link, then rotors, then modes. What moves coordinates by rates asks the joints.
 
     ``parameter_labels``: for every link, the label of each of its parameters and its place in the parameter vector.
     """
 
     def __init__(self, keys: Sequence[LinkClass], parameter_labels: Sequence[Mapping[str, int]]):
-        self.keys, self.parameter_labels = list(keys), list(parameter_labels)
+        super().__init__(keys)
+        self.parameter_labels = list(parameter_labels)
         offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
-        self.q_offset, self.eta_offset = offsets(lambda k: k.joints), offsets(lambda k: k.modes)
-        self.theta_offset = offsets(lambda k: len(k.added_axes))
+        self.eta_offset, self.theta_offset = offsets(lambda k: k.modes), offsets(lambda k: len(k.added_axes))
         self.below_offset = offsets(lambda k: len(k.coupled))
 
     @property
@@ -54,28 +49,28 @@ class Coordinates:
 
     @property
     def n_joints(self) -> int:
-        """The number of joint coordinates, the first of `q`, or those behind the pose of a floating base."""
-        return self.q_offset[-1]
+        """The number of joint rates with a torque, the first of `v`, or those behind the twist of a floating base."""
+        return self.tau_offset[-1]
 
     @property
     def floating(self) -> bool:
         """Whether the first link moves freely: its pose precedes the joint coordinates, its twist their rates."""
-        return self.keys[0].free
+        return self.keys[0].floats
 
     @property
     def base_q(self) -> int:
-        """The number of coordinates of a floating base, which is the index of the first joint coordinate in `q`."""
-        return len(POSE) if self.floating else 0
+        """The number of coordinates of a floating base, which is the index of the first other one in `q`."""
+        return self.q_offset[1] if self.floating else 0
 
     @property
     def base_v(self) -> int:
-        """The number of their rates, which is the index of the first joint rate in `v`."""
-        return len(TWIST) if self.floating else 0
+        """The number of their rates, which is the index of the first rate in `v` with a torque."""
+        return self.v_offset[-1] - self.n_joints
 
     @property
-    def home(self) -> list[float]:
-        """The coordinates (nq) with joints and modes at zero, and a floating base at the inertial frame."""
-        return [*HOME[: self.base_q], *[0.0] * (self.nq - self.base_q)]
+    def n_redundant(self) -> int:
+        """The number of joint coordinates beside poses in the DAE form: of all joints but a floating base."""
+        return self.q_offset[-1] - self.base_q
 
     @property
     def n_tau(self) -> int:
@@ -97,16 +92,6 @@ class Coordinates:
         return self.n_added + self.n_modes
 
     @property
-    def nq(self) -> int:
-        """The number of coordinates: of a floating base, joints, rotors, modes."""
-        return self.base_q + self.n_joints + self.n_inner
-
-    @property
-    def nv(self) -> int:
-        """The number of their rates."""
-        return self.nq - self.base_q + self.base_v
-
-    @property
     def eta_q(self) -> int:
         """The index of the first modal coordinate in `q`."""
         return self.nq - self.n_modes
@@ -126,18 +111,24 @@ class Coordinates:
         out = np.zeros(self.nv) if rates else np.array(self.home)
         if len(given) == len(out):
             out[:] = given
-        elif len(given) in (0, self.n_joints):
-            first, joints = self.base_v if rates else self.base_q, self.with_added(given, p) if len(given) else given
+        elif len(given) in (0, count := self.n_joints if rates else self.n_redundant):
+            first = self.base_v if rates else self.base_q
+            joints = self.with_added(given, p) if len(given) and self.n_added else given
             out[first : first + len(joints)] = joints
         else:
-            allowed = f"{len(out)} numbers, or the {self.n_joints} of the joints alone"
+            allowed = f"{len(out)} numbers, or the {count} of the joints alone"
             return f"has length {len(given)}; it must have {allowed}"
-        if self.floating and not rates:
-            size = float(np.linalg.norm(out[3:7]))
+        return out if rates else self._checked(out)
+
+    def _checked(self, q: np.ndarray) -> np.ndarray | str:
+        """The coordinates with quaternions of length one; those of another length are refused as a text."""
+        for part in self.curved:
+            first = part.q.start + (part.joint.turn_at or 0)
+            size = float(np.linalg.norm(q[first : first + 4]))
             if not abs(size - 1) <= SLACK:
-                return f"has a quaternion of length {size:.6g}, entries 3 to 6 (w, x, y, z); it must have length 1"
-            out[3:7] /= size
-        return out
+                where = f"entries {first} to {first + 3} (w, x, y, z)"
+                return f"has a quaternion of length {size:.6g}, {where}; it must have length 1"
+        return self.unit(q)
 
     @cached_property
     def has_axis_forces(self) -> bool:
@@ -147,7 +138,7 @@ class Coordinates:
     @cached_property
     def added_joints(self) -> list[int]:
         """The joint coordinate, as its number among those, of the axis of each added coordinate."""
-        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.added_axes]
+        return [self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.added_axes]
 
     @cached_property
     def effort_places(self) -> list[int]:
@@ -172,7 +163,7 @@ class Coordinates:
     def elastic_travels(self) -> dict[int, int]:
         """The joint coordinates, as their numbers, that elastic gears of transmissions drive: the place of each gear's
         coordinate in `v`."""
-        there = {self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.elastic_travels}
+        there = {self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.elastic_travels}
         return {joint: place for joint, place in enumerate(self.held_places) if joint in there}
 
     def ratios(self, p: Any) -> list:
@@ -195,7 +186,22 @@ class Coordinates:
     def of_joints(self, x: Any, rates: bool = False) -> Any:
         """The entries (n_joints,) of the joint axes of all coordinates (nq,), or of all rates (nv,)."""
         first = self.base_v if rates else self.base_q
-        return x[first : first + self.n_joints]
+        if rates or self.n_redundant == self.n_joints:
+            return x[first : first + self.n_joints]
+        return [x[place] for place in self.axis_places]
+
+    @cached_property
+    def axis_places(self) -> list[int]:
+        """Where in `q` the coordinate along each torque stands; of a ball joint those of its quaternion's vector."""
+        ahead = [0 if key.joint.turn_at is None else key.joint.turn_at + 1 for key in self.keys]
+        return [self.q_offset[i] + ahead[i] + k for i, key in enumerate(self.keys) for k in range(key.torques)]
+
+    @cached_property
+    def given_places(self) -> list[int]:
+        """Where in `q` the coordinates stand whose inertia and force an integrator gives (n_given)."""
+        if not self.has_axis_forces:
+            return list(range(self.eta_q, self.nq))
+        return [*self.axis_places, *range(self.q_offset[-1], self.nq)]
 
     def at_efforts(self, tau: Any, p: Any) -> np.ndarray:
         """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
@@ -208,7 +214,7 @@ class Coordinates:
         """The laws of all joints, each with the coordinates on which it acts, link by link."""
         found: dict[Law, list[Acted]] = {FRICTION: [], STOP: []}
         places = {"q": 0, "theta": self.nv - self.base_v - self.n_inner}
-        offsets = {"q": self.q_offset, "theta": self.theta_offset}
+        offsets = {"q": self.tau_offset, "theta": self.theta_offset}
         for i, key in enumerate(self.keys):
             for law, part, place, side, _ in key.laws:
                 found.setdefault(law, []).append(Acted(i, places[part] + offsets[part][i] + place, side))
@@ -221,7 +227,7 @@ class Coordinates:
     @cached_property
     def travels(self) -> dict[int, Travel]:
         """The joint coordinates, as their numbers, whose drives have a transmission, and what it is."""
-        own = ((self.q_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.travels)
+        own = ((self.tau_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.travels)
         return {place: drive.travel for place, drive in own if drive.travel}
 
     @property
@@ -252,7 +258,7 @@ class Coordinates:
         if key.coupled:
             parts["below"] = part(self.n_given, self.below_offset)
         if key.has_axis_forces:
-            parts["q"] = part(0, self.q_offset)
+            parts["q"] = part(0, self.tau_offset)
         if key.added_axes:
             parts["theta"] = part(before - self.n_added, self.theta_offset)
             parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
@@ -295,22 +301,16 @@ class Coordinates:
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
         """``[joint coordinates; rotors; modal coordinates]`` as one mapping per link.
 
-        The first has those of a floating base. ``joint`` and ``modal`` are the names of their signals, ``joint`` one of
-        ``FREE``.
+        ``joint`` and ``modal`` are the names of their signals, ``joint`` one of ``ROTOR``.
         """
-        parts, count = {}, 0
-        for name, size in FREE[joint].items() if self.floating else ():
-            parts[name], count = list(q[count : count + size]), count + size
         m, es, ts = len(q) - self.n_modes, self.eta_offset, self.theta_offset
-        qs, t = [count + k for k in self.q_offset], m - self.n_added
+        qs, t = self.q_offset if joint == "q" else self.v_offset, m - self.n_added
         links = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
         for i, link in enumerate(links) if self.n_added else ():
             link[ADDED[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
-        links[0] |= parts
         return links
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
         """The inverse of :meth:`split`."""
-        free = [x for name in FREE[joint] for x in links[0][name]] if self.floating else []
         parts = [joint, *([ADDED[joint]] if self.n_added else []), modal]
-        return free + [x for part in parts for link in links for x in link.get(part, ())]
+        return [x for part in parts for link in links for x in link.get(part, ())]

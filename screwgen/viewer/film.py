@@ -78,8 +78,7 @@ class Actor:
     def at(self, times: np.ndarray) -> np.ndarray:
         """The coordinates (N, nq) at some times, on straight lines between samples."""
         q = np.column_stack([np.interp(times, self.run.t, x) for x in self.run.q.T])
-        if self.model.chain.base_q:
-            q[:, 3:7] /= np.linalg.norm(q[:, 3:7], axis=1, keepdims=True)
+        q = np.array([self.model.chain.unit(x) for x in q]).reshape(q.shape)
         q[:, self.model.chain.eta_q :] *= self.magnified
         return q
 

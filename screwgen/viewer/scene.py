@@ -44,7 +44,6 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
         own, parent, reach = robot.links[segment.link], chain.tree.parents[i], tips[i] - bases[i]
         places = _places(key, own.pieces)
         table = sections(key, float(np.linalg.norm(reach)) or 1.0, places)
-        joint = own.joint if segment.first and not key.free else None
         at, carried = _carried(model, i)
         mount = _between(carried, (R, r), i, parent, R_tip, r_tip, tips, np.array(bases))
         links.append(
@@ -54,12 +53,10 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
                 "parent": parent,
                 "place": at,
                 "mount": mount,
-                "free": bool(key.free),
-                "joint": chain.base_q + chain.q_offset[i],
-                "force": chain.q_offset[i],
-                "screws": [
-                    {"axis": s.axis, "turn": s.turn, "travel": s.travel} for s in (joint.screws if joint else ())
-                ],
+                "moves": key.joint.name,
+                "joint": chain.q_offset[i],
+                "force": chain.tau_offset[i],
+                "screws": [{"axis": s.axis, "turn": s.turn, "travel": s.travel} for s in key.screws],
                 "welded": not segment.first or segment.marker is not None,
                 "eta": chain.eta_q + chain.eta_offset[i],
                 "modes": key.modes,

@@ -7,6 +7,7 @@ from ...ir.program import Node, Program
 from ...ir.split import KEPT
 from ...topology.chain import Chain
 from .code import ATOM, Place, Writer
+from .curved import turns
 from .pieces import bodies, piece_place
 
 FILES = ("lanes.h", "batch.h", "batch.c")
@@ -56,7 +57,7 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
 def _stack(chain: Chain, constants: int, states: int, kept: int) -> int:
     """The size in bytes of a group of scenarios, for the widest lanes."""
     given, inertia = max(chain.n_given, 1), max(chain.n_inertia, 1)
-    state, joints = max(chain.nq, 1) + max(chain.nv, 1) + chain.base_v, max(chain.base_q + chain.n_tau, 1)
+    state, joints = max(chain.nq, 1) + max(chain.nv, 1) + turns(chain), max(chain.q_offset[-1], 1)
     group = 3 + chain.n * constants + 4 * inertia + given + states * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints)
 

@@ -109,5 +109,4 @@ def _triangle(k: int) -> tuple[int, int]:
 def _owners(chain: Chain) -> list[int]:
     """The link of every rate."""
     parts = (lambda key: key.joints, lambda key: len(key.added_axes), lambda key: key.modes)
-    owners = [i for count in parts for i, key in enumerate(chain.keys) for _ in range(count(key))]
-    return [0] * chain.base_v + owners or [0]
+    return [i for count in parts for i, key in enumerate(chain.keys) for _ in range(count(key))] or [0]

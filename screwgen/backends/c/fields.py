@@ -19,6 +19,7 @@ from ...spec.markers import TIP, carried_at
 from ...spec.parents import parents
 from ...topology.chain import Chain
 from .code import entries, literal
+from .curved import turns
 
 SLIDING = {"rad": "m", "rad/s": "m/s", "rad/s^2": "m/s^2", "N*m": "N"}
 """The units of joint coordinates and their forces: of an axis that turns, of one that slides."""
@@ -55,12 +56,17 @@ def structs(chain: Chain) -> dict[str, list[StructMember]]:
     inner = "NINNER" if chain.n_added else "NMODES"
 
     def field(struct: str, name: str, s: Signal) -> StructMember:
-        sizes: dict[int | str, str] = {"NINERTIA": inertia, **({"NMODES": inner} if struct.startswith("dae") else {})}
+        sizes: dict[int | str, str] = {"NINERTIA": inertia}
+        sizes |= {} if chain.base_v else {"NRATES": "NTAU"}
+        sizes |= {} if chain.n_redundant != chain.n_joints else {"NREDUNDANT": "NTAU"}
+        sizes |= {"NMODES": inner} if struct.startswith("dae") else {}
         comment = joint_comment(s, chain.sliding) + effort(chain) * (name == "tau")
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return StructMember(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
-    own = ROBOT | {"dae_work": ROBOT["dae_work"] | ({"start_rate": START_RATE} if has_axis_terms(chain) else {})}
+    more = {"start_rate": START_RATE} if has_axis_terms(chain) else {}
+    more |= {"qrate": COORDINATE_RATE} if chain.n_redundant != chain.n_joints else {}
+    own = ROBOT | {"dae_work": ROBOT["dae_work"] | more}
     return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
 
 
@@ -69,6 +75,7 @@ def has_axis_terms(chain: Chain) -> bool:
     return bool(chain.n_added or chain.laws)
 
 
+COORDINATE_RATE = Signal(("NREDUNDANT",), "rad/s, 1/s", "-", "rates of the joint coordinates")
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
 ROTORS = {
     "eta": "rad, m: coordinates of the rotors or their gears, then modal ones",
@@ -81,7 +88,7 @@ ROTORS = {
 def joint_comment(signal: Signal, sliding: bool) -> str:
     """The comment of a signal; one of joint coordinates names the units of slides, if the robot has any."""
     unit = SLIDING.get(signal.unit)
-    if not sliding or unit is None or not {"m", *JOINTS} & set(signal.shape):
+    if not sliding or unit is None or not {"q", "m", "a", "NRATES", "NREDUNDANT", *JOINTS} & set(signal.shape):
         return signal.comment
     slides = signal._replace(unit=f"{signal.unit}, of slides {unit}").comment
     return slides.replace("torque about each joint axis", "torque about, or force along, each joint axis")
@@ -265,12 +272,12 @@ def scratch(
     `states`: those that a step keeps; `kept`: the numbers that programs of loops hand on, None without loops.
     """
     sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
-    sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner}
+    sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner, "NRATES": c.v_offset[-1], "NREDUNDANT": c.n_redundant}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
     own = {name: total(fields) for name, fields in structs(c).items()}
     chain = c.tree.size * total(node) + c.n * total(store)
     loops = 0 if kept is None else 1 + own["input"] + 2 * own["state"] + kept
-    work = own["work"] + states * (own["state"] + c.base_v) + own["output"] + chain * modular + loops
+    work = own["work"] + states * (own["state"] + turns(c)) + own["output"] + chain * modular + loops
     dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain + loops
     return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 

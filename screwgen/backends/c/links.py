@@ -16,6 +16,7 @@ from ...algorithms.structure import Applied, Passage, passages, specialised_phas
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed
+from .curved import offset
 
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
@@ -59,7 +60,7 @@ RUNS: dict[str, CFunction] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
-        "qddot Vdot thetaddot etaddot wrench motion tip.R tip.r",
+        "qddot thetaddot etaddot wrench motion tip.R tip.r",
         apart=True,
         skipped={"poses": "call->tip_pose"},
     ),
@@ -81,14 +82,12 @@ RUNS: dict[str, CFunction] = {
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
     "inverse": _run(
-        alg.INVERSE,
-        "Joint form: inverse dynamics, with joint wrenches.",
-        "force base_force force_theta force_eta wrench",
+        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_theta force_eta wrench"
     ),
     "inertia": CFunction(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
-        frozenset({"force", "base_force", "force_theta", "force_eta"}),
+        frozenset({"force", "force_theta", "force_eta"}),
         False,
         zero=frozenset("qdot twist thetadot etadot w_ext f_q f_theta f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
@@ -264,7 +263,7 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE", "STATION"}
+        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "V_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE", "STATION"}
         nodes = self.links.chain.tree.places(self.passage.link)
         return signals | tables | {"c", "link", "place", "M", *nodes}
 
@@ -304,8 +303,8 @@ class Places:
         if CALL[name].at:
             return f"call->{CALL[name].at}"
         match CALL[name].shape:
-            case ("m",):
-                place = f"call->{member} + q"
+            case (("q" | "m" | "a") as size,):
+                place = f"call->{member} + {offset(self.links.chain, self.run, name, size)}"
             case ("r",):
                 place = f"call->{member} + e"
             case ("t",):

@@ -68,7 +68,8 @@ class Fitted:
         for asked, what in (
             (bool(chain.robot.loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
-            (chain.keys[0].free, "a floating base"),
+            (chain.floating, "a floating base"),
+            (bool(chain.curved), "a ball joint"),
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
         ):

@@ -18,7 +18,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import batch, check, derivatives, estimator, files, laws, levers, loops, outputs, preparation, steps
+from . import batch, check, curved, derivatives, estimator, files, laws, levers, loops, outputs, preparation, steps
 from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
@@ -80,6 +80,8 @@ class CProject:
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
+        if self.with_derivatives:
+            chain.needs_sums("C of derivatives or of an estimator", "take model.numpy().derivatives")
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
@@ -173,6 +175,7 @@ class CProject:
             "baked": self.baked_tables,
             **topology(chain),
             "q_offset": chain.q_offset[:-1],
+            **curved.content(chain),
             "eta_offset": chain.eta_offset[:-1],
             "programs": list(self.links.functions.values()),
             "phases": self._phases,

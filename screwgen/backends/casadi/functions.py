@@ -84,7 +84,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         return {name: shaped(found[name], signal, chain) for name, signal in row.results.items()}
 
     def mass_matrix() -> dict[str, ca.SX]:
-        if chain.floating:
+        if chain.curved:
             return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], given["vdot"])}
         lower = ca.SX(ca.Sparsity.lower(chain.nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
@@ -187,8 +187,8 @@ def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
 
 
 def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
-    """``dq/dt``, which is v but for the pose of a floating base."""
-    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.floating else v
+    """``dq/dt``, which is v but for joints whose coordinates do not add up."""
+    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.curved else v
 
 
 def side_by_side(entries: ca.SX, rows: int, columns: int) -> ca.SX:
@@ -252,6 +252,7 @@ def casadi_files(
         sliding=not all(turning(robot)),
         efforts=list(dict.fromkeys(kind.EFFORTS for kind in travels(robot))),
         floating=robot.floating,
+        balls=[link.name for link in robot.links if link.joint.kind.curved],
         split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],
         **patterns,

@@ -61,6 +61,7 @@ def statics(chain: Chain) -> ca.Function:
     derivative with q; ``weight`` (nq x 3) its derivative with gravity; ``wrench`` the joint wrenches (6 x n);
     ``tip`` the last tip's position (3). Of a robot with loops all but ``tip`` is that of the open tree.
     """
+    chain.needs_sums("statics", "simulate it with dampers")
     chain.needs_fixed("equilibrium", "simulate it with dampers, or with PD control")
 
     def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:

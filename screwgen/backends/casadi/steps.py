@@ -13,7 +13,7 @@ from ...algorithms.law_programs import stage
 from ...algorithms.schedule import COLUMNS
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
-from ...integrators.se3 import FLAT, programs
+from ...integrators.space import replayed
 from ...topology.chain import Chain
 from .expressions import expressions
 from .functions import coordinate_rates, function, side_by_side, symbols
@@ -46,7 +46,8 @@ class CasadiAccelerations:
 
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
-        x, rate, later = (x[x.numel() - self.chain.n_given :, 0] for x in (q, v, v_there))
+        x = q[self.chain.given_places, 0]
+        rate, later = (x[x.numel() - self.chain.n_given :, 0] for x in (v, v_there))
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
         times = self.chain.modal_product
         felt = {"m_eta": M + h * D + h**2 * K, "f_eta": times(K, x + h * rate) + times(D, rate)}
@@ -60,27 +61,14 @@ class CasadiAccelerations:
         return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
 
 
-class CasadiSpace:
-    """The coordinates behind a floating base in SX: a :class:`~screwgen.integrators.se3.Space`."""
-
-    def __init__(self, chain: Chain):
-        self._moved, self._rate = programs(chain.nq, chain.nv)
-
-    def moved(self, q: ca.SX, u: ca.SX) -> ca.SX:
-        return expressions(self._moved, {"q": q, "u": u})["q"]
-
-    def rate(self, u: ca.SX, v: ca.SX) -> ca.SX:
-        return expressions(self._rate, {"u": u, "v": v})["rate"]
-
-
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
     """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds.
 
-    The quaternion of a floating base is multiplied by unit quaternions and not scaled.
+    Quaternions are multiplied by unit quaternions and not scaled.
     """
     given = symbols(chain, "q v tau w_ext p dt")
     held = CasadiAccelerations(chain, given["tau"], given["w_ext"], given["p"])
-    q, v = method.step(held, given["q"], given["v"], given["dt"], CasadiSpace(chain) if chain.floating else FLAT)
+    q, v = method.step(held, given["q"], given["v"], given["dt"], replayed(chain, expressions))
     return function(name, given, q_next=q, v_next=v)
 
 
@@ -98,7 +86,7 @@ def tip_jacobian(chain: Chain) -> ca.Function:
 def along_rates(chain: Chain, f: ca.SX, given: Mapping[str, ca.SX]) -> ca.SX:
     """The matrix that takes v to the rate of a function of q."""
     slopes = ca.jacobian(f, given["q"])
-    if not chain.floating:
+    if not chain.curved:
         return slopes
     v = ca.SX.sym("v", chain.nv)
     return slopes @ ca.jacobian(coordinate_rates(chain, given["q"], v, given["p"]), v)
@@ -131,5 +119,5 @@ def scaling(chain: Chain) -> ca.Function:
             ratios[k] = ca.sqrt(twice / stiffness[chain.n_given - chain.n_inner + k])
         else:
             tau[joint] /= ratio
-    q = ca.vertcat(ca.SX.ones(chain.base_q + m), ratios, modes)
+    q = ca.vertcat(ca.SX.ones(chain.q_offset[-1]), ratios, modes)
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=tau)

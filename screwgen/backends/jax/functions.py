@@ -23,9 +23,9 @@ from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...errors import UsageError
+from ...integrators import space
 from ...integrators.method import Method, Motion
 from ...integrators.methods import with_built_in
-from ...integrators.se3 import FLAT, programs
 from ...ir.adjoint import only
 from ...ir.program import Program
 from ...topology.chain import Chain
@@ -83,7 +83,7 @@ class Own:
         def evaluator(maker: Callable[[Chain], Program], outputs: tuple[str, ...]) -> Callable:
             return evaluated(only(maker(chain), outputs))
 
-        self._evaluator = evaluator
+        self._evaluator, self._evaluated = evaluator, evaluated
 
     def run(self, maker: Callable[[Chain], Program], outputs: str, given: Values) -> list:
         """Outputs of a program; NaN, gradients included, where one of its guards is not > 0."""
@@ -92,6 +92,10 @@ class Own:
         found, guards = self._evaluator(maker, names)(flat)
         fine = jnp.where(jnp.all(guards > 0), 1, jnp.nan).astype(self.real)
         return [found[name] * fine for name in names]
+
+    def replay(self, program: Program, given: Values) -> dict[str, Any]:
+        """The outputs of a program without guards."""
+        return self._evaluated(program)(given)[0]
 
     def function(self, inputs: str, body: Callable[..., Any]) -> Callable:
         """``body`` of the named inputs, converted and checked."""
@@ -140,7 +144,7 @@ class Own:
         return jax.jacrev(force)(jnp.zeros(self.chain.nv, self.real))
 
     def _coordinate_rates(self, x: Values) -> jax.Array:
-        return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.floating else x["v"]
+        return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.curved else x["v"]
 
     def _tip_jacobian(self, x: Values) -> jax.Array:
         """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
@@ -156,8 +160,8 @@ class Own:
         """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds."""
 
         def body(x: Values) -> tuple[jax.Array, jax.Array]:
-            space = JaxSpace(self) if self.chain.floating else FLAT
-            q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], space)
+            moves = space.replayed(self.chain, self.replay)
+            q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], moves)
             return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 
         return old_order_too(self.function("q v tau w_ext p dt", body))
@@ -179,7 +183,8 @@ class JaxAccelerations:
 
     def implicit(self, q: Any, v: Any, h: Any, there: Motion | None = None) -> Any:
         q_there, v_there = there or (q, v)
-        x, rate, later = (values[len(values) - self.chain.n_given :] for values in (q, v, v_there))
+        x = q[jnp.array(self.chain.given_places, int)]
+        rate, later = (values[len(values) - self.chain.n_given :] for values in (v, v_there))
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
         rows, felt, entries = self.chain.springs
         inertia = M + replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": K, "D": D}, _unary)["inertia"]
@@ -192,27 +197,6 @@ class JaxAccelerations:
             inertia, force = inertia.at[at].add(found["inertia"]), force.at[at].add(found["force"])
         given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
         return self.own.run(fused.modal_dynamics, "vdot", given)[0]
-
-
-class JaxSpace:
-    """The coordinates behind a floating base: a :class:`~screwgen.integrators.se3.Space`."""
-
-    def __init__(self, own: Own):
-        self.own = own
-
-    def moved(self, q: Any, u: Any) -> Any:
-        return self.own.run(_moved, "q", {"q": q, "u": u})[0]
-
-    def rate(self, u: Any, v: Any) -> Any:
-        return self.own.run(_rate, "rate", {"u": u, "v": v})[0]
-
-
-def _moved(chain: Chain) -> Program:
-    return programs(chain.nq, chain.nv)[0]
-
-
-def _rate(chain: Chain) -> Program:
-    return programs(chain.nq, chain.nv)[1]
 
 
 def _unary(op: str, x: Any) -> Any:

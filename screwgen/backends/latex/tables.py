@@ -11,12 +11,12 @@ from ...algebra.notation import number
 from ...bases import Basis, Shapes
 from ...elements import TRAVELS
 from ...ir.block import Binding
+from ...joints.screw import Screw
 from ...spec.link_class import LinkClass
 from ...spec.markers import Place
 from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
-from ...spec.screw import Screw
 from ...spec.segments import segments
 from .content import DocumentTable
 from .symbols import Entry
@@ -58,7 +58,7 @@ def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
 
 
 def _axes(key: LinkClass) -> str:
-    return ", ".join(map(_screw, key.screws)) or ("free" if key.free else "welded")
+    return ", ".join(map(_screw, key.screws)) or key.joint.name or "welded"
 
 
 def _screw(screw: Screw) -> str:

@@ -51,6 +51,8 @@ class OwnForces:
 
     def of(self, x: np.ndarray) -> np.ndarray:
         """The part of ``q`` or ``v`` (nq, ...) that belongs to these coordinates."""
+        if self.chain.curved and len(x) == self.chain.nq:
+            return x[self.chain.given_places]
         return x[len(x) - self.chain.n_given :]
 
     def acting(self, x: np.ndarray, rate: np.ndarray, h: float = 0.0, there: np.ndarray | None = None) -> OwnForces:

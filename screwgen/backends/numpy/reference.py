@@ -193,7 +193,7 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
         near = _closed(chain, pose + q + turned(q) + eta)[chain.base_q :]
         q, eta = near[:m], near[chain.eta_q - chain.base_q :]
     return {
-        "q": pose + q + turned(q) + eta,
+        "q": pose + _of_axes(chain, q) + turned(q) + eta,
         "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
         "tau": tau,
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
@@ -220,6 +220,15 @@ def _stretched(chain: Chain, functions: Functions, number: int, turned: Callable
     own = [20.0 * _fraction(number, 9, j) / max(k, 400.0) for j, k in enumerate(K)]
     along = [joint in chain.elastic_travels for joint in chain.added_joints]
     return lambda x: [float(f"{a:.6e}") if k else b for a, b, k in zip(own, turned(x), along, strict=True)]
+
+
+def _of_axes(chain: Chain, q: list[float]) -> list[float]:
+    """Joint coordinates from one number for each torque; of a ball joint a quaternion."""
+    out: list[float] = []
+    for i, key in enumerate(chain.keys):
+        own = q[chain.tau_offset[i] : chain.tau_offset[i + 1]]
+        out += [float(x) for x in key.joint.unit(np.array([1.0, *own]))] if own and key.joint.curved else own
+    return out
 
 
 def _unit(pose: list[float]) -> list[float]:

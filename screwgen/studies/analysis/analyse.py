@@ -67,6 +67,7 @@ def analyse(
     independent, and steps must bear the loops' stabilisation besides. A singular posture is reported, not raised.
     Raises UsageError, also where a loop is open.
     """
+    model.chain.needs_sums("analysis", "simulate it")
     model.chain.needs_fixed(*FIXED)
     check_step(step)
     given = _labelled(model, states, controller is None)
@@ -86,6 +87,7 @@ def analyse_state(
     model: RobotModel, label: str, state: State, step: float, controller: Law | None = None
 ) -> StateAnalysis:
     """The analysis of one state."""
+    model.chain.needs_sums("analysis", "simulate it")
     system = projectors = acceleration = loops = None
     blocks: tuple[LinkRegularity, ...] = ()
     found: tuple[LinearMotion, ...] = ()

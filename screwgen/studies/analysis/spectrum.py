@@ -29,6 +29,7 @@ def jacobian(
     `tau` (n_joints,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` the torques follow the
     motion instead, at t = 0. Derivatives by automatic differentiation. Raises UsageError, SingularError.
     """
+    model.chain.needs_sums("linear motion", "simulate it")
     model.chain.needs_fixed(*FIXED)
     return Linearised(model, q, v, tau, controller, w_ext, parameters).jacobian
 
@@ -53,6 +54,7 @@ def step_map(
     dynamics once a step, and for all of them at an equilibrium, S is the exact derivative of the step.
     Raises UsageError, SingularError.
     """
+    model.chain.needs_sums("linear motion", "simulate it")
     model.chain.needs_fixed(*FIXED)
     return Linearised(model, q, v, tau, controller, w_ext, parameters).step_map(method, step)
 

@@ -9,9 +9,9 @@ import sympy as sp
 from ..algebra.expression import Expression, Rotation, Symbol, hat, identity, stack, unit, zeros
 from ..algebra.rate import acceleration, rate
 from ..ir.block import Block
+from ..joints.exponential import rate_expressions
+from ..joints.kind import Kinematics
 from ..spec.link_class import LinkClass
-from .free import free_block, free_motion_block, free_posture
-from .kinematics import Kinematics, kinematics
 
 LINK = "F_i"
 
@@ -22,9 +22,9 @@ def joint_block(key: LinkClass) -> Block:
     ``omega, v`` is the link's twist in F_i.  The bias acceleration ``beta_omega, beta_v`` is its rate while the
     parent's tip and the joint coordinates do not accelerate.
     """
-    b = Block("joint", "Joint" if not key.free else "Floating base")
-    if key.free:
-        return free_block(b)
+    b = Block("joint", "Joint" if not key.floats else "Floating base")
+    if key.floats:
+        return _pose_rates(key, b, _coordinates(b, key, rates=False)[0])
     q, qdot = _coordinates(b, key)
     omega_P = b.input("omega_P", (3, 1))
     v_P = b.input("v_P", (3, 1))
@@ -55,8 +55,9 @@ def _slip(
 
 
 def _rates(b: Block, q: Symbol, qdot: Symbol) -> dict[str, Symbol]:
-    """The rate of each coordinate by its name."""
-    return dict(zip((c.name for c in b.entries(q)), b.entries(qdot), strict=True))
+    """The rate of each coordinate by its name, of those that add up."""
+    names = [c.name for c in b.entries(q)]
+    return dict(zip(names, b.entries(qdot), strict=True)) if len(names) == len(b.entries(qdot)) else {}
 
 
 def _axis_rate(b: Block, motion: Kinematics, qdot: Symbol, rates: dict[str, Symbol]) -> Expression:
@@ -79,8 +80,8 @@ def motion_block(key: LinkClass) -> Block:
     Accelerations are those of material points in the inertial frame. ``S`` is the motion subspace at the origin of F_i.
     """
     b = Block("joint_motion", "Motion of the link")
-    if key.free:
-        return free_motion_block(b)
+    if key.floats:
+        return _motion_in_space(b)
     q, qdot = _coordinates(b, key)
     omega_R = b.input("omega_R", (3, 1))
     alpha_R = b.input("alpha_R", (3, 1))
@@ -107,23 +108,52 @@ def motion_block(key: LinkClass) -> Block:
 def posture_block(key: LinkClass) -> Block:
     """Relative pose and motion subspace alone, as functions of q (DAE form, poses); of a floating base its rotation."""
     b = Block("posture", "Posture of the joint")
-    if key.free:
-        free_posture(b)
+    q = _coordinates(b, key, rates=False)[0]
+    if key.floats:
+        _rotation_in_space(key, b, q)
     else:
-        posture(key, b, _coordinates(b, key, rates=False)[0])
+        posture(key, b, q)
     return b
+
+
+def _pose_rates(key: LinkClass, b: Block, q: Symbol) -> Block:
+    """The rates of a floating base's pose; ``omega, v`` is the twist of F_i in its own axes."""
+    R = _rotation_in_space(key, b, q)
+    omega, v = b.input("omega", (3, 1)), b.input("v", (3, 1))
+    rate, meaning = rate_expressions(b.entries(q)[key.joint.turn_at :], omega), "half its product with [0, ω]"
+    shown = r"\dot{\mathbf{Q}}_i"
+    b.step("quaternion_rate", rate, shown, unit="1/s", frame="-", meaning=f"rate of the quaternion, {meaning}")
+    shown, meaning = r"\dot{\mathbf{r}}_{oi}", "rate of the position"
+    b.step("position_rate", R @ v, shown, unit="m/s", frame="inertial", meaning=meaning)
+    return b
+
+
+def _motion_in_space(b: Block) -> Block:
+    """The acceleration of the origin of F_i, a material point, while its twist's components keep their values."""
+    omega, v, a_R = b.input("omega", (3, 1)), b.input("v", (3, 1)), b.input("a_R", (3, 1))
+    b.step("a", a_R + hat(omega) @ v)
+    return b
+
+
+def _rotation_in_space(key: LinkClass, b: Block, q: Symbol) -> Symbol:
+    R = key.joint.kinematics(b.entries(q)).rotation
+    return b.step("R_rel", R, r"\mathbf{R}_{oi}", meaning="rotation of F_i to the inertial frame")
 
 
 def _coordinates(b: Block, key: LinkClass, rates: bool = True) -> tuple[Symbol, Symbol]:
     units = "rad, m" if any(not s.turn for s in key.screws) else "rad"
-    q = b.input("q", (key.joints, 1), r"\mathbf{q}_i", units, "-", "joint coordinates, in the order of the axes")
+    meaning = "joint coordinates, in the order of the axes"
+    if key.joint.curved:
+        units, meaning = ("m, -", "position and ") if key.floats else ("-", "")
+        meaning += "quaternion (w, x, y, z) of F_i"
+    q = b.input("q", (key.joint.nq, 1), r"\mathbf{q}_i", units, "-", meaning)
     speed = ", ".join(f"{u}/s" for u in units.split(", "))
     return q, b.input("qdot", (key.joints, 1), r"\dot{\mathbf{q}}_i", speed, "-", "joint rates") if rates else q
 
 
 def posture(key: LinkClass, b: Block, q: Symbol) -> tuple[Kinematics, Expression, Expression, Symbol]:
     """The joint's motion, the mount's offset, the joint point in F_i and ``R_rel``, declared as steps of the block."""
-    motion = kinematics(key.screws, b.entries(q))
+    motion = key.joint.kinematics(b.entries(q))
     r_m, r_B = joint_points(key, b)
     R_m = _mount_rotation(key, b)
     R = b.step("R_rel", R_m @ motion.rotation)

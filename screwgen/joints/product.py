@@ -1,6 +1,6 @@
-"""Joint kinematics: relative pose and motion subspace, from the screws of the joint.
+"""A joint of slides, turns and screws: relative pose and motion subspace, from the screws.
 
-A joint is a product of exponentials of unit screws, ``exp(s_1 q_1) exp(s_2 q_2) ...``, between the mount on the parent
+It is a product of exponentials of unit screws, ``exp(s_1 q_1) exp(s_2 q_2) ...``, between the mount on the parent
 and the link's frame at the joint point. All other joint quantities follow from these.
 """
 
@@ -14,21 +14,25 @@ import sympy as sp
 
 from ..algebra.expression import Expression, Rotation, Symbol, add, block, hat, identity, vector, zeros
 from ..algebra.notation import axis_latex
-from ..spec.screw import Screw
+from .kind import JointKind, Kinematics
+from .screw import Screw
 
 
 @dataclass(frozen=True)
-class Kinematics:
-    """The relative motion of a joint, as expressions of its coordinates."""
+class ScrewProduct(JointKind):
+    """``exp(s_1 q_1) exp(s_2 q_2) ...`` of the screws in order; none: a weld."""
 
-    rotation: Expression
-    """(3, 3): components in F_i to components in the mount's axes."""
-    displacement: Expression
-    """(3, 1), m: the joint point of the link relative to that of the mount, in the mount's axes."""
-    angular: Expression
-    """(3, m): the motion subspace's angular part, the axes, in F_i."""
-    linear: Expression
-    """(3, m): its linear part at the link's joint point, in F_i."""
+    def kinematics(self, coordinates: Sequence[Symbol]) -> Kinematics:
+        return kinematics(self.screws, coordinates)
+
+
+def product(screws: Sequence[Screw]) -> ScrewProduct:
+    """The kind of a joint of these screws."""
+    count = len(screws)
+    return ScrewProduct(count, count, count, tuple(screws), slides=any(screw.slides for screw in screws))
+
+
+WELD = product(())
 
 
 def kinematics(screws: Sequence[Screw], coordinates: Sequence[Symbol]) -> Kinematics:

@@ -1,0 +1,99 @@
+"""What a kind of joint states: the contract of the files in this folder.
+
+A kind knows how many coordinates and rates its joint has, how the link moves by them, and how they move in time. What
+is done with a robot asks its joints, at their places in `q` and `v`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..algebra.expression import Expression, Symbol
+from .exponential import Series
+from .screw import Screw
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """The relative motion of a joint, as expressions of its coordinates."""
+
+    rotation: Expression
+    """(3, 3): components in F_i to components in the mount's axes."""
+    displacement: Expression
+    """(3, 1), m: the joint point of the link relative to that of the mount, in the mount's axes."""
+    angular: Expression
+    """(3, nv): the motion subspace's angular part, the axes, in F_i."""
+    linear: Expression
+    """(3, nv): its linear part at the link's joint point, in F_i."""
+
+
+@dataclass(frozen=True)
+class JointKind:
+    """A kind of joint; hashable, for it is a part of the class of a link.
+
+    Of its coordinates `q` (nq,) and its rates `v` (nv,), entries may be numbers or symbols. `v` are components of the
+    link's twist relative to its carrier where the coordinates hold a quaternion, and ``dq/dt`` elsewhere.
+    """
+
+    nq: int
+    """The number of coordinates."""
+    nv: int
+    """The number of rates."""
+    torques: int
+    """The number of torques, each along one rate: of all rates or of none."""
+    screws: tuple[Screw, ...] = ()
+    """The screws in order, of a product of them; none of other kinds."""
+    slides: bool = False
+    """Whether the joint point of the link moves relative to that of the carrier."""
+    in_space: bool = False
+    """Whether the motion is relative to the inertial frame, so that nothing carries the link or bears its wrench."""
+    name: str = ""
+    """What tables call it; a product of screws is called by its screws."""
+    turn_at: int | None = None
+    """Where the coordinates have a unit quaternion (w, x, y, z), which no sums move; None where they add up."""
+
+    @property
+    def curved(self) -> bool:
+        """Whether coordinates move by other means than sums."""
+        return self.turn_at is not None
+
+    @property
+    def home(self) -> tuple[float, ...]:
+        """The coordinates (nq,) of the joint at rest: no turn and no shift."""
+        return tuple(float(k == self.turn_at) for k in range(self.nq))
+
+    def kinematics(self, coordinates: Sequence[Symbol]) -> Kinematics:
+        """Pose and motion subspace as functions of the coordinates."""
+        raise NotImplementedError
+
+    def integrate(self, q: np.ndarray, u: np.ndarray, series: Series) -> np.ndarray:
+        """The coordinates at ``u`` (nv,) from ``q``, the rates times a time if these are constant."""
+        return q + u
+
+    def difference(self, q: np.ndarray, other: np.ndarray, series: Series) -> np.ndarray:
+        """The ``u`` (nv,) by which :meth:`integrate` moves ``q`` to ``other``; of numbers."""
+        return other - q
+
+    def rate(self, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """The rate (nv,) of ``u`` in ``integrate(q, u)`` where the rates are ``v``, to order four in ``u``."""
+        return v
+
+    def coordinate_rates(self, q: np.ndarray, v: np.ndarray) -> Any:
+        """``dq/dt`` (nq,) at the rates ``v``; only the direction of a quaternion counts in other functions."""
+        return v
+
+    def carried(self, v: np.ndarray) -> np.ndarray:
+        """(nv, nv): by a change ``delta``, ``integrate(q, delta)``, its rate at the rates ``v``."""
+        return np.zeros((self.nv, self.nv))
+
+    def unit(self, q: np.ndarray) -> np.ndarray:
+        """The coordinates, of numbers, with a quaternion of length one."""
+        if self.turn_at is None:
+            return q
+        out, at = np.array(q, float), slice(self.turn_at, self.turn_at + 4)
+        out[at] /= np.sqrt(sum(out[at] * out[at]))
+        return out

@@ -167,6 +167,28 @@ def test_derivatives_are_along_turns_in_axes_of_the_link(robot):
         assert relative(found, np.transpose(expected)) < 1e-6
 
 
+def test_a_linear_model_is_along_turns_in_axes_of_the_link(robot):
+    """By differences of states that move by `integrate`: what rates, accelerations and places become."""
+    q, v, tau, w_ext = robot.given
+    model, chain, h = robot.model, robot.model.chain, 1e-6
+    found = model.linearise(q, v, tau, w_ext, outputs=["tip_position", "joint_angles"])
+    last = robot.model.numpy().forward_dynamics(q, v, tau, w_ext)[0]
+
+    def moved(u):
+        there = chain.integrate(q, u[: chain.nv], SERIES)
+        numeric = model.numpy()
+        vdot = numeric.forward_dynamics(there, v + u[chain.nv :], tau, w_ext)[0]
+        joints = there[chain.base_q : chain.base_q + chain.n_redundant]
+        return vdot, np.concatenate([numeric.tip_pose(there)[1], joints])
+
+    columns = [(moved(h * u), moved(-h * u)) for u in np.eye(2 * chain.nv)]
+    slopes = [[(a[k] - b[k]) / (2 * h) for a, b in columns] for k in (0, 1)]
+    assert np.array_equal(found.vdot, last) or relative(found.vdot, last) < 1e-12
+    assert relative(found.A[chain.nv :], np.transpose(slopes[0])) < 1e-6
+    assert relative(found.C, np.transpose(slopes[1])) < 1e-6
+    assert len(found.state_names) == len(set(found.state_names)) == 2 * chain.nv
+
+
 def test_integrate_and_difference_are_inverse_to_each_other():
     model = random_robot(3).model
     rng, q = np.random.default_rng(1), random_robot(3).given[0]
@@ -315,7 +337,6 @@ def test_what_no_ball_joint_has_is_refused_in_a_line(joint, other, said, tmp_pat
 USES = {
     "natural frequencies": screwgen.natural_frequencies,
     "equilibrium": screwgen.equilibrium,
-    "linear model": lambda model: model.linearise(model.chain.home),
     "analysis": screwgen.analyse,
     "acados model": lambda model: model.acados(),
     "C of derivatives or of an estimator": lambda model: model.c_files(derivatives=True),

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..elements import TRAVELS, Added, Travel
 from .axis_elements import numbers_of
 from .axis_units import SLIDING
-from .base import POSE, POSE_UNITS, TWIST
+from .base import CHANGE, CHANGE_UNITS, POSE, POSE_UNITS, TWIST
 from .drive import NO_FRICTION, Drive
 from .joint import Joint
 from .limit import Limit
@@ -275,6 +275,23 @@ def coordinate_units(robot: Robot) -> list[str]:
     modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
     axes = ("m" if ".slide[" in x else "rad" if x.endswith("]") else "1" for x in per_coordinate(robot))
     return [*POSE_UNITS * robot.floating, *axes, *(one.unit for _, _, one in added(robot)), *modal]
+
+
+def changes(robot: Robot) -> dict[str, str]:
+    """The names of small changes of q along the entries of v (nv), with their units.
+
+    Those of the coordinates, but of a floating base `base.rotation_x` … `base.displacement_z`, and of a ball joint the
+    turns about the axes of its link, `hand.joint[0]` (rad).
+    """
+    base = dict(zip(per_base(robot, CHANGE), CHANGE_UNITS, strict=False))
+    axes = {name: "m" if ".slide[" in name else "rad" for name in per_axis(robot, "joint", "slide")}
+    own = dict(zip(coordinate_names(robot).q, coordinate_units(robot), strict=True))
+    return base | axes | {name: own[name] for name in (*per_added(robot), *per_mode(robot, "eta"))}
+
+
+def rate_units(robot: Robot) -> list[str]:
+    """The units of v (nv)."""
+    return [f"{unit}/s" for unit in changes(robot).values()]
 
 
 def turning(robot: Robot) -> list[bool]:

@@ -17,13 +17,8 @@ from ..errors import UnknownNameError, UsageError
 from ..robot_model import RobotModel
 from ..simulation.mobility import motions
 from ..spec.load import one_line
-from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
+from ..spec.parameters import WRENCH, changes, coordinate_names, coordinate_units, force_units, rate_units
 from ..topology.chain import Chain
-
-CHANGES = {"rotation": "rad", "displacement": "m"}
-"""What changes of the pose of a floating base are, with their units."""
-CHANGES_RATES = ("rad", "rad", "rad", "m", "m", "m")
-
 
 OUTPUTS = ("joint_angles", "tip_position")
 INPUTS = ("torques",)
@@ -37,7 +32,8 @@ class LinearModel:
 
     The state is x = [q; v], the joints' and modes' coordinates and their rates, d of each: of a robot with loops those
     that the loops leave independent. A floating base has six in place of its pose: the rotation vector and the
-    displacement from where it would be, in axes of F_1, zero at the state linearised at. Unpacks as `A, B, C, D`, as in
+    displacement from where it would be, in axes of F_1, zero at the state linearised at; a ball joint has the rotation
+    vector in axes of its link. Unpacks as `A, B, C, D`, as in
     `control.ss(*linear)`, and `linear[0]` is A; `linear[outputs, inputs]` is the model of some outputs and inputs
     alone, by names, numbers or slices. SI units, radians.
     """
@@ -189,7 +185,7 @@ def linearise(
         state_units=tuple(list(states.values())[k] for k in both),
         input_units=tuple(entries(givers)[name] for name in columns),
         output_units=tuple(entries(takers)[name] for name in rows),
-        x=np.concatenate([np.zeros(chain.base_v), q[chain.base_q :], v])[both],
+        x=np.concatenate([chain.flat(q), v])[both],
         u=np.concatenate([tau, w_ext.ravel()])[j],
         y=y[i],
         tau=tau,
@@ -227,16 +223,12 @@ def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
 
 def state_names(chain: Chain) -> dict[str, str]:
     """The names of the entries of [δ; v], with their units."""
-    names, first = coordinate_names(chain.robot), chain.base_q
-    pose = {f"base.{what}_{axis}": unit for what, unit in CHANGES.items() for axis in "xyz" if chain.floating}
-    q = pose | dict(zip(names.q[first:], coordinate_units(chain.robot)[first:], strict=True))
-    return q | rates(chain)
+    return changes(chain.robot) | rates(chain)
 
 
 def rates(chain: Chain) -> dict[str, str]:
     """The names of the entries of v, with their units."""
-    units = [*CHANGES_RATES * chain.floating, *coordinate_units(chain.robot)[chain.base_q :]]
-    return {name: f"{unit}/s" for name, unit in zip(coordinate_names(chain.robot).v, units, strict=True)}
+    return dict(zip(coordinate_names(chain.robot).v, rate_units(chain.robot), strict=True))
 
 
 Groups = dict[str, dict[str, str]]
@@ -252,13 +244,13 @@ def input_groups(chain: Chain) -> Groups:
 
 def output_groups(chain: Chain) -> Groups:
     """The outputs in the order of y."""
-    names, m = coordinate_names(chain.robot), chain.n_joints
+    names, m, n = coordinate_names(chain.robot), chain.n_joints, chain.n_redundant
     q = [*zip(names.q, coordinate_units(chain.robot), strict=True)]
     v, a, b = [*rates(chain).items()], chain.base_q, chain.base_v
     parts = {
         "base_pose": q[:a],
-        "joint_angles": q[a : a + m],
-        "rotor_angles": q[a + m : chain.eta_q],
+        "joint_angles": q[a : a + n],
+        "rotor_angles": q[a + n : chain.eta_q],
         "modes": q[chain.eta_q :],
         "base_twist": v[:b],
         "joint_rates": v[b : b + m],

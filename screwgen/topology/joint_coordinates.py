@@ -102,6 +102,12 @@ class JointCoordinates:
             out[part.v, part.v] = part.joint.carried(v[part.v])
         return out
 
+    def flat(self, q: np.ndarray) -> np.ndarray:
+        """(nv,): the coordinates that add up, where their rates stand; zero for the others."""
+        out = np.zeros(self.nv)
+        out[self.flat_v] = q[self.flat_q]
+        return out
+
     @cached_property
     def flat_q(self) -> np.ndarray:
         """The coordinates, as indices in `q`, that add up."""

@@ -17,7 +17,7 @@ from ...algorithms.robot_functions import SENSED, entry_names, entry_units, shap
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
-from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units, parameters
+from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units, parameters, rate_units
 from ...topology.chain import Chain
 
 STEP, METHOD = 1e-3, "modal_implicit"
@@ -30,7 +30,6 @@ GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *OWN, *REPOR
 """The groups of variables, in the order of their value references."""
 
 WRENCH_UNITS = {part: "N" if part.startswith("F") else "N·m" for part in WRENCH}
-TWIST_UNITS = ("rad", "rad", "rad", "m", "m", "m")
 MEASURE_UNITS = {"slope": "rad"}
 AXES = ("x", "y", "z")
 
@@ -93,7 +92,7 @@ def _states(chain: Chain) -> Iterator[Variable]:
         yield Variable(
             "q", name, unit, _pose(name) or meaning, "output", initial="exact", start=float(start[k]), nominal=nominal
         )
-    for k, (name, unit) in enumerate(zip(names.v, _rate_units(chain), strict=True)):
+    for k, (name, unit) in enumerate(zip(names.v, rate_units(chain.robot), strict=True)):
         nominal = RATE_NOMINAL if k >= chain.eta_v else None
         meaning = "twist of the base, in its own axes" if k < chain.base_v else "rate of the coordinate"
         yield Variable("v", name, unit, meaning, "output", initial="exact", start=0.0, nominal=nominal)
@@ -104,11 +103,6 @@ def _pose(name: str) -> str:
     if not name.startswith("base.") or name.removeprefix("base.") not in POSE:
         return ""
     return "unit quaternion of the base" if name.startswith("base.q") else "position of the base, inertial frame"
-
-
-def _rate_units(chain: Chain) -> list[str]:
-    units = [*TWIST_UNITS * chain.floating, *coordinate_units(chain.robot)[chain.base_q :]]
-    return [f"{unit}/s" for unit in units]
 
 
 def _inputs(chain: Chain) -> Iterator[Variable]:

@@ -139,7 +139,7 @@ def places(chain: Chain, i: int) -> tuple[slice, slice]:
 
 
 def _coordinates(chain: Chain, i: int) -> list[int]:
-    return [k for s in places(chain, i) for k in range(s.start, s.stop)]
+    return np.r_[places(chain, i)].tolist()
 
 
 def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool) -> None:

@@ -221,8 +221,8 @@ class Coordinates:
     @cached_property
     def travels(self) -> dict[int, Travel]:
         """The joint coordinates, as their numbers, whose drives have a transmission, and what it is."""
-        own = ((self.q_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.travels)
-        return {place: drive.travel for place, drive in own if drive.travel}
+        pairs = enumerate(self.keys)
+        return {self.q_offset[i] + axis: travel for i, key in pairs for axis, travel in key.travels.items()}
 
     @property
     def travel_kinds(self) -> list[Travel]:
@@ -243,7 +243,7 @@ class Coordinates:
     def own_spans(self, i: int) -> dict[str | Law, slice]:
         """The slices of these coordinates that hold ``eta`` and, where axes have forces, ``q`` and ``theta`` of a link.
 
-        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
+        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``between``: of
         those, behind them, that couple added coordinates and joints. By each law: the link's part of where it acts.
         """
         before, key = self.n_given - self.n_modes, self.keys[i]
@@ -255,7 +255,7 @@ class Coordinates:
             parts["q"] = part(0, self.q_offset)
         if key.added_axes:
             parts["theta"] = part(before - self.n_added, self.theta_offset)
-            parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
+            parts["between"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
         for law in dict.fromkeys(one.law for one in key.laws):
             links = [acted.link for acted in self.laws[law]]
             parts[law] = slice(links.index(i), links.index(i) + links.count(i))
@@ -266,8 +266,8 @@ class Coordinates:
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
         first = [self.own_spans(i)["eta"].start for i in range(self.n)]
         modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
-        rotors = self.n_given - self.n_inner
-        return modes + [(rotors + k, joint) for k, joint in enumerate(self.added_joints)]
+        first_added = self.n_given - self.n_inner
+        return modes + [(first_added + k, joint) for k, joint in enumerate(self.added_joints)]
 
     @cached_property
     def springs(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -37,8 +37,8 @@ COLUMNS = {
     "between": {"M_gear": "gear_inertia", "K_gear": "gear_stiffness", "D_gear": "gear_damping"},
 }
 """The columns of joint coordinates, of those that elements add, and between both, with the constants that they hold."""
-OTHERS = ("spring", "crank_inertia")
-"""The stiffness of the joint's own spring, and the inertia of a rotor along the travel that it drives."""
+OTHERS = ("spring", tm.INERTIA)
+"""The stiffness of the joint's own spring, and the inertia of a rotor along a travel."""
 
 
 def drive_of(key: LinkClass, axis: int) -> DriveClass:
@@ -54,7 +54,7 @@ def constant(s: Scope, name: str, axis: int) -> Value:
     joint = {"armature": s.key.armature, "joint_damping": s.key.joint_damping, "joint_stiffness": s.key.stiffness}
     if name == "spring":
         return read("joint_stiffness") if s.key.stiffness else 0.0
-    if name == "crank_inertia":
+    if name == tm.INERTIA:
         return gear.travelling(stated)
     part, term = TERMS[name]
     own = read(name) if joint.get(name) else 0.0

@@ -1,5 +1,6 @@
 """The joint that carries a link, and its mount: keys of a robot file."""
 
+from collections.abc import Iterator
 from numbers import Real
 from typing import Annotated, Any, Self
 
@@ -86,6 +87,14 @@ class Joint(Part):
     def driven(self) -> tuple[Drive, ...]:
         """The drive of each axis, one that states nothing where the file has none."""
         return self.drives or (Drive(),) * len(self.axes)
+
+    @property
+    def numbers(self) -> Iterator[tuple[int, str, float | None]]:
+        """The runtime parameters of drives and limits: axis, key as in `joint.limits.lower`, value."""
+        for axis, drive in enumerate(self.drives or ()):
+            yield from ((axis, f"joint.drives.{name}", value) for name, value in drive.numbers)
+        for axis, limit in enumerate(self.limits or ()):
+            yield from ((axis, f"joint.limits.{name}", getattr(limit, name)) for name in Limit.model_fields)
 
     def has_inertia(self, axis: int) -> bool:
         """Whether the inertia of what drives an axis is stated."""

@@ -153,19 +153,16 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     reach the link.
     """
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
-    for i, key in enumerate(chain.keys):
-        for axis in key.travels:
-            place, travel = chain.q_offset[i] + axis, chain.travels[chain.q_offset[i] + axis]
-            given = [float(p[chain.parameter_labels[i][f"drive_{x}_{axis + 1}"]]) for x in travel.KEYS]
-            at = float(q[place])
-            try:
-                found, guards = run(relation(travel), {"q": [at], "given": given}, _unary, 2.0**-52)
-                length = travel.travel(at, *given)
-            except (ZeroDivisionError, ValueError):
-                guards = [0.0]
-            if not all(x > 0 for x in guards):
-                raise chain.singular(i)
-            out[:, place] = length, *found["relation"]
+    for i, place, travel, given in chain.travel_numbers(p):
+        at = float(q[place])
+        try:
+            found, guards = run(relation(travel), {"q": [at], "given": given}, _unary, 2.0**-52)
+            length = travel.travel(at, *given)
+        except (ZeroDivisionError, ValueError):
+            guards = [0.0]
+        if not all(x > 0 for x in guards):
+            raise chain.singular(i)
+        out[:, place] = length, *found["relation"]
     return out
 
 

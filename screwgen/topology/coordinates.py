@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
 from typing import Any, NamedTuple
@@ -223,6 +223,13 @@ class Coordinates:
         """The joint coordinates, as their numbers, whose drives have a transmission, and what it is."""
         pairs = enumerate(self.keys)
         return {self.q_offset[i] + axis: travel for i, key in pairs for axis, travel in key.travels.items()}
+
+    def travel_numbers(self, p: Any) -> Iterator[tuple[int, int, Travel, list[float]]]:
+        """Of every transmission its link, its joint coordinate, what it is, and its numbers out of the parameters."""
+        for i, key in enumerate(self.keys):
+            for axis, travel in key.travels.items():
+                places = (self.parameter_labels[i][f"drive_{name}_{axis + 1}"] for name in travel.KEYS)
+                yield i, self.q_offset[i] + axis, travel, [float(p[place]) for place in places]
 
     @property
     def travel_kinds(self) -> list[Travel]:

@@ -261,12 +261,6 @@ def bias(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence) -> Outputs:
     return {"h": f.inverse_dynamics(q, v, [0.0] * f.chain.nv, w_ext)}
 
 
-@program("q")
-def levers(f: Functions, q: Sequence) -> Outputs:
-    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
-    return {"levers": f.levers(q)}
-
-
 @program("q vdot")
 def inertial_force(f: Functions, q: Sequence, vdot: Sequence) -> Outputs:
     """``(q, vdot) -> (force)`` at rest: its Jacobian in ``vdot`` is the mass matrix."""

@@ -84,6 +84,12 @@ def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
     return {"power": f.drive_power(q, v, tau)}
 
 
+@fused.program("q")
+def levers(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
+    return {"levers": f.levers(q)}
+
+
 @fused.program("q v tau w_ext")
 def loop_wrenches(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
     """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
@@ -190,7 +196,7 @@ FUNCTIONS = (
         "levers",
         "q",
         {"levers": Signal(("NTAU",), "m/rad, -", "-", "what the torque of each axis is multiplied by")},
-        fused.levers,
+        levers,
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
         offered=lambda chain: bool(chain.travels),
@@ -328,18 +334,6 @@ def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
         count, parts = math.prod(shape(of, chain)), of.unit.replace("-", "1").replace("^2", "²").split(", ")
         out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
     return out
-
-
-def table_row(function: RobotFunction) -> str:
-    """The row of a function in the table of docs/functions.md."""
-    sizes = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NLINKS": "n", "NMARKERS": "m", "NSTRAINS": "n_strains"}
-    told = [
-        f"`{name}` ({', '.join(str(sizes.get(str(n), n)) for n in of.shape) or 'a number'}), {of.unit}"
-        for name, of in function.results.items()
-    ]
-    units = ", units" * (function.c_file == OUTPUTS or function.name in SENSED)
-    about = f"also in C, runs, rollouts{units}. " * bool(function.c_file) + function.about
-    return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {about} |"
 
 
 def function_named(name: str) -> RobotFunction:

@@ -264,11 +264,11 @@ def test_errors_are_as_large_as_the_covariance_says(name):
 
 def independent_of(robot, q) -> np.ndarray:
     """The changes of [q; v] that loops leave free."""
-    from screwgen.simulation.mobility import by_drive, jacobian, mobility
+    from screwgen.simulation.mobility import by_effort, jacobian, mobility
 
     own = np.arange(robot.nv)
     if robot.chain.closures:
-        own = mobility(jacobian(robot, q, robot.parameter_values), by_drive(robot.chain)).independent
+        own = mobility(jacobian(robot, q, robot.parameter_values), by_effort(robot.chain)).independent
     return np.append(own, robot.nv + own)
 
 

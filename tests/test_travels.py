@@ -7,7 +7,7 @@ from four_bar_robots import LINKAGE
 from screwgen.algorithms.travels import relation
 from screwgen.elements import ADDED, TRAVELS
 from screwgen.ir.replay import run
-from screwgen.spec.parameters import FIELDS
+from screwgen.spec.fields import FIELDS
 
 NUMBERS = {"cylinder": {"crank": 0.4, "base": 1.2, "angle": -1.5}, "four-bar linkage": LINKAGE}
 

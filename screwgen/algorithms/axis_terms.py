@@ -31,8 +31,14 @@ TERMS = {
     "gear_stiffness": ("between", "stiffness"),
 }
 """The constants that follow from what acts linearly on an axis, see :class:`..elements.Linear`."""
-OTHERS = ("spring", "crank_inertia")
-"""The stiffness of the joint's own spring, and the inertia of a rotor along the travel that it drives."""
+COLUMNS = {
+    "q": {"M_q": "armature", "K_q": "joint_stiffness", "D_q": "joint_damping"},
+    "theta": {"M_theta": "rotor_inertia", "K_theta": "rotor_stiffness", "D_theta": "rotor_damping"},
+    "between": {"M_gear": "gear_inertia", "K_gear": "gear_stiffness", "D_gear": "gear_damping"},
+}
+"""The columns of joint coordinates, of those that elements add, and between both, with the constants that they hold."""
+OTHERS = ("spring", tm.INERTIA)
+"""The stiffness of the joint's own spring, and the inertia of a rotor along a travel."""
 
 
 def drive_of(key: LinkClass, axis: int) -> DriveClass:
@@ -48,7 +54,7 @@ def constant(s: Scope, name: str, axis: int) -> Value:
     joint = {"armature": s.key.armature, "joint_damping": s.key.joint_damping, "joint_stiffness": s.key.stiffness}
     if name == "spring":
         return read("joint_stiffness") if s.key.stiffness else 0.0
-    if name == "crank_inertia":
+    if name == tm.INERTIA:
         return gear.travelling(stated)
     part, term = TERMS[name]
     own = read(name) if joint.get(name) else 0.0
@@ -58,7 +64,7 @@ def constant(s: Scope, name: str, axis: int) -> Value:
 def labelled(s: Scope, label: str) -> Value | None:
     """The constant with the label of an axis, such as ``armature_1``; None if it is no such constant."""
     name, _, number = label.rpartition("_")
-    return constant(s, name, int(number) - 1) if name in (*TERMS, *OTHERS) else None
+    return constant(s, name, int(number) - 1) if s.key.drives and name in (*TERMS, *OTHERS) else None
 
 
 # ------------------------------------------------------------------------------------------ elimination

@@ -26,6 +26,11 @@ def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, 
     return out
 
 
+def width(span: slice) -> int:
+    """The number of entries of a slice."""
+    return span.stop - span.start
+
+
 def link_columns(part: str | Law) -> tuple[str, ...]:
     """The columns of a part of every link."""
     return COLUMNS[part] if isinstance(part, str) else part.constants

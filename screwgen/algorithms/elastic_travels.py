@@ -15,9 +15,10 @@ from __future__ import annotations
 
 from ..ir.derivative import columns
 from ..ir.program import Array, Value
+from ..spec.link_class import LinkClass
 from . import matrices as mx
 from .scope import Scope
-from .travels import Cranks, cranks, kept, of_axis, rubs
+from .travels import INERTIA, Cranks, cranks, kept, of_axis, rubs
 
 
 def condensed(s: Scope, axis: int, effort: Value, m: Value, f: Value, inverse: Value) -> tuple[Value, ...]:
@@ -73,6 +74,11 @@ GEAR_SLOPES = ("gear_M", "gear_q", "gear_qdot", "gear_back", "gear_own")
 """What elastic gears of transmissions add to the rows and columns of their coordinates, (t,) each."""
 
 
+def slope_names(key: LinkClass) -> list[str]:
+    """What transmissions add to the slopes of a link, see :func:`answers`."""
+    return [INERTIA] * key.has_travelling_inertia + list(GEAR_SLOPES) * bool(key.elastic_travels)
+
+
 def _gear_answers(s: Scope, coupling: Array, found: Cranks, asked: Array) -> None:
     """The inertia that couples e with the axis, and the derivatives of e's row with q, qdot and edot, and of the
     axis' with edot."""
@@ -96,7 +102,7 @@ def answers(s: Scope) -> tuple[Array, Array]:
     if not s.key.travels:
         return mx.zeros(m, m), mx.zeros(m, m)
     found = cranks(s, q, qdot)
-    s.write("w.crank_inertia", found.inertia)
+    s.write(f"w.{INERTIA}", found.inertia)
     asked = found.inertia * s.read("qddot") + found.force - found.slope * s.read("tau")
     if s.key.elastic_travels:
         coupling = _couplings(s, found.slope)

@@ -106,7 +106,7 @@ class Functions(LoopFunctions, MarkerFunctions):
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out: dict[str, list] = {}
         spans = self.chain.own_spans(i)
-        below, gear = (spans.pop(part, None) for part in ("below", "gear"))
+        below, gear = (spans.pop(part, None) for part in ("below", "between"))
         for part, span in spans.items():
             if not isinstance(part, str):
                 continue
@@ -129,7 +129,7 @@ class Functions(LoopFunctions, MarkerFunctions):
             return out
         out |= {part: list(out[part]) for part in ("f_q", "f_theta") if part in out}
         if span is not None:
-            M, K, D = (own[name] for name in COLUMNS["gear"])
+            M, K, D = (own[name] for name in COLUMNS["between"])
             out["m_gear"] = list(M)
             for n, axis in enumerate(key.added_axes):
                 out["f_theta"][n] = out["f_theta"][n] + K[n] * x["q"][axis] + D[n] * x["qdot"][axis]

@@ -12,7 +12,7 @@ from ..ir.program import Program, Tracer, Value
 from ..ir.replay import inline, run
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
-from .columns import columns, link_columns
+from .columns import columns, link_columns, width
 from .dae_functions import DaeFunctions, state_size, unknown_size
 from .functions import EVERYTHING, Functions
 from .schedule import Algorithm, constant_labels, is_column, preparation, seen_by
@@ -67,7 +67,7 @@ def _sources(
     for i in range(chain.n):
         names = {f"c.{label}": 1 for label in constant_labels(chain, i, algorithms)}
         for part, span in chain.own_spans(i).items():
-            names |= dict.fromkeys(link_columns(part), span.stop - span.start)
+            names |= dict.fromkeys(link_columns(part), width(span))
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}
     read["gravity"] = 3
@@ -259,12 +259,6 @@ def inverse_dynamics(f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_e
 def bias(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence) -> Outputs:
     """``(q, v, w_ext) -> (h)``: the bias force, which is the inverse dynamics without accelerations."""
     return {"h": f.inverse_dynamics(q, v, [0.0] * f.chain.nv, w_ext)}
-
-
-@program("q")
-def levers(f: Functions, q: Sequence) -> Outputs:
-    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
-    return {"levers": f.levers(q)}
 
 
 @program("q vdot")

@@ -22,7 +22,7 @@ from ..topology.tree import BASE, TIP
 from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
-from .elastic_travels import GEAR_SLOPES
+from .elastic_travels import GEAR_SLOPES, slope_names
 from .functions import Functions
 from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
@@ -30,6 +30,7 @@ from .loops import Loads
 from .schedule import COLUMNS
 from .scope import OF_TIP
 from .signals import STORE, at_station, edge_name, plain
+from .travels import INERTIA
 
 PAIRS = (
     "F_q F_qdot f_q f_qdot u_q u_qdot rows_q axes F_eta F_etadot f_eta f_etadot tip_eta tip_etadot rows_eta M_eta_eta "
@@ -126,7 +127,7 @@ def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] 
         *more,
         *(at_station(name, k) for name in PAIRS if name in OF_TIP for k in range(len(key.stations_at))),
     ]
-    names += ["crank_inertia"] * key.has_travelling_inertia + list(GEAR_SLOPES) * bool(key.elastic_travels)
+    names += slope_names(key)
     shapes = {name: STORE[plain(name)].size_of(key) for name in names}
     return {name: np.fromiter(store[f"w.{name}"], object).reshape(shape) for name, shape in shapes.items()}
 
@@ -137,7 +138,7 @@ def places(chain: Chain, i: int) -> tuple[slice, slice]:
 
 
 def _coordinates(chain: Chain, i: int) -> list[int]:
-    return [k for s in places(chain, i) for k in range(s.start, s.stop)]
+    return np.r_[places(chain, i)].tolist()
 
 
 def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool) -> None:
@@ -147,7 +148,7 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool
     M_q, K_q, D_q = _joint_columns(key, constants, own)
     out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
     if key.has_travelling_inertia:
-        out.M[q, q] = out.M[q, q] + mx.diagonal(link["crank_inertia"])
+        out.M[q, q] = out.M[q, q] + mx.diagonal(link[INERTIA])
     out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
     empty = mx.zeros(key.modes, key.modes)
     of_modes = lambda A, below: mx.coupled(constants[A], key.coupled, constants.get(below, ()))  # noqa: E731

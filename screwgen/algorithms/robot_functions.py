@@ -87,6 +87,12 @@ def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
     return {"power": f.drive_power(q, v, tau)}
 
 
+@fused.program("q")
+def levers(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
+    return {"levers": f.levers(q)}
+
+
 @fused.program("q v tau w_ext")
 def loop_wrenches(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
     """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
@@ -193,7 +199,7 @@ FUNCTIONS = (
         "levers",
         "q",
         {"levers": Signal(("NTAU",), "m/rad, -", "-", "what the torque of each axis is multiplied by")},
-        fused.levers,
+        levers,
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
         offered=lambda chain: bool(chain.travels),

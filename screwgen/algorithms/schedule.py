@@ -15,6 +15,7 @@ from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from .axis_laws import columns_of
+from .axis_terms import COLUMNS as OF_AXES
 from .axis_terms import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import AT_TIP, Layout, Scope, derived, owner_of
@@ -23,9 +24,7 @@ from .signals import is_node
 OUTWARD, INWARD = +1, -1
 COLUMNS = {
     "eta": ("M_eta", "K", "D"),
-    "q": ("M_q", "K_q", "D_q"),
-    "theta": ("M_theta", "K_theta", "D_theta"),
-    "gear": ("M_gear", "K_gear", "D_gear"),
+    **{part: tuple(own) for part, own in OF_AXES.items()},
     "below": ("M_below", "K_below", "D_below"),
 }
 """Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if forces act on these,
@@ -40,12 +39,6 @@ def is_column(name: str) -> bool:
 
 BUILT_IN = (FRICTION.constants, STOP.constants)
 """The columns of laws whose names have no prefix."""
-OF_AXES = {
-    "q": ("armature", "joint_stiffness", "joint_damping"),
-    "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
-    "gear": ("gear_inertia", "gear_stiffness", "gear_damping"),
-}
-"""The constants of axes that the columns of joints and drives hold, see :mod:`.axis_terms`."""
 FEW, MANY = 3, 12
 """With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 
@@ -116,7 +109,7 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
     scope = Scope(key, tracer, {})
     blocks = derived(key)
     for label in labels:
-        if key.drives and (value := labelled(scope, label)) is not None:
+        if (value := labelled(scope, label)) is not None:
             scope.write(label, [value])
             continue
         section, own = owner_of(key, label)
@@ -130,9 +123,9 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
             values = lower(derived(key)["link"], inputs, (name,), tracer)[name] if damped else [0.0] * size
             scope.write(name, values)
     joints = range(key.joints) if key.has_axis_forces else ()
-    for part, axes in (("q", joints), ("theta", key.added_axes), ("gear", key.added_axes)):
-        for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
-            if axes:
+    for part, own_columns in OF_AXES.items():
+        for name, label in own_columns.items():
+            if axes := joints if part == "q" else key.added_axes:
                 scope.write(name, [constant(scope, label, axis) for axis in axes])
     for name, entries in columns_of(scope):
         scope.write(name, entries)

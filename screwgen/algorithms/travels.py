@@ -25,6 +25,9 @@ from ..topology.chain import Chain
 from . import matrices as mx
 from .scope import Scope
 
+INERTIA = "crank_inertia"
+"""The inertia of a rotor along the travel that it drives, and what a phase stores of it at the axis."""
+
 
 @cache
 def relation(travel: Travel) -> Program:
@@ -88,7 +91,7 @@ def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
         slope, curve = of_axis(s, axis, q)
         force = _friction(s, axis, travel_rate(s, axis, slope, qdot)) if rubs(s, axis) else 0.0
         if s.key.drives[axis].rotor_inertia:
-            mass = s.constant(f"crank_inertia_{axis + 1}")
+            mass = s.constant(f"{INERTIA}_{axis + 1}")
             out.inertia[axis] = mass * slope * slope
             force = force + mass * curve * qdot[axis] * qdot[axis]
         out.slope[axis], out.force[axis], out.bias[axis] = slope, slope * force, force
@@ -125,7 +128,7 @@ def kinetic(s: Scope, q: Array, qdot: Array) -> Value:
     for axis in s.key.travels if s.key.has_travelling_inertia else ():
         if s.key.drives[axis].rotor_inertia:
             rate = travel_rate(s, axis, of_axis(s, axis, q, guarded=False)[0], qdot)
-            total = total + s.constant(f"crank_inertia_{axis + 1}") * rate * rate
+            total = total + s.constant(f"{INERTIA}_{axis + 1}") * rate * rate
     return total
 
 
@@ -150,19 +153,16 @@ def travels(chain: Chain, q: Numbers, p: Numbers) -> np.ndarray:
     reach the link.
     """
     out = np.array([q, np.ones(chain.n_joints), np.zeros(chain.n_joints)], float)
-    for i, key in enumerate(chain.keys):
-        for axis in key.travels:
-            place, travel = chain.tau_offset[i] + axis, chain.travels[chain.tau_offset[i] + axis]
-            given = [float(p[chain.parameter_labels[i][f"drive_{x}_{axis + 1}"]]) for x in travel.KEYS]
-            at = float(q[place])
-            try:
-                found, guards = run(relation(travel), {"q": [at], "given": given}, _unary, 2.0**-52)
-                length = travel.travel(at, *given)
-            except (ZeroDivisionError, ValueError):
-                guards = [0.0]
-            if not all(x > 0 for x in guards):
-                raise chain.singular(i)
-            out[:, place] = length, *found["relation"]
+    for i, place, travel, given in chain.travel_numbers(p):
+        at = float(q[place])
+        try:
+            found, guards = run(relation(travel), {"q": [at], "given": given}, _unary, 2.0**-52)
+            length = travel.travel(at, *given)
+        except (ZeroDivisionError, ValueError):
+            guards = [0.0]
+        if not all(x > 0 for x in guards):
+            raise chain.singular(i)
+        out[:, place] = length, *found["relation"]
     return out
 
 

@@ -58,7 +58,7 @@ def _columns(
     at_nodes = [dict.fromkeys(KINDS, none) for _ in range(chain.tree.size)]
     for i in reversed(range(chain.n)):
         link, (q, eta) = links[i], places(chain, i)
-        owned = [*range(q.start, q.stop), *range(eta.start, eta.stop)]
+        owned = np.r_[q, eta].tolist()
         coupling, spread = link["rows_eta"][:, 3:].T, mx.multiply(link["answer"][:, 3:], link["axes"])
         turning = {"q": link["F_q"], "v": link["F_qdot"], "vdot": spread}
         modal = {"q": link["F_eta"], "v": link["F_etadot"], "vdot": coupling}
@@ -75,7 +75,7 @@ def _columns(
                 J, count = out[kind], len(owners)
                 J[6 * i : 6 * i + 6, owners] = at_joint[:, :count]
                 J[6 * i : 6 * i + 6, q] = own[kind]
-                J[6 * i : 6 * i + 6, eta] = at_joint[:, count + q.stop - q.start :]
+                J[6 * i : 6 * i + 6, eta] = at_joint[:, count + chain.keys[i].freedoms :]
                 if chain.tree.parents[i] != BASE:
                     handed = rw.shifted(link["r_J"], rw.rotated_columns(link["R_rel"], at_joint))
                     there = at_nodes[chain.tree.base(i)]

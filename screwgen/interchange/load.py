@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import UsageError
+from ..spec.joint import MOVED_BY
 from ..spec.load import load as load_robot_file
 from ..spec.load import one_line, read, validated
 from ..spec.robot import Robot
@@ -140,6 +141,6 @@ def _refuse_without_inertia(tree: UrdfTree) -> None:
 def _armature(node: MergedLink, side: SideFile) -> float:
     """The rotor's inertia at the joint; 1 where the side file states one, whose value is then not checked here."""
     stated = side.links.get(node.urdf, {}).get("joint", {})
-    if node.joint is None or "armature" in stated or "drives" in stated:
+    if node.joint is None or not stated.keys().isdisjoint(MOVED_BY):
         return 1.0
-    return (node.joint.rotor_inertia or 0.0) * (node.joint.ratio or 1.0) ** 2
+    return node.joint.armature

@@ -107,7 +107,7 @@ class UrdfTree:
     def _heavy(self) -> set[str]:
         """The links that have inertia or carry what has."""
         found = {x.name for x in self.urdf.links.values() if x.name in self.side.links or (x.body and x.body.something)}
-        found |= {joint.child for joint in self.urdf.joints.values() if joint.rotor_inertia}
+        found |= {joint.child for joint in self.urdf.joints.values() if joint.armature}
         return self._with_carriers(found)
 
     def _to_tip(self) -> set[str]:

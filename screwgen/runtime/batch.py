@@ -172,11 +172,11 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
 
     The threads are Python's, which run in parallel inside the C; OpenMP's threads do not survive a fork.
     """
-    stop = threading.Event()
+    over = threading.Event()
 
     def work(first: int, size: int) -> None:
         for k, part in slices(periods, max(1, FIRST // size)):
-            if stop.is_set():
+            if over.is_set():
                 break
             call(first, size, k, part)
 
@@ -187,7 +187,7 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
             for done in [pool.submit(work, *share) for share in shares]:
                 done.result()
         finally:
-            stop.set()
+            over.set()
 
 
 def _files(model: RobotModel, methods: Sequence[Method]) -> tuple[LeanProject, dict[str, str]]:

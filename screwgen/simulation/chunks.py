@@ -123,9 +123,10 @@ def in_chunks(
         HERE[digest] = model
 
     def call(k: int) -> Future:
-        rows = slice(k * CHUNK, min((k + 1) * CHUNK, count))
+        first, size = k * CHUNK, min(CHUNK, count - k * CHUNK)
+        rows = slice(first, first + size)
         own = {name: a[rows] if len(a) > 1 else a for name, a in given.items()}
-        return executor.submit(part, run, digest, packed, own, rows.stop - rows.start, how)
+        return executor.submit(part, run, digest, packed, own, size, how)
 
     try:
         found = dict(completed(call, range(max(1, -(-count // CHUNK))), executor))

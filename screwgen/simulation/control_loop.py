@@ -93,14 +93,14 @@ class Sampled:
         named = f"loop of joint '{joints[0]}' is" if len(joints) == 1 else f"loops of joints {_listed(joints)} are"
         lower = [gain.lowered(s) for gain, s in zip(loops[0].gains, factors, strict=True) if s < 1]
         remedies = [_shorter(min(loop.longest() for loop in loops)), f"lower {_listed(lower, quote='')}"]
-        remedies += self._rotors(loops, rows)
+        remedies += self._inertias(loops, rows)
         return f"with these gains the sampled {named} {at}: {'; or '.join(remedies)}"
 
-    def _rotors(self, loops: Sequence[PostureLoop], rows: Sequence[int]) -> list[str]:
+    def _inertias(self, loops: Sequence[PostureLoop], rows: Sequence[int]) -> list[str]:
         """What rotors would help, where the joints have none."""
         links = self.model.robot.links
-        stated = [link.joint.has_rotor(k) for link in links for k in range(len(link.joint.axes))]
-        found = np.zeros(0) if any(stated[j] for j in rows) else rotors(loops, rows)
+        stated = [link.joint.has_inertia(k) for link in links for k in range(len(link.joint.axes))]
+        found = np.zeros(0) if any(stated[j] for j in rows) else inertias(loops, rows)
         if not found.size:
             return []
         values = _listed([f"{_rounded_up(x):g}" for x in found], quote="")
@@ -116,15 +116,15 @@ class PostureLoop:
         self.motion, self.gains, self.method, self.step, self.rate = motion, gains, method, step, rate
         self.unstable = not self.stable()
 
-    def held(self, factors: float | np.ndarray = 1.0, rotors: np.ndarray | None = None) -> LinearisedMotions:
-        """The motion with gains times `factors`, one or one for each, and `rotors` (nv,) besides."""
-        motion = self.motion if rotors is None else self.motion.with_armature(rotors)
+    def held(self, factors: float | np.ndarray = 1.0, armature: np.ndarray | None = None) -> LinearisedMotions:
+        """The motion with gains times `factors`, one or one for each, and the `armature` (nv,) of rotors besides."""
+        motion = self.motion if armature is None else self.motion.with_armature(armature)
         each = np.broadcast_to(factors, len(self.gains))
         return LinearisedMotions(motion.with_gains(sum((s * g.slope for s, g in zip(each, self.gains, strict=True)))))
 
-    def stable(self, factors: float | np.ndarray = 1.0, rotors: np.ndarray | None = None) -> bool:
+    def stable(self, factors: float | np.ndarray = 1.0, armature: np.ndarray | None = None) -> bool:
         """Whether nothing grows at the run's step."""
-        return not self.held(factors, rotors).grows(self.method, self.step, self.rate)
+        return not self.held(factors, armature).grows(self.method, self.step, self.rate)
 
     def longest(self, factors: float | np.ndarray = 1.0) -> float:
         """The longest step, s, up to which nothing grows; 0 if there is none."""
@@ -162,7 +162,7 @@ def largest(holds: Callable[[float], bool], low: float = 0.0) -> float:
     return low
 
 
-def rotors(loops: Sequence[PostureLoop], rows: Sequence[int]) -> np.ndarray:
+def inertias(loops: Sequence[PostureLoop], rows: Sequence[int]) -> np.ndarray:
     """The least inertias of rotors at joints `rows` that make the loops stable; empty if none do.
 
     They are in proportion to what the gains ask for, `kd h + kp h²`.

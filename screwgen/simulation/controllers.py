@@ -221,10 +221,10 @@ class PD:
 
 def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:
     """How far rotors behind elastic gears of transmissions are ahead of their joints (n_tau,) in `x`, `q` or `v`."""
-    out, lever = np.zeros(chain.n_tau), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
+    out, slope = np.zeros(chain.n_tau), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
     for joint, place in chain.elastic_travels.items():
         stretch = x[place + len(x) - chain.nv]
-        out[joint] = stretch / lever[joint] if abs(lever[joint]) > DEAD else 0.0
+        out[joint] = stretch / slope[joint] if abs(slope[joint]) > DEAD else 0.0
     return out
 
 

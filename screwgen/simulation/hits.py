@@ -92,14 +92,11 @@ def bounds(model: RobotModel, p: Numbers) -> list[Bound]:
             own = {name: values.get(f"{link.name}.joint.limits[{axis}].{name}") for name in Limit.model_fields}
             push = own["stiffness"] or 0.0, own["damping"] or 0.0
             out += [Bound(first + axis, side, at, *push) for side in SIDES if (at := own[side]) is not None]
-        for axis, drive in enumerate(link.joint.drives or ()):
-            if kind := drive.travel:
-                table = f"{link.name}.joint.drives[{axis}].transmission.{kind.TABLE}"
-                ends = zip(SIDES, kind.reach(*(values[f"{table}{name}"] for name in kind.KEYS)), strict=True)
-                stated = {(bound.axis, bound.side) for bound in out}
-                open_ends = [x for x in ends if math.isfinite(x[1]) and (first + axis, x[0]) not in stated]
-                out += [Bound(first + axis, side, end, 0.0, 0.0) for side, end in open_ends]
         first += len(link.joint.axes)
+    stated = {(bound.axis, bound.side) for bound in out}
+    for _, axis, travel, numbers in model.chain.travel_numbers(p):
+        ends = [x for x in zip(SIDES, travel.reach(*numbers), strict=True) if (axis, x[0]) not in stated]
+        out += [Bound(axis, side, end, 0.0, 0.0) for side, end in ends if math.isfinite(end)]
     return out
 
 

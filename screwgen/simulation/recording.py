@@ -105,7 +105,7 @@ class SampleTable:
     def __init__(self, model: RobotModel, times: np.ndarray, p: np.ndarray, q0: np.ndarray, given: Inputs):
         self.model, self.times, self.p, self.given = model, times, p, given
         self.w_ext = given.wrenches(len(times))
-        widths = _widths(model)
+        self.widths = widths = _widths(model)
         ends = np.cumsum(list(widths.values()))
         self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}
         self.width = int(ends[-1])
@@ -116,7 +116,7 @@ class SampleTable:
     @property
     def shapes(self) -> dict[str, tuple[int, ...]]:
         """The shape of every quantity in one sample."""
-        sizes = {name: (place.stop - place.start,) for name, place in self.places.items()}
+        sizes = {name: (size,) for name, size in self.widths.items()}
         return sizes | {"t": (), "wrench": (self.model.n_links, 6)}
 
     def acted(self, row: int, w_ext: np.ndarray) -> None:

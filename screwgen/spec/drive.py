@@ -1,6 +1,6 @@
 """The drive of a joint axis: gear, rotor, elasticity and friction."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import inf
 from typing import Annotated, Self
 
@@ -93,6 +93,21 @@ class Drive(Part):
     def added(self) -> Added | None:
         """The coordinate that an elastic gear adds."""
         return added_by(self.travel) if self.elastic else None
+
+    @property
+    def numbers(self) -> Iterator[tuple[str, float | None]]:
+        """Its runtime parameters, by their keys below this table."""
+        friction = self.friction or NO_FRICTION
+        yield from ((name, getattr(self, name)) for name in ("ratio", "rotor_inertia", "stiffness", "damping"))
+        yield from ((f"friction.{name}", getattr(friction, name)) for name in Friction.model_fields)
+        if self.transmission:
+            yield from ((f"transmission.{name}", value) for name, value in self.transmission.numbers)
+
+    def effort(self, screw: Screw) -> tuple[str, str]:
+        """What the input of its axis is called, and its unit."""
+        if self.travel:
+            return self.travel.EFFORT_NAME, self.travel.EFFORT_UNIT
+        return ("torque", "N·m") if self.elastic or screw.turn else ("force", "N")
 
     @property
     def reach(self) -> tuple[float, float]:

@@ -181,15 +181,21 @@ class LinkClass:
         """The axis of each coordinate that an elastic gear adds: of its rotor, or of the stretch of a transmission."""
         return tuple(k for k, drive in enumerate(self.drives) if drive.elastic)
 
-    @property
-    def travels(self) -> tuple[int, ...]:
-        """The axes whose drives have a transmission."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.travel)
+    @cached_property
+    def travels(self) -> dict[int, Travel]:
+        """The axes whose drives have a transmission, and what it is."""
+        return {k: drive.travel for k, drive in enumerate(self.drives) if drive.travel}
 
     @property
     def elastic_travels(self) -> tuple[int, ...]:
         """The axes whose drives have a transmission with an elastic gear."""
         return tuple(k for k in self.travels if self.drives[k].elastic)
+
+    @property
+    def ends(self) -> list[str]:
+        """Where the transmissions of its axes end, for messages."""
+        said = (travel.limit(self.drives[axis].elastic) for axis, travel in self.travels.items())
+        return list(dict.fromkeys(filter(None, said)))
 
     @cached_property
     def laws(self) -> tuple[Acting, ...]:

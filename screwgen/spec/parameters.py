@@ -1,17 +1,15 @@
 """The runtime parameters of a robot (the numbers that its file states), and the names of its coordinates."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
-from ..elements import TRAVELS, Added, Travel
+from ..elements import Added, Travel
 from .axis_elements import numbers_of
-from .axis_units import SLIDING
 from .base import CHANGE, CHANGE_UNITS, POSE, POSE_UNITS, TWIST
-from .drive import NO_FRICTION, Drive
+from .fields import FIELDS, SLIDING, of_axis
 from .joint import Joint
-from .limit import Limit
 from .reduced import of_link as directions
 from .robot import Body, Link, Robot
 from .section import Section
@@ -41,76 +39,6 @@ class Parameter:
     sign: str = ""
 
 
-class Field(NamedTuple):
-    """A kind of parameter: the pattern of its names below the link's, unit, meaning, names of components."""
-
-    pattern: str
-    unit: str
-    description: str
-    components: tuple[str, ...] = ()
-
-
-XYZ = ("x", "y", "z")
-RPY = ("roll", "pitch", "yaw")
-TENSOR = ("xx", "yy", "zz", "xy", "xz", "yz")
-MEASURED = "natural frequency of the bare link clamped at its base:"
-
-FIELDS = {
-    "gravity": Field("gravity[{}]", "m/s²", "acceleration of free fall, inertial frame", XYZ),
-    "length": Field("length", "m", "length of the undeformed centreline"),
-    "frame_at": Field("frame_at", "m", "distance from the link's base to its frame's origin"),
-    "rhoA": Field("rhoA", "kg/m", "mass per length"),
-    "EA": Field("EA", "N", "axial stiffness"),
-    "EIy": Field("EIy", "N·m²", "bending stiffness about y"),
-    "EIz": Field("EIz", "N·m²", "bending stiffness about z"),
-    "GJ": Field("GJ", "N·m²", "torsional stiffness"),
-    "rhoIp": Field("rhoIp", "kg·m", "spin inertia per length about the centreline"),
-    "GAy": Field("GAy", "N", "shear stiffness along y"),
-    "GAz": Field("GAz", "N", "shear stiffness along z"),
-    "rhoIy": Field("rhoIy", "kg·m", "rotary inertia per length about y"),
-    "rhoIz": Field("rhoIz", "kg·m", "rotary inertia per length about z"),
-    "frequencies.axial": Field("frequencies.axial[{}]", "Hz", f"{MEASURED} axial mode"),
-    "frequencies.bending_y": Field("frequencies.bending_y[{}]", "Hz", f"{MEASURED} bending in y"),
-    "frequencies.bending_z": Field("frequencies.bending_z[{}]", "Hz", f"{MEASURED} bending in z"),
-    "frequencies.torsion": Field("frequencies.torsion[{}]", "Hz", f"{MEASURED} torsion"),
-    "damping.ratio": Field("damping.ratio", "1", "damping ratio of each mode"),
-    "joint.mount.xyz": Field("joint.mount.xyz[{}]", "m", "joint point from the parent's tip, tip frame", XYZ),
-    "joint.mount.rpy": Field("joint.mount.rpy[{}]", "rad", "turn of the joint, Rz(y) Ry(p) Rx(r)", RPY),
-    "joint.armature": Field("joint.armature[{}]", "kg·m²", "rotor inertia seen at the joint axis"),
-    "joint.damping": Field("joint.damping[{}]", "N·m·s/rad", "viscous damping about the joint axis"),
-    "joint.stiffness": Field("joint.stiffness[{}]", "N·m/rad", "stiffness about the joint axis"),
-    "joint.drives.ratio": Field("joint.drives[{}].ratio", "1", "turns of the rotor per turn of the joint"),
-    "joint.drives.rotor_inertia": Field("joint.drives[{}].rotor_inertia", "kg·m²", "inertia of the rotor"),
-    "joint.drives.stiffness": Field("joint.drives[{}].stiffness", "N·m/rad", "stiffness of the gear at the joint"),
-    "joint.drives.damping": Field("joint.drives[{}].damping", "N·m·s/rad", "damping of the gear at the joint"),
-    "joint.drives.friction.coulomb": Field("joint.drives[{}].friction.coulomb", "N·m", "dry friction"),
-    "joint.drives.friction.viscous": Field("joint.drives[{}].friction.viscous", "N·m·s/rad", "viscous friction"),
-    "joint.drives.friction.velocity": Field(
-        "joint.drives[{}].friction.velocity", "rad/s", "rate over which dry friction changes its sign"
-    ),
-    "joint.limits.lower": Field("joint.limits[{}].lower", "rad", "least coordinate of the joint"),
-    "joint.limits.upper": Field("joint.limits[{}].upper", "rad", "largest coordinate of the joint"),
-    "joint.limits.stiffness": Field("joint.limits[{}].stiffness", "N·m/rad", "stiffness of the stops at the limits"),
-    "joint.limits.damping": Field("joint.limits[{}].damping", "N·m·s/rad", "damping of the stops at the limits"),
-    **{
-        f"joint.drives.transmission.{kind.TABLE}{name}": Field(
-            f"joint.drives[{{}}].transmission.{kind.TABLE}{name}", key.unit, key.meaning
-        )
-        for kind in TRAVELS
-        for name, key in kind.KEYS.items()
-    },
-    "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
-    "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
-    "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
-}
-
-FIELDS |= {  # of a section that is stated at stations
-    f"section.{name}": FIELDS[name]._replace(
-        pattern=f"section[{{}}].{name}", description=f"{FIELDS[name].description}, at a station"
-    )
-    for name in Section.model_fields
-}
-
 BODY_FRAMES = {"base": ("F_i axes", "from the joint point"), "tip": ("tip-frame axes", "from the tip point")}
 """The axes of a body's numbers, and the point from which its centre of mass is meant."""
 
@@ -125,12 +53,10 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     """The parameters of `link`, which is number `i`."""
     for field, value in (*shape(link), *joint(link.joint)):
         for parameter in spread(field, value, i, link.name):
-            yield _sliding(parameter, link.joint)
-    tables = [[*map(driven, link.joint.drives or ())], [*map(limited, link.joint.limits or ())]]
-    for axis, fields in chain.from_iterable(map(enumerate, tables)):
-        for field, value in fields:
-            for parameter in spread(field, value, i, link.name, (axis,)):
-                yield _sliding(parameter, link.joint)
+            yield _of_axis(parameter, link.joint)
+    for axis, field, value in link.joint.numbers:
+        for parameter in spread(field, value, i, link.name, (axis,)):
+            yield _of_axis(parameter, link.joint)
     for axis, element, name, key, value in numbers_of(link.joint.elements):
         unit = key.unit if link.joint.screws[axis].turn else key.sliding
         own = f"{link.name}.joint.elements[{axis}].{element.KIND}.{name}"
@@ -142,37 +68,11 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
             yield from spread(field, value, i, link.name, (b,), frame)
 
 
-def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
-    """A parameter of a joint's axis with unit and meaning of a slide, if it is one."""
-    if parameter.field not in SLIDING:
+def _of_axis(parameter: Parameter, joint: Joint) -> Parameter:
+    """A parameter of a joint with unit and meaning of its axis, if it has one."""
+    if parameter.field not in SLIDING or not (other := of_axis(parameter.field, joint, parameter.index[0])):
         return parameter
-    drive = joint.drives[parameter.index[0]] if joint.drives else None
-    units: Mapping[str, tuple[str, str]] = {} if joint.screws[parameter.index[0]].turn else SLIDING
-    travel = drive.travel if drive else None
-    units = travel.UNITS if travel else units
-    on_rotor = drive and drive.elastic and not travel
-    rotor = parameter.field.endswith(".rotor_inertia")
-    turning = on_rotor or (rotor and drive and drive.ratio is not None)
-    if parameter.field not in units or (turning and (rotor or ".friction." in parameter.field)):
-        return parameter
-    unit, description = units[parameter.field]
-    return replace(parameter, unit=unit, description=description)
-
-
-def driven(drive: Drive) -> Iterator[tuple[str, Value]]:
-    """The fields of a drive."""
-    for name in ("ratio", "rotor_inertia", "stiffness", "damping"):
-        yield f"joint.drives.{name}", getattr(drive, name)
-    for name in ("coulomb", "viscous", "velocity"):
-        yield f"joint.drives.friction.{name}", getattr(drive.friction or NO_FRICTION, name)
-    for name, value in drive.transmission.numbers if drive.transmission else ():
-        yield f"joint.drives.transmission.{name}", value
-
-
-def limited(limit: Limit) -> Iterator[tuple[str, Value]]:
-    """The fields of the limits of an axis."""
-    for name in Limit.model_fields:
-        yield f"joint.limits.{name}", getattr(limit, name)
+    return replace(parameter, unit=other[0], description=other[1])
 
 
 def shape(link: Link) -> Iterator[tuple[str, Value]]:
@@ -307,23 +207,21 @@ def force_units(robot: Robot) -> list[str]:
 def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:
     """Link and number of every axis, and what its input is called, with its unit: that of the axis, or of its drive."""
     for link in robot.links:
-        drives = link.joint.drives or [Drive()] * len(link.joint.axes)
-        for j, (screw, drive) in enumerate(zip(link.joint.screws, drives, strict=True)):
-            own = ("torque", "N·m") if drive.elastic or screw.turn else ("force", "N")
-            yield link, j, *((drive.travel.EFFORT_NAME, drive.travel.EFFORT_UNIT) if drive.travel else own)
+        for j, (screw, own) in enumerate(zip(link.joint.screws, link.joint.driven, strict=True)):
+            yield link, j, *own.effort(screw)
 
 
 def travels(robot: Robot) -> list[Travel]:
     """The transmissions of all drives."""
-    return [drive.travel for link in robot.links for drive in link.joint.drives or () if drive.travel]
+    return [own.travel for link in robot.links for own in link.joint.driven if own.travel]
 
 
 def added(robot: Robot) -> Iterator[tuple[Link, int, Added]]:
     """The coordinates that drives add, link by link, each with the number of its axis."""
     for link in robot.links:
-        for j, drive in enumerate(link.joint.drives or ()):
-            if drive.added:
-                yield link, j, drive.added
+        for j, own in enumerate(link.joint.driven):
+            if own.added:
+                yield link, j, own.added
 
 
 def per_added(robot: Robot, rate: str = "") -> tuple[str, ...]:

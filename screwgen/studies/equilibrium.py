@@ -193,12 +193,8 @@ def _rested(
 
 def rigid(robot: Robot) -> Robot:
     """The robot with rigid gears in place of elastic ones."""
-    links = []
-    for link in robot.links:
-        drives = [x.model_copy(update={"stiffness": None, "damping": None}) for x in link.joint.drives or ()]
-        joint = link.joint.model_copy(update={"drives": tuple(drives)} if drives else {})
-        links.append(link.model_copy(update={"joint": joint}))
-    return robot.model_copy(update={"links": tuple(links)})
+    links = tuple(link.model_copy(update={"joint": link.joint.rigid()}) for link in robot.links)
+    return robot.model_copy(update={"links": links})
 
 
 def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: np.ndarray) -> Equilibrium:

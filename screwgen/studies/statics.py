@@ -93,9 +93,9 @@ class Statics:
         if not chain.travels:
             return self.load @ q, self.load, 0.0
         along, load, slope = q.copy(), self.load.copy(), np.zeros(len(q))
-        along[:m], lever, slope[:m] = travels(chain, q[:m], self.p)
+        along[:m], ratio, slope[:m] = travels(chain, q[:m], self.p)
         along[list(chain.elastic_travels.values())] += along[list(chain.elastic_travels)]
-        load[:m] *= lever
+        load[:m] *= ratio
         return self.load @ along, load, np.diag(self.load * slope)
 
     def _from_travels(self, q: np.ndarray, force: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -147,10 +147,10 @@ class Statics:
     def units(self) -> np.ndarray:
         """(nq,): D, such that D q has stiffnesses about one: by springs, and by the weight at a joint."""
         weight = self.weights(self._functions(np.zeros(self.model.nq), self.w_ext)[3])
-        joint, gears = np.arange(self.model.nq) < self.model.n_joints, np.zeros(self.model.nq)
+        joint, added = np.arange(self.model.nq) < self.model.n_joints, np.zeros(self.model.nq)
         if self.model.chain.n_added:
-            gears = np.diag(stiffness_matrix(self.model, self.p)) - self.springs
-        own = self.springs + gears + np.where(joint, weight, 0.0)
+            added = np.diag(stiffness_matrix(self.model, self.p)) - self.springs
+        own = self.springs + added + np.where(joint, weight, 0.0)
         return np.sqrt(np.where(own > 0, own, 1.0))
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:

@@ -15,7 +15,6 @@ import numpy as np
 from ..arguments import Numbers, Parameters, array
 from ..errors import SingularError, UsageError
 from ..joints.constraints import Ratio
-from ..spec.drive import Drive
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
 from ..spec.markers import TIP as END
@@ -139,9 +138,7 @@ class Chain(Coordinates):
             said = f"the floating base has no inertia about some axis in this posture{self.caution}"
             return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         said = f"the joint of link '{self.names[link]}' is singular in this posture"
-        limits = [drive.travel.limit(drive.elastic) for drive in self.keys[link].drives if drive.travel]
-        said += "".join(f", or {limit}" for limit in dict.fromkeys(filter(None, limits)))
-        return SingularError(said + self.caution)
+        return SingularError("".join((said, *(f", or {end}" for end in self.keys[link].ends), self.caution)))
 
     def singular_loops(self) -> SingularError:
         """The error of loops whose rows depend on each other in a posture."""
@@ -171,9 +168,8 @@ class Chain(Coordinates):
     @cached_property
     def reach(self) -> np.ndarray:
         """(n_joints, 2): the coordinates between which four-bar linkages of the file reach, infinite without one."""
-        joints = (link.joint for link in self.robot.links)
-        drives = [drive for joint in joints for drive in joint.drives or (Drive(),) * len(joint.axes)]
-        return np.array([drive.reach for drive in drives], float).reshape(-1, 2)
+        ends = [own.reach for link in self.robot.links for own in link.joint.driven]
+        return np.array(ends, float).reshape(-1, 2)
 
     def reached(self, q: Numbers, most: float) -> list[float]:
         """Joint coordinates between -most and most, those of linkages brought into four fifths of their reach."""

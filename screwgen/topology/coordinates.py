@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
 from typing import Any, NamedTuple
@@ -227,8 +227,15 @@ class Coordinates(JointCoordinates):
     @cached_property
     def travels(self) -> dict[int, Travel]:
         """The joint coordinates, as their numbers, whose drives have a transmission, and what it is."""
-        own = ((self.tau_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.travels)
-        return {place: drive.travel for place, drive in own if drive.travel}
+        pairs = enumerate(self.keys)
+        return {self.tau_offset[i] + axis: travel for i, key in pairs for axis, travel in key.travels.items()}
+
+    def travel_numbers(self, p: Any) -> Iterator[tuple[int, int, Travel, list[float]]]:
+        """Of every transmission its link, its joint coordinate, what it is, and its numbers out of the parameters."""
+        for i, key in enumerate(self.keys):
+            for axis, travel in key.travels.items():
+                places = (self.parameter_labels[i][f"drive_{name}_{axis + 1}"] for name in travel.KEYS)
+                yield i, self.tau_offset[i] + axis, travel, [float(p[place]) for place in places]
 
     @property
     def travel_kinds(self) -> list[Travel]:
@@ -249,7 +256,7 @@ class Coordinates(JointCoordinates):
     def own_spans(self, i: int) -> dict[str | Law, slice]:
         """The slices of these coordinates that hold ``eta`` and, where axes have forces, ``q`` and ``theta`` of a link.
 
-        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
+        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``between``: of
         those, behind them, that couple added coordinates and joints. By each law: the link's part of where it acts.
         """
         before, key = self.n_given - self.n_modes, self.keys[i]
@@ -261,7 +268,7 @@ class Coordinates(JointCoordinates):
             parts["q"] = part(0, self.tau_offset)
         if key.added_axes:
             parts["theta"] = part(before - self.n_added, self.theta_offset)
-            parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
+            parts["between"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
         for law in dict.fromkeys(one.law for one in key.laws):
             links = [acted.link for acted in self.laws[law]]
             parts[law] = slice(links.index(i), links.index(i) + links.count(i))
@@ -272,8 +279,8 @@ class Coordinates(JointCoordinates):
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
         first = [self.own_spans(i)["eta"].start for i in range(self.n)]
         modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
-        rotors = self.n_given - self.n_inner
-        return modes + [(rotors + k, joint) for k, joint in enumerate(self.added_joints)]
+        first_added = self.n_given - self.n_inner
+        return modes + [(first_added + k, joint) for k, joint in enumerate(self.added_joints)]
 
     @cached_property
     def springs(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -21,13 +21,12 @@ def label(parameter: Parameter) -> str:
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "joint.damping" | "joint.stiffness":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
-        case field if field.startswith("joint.drives."):
-            return f"drive_{field.rpartition('.')[2]}_{index[0] + 1}"
-        case field if field.startswith("joint.limits."):
-            return f"limit_{field.rpartition('.')[2]}_{index[0] + 1}"
         case field if field.startswith("joint.elements."):
             kind, key = field.split(".")[2:]
             return element_label(kind, key, index[0])
+        case field if field.startswith("joint."):
+            table, *_, key = field.split(".")[1:]
+            return f"{table.removesuffix('s')}_{key}_{index[0] + 1}"
         case "bodies.mass":
             return f"body{index[0]}_mass"
         case "bodies.com":

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
 
-from ...algorithms.columns import link_columns, robot_columns
+from ...algorithms.columns import link_columns, robot_columns, width
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
 from ...elements import STOP
@@ -151,7 +151,7 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     for part, span in chain.own_spans(i).items():
         pairs = zip(link_columns(part), robot_columns(part), strict=True)
         arguments = [text(own, name, span.start) for own, name in pairs]
-        if span.stop > span.start:
+        if width(span):
             out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
     return out
 
@@ -165,7 +165,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     ``elastic_travels``: joint, number among those added and place in ``v`` of the elastic gears of transmissions;
     ``laws``: whether forces depend on the rates at a stage; ``inner``: the number of rotors and modes.
     """
-    modes, stops = zip(chain.eta_offset, chain.keys, strict=False), chain.acted(STOP)
+    modes, ends = zip(chain.eta_offset, chain.keys, strict=False), chain.acted(STOP)
     coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
     parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.n_added)) if there]
     return {
@@ -182,7 +182,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
         "elastic_travels": [
             (joint, chain.added_joints.index(joint), place) for joint, place in chain.elastic_travels.items()
         ],
-        "ranges": [(k, k + 1) for k, (a, b) in enumerate(pairwise(stops)) if a.coordinate == b.coordinate],
+        "ranges": [(k, k + 1) for k, (a, b) in enumerate(pairwise(ends)) if a.coordinate == b.coordinate],
         "laws": bool(chain.laws),
         "axis_terms": has_axis_terms(chain),
         "theta_offset": chain.theta_offset[:-1],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...algorithms import fused
+from ...algorithms.robot_functions import levers
 from ...elements import TRAVELS
 from ...topology.chain import Chain
 from .code import Place
@@ -13,7 +13,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict | None:
     """The templates' context; ``place`` is that of the fused function. None where no drive has a transmission."""
     if not chain.travels:
         return None
-    program = fused.levers(chain, "baked" if baked else "constants")
+    program = levers(chain, "baked" if baked else "constants")
     made = pieces(program, piece_place(chain, "kept", {}, place), ("c", "state", "levers"), fail=_beyond)
     there = {kind.SHORT for kind in chain.travel_kinds}
     return made | {f"{kind.SHORT}s": kind.SHORT in there for kind in TRAVELS}

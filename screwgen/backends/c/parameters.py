@@ -6,8 +6,8 @@ from collections import defaultdict
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...spec.axis_units import SLIDING
-from ...spec.parameters import BODY_FRAMES, FIELDS, Parameter, parameters, travels
+from ...spec.fields import FIELDS, SLIDING
+from ...spec.parameters import BODY_FRAMES, Parameter, parameters, travels
 from ...spec.robot import Robot
 from ...spec.section import Section
 from ...topology.parameters import label

@@ -150,10 +150,10 @@ def _outputs(answers: Response) -> Iterator[Variable]:
         yield of("wrench", name, WRENCH_UNITS[WRENCH[k % 6]], "of the joint on the link, at the joint point, in F_i")
     for name, unit in strain_names(chain).items():
         yield of("strain", name, unit, "strain of the centreline at the link's base, or at its marker")
-    drives, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
+    efforts, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
     for told in answers.rows.values():
         meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        for entry in zip(entry_names(told, drives, markers), entry_units(told, chain), meanings, strict=True):
+        for entry in zip(entry_names(told, efforts, markers), entry_units(told, chain), meanings, strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

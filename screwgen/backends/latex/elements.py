@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from ...elements import STOP, OfElement, friction, gear, stop
+from ...elements import STOP, TRAVELS, OfElement, friction, gear, stop
 from ...ir.block import Binding
+from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from .content import Named
 
@@ -25,6 +26,18 @@ def equations(chain: Chain) -> list[str]:
     out += [law.kind.equations() for law in chain.laws if isinstance(law, OfElement)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
     return out + ([gear.travel_equations(chain.travel_kinds)] if chain.elastic_travels else [])
+
+
+def remarks(key: LinkClass) -> dict[str, object]:
+    """What acts on the axes of a link in words, each with whether it is there."""
+    return {
+        "elastic drives": key.added_axes,
+        "rigid gears": any(drive.rotor_inertia and not drive.elastic for drive in key.drives),
+        **{kind.PLURAL: type(kind) in map(type, key.travels.values()) for kind in TRAVELS},
+        "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
+        "stops": key.stops,
+        **{kind.WORDS: True for kind, _ in key.elements},
+    }
 
 
 def _drives(chain: Chain) -> bool:

@@ -9,7 +9,6 @@ import sympy as sp
 
 from ...algebra.notation import number
 from ...bases import Basis, Shapes
-from ...elements import TRAVELS
 from ...ir.block import Binding
 from ...joints.screw import Screw
 from ...spec.link_class import LinkClass
@@ -18,6 +17,7 @@ from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
 from ...spec.segments import segments
+from . import elements
 from .content import DocumentTable
 from .symbols import Entry
 
@@ -90,12 +90,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
     stated = {
         "mount": key.mount_xyz or key.mount_rpy,
         "armature": key.armature,
-        "elastic drives": key.added_axes,
-        "rigid gears": any(drive.rotor_inertia and not drive.elastic for drive in key.drives),
-        **{kind.PLURAL: any(type(drive.travel) is type(kind) for drive in key.drives) for kind in TRAVELS},
-        "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
-        "stops": key.stops,
-        **{kind.WORDS: True for kind, _ in key.elements},
+        **elements.remarks(key),
         "joint damping": key.joint_damping,
         "joint stiffness": key.stiffness,
         "modal damping": key.damping,

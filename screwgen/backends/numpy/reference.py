@@ -182,9 +182,9 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     wound = [1.0 + x for x in draw(chain.n_added, 7, 0.01)]
     turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.with_added(x, p)[m:], wound, strict=True)]  # noqa: E731
     turned = _stretched(chain, functions, number, turned) if chain.elastic_travels else turned
-    of_stops = ([x for c in functions.constants for x in c.get(name, ())] for name in STOP.constants)
-    stops = zip(chain.acted(STOP), *of_stops, strict=True)
-    for (_, joint, side), at, k, _ in list(stops)[number % 2 :: 2]:
+    of_ends = ([x for c in functions.constants for x in c.get(name, ())] for name in STOP.constants)
+    ends = zip(chain.acted(STOP), *of_ends, strict=True)
+    for (_, joint, side), at, k, _ in list(ends)[number % 2 :: 2]:
         pressed = float(at + side * 20 / k)
         q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]
     for ratio, joint in zip(chain.ratios(p), chain.added_joints, strict=True):

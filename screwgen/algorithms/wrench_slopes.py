@@ -75,7 +75,7 @@ def _columns(
                 J, count = out[kind], len(owners)
                 J[6 * i : 6 * i + 6, owners] = at_joint[:, :count]
                 J[6 * i : 6 * i + 6, q] = own[kind]
-                J[6 * i : 6 * i + 6, eta] = at_joint[:, count + chain.keys[i].freedoms :]
+                J[6 * i : 6 * i + 6, eta] = at_joint[:, count + chain.keys[i].joints :]
                 if chain.tree.parents[i] != BASE:
                     handed = rw.shifted(link["r_J"], rw.rotated_columns(link["R_rel"], at_joint))
                     there = at_nodes[chain.tree.base(i)]

@@ -16,7 +16,7 @@ from fmpy.validation import validate_fmu
 from helpers import arm, link, model_of, quick, relative
 
 from screwgen.algorithms import fused
-from screwgen.algorithms.robot_functions import function_named
+from screwgen.algorithms.robot_functions import BY_NAME
 from screwgen.backends.casadi.functions import coordinate_rates, expressions, side_by_side
 from screwgen.bodies.validity import MEASURES
 from screwgen.errors import TargetWarning
@@ -112,12 +112,12 @@ def responses(model) -> ca.Function:
     dynamics, poses = expressions(fused.forward_dynamics(chain), given), expressions(fused.poses(chain), given)
     energy, tips = expressions(fused.energy(chain), given), chain.lasts
     R = side_by_side(poses["tip_R"], 3, 3)
-    strains = expressions(function_named("strain").program(chain), given)["strain"]
+    strains = expressions(BY_NAME["strain"].program(chain), given)["strain"]
     parts = [coordinate_rates(chain, given["q"], given["v"], given["p"]), dynamics["vdot"], given["q"], given["v"]]
     parts += [poses["tip_position"][3 * i : 3 * i + 3] for i in tips]
     parts += [ca.vec(R[:, 3 * i : 3 * i + 3].T) for i in tips]
     parts += [dynamics["wrench"], strains, energy["kinetic"], energy["potential"]]
-    parts.append(expressions(function_named("drive_power").program(chain), given)["power"])
+    parts.append(expressions(BY_NAME["drive_power"].program(chain), given)["power"])
     point = ca.vertcat(*(ca.vec(given[name]) for name in sizes))
     return ca.Function("responses", [point], [ca.jacobian(ca.vertcat(*parts), point)])
 

@@ -1,21 +1,16 @@
 """The functions that every back end offers: alike in NumPy, CasADi, JAX and C, and what of them a run reports."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from conftest import package, swept
-from helpers import ROOT, Case, drawn, example, quick, relative
+from helpers import Case, drawn, example, quick, relative
 
+from docs.tools import functions_page
 from screwgen import rollout, simulate
-from screwgen.algorithms.robot_functions import (
-    FUNCTIONS,
-    OUTPUTS,
-    SENSED,
-    RobotFunction,
-    entry_names,
-    offered,
-    reported,
-    shape,
-)
+from screwgen.algorithms.robot_functions import BY_NAME, FUNCTIONS, entry_names, entry_units, offered, reported, shape
+from screwgen.algorithms.signals import Signal
 
 EXAMPLES = ("ella", "bucket", "crane_loop", "elastic_joint", "space_arm", "gantry")
 SEEDS = range(8600, 8616)
@@ -102,21 +97,19 @@ def test_a_rollout_reports_what_runs_do():
         assert relative(getattr(many, row.name)[0], getattr(run, row.name)) < 1e-9
 
 
-def row_of_page(function: RobotFunction) -> str:
-    """The row of a function in the table of docs/functions.md."""
-    sizes = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NLINKS": "n", "NMARKERS": "m", "NSTRAINS": "n_strains"}
-    told = [
-        f"`{name}` ({', '.join(str(sizes.get(str(n), n)) for n in of.shape) or 'a number'}), {of.unit}"
-        for name, of in function.results.items()
-    ]
-    units = ", units" * (function.c_file == OUTPUTS or function.name in SENSED)
-    about = f"also in C, runs, rollouts{units}. " * bool(function.c_file) + function.about
-    return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {about} |"
-
-
 def test_the_page_lists_every_function():
-    page = (ROOT / "docs" / "functions.md").read_text(encoding="utf-8")
-    assert [line for line in page.splitlines() if line.startswith("| `")] == list(map(row_of_page, FUNCTIONS))
+    """`python docs/tools/functions_page.py` writes them."""
+    page = functions_page.PAGE.read_text(encoding="utf-8")
+    assert functions_page.table(page) == page
+    assert all(f"\n| `{row.name}` | " in page for row in FUNCTIONS)
+
+
+def test_entries_of_vectors_have_names_and_units():
+    signals = {"linear": Signal((3,), "kg*m/s", "-", ""), "turn": Signal((), "kg*m^2/s", "-", "")}
+    row = dataclasses.replace(BY_NAME["energy"], name="momentum", results=signals)
+    names = ["momentum.linear.x", "momentum.linear.y", "momentum.linear.z", "momentum.turn"]
+    assert list(entry_names(row, ())) == names
+    assert entry_units(row, example("bucket").chain) == ["kg·m/s"] * 3 + ["kg·m²/s"]
 
 
 def test_what_nothing_reports_is_no_attribute():

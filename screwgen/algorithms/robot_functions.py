@@ -30,11 +30,14 @@ from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, TWIST, WRENCH, Signal
 OUTPUTS, SENSORS = "outputs", "sensors"
 """The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
 PARTS: dict[tuple, list[str]] = {
+    (): [""],
     (3,): [f".{x}" for x in "xyz"],
     (6,): [f".{part}_{x}" for part in ("omega", "v") for x in "xyz"],
     (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
 }
-"""The ends of the names of entries of what there is for each marker."""
+"""The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
+WRITTEN = str.maketrans("-*23", "1·²³")
+"""Signs of units in comments of C, and what stands for them elsewhere."""
 SENSED = ("marker_pose", "marker_velocity", "gyro", "accelerometer")
 ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
 
@@ -317,28 +320,27 @@ def entries(function: RobotFunction, chain: Chain) -> int:
 
 def entry_names(function: RobotFunction, drives: Sequence[str], markers: Sequence[str] = ()) -> tuple[str, ...]:
     """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
-    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker."""
+    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot.
+    """
     out: list[str] = []
     for name, signal in function.results.items():
-        per_drive = [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in drives]
         what = f"{function.name}.{name}"
-        per_marker = [f"{marker}.{what}{part}" for marker in markers for part in PARTS.get(signal.shape[1:], ())]
-        out += per_drive if signal.shape == ("NTAU",) else per_marker if "NMARKERS" in signal.shape else [what]
+        if signal.shape == ("NTAU",):
+            out += [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in drives]
+        elif "NMARKERS" in signal.shape:
+            out += [f"{marker}.{what}{part}" for marker in markers for part in PARTS[signal.shape[1:]]]
+        else:
+            out += [what + part for part in PARTS[signal.shape]]
     return tuple(out)
 
 
 def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
-    """The units of these entries."""
+    """The units of these entries, as files and units of mock-ups write them: `kg·m²/s` of `kg*m^2/s`."""
     out: list[str] = []
     for of in function.results.values():
-        count, parts = math.prod(shape(of, chain)), of.unit.replace("-", "1").replace("^2", "²").split(", ")
+        count, parts = math.prod(shape(of, chain)), of.unit.translate(WRITTEN).replace("^", "").split(", ")
         out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
     return out
-
-
-def function_named(name: str) -> RobotFunction:
-    """The function of a name; raises KeyError where there is none."""
-    return BY_NAME[name]
 
 
 BY_NAME = {function.name: function for function in FUNCTIONS}

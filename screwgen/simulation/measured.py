@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..algorithms.robot_functions import FUNCTIONS, SENSORS, function_named, shape
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, SENSORS, shape
 from ..robot_model import RobotModel
 
 MEASURED = tuple(row.name for row in FUNCTIONS if row.c_file == SENSORS)
@@ -20,7 +20,7 @@ def measured(
 
     ``samples``: its arguments by name, ``q`` (N, nq), ``v`` (N, nv), ``tau`` (N, n_tau), ``w_ext`` (N, n, 6).
     """
-    row, count = function_named(name), len(samples["q"])
+    row, count = BY_NAME[name], len(samples["q"])
     given = [samples[x].reshape(-1, samples[x].shape[-1]).T for x in row.names]
     found = model.casadi()[name].map(count).call([*given, np.tile(p, (count, 1)).T])
     sizes = [shape(signal, model.chain) for signal in row.results.values()]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from .. import notebook
-from ..algorithms.robot_functions import FUNCTIONS, OUTPUTS, entry_names, function_named
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS, entry_names
 from ..errors import UsageError
 from ..files import Arrays, create, open_arrays
 from ..robot_model import RobotModel
@@ -118,7 +118,7 @@ class Run:
     def names_of(self, array: str) -> tuple[str, ...]:
         """The names of the columns of an array, such as `tau`; raises AttributeError where the run has none of it."""
         if array in self.reports:
-            return entry_names(function_named(array), self.tau_names)
+            return entry_names(BY_NAME[array], self.tau_names)
         return getattr(self, f"{array}_names")
 
     @property
@@ -152,7 +152,7 @@ class Run:
 
 def column_names(*names: Sequence[str], reports: Iterable[str] = REPORTED) -> tuple[str, ...]:
     """The names of the columns of a table, of a run with these `NAMES`."""
-    told = (x for name in reports for x in entry_names(function_named(name), names[NAMES.index("tau_names")]))
+    told = (x for name in reports for x in entry_names(BY_NAME[name], names[NAMES.index("tau_names")]))
     return ("t", *(x for group in names for x in group), *TIP_NAMES, *told)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import notebook
 from ..algorithms.gauges import base_strains, strain_names
+from ..algorithms.linear_model import OUTPUTS as OUTPUT_PARTS
 from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..errors import UnknownNameError, UsageError
@@ -164,9 +165,7 @@ def linearise(
     inputs: Sequence[str] | str = INPUTS,
 ) -> LinearModel:
     """What `Model.linearise` does."""
-    from ..backends.casadi.linear import linearisation
-
-    chain, derivatives = model.chain, model.once("linearisation", lambda: linearisation(model.chain))
+    chain = model.chain
     numbers = Numeric(chain, chain.parameters.vector(parameters))
     q, v, tau = whole(chain, q, numbers.p), checked(v, "v", chain.nv), checked(tau, "tau", chain.n_tau)
     w_ext = chain.tip_wrenches(w_ext, "w_ext:")
@@ -174,7 +173,8 @@ def linearise(
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
     own, T = motions(model, q, v, numbers.p)
     numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
-    vdot, y, vdot_x, vdot_u, y_x, y_u = (np.array(x) + 0.0 for x in derivatives(q, v, tau, w_ext.T, numbers.p))
+    vdot, y, vdot_x, y_x = _changes(model, q, v, tau, w_ext.T, numbers.p)
+    (vdot_x, vdot_u), (y_x, y_u) = (np.split(slopes, [2 * chain.nv], axis=1) for slopes in (vdot_x, y_x))
     i, j = list(rows.values()), list(columns.values())
     states = state_names(chain)
     both = [*own, *(chain.nv + own)]
@@ -192,12 +192,24 @@ def linearise(
         output_units=tuple(entries(takers)[name] for name in rows),
         x=np.concatenate([np.zeros(chain.base_v), q[chain.base_q :], v])[both],
         u=np.concatenate([tau, w_ext.ravel()])[j],
-        y=y[i, 0],
+        y=y[i],
         tau=tau,
         w_ext=w_ext,
-        vdot=vdot[:, 0],
+        vdot=vdot,
         parameters=np.array(numbers.p),
     )
+
+
+def _changes(model: RobotModel, *point: Numbers) -> tuple[np.ndarray, ...]:
+    """vdot (nv,), y, and the derivatives of both with [δ; v; tau; w_ext], at `(q, v, tau, w_ext, p)`."""
+    from ..backends.casadi.linear import linear_model
+
+    function = model.once("linear_model", lambda: linear_model(model.chain))
+    sizes = [model.nv, *(np.size(x) for x in point[1:-1])]
+    directions = np.split(np.eye(sum(sizes)), np.cumsum(sizes)[:-1])
+    found = dict(zip(function.name_out(), map(np.array, function(*point, *directions)), strict=True))
+    y, slopes = (np.vstack([found[name + end] for name in OUTPUT_PARTS]) for end in ("", "_along"))
+    return found["vdot"][:, 0], y[:, 0] + 0.0, found["vdot_along"] + 0.0, slopes + 0.0
 
 
 def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Exact first derivatives by CasADi: of the dynamics with its measurable outputs, and of the statics."""
+"""Exact first derivatives: of the dynamics with its measurable outputs, of loops and of the statics."""
 
 from __future__ import annotations
 
@@ -6,41 +6,19 @@ from collections.abc import Mapping, Sequence
 
 import casadi as ca
 
-from ...algorithms import fused, sensors
+from ...algorithms import fused
+from ...algorithms import linear_model as linear_models
 from ...algorithms.functions import Functions
 from ...topology.chain import Chain
 from .expressions import expressions
 from .functions import coordinate_rates, function, symbols
 
 
-def linearisation(chain: Chain) -> ca.Function:
-    """``(q, v, tau, w_ext, p) -> (vdot, y, vdot_x, vdot_u, y_x, y_u)`` with x = [δ; v], u = [tau; vec(w_ext)].
-
-    δ (nv) are small changes of q: those of its entries, but of a floating base the rotation vector and the displacement
-    in axes of F_1. y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s,
-    m/s²), the joint wrenches link by link (6 n) and the strains.
-    """
-    given = symbols(chain, "q v tau w_ext p")
-    q, v, p = given["q"], given["v"], given["p"]
-    qdot = coordinate_rates(chain, q, v, p)
-    dynamics = expressions(fused.forward_dynamics(chain), given)
-    vdot, strains = dynamics["vdot"], expressions(sensors.strain(chain), given)["strain"]
-    y = ca.vertcat(q, v, *tip_motion(chain, given | {"vdot": vdot}), dynamics["wrench"], strains)
-    u, moving = ca.vertcat(given["tau"], ca.vec(given["w_ext"])), ca.jacobian(qdot, v)
-    slopes = {}
-    for name, f in (("vdot", vdot), ("y", y)):
-        slopes[f"{name}_x"] = ca.horzcat(ca.jacobian(f, q) @ moving, ca.jacobian(f, v))
-        slopes[f"{name}_u"] = ca.jacobian(f, u)
-    return function("linearisation", given, vdot=vdot, y=y, **slopes)
-
-
-def tip_motion(chain: Chain, given: Mapping[str, ca.SX]) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """Position, velocity and acceleration of the last tip in the inertial frame, from q, v, vdot and p."""
-    tip = [(m.is_tip, m.segment) for m in chain.markers].index((True, chain.last))
-    found = expressions(sensors.marker_motion(chain), given)
-    R = ca.reshape(found["R"][9 * tip : 9 * tip + 9], 3, 3).T
-    velocity, acceleration = (R @ found[name][6 * tip + 3 : 6 * tip + 6] for name in ("twist", "acceleration"))
-    return found["position"][3 * tip : 3 * tip + 3], velocity, acceleration + given["p"][:3]
+def linear_model(chain: Chain) -> ca.Function:
+    """The program :func:`..algorithms.linear_model.changes`; where directions have columns the results have them."""
+    program = linear_models.changes(chain)
+    given = symbols(chain, "q v tau w_ext p") | {n: ca.SX.sym(n, k) for n, k in program.inputs.items() if n[:2] == "d_"}
+    return function("linear_model", given, **expressions(program, given))
 
 
 def closing(chain: Chain) -> ca.Function:

@@ -19,7 +19,7 @@ import numpy as np
 from ...algorithms import fused
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage
-from ...algorithms.robot_functions import RobotFunction, function_named, offered, shape
+from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...errors import UsageError
@@ -144,7 +144,7 @@ class Own:
 
     def _tip_jacobian(self, x: Values) -> jax.Array:
         """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
-        tip_pose = partial(self._results, function_named("tip_pose"))
+        tip_pose = partial(self._results, BY_NAME["tip_pose"])
         pose = lambda q: (tip_pose({**x, "q": q}),) * 2  # noqa: E731
         (turning, moving), (R, _) = jax.jacrev(pose, has_aux=True)(x["q"])
         units = jnp.eye(self.chain.nv, dtype=self.real)

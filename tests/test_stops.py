@@ -154,7 +154,7 @@ def test_a_slide_on_its_stop_is_a_half_swing():
     stop = {"upper": 0.1, "stiffness": 2000.0}
     model = model_of(arm(link("cart", axes=[{"slide": "x"}], rhoA=2.0, joint={"limits": [stop]}), gravity=(0, 0, 0)))
     swing = np.sqrt(2000.0 / model.numpy().mass_matrix([0.0])[0, 0])
-    run = simulate(model, 0.3, 5e-4, v0=[2.0], backend="numpy")
+    run = simulate(model, 0.3, 5e-4, v0=[2.0], backend="casadi")
     assert np.isclose(run.q[:, 0].max(), 0.1 + 2.0 / swing, rtol=1e-4)
     back = run.t[np.flatnonzero(np.diff(np.sign(run.q[:, 0] - 0.1)) < 0)[0]]
     assert abs(back - (0.05 + np.pi / swing)) < 6e-4 and np.isclose(run.v[-1, 0], -2.0, rtol=1e-5)
@@ -169,7 +169,7 @@ def test_steps_of_c_casadi_and_both_forms_agree(method):
     c, h = everything(1), 2e-4 if METHODS[method].implicit else 1e-5
     q, v, tau, _ = c.inputs
     given = dict(q0=q, v0=v, controller=tau, integrator=method)
-    run = simulate(c.model, 100 * h, h, backend="numpy", **given)
+    run = simulate(c.model, 100 * h, h, backend="casadi", **given)
     library = quick(c.model, layout="fused", derivatives=True)
     found = library.step(q, v, tau, None, h, method, 100)
     assert relative(found[0], run.q[-1]) < 1e-9 and relative(found[1], run.v[-1]) < 1e-9
@@ -200,7 +200,7 @@ def test_batches_have_stops():
     starts[:, : c.model.n_joints] += rng.uniform(-0.2, 0.2, (5, c.model.n_joints))
     found = rollout(c.model, starts, step=1e-4, steps=100).x[:, -1]
     for start, end in zip(starts, found, strict=True):
-        run = simulate(c.model, 0.01, 1e-4, *np.split(start, 2), backend="numpy", every=100)
+        run = simulate(c.model, 0.01, 1e-4, *np.split(start, 2), backend="casadi", every=100)
         assert relative(end, np.append(run.q[-1], run.v[-1])) < 1e-11
 
 

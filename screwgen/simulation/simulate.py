@@ -31,7 +31,9 @@ MakeStepper = Callable[[RobotModel, str | Method, Numbers], EquationForm]
 FORMS: Mapping[str, MakeStepper] = MappingProxyType({"joint": JointStepper, "dae": DaeStepper})
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
-BACKENDS = ("c", "numpy")
+BACKENDS = ("c", "casadi")
+FORMER = {"numpy": "casadi"}
+"""Earlier names of back ends, which users' scripts may have."""
 RELATIVE_SLACK = 1e-9
 """The relative tolerance within which a duration counts as a multiple of the step."""
 
@@ -69,8 +71,8 @@ def simulate(
     `duration` is no multiple of `step` the last step is shorter and ends at `duration`.
 
     `backend`: "c" steps the joint form in the generated C, compiled when it is first needed and kept (`library`);
-    constants and :class:`PD` stay in it, other controllers are called from it. "numpy" steps in Python. By default
-    "c" in the joint form where there is a compiler. The numbers agree to rounding.
+    constants and :class:`PD` stay in it, other controllers are called from it. "casadi" steps in Python, on functions
+    of CasADi. By default "c" in the joint form where there is a compiler. The numbers agree to rounding.
 
     `store`: a .npz or .csv file for the run, which grows meanwhile as `run.part.npy` (`numpy.load` reads it, its
     fields are those of the run) or `run.part.csv`. A run that is stopped, fails or is killed leaves that file.
@@ -119,7 +121,7 @@ def simulate(
 def _in_c(backend: str | None, form: str | MakeStepper, model: RobotModel, integrator: str | Method | None) -> bool:
     """Whether a run is stepped in C."""
     if backend is not None:
-        choice(backend, BACKENDS, "backend: there is no")
+        backend = choice(FORMER.get(backend, backend), BACKENDS, "backend: there is no")
     if form != "joint":
         if backend == "c" and (callable(form) or form in FORMS):
             raise UsageError(

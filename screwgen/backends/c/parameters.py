@@ -94,7 +94,7 @@ def changing_parameter(robot: Robot) -> dict[str, str]:
 
 def ascii_unit(text: str) -> str:
     """A unit in ASCII."""
-    return text.replace("·", "*").replace("²", "^2").replace("−", "-")
+    return text.translate({ord(a): b for a, b in (("·", "*"), ("²", "^2"), ("³", "^3"), ("⁴", "^4"), ("−", "-"))})
 
 
 def _general(p: Parameter) -> str:

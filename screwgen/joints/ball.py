@@ -10,6 +10,7 @@ import numpy as np
 from ..algebra.expression import Symbol, identity, zeros
 from .exponential import Series, cross, quaternion_rate, rotation, turn_between, turned
 from .kind import JointKind, Kinematics
+from .screw import Screw
 
 
 @dataclass(frozen=True)
@@ -39,4 +40,6 @@ class Ball(JointKind):
         return -cross(v[None], np.eye(3)).T
 
 
-BALL = Ball(4, 3, 3, name="ball", turn_at=0)
+TURNS = Screw((1.0, 0.0, 0.0)), Screw((0.0, 1.0, 0.0)), Screw((0.0, 0.0, 1.0))
+
+BALL = Ball(4, 3, 3, name="ball", along=TURNS, turn_at=0)

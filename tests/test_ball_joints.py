@@ -339,7 +339,7 @@ USES = {
     "equilibrium": screwgen.equilibrium,
     "analysis": screwgen.analyse,
     "acados model": lambda model: model.acados(),
-    "C of derivatives or of an estimator": lambda model: model.c_files(derivatives=True),
+    "estimator": lambda model: model.c_files(estimator=True),
 }
 
 

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
 from ..ir.derivative import tangents
 from ..ir.program import Array, Node, Value
 from ..joints.product import ScrewProduct
@@ -81,7 +79,7 @@ def turned_rows(s: Scope, A: Array, T: Array, w: Array) -> Array:
     if isinstance(joint, ScrewProduct):
         return mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
     q, rows = s.read("q"), mx.multiply(A.T, w[:3]) + mx.multiply(T.T, w[3:])
-    units = [dict(zip(q, joint.coordinate_rates(q, unit), strict=True)) for unit in np.eye(m)]
+    units = [dict(zip(q, joint.coordinate_rates(q, unit), strict=True)) for unit in mx.identity(m)]
     return mx.array([tangents(list(rows), moving) for moving in units], (m, m)).T
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..algebra.expression import Symbol, identity, zeros
-from .exponential import Series, cross, quaternion_rate, rotation, turn_between, turned
+from .exponential import Series, angular_velocity, cross, quaternion_rate, rotation, turn_between, turned
 from .kind import JointKind, Kinematics
 from .screw import Screw
 
@@ -35,6 +35,9 @@ class Ball(JointKind):
 
     def coordinate_rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         return quaternion_rate(q, v)
+
+    def rates_of(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+        return angular_velocity(q, change)
 
     def carried(self, v: np.ndarray) -> np.ndarray:
         return -cross(v[None], np.eye(3)).T

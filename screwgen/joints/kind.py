@@ -31,6 +31,10 @@ class Kinematics:
     """(3, nv): its linear part at the link's joint point, in F_i."""
 
 
+MOVES = ("integrate", "difference", "rate", "coordinate_rates", "rates_of", "carried")
+"""How coordinates move that do not add up: a kind states all of these or none."""
+
+
 @dataclass(frozen=True)
 class JointKind:
     """A kind of joint; hashable, for it is a part of the class of a link.
@@ -57,6 +61,13 @@ class JointKind:
     """What each rate with a torque is like, for names and units: a turn or a slide; of a product its screws."""
     turn_at: int | None = None
     """Where the coordinates have a unit quaternion (w, x, y, z), which no sums move; None where they add up."""
+
+    def __init_subclass__(cls) -> None:
+        """Raises TypeError where a kind says in part how its coordinates move: what is inherited is of sums."""
+        missing = [name for name in MOVES if getattr(cls, name) is getattr(JointKind, name)]
+        if 0 < len(missing) < len(MOVES):
+            stated = ", ".join(name for name in MOVES if name not in missing)
+            raise TypeError(f"{cls.__name__} states {stated}; it must state {', '.join(missing)} as well")
 
     @property
     def curved(self) -> bool:
@@ -87,6 +98,10 @@ class JointKind:
     def coordinate_rates(self, q: np.ndarray, v: np.ndarray) -> Any:
         """``dq/dt`` (nq,) at the rates ``v``; only the direction of a quaternion counts in other functions."""
         return v
+
+    def rates_of(self, q: np.ndarray, change: np.ndarray) -> Any:
+        """The rates (nv,) at which the coordinates change by ``change`` (nq,), the inverse of `coordinate_rates`."""
+        return change
 
     def carried(self, v: np.ndarray) -> np.ndarray:
         """(nv, nv): by a change ``delta``, ``integrate(q, delta)``, its rate at the rates ``v``."""

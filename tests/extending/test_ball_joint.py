@@ -7,7 +7,6 @@ link. The same robot with the product's joint is the judge.
 import copy
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 import pytest
 from conftest import package
@@ -20,7 +19,15 @@ from screwgen.algebra.expression import identity, zeros
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.integrators import METHODS
 from screwgen.joints.ball import TURNS
-from screwgen.joints.exponential import cross, quaternion_rate, rotated, rotation, turn_between, turned
+from screwgen.joints.exponential import (
+    angular_velocity,
+    cross,
+    quaternion_rate,
+    rotated,
+    rotation,
+    turn_between,
+    turned,
+)
 from screwgen.joints.kind import JointKind, Kinematics
 
 
@@ -53,6 +60,9 @@ class CarriedBall(JointKind):
     def coordinate_rates(self, q, v):
         return back(quaternion_rate(back(q), -v))
 
+    def rates_of(self, q, change):
+        return -angular_velocity(back(q), back(change))
+
     def carried(self, v):
         return cross(v[None], np.eye(3)).T
 
@@ -78,7 +88,7 @@ def pair():
 
 @pytest.fixture(scope="module")
 def compiled(pair):
-    return quick(pair[0])
+    return quick(pair[0], derivatives=True)
 
 
 def start(model):
@@ -138,7 +148,7 @@ def test_energy_and_mass_matrix_are_those_of_the_products(pair):
     assert relative(model.numpy().energy(q, v), other.numpy().energy(q, turn @ v)) < 1e-12
 
 
-def test_derivatives_are_along_turns_in_axes_of_the_carrier(pair):
+def test_derivatives_are_along_turns_in_axes_of_the_carrier(pair, compiled):
     """Against differences of coordinates that move by `integrate`."""
     model, (q, v), h = pair[0], start(pair[0]), 1e-6
     numeric, chain, none = model.numpy(), model.chain, np.zeros(pair[0].nv)
@@ -147,6 +157,8 @@ def test_derivatives_are_along_turns_in_axes_of_the_carrier(pair):
     for found, sides in ((by_q, lambda u: (u, none)), (by_v, lambda u: (none, u))):
         differences = [(at(*sides(u)) - at(*sides(-u))) / (2 * h) for u in h * np.eye(chain.nv)]
         assert relative(found, np.transpose(differences)) < 1e-7
+    for found, in_c in zip((by_q, by_v), compiled.linearise(q, v, TAU, W_EXT)[1:], strict=False):
+        assert relative(in_c, found) < 1e-12
     slope = model.linearise(q, v, TAU).A[chain.nv :]
     assert relative(slope, np.hstack([by_q, by_v])) < 1e-12
 
@@ -154,16 +166,21 @@ def test_derivatives_are_along_turns_in_axes_of_the_carrier(pair):
 @pytest.mark.parametrize("name", METHODS)
 def test_steps_of_every_method_agree_and_are_differentiated(pair, compiled, name):
     model, (q, v), h = pair[0], start(pair[0]), 1e-3
-    step, p = model.casadi()[f"step_{name}"], model.parameter_values
-    expected = [flat(x) for x in step(q, v, TAU, W_EXT.T, p, h)]
-    for found, wanted in zip(compiled.step(q, v, TAU, None, h, name), expected, strict=True):
-        assert relative(found, wanted) < 1e-12
-    x = ca.SX.sym("x", model.nq + model.nv)
-    after = ca.vertcat(*step(x[: model.nq], x[model.nq :], TAU, W_EXT.T, p, h))
-    slope = ca.Function("A", [x], [ca.jacobian(after, x)])(np.r_[q, v]).full()
-    sides = [compiled.step(q, v + s * 1e-5 * v, TAU, None, h, name) for s in (1, -1)]
-    differences = (np.concatenate(sides[0]) - np.concatenate(sides[1])) / 2e-5
-    assert relative(slope @ np.r_[np.zeros(model.nq), v], differences) < 1e-7
+    chain, nv = model.chain, model.nv
+    expected = model.casadi()[f"step_{name}"](q, v, TAU, W_EXT.T, model.parameter_values, h)
+    for found, wanted in zip(compiled.step(q, v, TAU, W_EXT, h, name), expected, strict=True):
+        assert relative(found, flat(wanted)) < 1e-12
+    after, rates, A, B = compiled.step_derivatives(q, v, TAU, W_EXT, h, name)
+
+    def moved(u):
+        there, faster = compiled.step(
+            chain.integrate(q, u[:nv], SERIES), v + u[nv : 2 * nv], TAU + u[2 * nv :], W_EXT, h, name
+        )
+        return np.append(chain.difference(after, there, SERIES), faster - rates)
+
+    differences = [(moved(u) - moved(-u)) / 2e-6 for u in 1e-6 * np.eye(2 * nv + model.n_tau)]
+    assert relative(A, np.transpose(differences[: 2 * nv])) < 1e-8
+    assert relative(B, np.transpose(differences[2 * nv :])) < 1e-7
 
 
 def test_runs_forms_and_lanes_agree_with_the_products(pair):
@@ -177,6 +194,11 @@ def test_runs_forms_and_lanes_agree_with_the_products(pair):
     rolled = rollout(model, np.append(q, v), step=1e-4, steps=20).x[0, -1]
     alone = simulate(model, 2e-3, 1e-4, q, v)
     assert relative(rolled, np.append(alone.q[-1], alone.v[-1])) < 1e-12
+
+
+def test_a_kind_that_moves_in_part_is_refused():
+    with pytest.raises(TypeError, match="Half states integrate; it must state difference, rate, coordinate_rates"):
+        type("Half", (JointKind,), {"integrate": CarriedBall.integrate})
 
 
 def test_a_file_cannot_state_it():

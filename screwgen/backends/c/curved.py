@@ -17,7 +17,7 @@ def content(chain: Chain) -> dict[str, object]:
     balls = [part for part in chain.curved if not part.joint.in_space]
     return {
         "curved": _joints(chain),
-        "moves_of": [one for joint in _kinds(chain) for one in functions(joint, Writer)],
+        "moves_of": [one for joint in kinds(chain) for one in functions(joint, Writer)],
         "adding": _adding(chain),
         "balls": [chain.names[part.link] for part in balls],
         "n_turns": "$$_NTWIST" if base_alone else str(turns(chain)),
@@ -32,8 +32,8 @@ def content(chain: Chain) -> dict[str, object]:
         "redundant_turns": [
             {
                 "kind": stem(part.joint),
-                "q": _plus(part.q.start - chain.base_q),
-                "v": _plus(part.v.start - chain.base_v),
+                "q": plus(part.q.start - chain.base_q),
+                "v": plus(part.v.start - chain.base_v),
             }
             for part in balls
         ],
@@ -58,10 +58,10 @@ def turns(chain: Chain) -> int:
 
 def lanes(chain: Chain, writer: type[Writer]) -> list[dict[str, object]]:
     """The functions of the kinds' moves that steps of lanes call."""
-    return [one for joint in _kinds(chain) for one in functions(joint, writer) if one["name"] != "coordinate_rates"]
+    return [one for joint in kinds(chain) for one in functions(joint, writer) if one["name"] != "coordinate_rates"]
 
 
-def _kinds(chain: Chain) -> list[JointKind]:
+def kinds(chain: Chain) -> list[JointKind]:
     """The kinds of these joints but for the floating base, which moves as poses of the DAE form do."""
     return list(dict.fromkeys(part.joint for part in chain.curved if not part.joint.in_space))
 
@@ -102,15 +102,13 @@ def _joints(chain: Chain) -> list[dict[str, object]]:
         turn = part.q.start + (part.joint.turn_at or 0)
         offsets = {"q": part.q.start, "v": part.v.start, "turn": turn}
         rates = "$$_NTWIST" if part.joint.in_space else part.joint.nv
-        texts: dict[str, object] = {name: _plus(k) for name, k in offsets.items()} | {
-            "kind": stem(part.joint),
-            "name": part.joint.name,
-        }
+        texts: dict[str, object] = {name: plus(k) for name, k in offsets.items()}
+        texts |= {"kind": stem(part.joint), "name": part.joint.name}
         out.append(texts | {"turn_at": turn, "shifts": part.joint.in_space, "rates": rates})
     return out
 
 
-def _plus(k: int) -> str:
+def plus(k: int) -> str:
     return f" + {k}" if k else ""
 
 

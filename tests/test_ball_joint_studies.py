@@ -4,15 +4,19 @@ import numpy as np
 import pytest
 import scipy.linalg
 from conftest import swept
+from dual_arm import dual_arm
 from floating_robots import SATELLITE
 from helpers import model_of, quick, relative
 from test_ball_joints import PROBE, begun, random_robot
 
 from screwgen import ScrewgenError, analyse, natural_frequencies
+from screwgen.backends.numpy.closing import closed, moving
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.integrators import METHODS
 from screwgen.robot_model import RobotModel
+from screwgen.simulation.linearised_loops import LinearisedWithLoops
 from screwgen.studies.analysis import spectrum
+from screwgen.studies.analysis.analyse import sample_states
 from screwgen.studies.convergence import convergence, enriched
 
 
@@ -82,6 +86,15 @@ def test_random_states_rest_where_coordinates_do_not_add_up(model):
     found = analyse(model)
     assert len(found.states) == 21 and all(not state.singular for state in found.states)
     assert "WELL POSED" in found.text()
+
+
+def test_a_floating_base_with_a_loop_is_analysed():
+    model = model_of(dual_arm())
+    q = closed(model.numpy(), np.array(model.chain.home))
+    v = moving(model.numpy(), q, np.where(np.arange(model.nv) < model.chain.eta_v, 0.2, 0.0))
+    assert relative(LinearisedWithLoops(model, q, v).jacobian, model.linearise(q, v).A) < 1e-9
+    found = analyse(model, sample_states(model, 2))
+    assert len(found.states) == 2 and all(not state.singular for state in found.states)
 
 
 def test_a_state_in_which_they_move_is_refused_in_a_line(model):

@@ -165,7 +165,6 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
         moved = np.concatenate([base, whole(drawn), deflection * rng.uniform(-1, 1, len(deflection))])
         q = model.chain.integrate(np.array(model.chain.home), moved, SERIES)
         v = np.concatenate([base, whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate))])
-        v[moves] = 0.0
         if model.chain.closures:
             try:
                 q = closed(model.numpy(), np.where(is_mode, 0.0, q), is_mode) + np.where(is_mode, q, 0.0)
@@ -173,6 +172,7 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
             except OpenLoopError:
                 continue
             v = moving(model.numpy(), q, v)
+        v[moves] = 0.0  # a base has no part in the loops, and no ball joint stands beside one
         out[f"sample {len(out) + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
     return out
 

@@ -335,11 +335,10 @@ def test_what_no_ball_joint_has_is_refused_in_a_line(joint, other, said, tmp_pat
 
 
 USES = {
-    "natural frequencies": screwgen.natural_frequencies,
     "equilibrium": screwgen.equilibrium,
-    "analysis": screwgen.analyse,
+    "modes under load": lambda model: screwgen.natural_frequencies(model, loaded=True),
     "acados model": lambda model: model.acados(),
-    "C of derivatives or of an estimator": lambda model: model.c_files(derivatives=True),
+    "estimator": lambda model: model.c_files(estimator=True),
 }
 
 

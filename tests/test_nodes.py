@@ -64,7 +64,7 @@ NODES = {
 """An instance of every type of node that has components."""
 
 WITHOUT = {
-    "rate": {Root, Inverse, Integral},
+    "rate": {Root, Integral},
     "plain": {Diagonal, Root, Rotation, Stumpff},
     "numbers of a motion": {Diagonal, Root, Rotation, Stumpff},
 }

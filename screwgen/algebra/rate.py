@@ -12,6 +12,7 @@ from .expression import (
     Diagonal,
     Expression,
     Hat,
+    Inverse,
     Negative,
     Product,
     Rotation,
@@ -32,7 +33,7 @@ from .notation import axis_latex
 def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
     """``d/dt`` of ``e`` by the product rule; a symbol that is not in ``rates`` is constant.
 
-    Raises TypeError for roots, inverses and integrals, which no equation differentiates.
+    Raises TypeError for roots and integrals, which no equation differentiates.
     """
     inner = lambda x: rate(x, rates)  # noqa: E731
     match e:
@@ -42,6 +43,8 @@ def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
             return zeros(*e.shape)
         case Product():
             return add(product(inner(e.left), e.right), product(e.left, inner(e.right)))
+        case Inverse():
+            return -product(product(e, inner(e.arg)), e)
         case Sum() | Negative() | Transpose() | Hat() | Trace() | Diagonal() | BlockMatrix():
             return e.map(inner)
         case Rotation():

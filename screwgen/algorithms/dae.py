@@ -15,7 +15,14 @@ from . import matrices as mx
 from .axis_terms import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
 from .phases import joint_motion, motion_in_space, relative_posture, tip_motion, tip_state
-from .quaternions import joint_quaternion, quaternion_matrix, quaternion_product, tip_quaternion, unit_quaternion
+from .quaternions import (
+    joint_quaternion,
+    quaternion_matrix,
+    quaternion_product,
+    tip_quaternion,
+    unit_coordinates,
+    unit_quaternion,
+)
 from .scope import Scope
 from .signals import PER_CHILD
 
@@ -67,11 +74,9 @@ def pseudo_inverse(s: Scope, q: Array) -> Array:
     """``S^+ = (S^T S)^-1 S^T`` of the motion subspace at the joint point; a singular posture fails the guard.
 
     Twists are multiplied by their components in rad/s and m/s. A revolute joint has rows of three, because the linear
-    part of its motion subspace is zero. The columns of a ball joint are unit vectors, and at right angles.
+    part of its motion subspace is zero.
     """
     S = motion_subspace(s, q)
-    if s.key.joint.curved:
-        return S.T
     L, inverse = mx.factorise(mx.congruence(S, mx.identity(S.shape[0])), s.tracer, s.tracer.epsilon() * 64.0)
     columns = mx.scale_rows(mx.forward(L, S.T), inverse)
     return mx.backward(L, columns)
@@ -130,7 +135,7 @@ def project(s: Scope) -> None:
             gap = mx.multiply(R_P.T, r_raw - s.read("base.r_m")) - joint_offset(s, q)
             error = np.concatenate([error, mx.multiply(R.T, gap)])
         q = s.key.joint.integrate(q, mx.multiply(pseudo_inverse(s, q), error), series_of(s))
-    q = unit_quaternion(s, q) if s.key.joint.curved else q
+    q = unit_coordinates(s, q)
     (R,) = s.lower("posture", {"q": q}, "R_rel")
     qdot = mx.multiply(pseudo_inverse(s, q), _relative_twist(s, q, R, twist, "omega_m", "v_m"))
     s.write("new_q", q)

@@ -22,6 +22,12 @@ def integration(joint: JointKind) -> Program:
 
 
 @cache
+def change_rate(joint: JointKind) -> Program:
+    """``(u, v) -> (rate)``: :meth:`.JointKind.rate`."""
+    return traced("change_rate", {"u": joint.nv, "v": joint.nv}, rate=lambda u, v, _: joint.rate(u, v))
+
+
+@cache
 def coordinate_rates(joint: JointKind) -> Program:
     """``(q, v) -> (rates)``: :meth:`.JointKind.coordinate_rates`."""
     sizes = {"q": joint.nq, "v": joint.nv}

@@ -18,13 +18,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ir.derivative import columns
-from ..ir.program import Array, Value
+from ..ir.program import Array
 from . import elastic_travels
 from . import matrices as mx
 from .given_motion import Motion, tip_motion_in_link, tip_point, tip_rotation
 from .joint_terms import joint_offset, joint_point, rotation
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .scope import Scope
+from .subspace_changes import subspace_rates, turned_rows
 from .tip_turning import Turning, held_load, shape_rates, turned_moment, turning
 
 # ------------------------------------------------------------------------------------------- the link
@@ -206,8 +207,7 @@ def joint_answers(s: Scope, carried: Load) -> None:
         turned = np.vstack([columns_cross(A, w[:3]) + columns_cross(T, w[3:]), columns_cross(A, w[3:])])
         F_q = mx.multiply(answer, u_q)
         travel_q, travel_qdot = elastic_travels.answers(s)
-        later = mx.zeros(m, m) if s.key.joint.curved else _bend(A, T, w)
-        s.write("w.f_q", mx.multiply(axes.T, F_q) + later + travel_q)
+        s.write("w.f_q", mx.multiply(axes.T, F_q) + turned_rows(s, A, T, w) + travel_q)
         F_qdot = mx.multiply(answer, u_qdot)
         s.write("w.f_qdot", mx.multiply(axes.T, F_qdot) + travel_qdot)
         s.write("w.F_q", F_q + shifted(r_B, turned))
@@ -251,55 +251,15 @@ def joint_changes(s: Scope, A: Array, T: Array, joint: Motion, r_B: Array) -> tu
     The frame of reference is the one in which the joint point is at rest.
     """
     qdot, qddot = s.read("qdot"), s.read("qddot")
-    of_kind = ball_rates if s.key.joint.curved else subspace_rates
-    Adot, Addot, Tdot, Tddot = of_kind(A, T, qdot, qddot)
-    bend = Adot if s.key.joint.curved else 2.0 * Adot
+    Adot, Addot, Tdot, Tddot, bend, lost = subspace_rates(s, A, T, qdot, qddot)
     omega, omegadot = joint.omega, joint.omegadot
     d_omega = Adot + cross_columns(omega, A)
     d_rate = Addot + cross_columns(omegadot, A) + cross_columns(omega, Adot)
     d_a = cross_columns(joint.a, A) + _swing_changes(d_omega, d_rate, omega, r_B)
     v_rate, d_v = bend + cross_columns(omega, A), Tdot + cross_columns(omega, T)
     d_a = d_a + Tddot + cross_columns(omegadot, T) + cross_columns(omega, Tdot + d_v)
-    slip = 2.0 * d_v + _swing_changes(A, v_rate, omega, r_B)
+    slip = 2.0 * d_v - lost + _swing_changes(A, v_rate, omega, r_B)
     return np.vstack([d_omega, d_rate, d_a]), np.vstack([A, v_rate, slip])
-
-
-def subspace_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array, Array, Array, Array]:
-    """``Adot, Addot, Tdot, Tddot``: later screws move the columns of the earlier ones in F_i."""
-    m = A.shape[1]
-    Adot, Addot, Tdot, Tddot = (mx.zeros(3, m) for _ in range(4))
-    omega, alpha, v, a = (mx.zeros(3) for _ in range(4))
-    for k in reversed(range(m)):
-        Adot[:, k] = mx.cross(A[:, k], omega)
-        Addot[:, k] = mx.cross(Adot[:, k], omega) + mx.cross(A[:, k], alpha)
-        Tdot[:, k] = mx.cross(T[:, k], omega) + mx.cross(A[:, k], v)
-        Tddot[:, k] = (
-            mx.cross(Tdot[:, k], omega) + mx.cross(T[:, k], alpha) + mx.cross(Adot[:, k], v) + mx.cross(A[:, k], a)
-        )
-        omega, v = omega + A[:, k] * qdot[k], v + T[:, k] * qdot[k]
-        alpha = alpha + A[:, k] * qddot[k] + Adot[:, k] * qdot[k]
-        a = a + T[:, k] * qddot[k] + Tdot[:, k] * qdot[k]
-    return Adot, Addot, Tdot, Tddot
-
-
-def ball_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array, Array, Array, Array]:
-    """The same of a ball joint, by turns delta in axes of F_i at given rates w: ``d/dt delta = -w x delta``."""
-    Adot = -cross_columns(qdot, A)
-    return Adot, -cross_columns(qdot, Adot) - cross_columns(qddot, A), T, T
-
-
-def _bend(A: Array, T: Array, w: Array) -> Array:
-    """(m, m): how the joint's rows change as its columns do, at the wrench ``w``."""
-    m = A.shape[1]
-    return mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
-
-
-def _later(A: Array, T: Array, w: Array, l: int, k: int) -> Value:
-    """``d(S_l . w)/d q_k``: the columns before screw k depend on its coordinate."""
-    if k <= l:
-        return 0.0
-    moved = mx.cross(T[:, l], A[:, k]) + mx.cross(A[:, l], T[:, k])
-    return mx.dot(mx.cross(A[:, l], A[:, k]), w[:3]) + mx.dot(moved, w[3:])
 
 
 def _swing_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Expression, Rotation, Symbol, hat, identity, stack, unit, zeros
 from ..algebra.rate import acceleration, rate
+from ..algebra.scalar import Scalar
 from ..ir.block import Block
 from ..joints.exponential import rate_expressions
 from ..joints.kind import Kinematics
@@ -29,7 +31,7 @@ def joint_block(key: LinkClass) -> Block:
     omega_P = b.input("omega_P", (3, 1))
     v_P = b.input("v_P", (3, 1))
     motion, r_m, r_B, R = posture(key, b, q)
-    rates = _rates(b, q, qdot)
+    rates = _rates(key, b, q, qdot)
     omega_J = _relative_turn(b, qdot)
     omega_R = b.step("omega_R", R.T @ omega_P)
     omega = _turn(b, omega_R, omega_J)
@@ -54,14 +56,15 @@ def _slip(
     return v_J, slip_rate + hat(omega_R) @ v_J
 
 
-def _rates(b: Block, q: Symbol, qdot: Symbol) -> dict[str, Symbol]:
-    """The rate of each coordinate by its name, of those that add up."""
-    names = [c.name for c in b.entries(q)]
-    return dict(zip(names, b.entries(qdot), strict=True)) if len(names) == len(b.entries(qdot)) else {}
+def _rates(key: LinkClass, b: Block, q: Symbol, qdot: Symbol) -> dict[str, Expression]:
+    """The rate of each coordinate by its name."""
+    given, speeds = (np.array([Scalar(x) for x in b.entries(part)], dtype=object) for part in (q, qdot))
+    found = key.joint.coordinate_rates(given, speeds)
+    return {c.name: rate.e for c, rate in zip(b.entries(q), found, strict=True)}
 
 
-def _axis_rate(b: Block, motion: Kinematics, qdot: Symbol, rates: dict[str, Symbol]) -> Expression:
-    """``Adot qdot``: later screws turn the axes of the earlier ones."""
+def _axis_rate(b: Block, motion: Kinematics, qdot: Symbol, rates: Mapping[str, Expression]) -> Expression:
+    """``Adot qdot``: of screws, later ones turn the axes of the earlier ones."""
     speeds = b.entries(qdot)
     return rate(motion.angular @ stack(*speeds), rates) if len(speeds) > 1 else zeros(3)
 
@@ -87,7 +90,7 @@ def motion_block(key: LinkClass) -> Block:
     alpha_R = b.input("alpha_R", (3, 1))
     a_R = b.input("a_R", (3, 1))
     motion, r_m, r_B, R = posture(key, b, q)
-    A, rates = b.symbol("A"), _rates(b, q, qdot)
+    A, rates = b.symbol("A"), _rates(key, b, q, qdot)
     T = b.symbol("T") if key.slides else zeros(3, key.joints)
     b.step("S", stack(A, T + hat(r_B) @ A))
     omega_J = _relative_turn(b, qdot)

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..algebra.expression import Symbol, identity, zeros
-from .exponential import Series, cross, quaternion_rate, rotation, turn_between, turned
+from .exponential import Series, angular_velocity, cross, quaternion_rate, rotation, turn_between, turned
 from .kind import JointKind, Kinematics
+from .screw import Screw
 
 
 @dataclass(frozen=True)
@@ -35,8 +36,13 @@ class Ball(JointKind):
     def coordinate_rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         return quaternion_rate(q, v)
 
+    def rates_of(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+        return angular_velocity(q, change)
+
     def carried(self, v: np.ndarray) -> np.ndarray:
         return -cross(v[None], np.eye(3)).T
 
 
-BALL = Ball(4, 3, 3, name="ball", turn_at=0)
+TURNS = Screw((1.0, 0.0, 0.0)), Screw((0.0, 1.0, 0.0)), Screw((0.0, 0.0, 1.0))
+
+BALL = Ball(4, 3, 3, name="ball", along=TURNS, turn_at=0)

@@ -46,10 +46,20 @@ def turned(Q: np.ndarray, turn: np.ndarray, series: Series, square: Any = None) 
 
 def turn_between(Q: np.ndarray, other: np.ndarray) -> np.ndarray:
     """The turn (3,), rad, at most half a turn, that takes the quaternion ``Q`` to the ``other``; of numbers."""
-    w, v = sum(Q * other), Q[0] * other[1:] - other[0] * Q[1:] - cross(Q[1:], other[1:])
+    w, v = sum(Q * other), between(Q, other)
     sine = float(np.sqrt(sum(v * v)))
     w, v = (-w, -v) if w < 0 else (w, v)
     return 2.0 * v * (np.arctan2(sine, w) / sine if sine > 0 else 1.0)
+
+
+def between(Q: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """The vector (3,) of the conjugate of a quaternion times another."""
+    return Q[0] * other[1:] - other[0] * Q[1:] - cross(Q[1:], other[1:])
+
+
+def angular_velocity(Q: np.ndarray, rate: np.ndarray) -> np.ndarray:
+    """The angular velocity (3,) in the body's axes at which a unit quaternion has a rate."""
+    return 2.0 * between(Q, rate)
 
 
 def quaternion_rate(Q: np.ndarray, omega: np.ndarray) -> np.ndarray:

@@ -8,7 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..algebra.expression import Symbol, block, identity, stack, zeros
-from .exponential import Series, algebra_rate, carried, exponential, quaternion_rate, rotated, rotation, turn_between
+from .exponential import (
+    Series,
+    algebra_rate,
+    angular_velocity,
+    carried,
+    exponential,
+    quaternion_rate,
+    rotated,
+    rotation,
+    turn_between,
+)
 from .kind import JointKind, Kinematics
 
 
@@ -40,6 +50,9 @@ class Free(JointKind):
 
     def coordinate_rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         return np.concatenate([rotated(q[3:], v[3:]), quaternion_rate(q[3:], v[:3])])
+
+    def rates_of(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+        return np.concatenate([angular_velocity(q[3:], change[3:]), rotated(np.append(q[3], -q[4:]), change[:3])])
 
     def carried(self, v: np.ndarray) -> np.ndarray:
         return carried(v)

@@ -6,7 +6,7 @@ is done with a robot asks its joints, at their places in `q` and `v`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,6 +31,10 @@ class Kinematics:
     """(3, nv): its linear part at the link's joint point, in F_i."""
 
 
+MOVES = ("integrate", "difference", "rate", "coordinate_rates", "rates_of", "carried")
+"""How coordinates move that do not add up: a kind states all of these or none."""
+
+
 @dataclass(frozen=True)
 class JointKind:
     """A kind of joint; hashable, for it is a part of the class of a link.
@@ -52,9 +56,18 @@ class JointKind:
     in_space: bool = False
     """Whether the motion is relative to the inertial frame, so that nothing carries the link or bears its wrench."""
     name: str = ""
-    """What tables call it; a product of screws is called by its screws."""
+    """What tables and the functions of generated C call it; a product of screws is called by its screws."""
+    along: tuple[Screw, ...] = ()
+    """What each rate with a torque is like, for names and units: a turn or a slide; of a product its screws."""
     turn_at: int | None = None
     """Where the coordinates have a unit quaternion (w, x, y, z), which no sums move; None where they add up."""
+
+    def __init_subclass__(cls) -> None:
+        """Raises TypeError where a kind says in part how its coordinates move: what is inherited is of sums."""
+        missing = [name for name in MOVES if getattr(cls, name) is getattr(JointKind, name)]
+        if 0 < len(missing) < len(MOVES):
+            stated = ", ".join(name for name in MOVES if name not in missing)
+            raise TypeError(f"{cls.__name__} states {stated}; it must state {', '.join(missing)} as well")
 
     @property
     def curved(self) -> bool:
@@ -86,14 +99,18 @@ class JointKind:
         """``dq/dt`` (nq,) at the rates ``v``; only the direction of a quaternion counts in other functions."""
         return v
 
+    def rates_of(self, q: np.ndarray, change: np.ndarray) -> Any:
+        """The rates (nv,) at which the coordinates change by ``change`` (nq,), the inverse of `coordinate_rates`."""
+        return change
+
     def carried(self, v: np.ndarray) -> np.ndarray:
         """(nv, nv): by a change ``delta``, ``integrate(q, delta)``, its rate at the rates ``v``."""
         return np.zeros((self.nv, self.nv))
 
-    def unit(self, q: np.ndarray) -> np.ndarray:
-        """The coordinates, of numbers, with a quaternion of length one."""
+    def unit(self, q: np.ndarray, sqrt: Callable[[Any], Any] = np.sqrt) -> np.ndarray:
+        """The coordinates with a quaternion of length one; ``sqrt``: that of the entries' algebra."""
         if self.turn_at is None:
             return q
-        out, at = np.array(q, float), slice(self.turn_at, self.turn_at + 4)
-        out[at] /= np.sqrt(sum(out[at] * out[at]))
-        return out
+        first, end = self.turn_at, self.turn_at + 4
+        turn = q[first:end] * (1.0 / sqrt(sum(q[first:end] * q[first:end])))
+        return np.concatenate([q[:first], turn, q[end:]])

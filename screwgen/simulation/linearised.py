@@ -20,7 +20,7 @@ from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..integrators.space import Space
 from ..robot_model import RobotModel
-from ..spec.parameters import turning
+from ..spec.parameters import changes, turning
 from . import mobility
 from .inputs import Inputs, coordinates, started
 from .integrate import CasadiEvaluator, Dynamics
@@ -35,8 +35,6 @@ TOLERANCE = 1e-4
 """Growth per radian, relative to the amplitude, that counts as none."""
 DIFFERENCE = 1e-5
 """The variation of a controller's arguments, relative if they exceed 1."""
-TINY = 1e-6
-"""The change of the pose of a floating base by which its direction in q is taken."""
 
 
 def speed(model: RobotModel, v: np.ndarray) -> float:
@@ -65,7 +63,7 @@ class Linearised:
 
     `q` (nq,), `v` (nv,); `tau` (n_tau,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` its torques at
     t = 0 follow the motion instead. Motions are matrices, a column per motion, of small changes (nv,) of the
-    coordinates and of their rates; those of a floating base are in the axes of F_1. Raises UsageError where arguments
+    coordinates, by which joints move them, and of their rates. Raises UsageError where arguments
     make no sense, SingularError where the mass matrix cannot be inverted.
     """
 
@@ -80,7 +78,6 @@ class Linearised:
         w_ext: Numbers | None = None,
         parameters: Parameters | None = None,
     ):
-        model.chain.needs_sums("linear motion", "take model.numpy().derivatives")
         if controller is not None and tau is not None:
             raise UsageError("torques are given beside a controller; leave one of them out")
         self.model, self.p = model, model.chain.parameters.vector(parameters)
@@ -128,7 +125,12 @@ class Linearised:
     @property
     def names(self) -> list[str]:
         """The coordinates of the motions."""
-        return self.model.q_names
+        return list(changes(self.model.robot))
+
+    @property
+    def carried(self) -> np.ndarray:
+        """The rates of the motions' changes that follow from these, as the axes of changes turn."""
+        return self.model.chain.carried(self.v)
 
     @property
     def turning(self) -> float:
@@ -143,7 +145,8 @@ class Linearised:
     @property
     def jacobian(self) -> np.ndarray:
         """`A` (2 nv, 2 nv) of `d/dt [δq; δv] = A [δq; δv]`; where loops are open it closes them."""
-        return np.vstack([self.identity[1], self.explicit(*self.identity)])
+        moved, rates = self.identity
+        return np.vstack([self.carried @ moved + rates, self.explicit(*self.identity)])
 
     def step_map(self, method: str | Method, step: float) -> np.ndarray:
         """The amplification matrix (2 nv, 2 nv) of a method over `step` seconds."""
@@ -233,11 +236,12 @@ class Linearised:
 
     @cached_property
     def moving(self) -> np.ndarray:
-        """(nv, nq): how the coordinates change with small changes, a row for each: the identity but for a base's."""
-        out, first = np.zeros((self.model.nv, self.model.nq)), self.model.chain.base_v
-        out[first:, self.model.chain.base_q :] = np.eye(self.model.nv - first)
-        for k, u in enumerate(TINY * np.eye(self.model.nv)[:first]):
-            out[k] = (self.space.moved(self.q, u) - self.space.moved(self.q, -u)) / (2 * TINY)
+        """(nv, nq): how the coordinates change with small changes, a row for each: ones where they add up."""
+        chain, out = self.model.chain, np.zeros((self.model.nv, self.model.nq))
+        out[chain.flat_v, chain.flat_q] = 1.0
+        for part in chain.curved:
+            for k, unit in enumerate(np.eye(part.joint.nv), part.v.start):
+                out[k, part.q] = part.joint.coordinate_rates(self.q[part.q], unit)
         return out
 
 

@@ -35,8 +35,13 @@ class LinearisedWithLoops(Linearised):
         return N.T @ self.mass_matrix @ N
 
     @property
+    def carried(self) -> np.ndarray:
+        """As of `Linearised`, (d, d)."""
+        return super().carried[self.free] @ self.moves[: self.model.nv, : len(self.free)]
+
+    @property
     def names(self) -> list[str]:
-        return [self.model.q_names[k] for k in self.free]
+        return [super(LinearisedWithLoops, self).names[k] for k in self.free]
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
         """As of `Linearised`, of motions (d, k)."""

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from ..joints.ball import BALL
+from ..joints.kind import JointKind
 from ..joints.screw import Screw, Vector
 from .messages import unknown
 from .ranges import within
@@ -23,29 +25,35 @@ UNIT = 4 * 2.0**-52  # a vector this near to unit length stays as it is, so that
 GENERIC = (0.7, -1.1, 0.4)  # coordinates of no special posture
 
 
-BALL = "ball"
+class AxesOfKind(tuple[Screw, ...]):
+    """The axes of a joint that is no product of screws: along each there is a rate and a torque, but no coordinate."""
 
+    kind: JointKind
 
-class EveryDirection(tuple[Vector, ...]):
-    """The axes of a ball joint, those of F_i: along each there is a rate and a torque, but no coordinate."""
+    def __new__(cls, kind: JointKind) -> AxesOfKind:
+        out = super().__new__(cls, kind.along)
+        out.kind = kind
+        return out
 
-    def __new__(cls) -> EveryDirection:
-        return super().__new__(cls, LETTERS.values())
+    def __getnewargs__(self) -> tuple[JointKind]:
+        return (self.kind,)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, EveryDirection)
+        return isinstance(other, AxesOfKind) and self.kind == other.kind
 
     def __ne__(self, other: object) -> bool:
         return not self == other
 
     def __hash__(self) -> int:
-        return hash(BALL)
+        return hash(self.kind)
 
 
 def axes(value: Any) -> tuple[Vector | Screw, ...]:
-    """At most three unit vectors or screws, each of which adds a motion to those before it; or "ball"."""
-    if value == BALL or isinstance(value, EveryDirection):
-        return EveryDirection()
+    """At most three unit vectors or screws, each of which adds a motion to those before it; "ball"; or a kind."""
+    if isinstance(value, AxesOfKind):
+        return value
+    if isinstance(value, JointKind) or value == BALL.name:
+        return AxesOfKind(value if isinstance(value, JointKind) else BALL)
     stated = array(value, 'an array of axes, as ["y", "z"], or "ball"')
     if len(stated) > MAX_AXES:
         raise refuse(f"has {len(stated)} axes; at most {MAX_AXES} are allowed")
@@ -120,8 +128,8 @@ def checked(screw: Screw, at: Path) -> Vector | Screw:
 
 def written(axes: Sequence[Vector | Screw]) -> list[Vector | dict[str, Any]] | str:
     """The axes as a file states them."""
-    if isinstance(axes, EveryDirection):
-        return BALL
+    if isinstance(axes, AxesOfKind):
+        return axes.kind.name
     return [_table(axis) if isinstance(axis, Screw) else axis for axis in axes]
 
 

@@ -7,11 +7,10 @@ from typing import Annotated, Any, Self
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..elements import AxisElement
-from ..joints.ball import BALL
 from ..joints.kind import JointKind
 from ..joints.product import product
 from ..joints.screw import Screw, Vector
-from .axes import EveryDirection, axes, screw_of, written
+from .axes import AxesOfKind, axes, screw_of, written
 from .axis_elements import OfAxis, axis_elements, stated
 from .drive import Drive, check, check_reach
 from .limit import Limit
@@ -126,7 +125,7 @@ class Joint(Part):
     @property
     def kind(self) -> JointKind:
         """How the joint moves its link."""
-        return BALL if isinstance(self.axes, EveryDirection) else product(self.screws)
+        return self.axes.kind if isinstance(self.axes, AxesOfKind) else product(self.screws)
 
     @property
     def screws(self) -> tuple[Screw, ...]:
@@ -134,10 +133,11 @@ class Joint(Part):
         return tuple(map(screw_of, self.axes))
 
     @model_validator(mode="after")
-    def _a_ball_joint_has_damping_alone(self) -> Self:
+    def _a_joint_without_axes_has_damping_alone(self) -> Self:
         for name in ("armature", "stiffness", "drives", "limits", "elements") if self.kind.curved else ():
             if getattr(self, name) is not None:
-                raise refuse("is stated of a ball joint, which has no axes; leave it out, damping aside", at=(name,))
+                said = f"is stated of a {self.kind.name} joint, which has no axes; leave it out, damping aside"
+                raise refuse(said, at=(name,))
         return self
 
     @model_validator(mode="after")

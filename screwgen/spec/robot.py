@@ -242,12 +242,11 @@ class Robot(Part):
 
 def refuse_beside_balls(robot: Robot) -> None:
     """Refuses what is not known in one robot with ball joints."""
-    ball = next((link.name for link in robot.links if link.joint.kind.curved), None)
+    ball = next((link for link in robot.links if link.joint.kind.curved), None)
     if ball is None:
         return
-    beside = (
-        f"is stated of a robot with a ball joint, that of link '{ball}', beside which it is not known yet; leave it out"
-    )
+    joint = f"a {ball.joint.kind.name} joint, that of link '{ball.name}'"
+    beside = f"is stated of a robot with {joint}, beside which it is not known yet; leave it out"
     for name in ("loops", "couplings"):
         if getattr(robot, name):
             raise refuse(beside, at=(name,))

@@ -68,7 +68,6 @@ def convergence(
     cannot have one more stays as it is: a direction whose frequencies are measured, or with the largest count. The
     deflection under loads is that of the present modes.
     """
-    model.chain.needs_sums("study of convergence", "compare runs")
     rich = RobotModel(enriched(model.robot))
     names = dict(zip(model.parameter_names, model.parameter_values if parameters is None else parameters, strict=True))
     values = [names.get(name, value) for name, value in zip(rich.parameter_names, rich.parameter_values, strict=True)]

@@ -48,7 +48,6 @@ def natural_frequencies(
     Where the links bear or bend more than the bounds of the model allow, a :class:`ModelValidityWarning` says so: under
     their weight also where gravity has no part in the frequencies.
     """
-    model.chain.needs_sums("natural frequencies", "take model.numpy().derivatives")
     found = mode_shapes(model, q, joints, parameters, rates, loaded)
     found.validity.warn()
     if found.growth.any():
@@ -88,7 +87,6 @@ def mode_shapes(
     loaded: bool = False,
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
-    model.chain.needs_sums("mode shapes", "take model.numpy().derivatives")
     p = model.chain.parameters.vector(parameters)
     q = closed_posture(model, q, p)
     moving = movable(model, joints, q, p)

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
+from ...algorithms.joint_moves import change_rate, coordinate_rates, integration
+from ...ir.program import Program
+from ...joints.kind import JointKind
 from ...topology.chain import Chain
+from .code import Writer, trimmed
 
 
 def content(chain: Chain) -> dict[str, object]:
@@ -11,6 +17,7 @@ def content(chain: Chain) -> dict[str, object]:
     balls = [part for part in chain.curved if not part.joint.in_space]
     return {
         "curved": _joints(chain),
+        "moves_of": [one for joint in kinds(chain) for one in functions(joint, Writer)],
         "adding": _adding(chain),
         "balls": [chain.names[part.link] for part in balls],
         "n_turns": "$$_NTWIST" if base_alone else str(turns(chain)),
@@ -23,7 +30,12 @@ def content(chain: Chain) -> dict[str, object]:
         "axis_places": [k - chain.base_q for k in chain.axis_places],
         "redundant_sums": _redundant_sums(chain),
         "redundant_turns": [
-            {"q": _plus(part.q.start - chain.base_q), "v": _plus(part.v.start - chain.base_v)} for part in balls
+            {
+                "kind": stem(part.joint),
+                "q": plus(part.q.start - chain.base_q),
+                "v": plus(part.v.start - chain.base_v),
+            }
+            for part in balls
         ],
     }
 
@@ -44,6 +56,45 @@ def turns(chain: Chain) -> int:
     return chain.curved[-1].v.stop if chain.curved else 0
 
 
+def lanes(chain: Chain, writer: type[Writer]) -> list[dict[str, object]]:
+    """The functions of the kinds' moves that steps of lanes call."""
+    return [one for joint in kinds(chain) for one in functions(joint, writer) if one["name"] != "coordinate_rates"]
+
+
+def kinds(chain: Chain) -> list[JointKind]:
+    """The kinds of these joints but for the floating base, which moves as poses of the DAE form do."""
+    return list(dict.fromkeys(part.joint for part in chain.curved if not part.joint.in_space))
+
+
+def stem(joint: JointKind) -> str:
+    """What the names of a kind's functions begin with."""
+    return re.sub(r"\W+", "_", joint.name)
+
+
+SAID = {
+    "integration": "q moved by u, the rates times a time if these are constant.",
+    "change_rate": "the rate of u by which q moves, where the rates are v; enough for order four.",
+    "coordinate_rates": "the rates of the coordinates q at the rates v.",
+}
+
+
+def functions(joint: JointKind, writer: type[Writer]) -> list[dict[str, object]]:
+    """The functions of a kind's moves: what they take and make, with its length, and their bodies."""
+    programs = (integration(joint), change_rate(joint), coordinate_rates(joint))
+    return [_function(joint, program, writer) for program in programs]
+
+
+def _function(joint: JointKind, program: Program, writer: type[Writer]) -> dict[str, object]:
+    (made, values), given = *program.outputs.items(), program.inputs
+    lines = trimmed(writer(program, lambda name, k: f"{name}[{k}]", None, {*given, made}).lines())
+    text: dict[str, object] = {
+        "name": program.name,
+        "stem": stem(joint),
+        "said": f"A {joint.name} joint: {SAID[program.name]}",
+    }
+    return text | {"given": dict(given), "made": made, "size": len(values), "lines": lines}
+
+
 def _joints(chain: Chain) -> list[dict[str, object]]:
     """Offsets as text: nothing where they are 0; ``rates``: how many there are."""
     out = []
@@ -51,12 +102,13 @@ def _joints(chain: Chain) -> list[dict[str, object]]:
         turn = part.q.start + (part.joint.turn_at or 0)
         offsets = {"q": part.q.start, "v": part.v.start, "turn": turn}
         rates = "$$_NTWIST" if part.joint.in_space else part.joint.nv
-        texts: dict[str, object] = {name: _plus(k) for name, k in offsets.items()}
+        texts: dict[str, object] = {name: plus(k) for name, k in offsets.items()}
+        texts |= {"kind": stem(part.joint), "name": part.joint.name}
         out.append(texts | {"turn_at": turn, "shifts": part.joint.in_space, "rates": rates})
     return out
 
 
-def _plus(k: int) -> str:
+def plus(k: int) -> str:
     return f" + {k}" if k else ""
 
 

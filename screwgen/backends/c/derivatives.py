@@ -57,7 +57,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "rows": rows,
         "sharing": _sharing() if chain.overconstrained else None,
         "closing": chain.closures[-1].second if rows else None,
-        "stumpff": chain.floating or bool(SLOPES_OF_STUMPFF & program.operations.keys()),
+        "stumpff": bool(chain.curved) or bool(SLOPES_OF_STUMPFF & program.operations.keys()),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
         "wrenches": _wrenches(chain, baked, place),

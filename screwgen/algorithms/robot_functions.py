@@ -20,7 +20,8 @@ import numpy as np
 from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
 from . import fused, sensors
-from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER, Functions
+from . import robot_programs as programs
+from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER
 from .gauges import strain_names
 from .loop_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
@@ -81,43 +82,6 @@ def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.
     return tuple(out) if len(out) > 1 else out[0]
 
 
-@fused.program("q v tau")
-def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
-    """``(q, v, tau) -> (power)``."""
-    return {"power": f.drive_power(q, v, tau)}
-
-
-@fused.program("q")
-def levers(f: Functions, q: Sequence) -> fused.Outputs:
-    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
-    return {"levers": f.levers(q)}
-
-
-@fused.program("q v tau w_ext")
-def loop_wrenches(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
-    """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
-    return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
-
-
-@fused.program("q v tau w_ext")
-def coupling_torques(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
-    """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""
-    return {"torque": f.coupling_torques(q, v, tau, w_ext)}
-
-
-@fused.program("q")
-def tip_pose(f: Functions, q: Sequence) -> fused.Outputs:
-    """``(q) -> (R, position)`` of the last tip, R row by row."""
-    return dict(zip(("R", "position"), f.poses(q)[1][f.chain.last], strict=True))
-
-
-@fused.program("q")
-def link_pose(f: Functions, q: Sequence) -> fused.Outputs:
-    """``(q) -> (R, position)`` of the link frames, link by link."""
-    frames = f.poses(q)[0]
-    return {name: [x for frame in frames for x in frame[k]] for k, name in enumerate(("R", "position"))}
-
-
 AXES = "N*m, of axes that slide N"
 FUNCTIONS = (
     RobotFunction(
@@ -168,7 +132,7 @@ FUNCTIONS = (
         "drive_power",
         "q v tau",
         {"power": Signal(("NTAU",), "W", "-", "power that each drive gives to the arm")},
-        drive_power,
+        programs.drive_power,
         (POWER,),
         "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
         c_file=OUTPUTS,
@@ -180,7 +144,7 @@ FUNCTIONS = (
             "R": Signal(ROTATION, "-", INERTIAL, "rotation of the last tip frame"),
             "position": Signal(PLACE, "m", INERTIAL, "last tip point"),
         },
-        tip_pose,
+        programs.tip_pose,
         (PLACES,),
         "The pose of the last tip.",
     ),
@@ -191,7 +155,7 @@ FUNCTIONS = (
             "R": Signal(("NLINKS", *ROTATION), "-", INERTIAL, "rotation of every link frame"),
             "position": Signal(("NLINKS", *PLACE), "m", INERTIAL, "origin of every link frame"),
         },
-        link_pose,
+        programs.link_pose,
         (PLACES,),
         "The poses of the link frames.",
     ),
@@ -199,7 +163,7 @@ FUNCTIONS = (
         "levers",
         "q",
         {"levers": Signal(("NTAU",), "m/rad, -", "-", "what the torque of each axis is multiplied by")},
-        levers,
+        programs.levers,
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
         offered=lambda chain: bool(chain.travels),
@@ -208,7 +172,7 @@ FUNCTIONS = (
         "loop_wrenches",
         "q v tau w_ext",
         {"loop_wrench": Signal(("NLINKS", 6), WRENCH, TIP, "of the loops on each tip")},
-        loop_wrenches,
+        programs.loop_wrenches,
         (FORWARD, MOTION),
         "The wrenches with which the loops act on the tips.",
         offered=lambda chain: bool(chain.closures),
@@ -217,7 +181,7 @@ FUNCTIONS = (
         "coupling_torques",
         "q v tau w_ext",
         {"torque": Signal(("NTAU",), AXES, "-", "of the couplings on each joint axis")},
-        coupling_torques,
+        programs.coupling_torques,
         (FORWARD, MOTION),
         "The torques with which couplings act on the joint axes.",
         offered=lambda chain: bool(chain.couplings),
@@ -334,11 +298,16 @@ def entry_names(function: RobotFunction, drives: Sequence[str], markers: Sequenc
     return tuple(out)
 
 
+def written(unit: str) -> str:
+    """A unit of a signal as people write it: `kg·m²/s` of `kg*m^2/s`."""
+    return unit.translate(WRITTEN).replace("^", "")
+
+
 def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
-    """The units of these entries, as files and units of mock-ups write them: `kg·m²/s` of `kg*m^2/s`."""
+    """The units of these entries, as mock-up units have them."""
     out: list[str] = []
     for of in function.results.values():
-        count, parts = math.prod(shape(of, chain)), of.unit.translate(WRITTEN).replace("^", "").split(", ")
+        count, parts = math.prod(shape(of, chain)), written(of.unit).split(", ")
         out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
     return out
 

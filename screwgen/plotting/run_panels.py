@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..algorithms.robot_functions import BY_NAME, PARTS, written
 from ..elements import ROTOR
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
@@ -79,8 +80,23 @@ def motion_panels(
         ),
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
         Panel("Energy", "E", "J", energy),
+        *_reported(run),
+        *_reported(run),
         Panel("Tip, inertial frame", "r", "m", _named("xyz", run.tip_position.T)),
     ]
+
+
+def _reported(run: Run) -> Iterator[Panel]:
+    """What functions of the robot report, where it is no quantity of axes: a panel for each result."""
+    for name in sorted(set(run.told) - {x.array for x in AXIS_CURVES}):
+        rows, first = run.told[name].reshape(len(run.t), -1).T, 0
+        for result, signal in BY_NAME[name].results.items():
+            labels = [part.lstrip("._") or result for part in PARTS[signal.shape]]
+            own = rows[first : first + len(labels)]
+            lines = [PanelCurve(x, a if a in "xyz" else k, a) for k, (x, a) in enumerate(zip(own, labels, strict=True))]
+            first += len(labels)
+            title = signal.meaning[0].upper() + signal.meaning[1:]
+            yield Panel(title, result, written(signal.unit), lines)
 
 
 def _named(names: Sequence[str], values: Iterable[np.ndarray]) -> list[PanelCurve]:

@@ -30,7 +30,7 @@ from .hits import Hits
 from .inputs import Inputs
 from .integrate import CasadiEvaluator, Dynamics, EquationForm
 from .loop_watch import LoopWatch
-from .runs import Run, column_names, csv_header, csv_lines, suffix, unwritable
+from .runs import NAMES, Run, column_names, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
 
 _State = TypeVar("_State")
@@ -135,14 +135,10 @@ class SampleTable:
         m, rows = self.model, self.rows[: self.count] if ended else self.rows
         arrays: dict[str, Any] = {name: rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": rows[:, 0], "wrench": arrays["wrench"].reshape(len(rows), m.n_links, 6)}
-        arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        arrays |= {
-            "robot": m.robot,
-            "parameters": np.array(self.p, float),
-            "model": m,
-            "w_ext": self.w_ext[: len(rows)],
-        }
-        return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all, ended=ended)
+        more: dict[str, Any] = {name: tuple(getattr(m, name)) for name in NAMES}
+        more |= {"robot": m.robot, "parameters": np.array(self.p, float), "model": m, "w_ext": self.w_ext[: len(rows)]}
+        more |= {"validity": self.watch.validity(), "hits": self.hits.all, "ended": ended}
+        return Run.of(m.robot.name, arrays, **more)
 
 
 class Recorder:

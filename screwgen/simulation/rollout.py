@@ -48,8 +48,9 @@ class Rollout:
 
     Computed when first asked for, at every sample, NaN where there is no dynamics, the last input held on at the end:
     ``wrench`` (batch, steps + 1, n, 6), joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components;
-    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; ``energy`` (.., 2), kinetic, potential, J;
-    ``drive_power`` (.., n_tau), W; what sensors measure at markers, as of :class:`.runs.Run`.
+    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; what functions report, as ``energy``
+    (.., 2), kinetic, potential, J, and ``drive_power`` (.., n_tau), W; what sensors measure at markers, as of
+    :class:`.runs.Run`.
     """
 
     t: np.ndarray

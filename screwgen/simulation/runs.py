@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import secrets
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
@@ -43,8 +43,8 @@ class Run:
     `t` (N,); `q` (N, nq): coordinates, joints then modes; `v` (N, nv): their rates; `tau` (N, n_tau): the torques held
     from each sample to the next; `wrench` (N, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i at
     the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame. The names
-    belong to the columns. What functions of the robot report at every sample: `energy` (N, 2), J: kinetic, potential;
-    `drive_power` (N, n_tau), W: torque of each drive times the rate of what it turns, force times that of its travel.
+    belong to the columns. What functions of the robot report at every sample are attributes by the names of these, see
+    docs/functions.md, as `energy` (N, 2), J: kinetic, potential, and `drive_power` (N, n_tau), W.
 
     Computed when first asked for: `accelerometer` (N, m, 3), m/s², `gyro` (N, m, 3), rad/s, and the others of
     `MEASURED`, at the markers in the order of `model.marker_names`; `strain` (N, strains), as `model.strain_names`.
@@ -62,7 +62,8 @@ class Run:
     v_names: tuple[str, ...]
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
-    drive_power: np.ndarray | None = None
+    told: Mapping[str, np.ndarray] = field(default_factory=dict)
+    """What functions report besides the energy, by their names: `run.drive_power` is `run.told["drive_power"]`."""
     validity: Validity | None = None
     """The validity measures of the motion; files do not store them."""
     hits: tuple[Hit, ...] = ()
@@ -79,7 +80,10 @@ class Run:
     """The model, of a run that is not from a file."""
 
     def __getattr__(self, name: str) -> Any:
-        """What sensors measure at the samples, by the names of the functions: computed when it is first asked for."""
+        """What functions report, None where a file of an earlier version lacks it; and what sensors measure at the
+        samples, computed when it is first asked for."""
+        if name in REPORTED:
+            return self.told.get(name)
         if name not in MEASURED:
             raise AttributeError(f"'Run' has no attribute '{name}'", name=name, obj=self)
         if self.robot is None:
@@ -88,6 +92,13 @@ class Run:
         samples, model = {"q": self.q, "v": self.v, "tau": self.tau, "w_ext": acted}, self._model
         self.__dict__[name] = measured(model, name, samples, model.chain.parameters.vector(self.parameters))
         return self.__dict__[name]
+
+    @classmethod
+    def of(cls, name: str, arrays: Mapping[str, np.ndarray], **more: Any) -> Run:
+        """The run with `arrays` by the names of `ARRAYS`."""
+        told = {key: values for key, values in arrays.items() if key not in NEEDED}
+        own: dict[str, Any] = {key: arrays[key] for key in NEEDED}
+        return cls(name, **own, told=told, **more)
 
     @cached_property
     def _model(self) -> RobotModel:

@@ -108,7 +108,7 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         except RobotFileError as error:
             raise UsageError(f"{error}; name the robot's file by --robot") from None
     name = robot.name if robot is not None else ""
-    return Run(name, **arrays, **names, robot=robot, **more)
+    return Run.of(name, arrays, **names, robot=robot, **more)
 
 
 def view_modes(model: Model, q: np.ndarray, found: ModeShapes) -> View:

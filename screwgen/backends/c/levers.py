@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...algorithms.robot_functions import levers
+from ...algorithms.robot_programs import levers
 from ...elements import TRAVELS
 from ...topology.chain import Chain
 from .code import Place

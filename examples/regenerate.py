@@ -1,8 +1,8 @@
 """Writes generated/: the committed output of the example robots. Usage: regenerate.py [FOLDER].
 
-C, LaTeX and READMEs are kept in full. Of CasADi's functions and of the HTML, which depend on the versions of CasADi and
-latex2mathml, digests are kept: in each robot's MANIFEST.sha256, and with sizes, signatures and values in
-left_out.json.
+C, LaTeX and READMEs are kept in full. Of CasADi's functions, without those of sensors, and of the HTML, which depend
+on the versions of CasADi and latex2mathml, digests are kept: in each robot's MANIFEST.sha256, and with sizes,
+signatures and values in left_out.json.
 """
 
 import hashlib
@@ -15,7 +15,8 @@ import casadi as ca
 import numpy as np
 
 import screwgen
-from screwgen.backends.casadi.functions import signature
+from screwgen.backends.casadi.functions import chosen, signature
+from screwgen.simulation.measured import MEASURED
 
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES = ("ella", "six_link")
@@ -27,7 +28,7 @@ def main(folder: Path) -> None:
     left_out = {}
     for name in EXAMPLES:
         model = screwgen.derive(screwgen.load(ROOT / "examples" / f"{name}.toml"))
-        files = model.write(folder / name, functions="all")
+        files = model.write(folder / name, functions=[x for x in chosen("all", model.casadi()) if x not in MEASURED])
         for path in (Path(name) / file for file in files):
             if path.suffix in MADE_BY:
                 left_out[path.as_posix()] = described(folder / path, model.parameter_values)

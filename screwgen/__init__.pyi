@@ -1,4 +1,4 @@
-"""The public names, for type checkers."""
+"""The public names with the modules that define them: for type checkers, and for the package, which reads this."""
 
 from .backends.numpy.closing import OpenLoopError as OpenLoopError
 from .errors import RobotFileError as RobotFileError
@@ -7,6 +7,7 @@ from .errors import SingularError as SingularError
 from .errors import UsageError as UsageError
 from .interchange.load import ImportNote as ImportNote
 from .interchange.load import load as load
+from .joints.screw import Screw as Screw
 from .model import Model as Model
 from .model import derive as derive
 from .simulation.control_loop import ControlLoopWarning as ControlLoopWarning
@@ -39,7 +40,6 @@ from .spec.robot import Damping as Damping
 from .spec.robot import Link as Link
 from .spec.robot import Modes as Modes
 from .spec.robot import Robot as Robot
-from .spec.screw import Screw as Screw
 from .spec.section import Section as Section
 from .spec.transmission import Transmission as Transmission
 from .studies.analysis import Analysis as Analysis

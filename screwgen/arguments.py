@@ -12,8 +12,8 @@ from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
+from .elements import TRAVELS
 from .errors import UnknownNameError, UsageError
-from .spec.four_bar import LENGTHS
 from .spec.load import one_line
 from .spec.modes import NEEDS
 from .spec.parameters import Parameter, parameters
@@ -109,6 +109,8 @@ def nearest(name: str, known: Sequence[str]) -> str:
 # ------------------------------------------------------------------------------ parameters
 
 Numbers = Sequence[float] | np.ndarray
+Loads = Numbers | Sequence[Numbers] | None
+"""Torques (n_tau,), or wrenches (n, 6) in rows or flat; None: all are zero."""
 Given = Numbers | Mapping[str, Any] | None
 """Values of all parameters, or of some by name; None: the robot file's."""
 
@@ -132,17 +134,27 @@ def parameters_keyword(function: Callable[_P, _R]) -> Callable[_P, _R]:
     return call
 
 
+TRAVELLING = {
+    sign: [
+        f"joint.drives.transmission.{kind.TABLE}{name}"
+        for kind in TRAVELS
+        for name, key in kind.KEYS.items()
+        if key.sign == sign
+    ]
+    for sign in ("any", "positive")
+}
+"""The fields of transmissions by the sign of their numbers."""
 FREE = (
     *("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia"),
-    *("joint.limits.lower", "joint.limits.upper", "joint.drives.transmission.angle"),
-    "joint.drives.transmission.four_bar.angle",
+    *("joint.limits.lower", "joint.limits.upper"),
+    *TRAVELLING["any"],
 )
 """Fields whose numbers may have either sign."""
 
-DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity", "transmission.crank", "transmission.base")
+DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity")
 POSITIVE = (
     *("length", "rhoA", "joint.limits.stiffness", *(f"joint.drives.{name}" for name in DRIVES)),
-    *(f"joint.drives.transmission.four_bar.{name}" for name in LENGTHS),
+    *TRAVELLING["positive"],
 )
 
 

@@ -15,7 +15,7 @@ import zipfile
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, BinaryIO, NamedTuple
+from typing import IO, Any, BinaryIO, NamedTuple
 
 import numpy as np
 
@@ -200,7 +200,7 @@ def sound(values: np.ndarray) -> bool:
         return bool((np.abs(values.astype(float)) < LARGEST).all())
 
 
-def _exactly(stream, size: int) -> bytearray:
+def _exactly(stream: IO[bytes], size: int) -> bytearray:
     """So many bytes, read in pieces."""
     out, at = bytearray(size), 0
     while piece := stream.read(min(PIECE, size - at + 1)):
@@ -211,7 +211,7 @@ def _exactly(stream, size: int) -> bytearray:
     return out
 
 
-def _header(stream) -> Header:
+def _header(stream: IO[bytes]) -> Header:
     """What stands at the head of an array; the stream is then at its first byte."""
     readers = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
     version = np.lib.format.read_magic(stream)

@@ -17,7 +17,7 @@ import shutil
 import stat
 import sys
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -76,7 +76,7 @@ def check_folder(target: Path) -> dict[str, str]:
     return {name: digest for name, digest in known.items() if (target / name).is_file()}
 
 
-def _mode(entry: Path, kind) -> bool:
+def _mode(entry: Path, kind: Callable[[int], bool]) -> bool:
     """Whether an entry is of a kind itself, without following it."""
     return kind(entry.lstat().st_mode)
 

@@ -9,10 +9,10 @@ import os
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import target_files
-from .arguments import choice
+from .arguments import Given, Loads, Numbers, choice
 from .errors import UsageError
 from .folder import check_folder, write_folder
 from .integrators.method import Method
@@ -21,6 +21,10 @@ from .robot_model import RobotModel
 from .simulation.validity import Validity, validity, validity_at_rest
 from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
+
+if TYPE_CHECKING:
+    from .runtime.compiled import Compiled
+    from .runtime.mpc import CompiledMpc
 
 TARGETS = ("c", "casadi", "latex")
 """What is written unless targets are named."""
@@ -36,7 +40,14 @@ class Model(RobotModel):
     """
 
     def linearise(
-        self, q, v=None, tau=None, w_ext=None, parameters=None, outputs=OUTPUTS, inputs=INPUTS
+        self,
+        q: Numbers,
+        v: Numbers | None = None,
+        tau: Loads = None,
+        w_ext: Loads = None,
+        parameters: Given = None,
+        outputs: Sequence[str] | str = OUTPUTS,
+        inputs: Sequence[str] | str = INPUTS,
     ) -> LinearModel:
         """The linear model about a state, by exact derivatives: A, B, C, D with names, units and operating point.
 
@@ -46,13 +57,16 @@ class Model(RobotModel):
         ``rotor_rates`` (of elastic drives), ``modes``, ``mode_rates``, ``base_pose``, ``base_twist`` (of a floating
         base), ``tip_position``, ``tip_velocity``, ``tip_acceleration`` (inertial frame), ``wrenches`` (of the joints),
         ``base_strain`` (of each link's beam: axial strain; curvature u'', 1/m, which times the distance from the
-        neutral axis is the strain that bending adds there; twist); ``inputs``: out of ``torques``, ``tip_wrench``,
-        ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext`` stands for all entries below it.
+        neutral axis is the strain that bending adds there; twist), ``strain`` (the same also at markers); ``inputs``:
+        out of ``torques``, ``tip_wrench``, ``wrenches_on_tips``.  A name such as ``forearm.tau`` or ``forearm.w_ext``
+        stands for all entries below it.
         Raises UsageError, and SingularError that names the joint.
         """
         return linearise(self, q, v, tau, w_ext, parameters, outputs, inputs)
 
-    def validity(self, q, v=None, tau=None, w_ext=None, parameters=None) -> Validity:
+    def validity(
+        self, q: Numbers, v: Numbers | None = None, tau: Loads = None, w_ext: Loads = None, parameters: Given = None
+    ) -> Validity:
         """How far every link is from the limits of the first-order model, in a state.
 
         ``q`` (nq,), ``v`` (nv,), ``tau`` (n_tau,), ``w_ext`` (n, 6): what is left out is zero; ``parameters``: in
@@ -60,23 +74,23 @@ class Model(RobotModel):
         """
         return validity(self, q, v, tau, w_ext, parameters)
 
-    def validity_at_rest(self, q, w_ext=None, parameters=None) -> Validity:
+    def validity_at_rest(self, q: Numbers, w_ext: Loads = None, parameters: Given = None) -> Validity:
         """The same at rest, with the posture ``q`` (nq,) held against gravity and ``w_ext`` (n, 6)."""
         return validity_at_rest(self, q, w_ext, parameters)
 
     def write(
         self,
-        folder,
-        targets=TARGETS,
-        parameters="runtime",
-        layout="auto",
-        batch=False,
-        derivatives=False,
-        estimator=False,
+        folder: str | os.PathLike[str],
+        targets: Sequence[str] = TARGETS,
+        parameters: str = "runtime",
+        layout: str = "auto",
+        batch: bool = False,
+        derivatives: bool = False,
+        estimator: bool = False,
         functions: str | Sequence[str] | None = None,
         methods: Sequence[Method] = (),
         mpc: str | os.PathLike | None = None,
-        outputs=False,
+        outputs: bool = False,
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
@@ -88,18 +102,24 @@ class Model(RobotModel):
         ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
-        of a predictive controller; ``outputs``: also C of what runs report.  Writes all or nothing; refuses folders
-        with other files (:class:`UsageError`).
+        of a predictive controller; ``outputs``: also C of what runs report and sensors measure, and of units these
+        as outputs.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
         """
-        options = {"parameters": parameters, "layout": layout, "methods": methods}
-        more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "mpc": mpc, "outputs": outputs}
+        options: dict[str, Any] = {"parameters": parameters, "layout": layout, "methods": methods}
+        more: dict[str, Any] = {
+            "batch": batch,
+            "derivatives": derivatives,
+            "estimator": estimator,
+            "mpc": mpc,
+            "outputs": outputs,
+        }
         check_folder(Path(folder))
         makers = {
             "c": lambda: self.c_files(**options, **more),
             "casadi": lambda: self.casadi_files(functions),
             "latex": lambda: target_files.latex_files(self.robot, self._plugins),
         }
-        makers |= {t: partial(target_files.unit_files, self, t, **options) for t in UNITS}
+        makers |= {t: partial(target_files.unit_files, self, t, **options, sensors=outputs) for t in UNITS}
         unknown = [t for t in targets if t not in makers]
         if unknown:
             raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(makers)}")
@@ -107,7 +127,7 @@ class Model(RobotModel):
         return write_folder(folder, files, tuple(targets))
 
     def c_files(
-        self, parameters="runtime", layout="auto", mpc: str | os.PathLike | None = None, **options
+        self, parameters: str = "runtime", layout: str = "auto", mpc: str | os.PathLike | None = None, **options: Any
     ) -> dict[str, bytes]:
         """The files of the C target, ``options`` as :meth:`write` takes them.
 
@@ -117,14 +137,14 @@ class Model(RobotModel):
 
     def compile(
         self,
-        layout="auto",
-        precision="double",
-        derivatives=False,
+        layout: str = "auto",
+        precision: str = "double",
+        derivatives: bool = False,
         flags: Sequence[str] | None = None,
         cache: bool | str | os.PathLike = True,
-        parameters="runtime",
+        parameters: str = "runtime",
         methods: Sequence[Method] = (),
-    ):
+    ) -> Compiled:
         """The C, compiled and loaded: a :class:`screwgen.runtime.compiled.Compiled`, functions on NumPy arrays.
 
         ``layout``, ``parameters``, ``derivatives`` and ``methods``: as :meth:`write` takes them; ``precision``:
@@ -136,8 +156,8 @@ class Model(RobotModel):
 
         return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods)
 
-    def mpc(self, file: str | os.PathLike, **options):
-        """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.Mpc`."""
+    def mpc(self, file: str | os.PathLike, **options: Any) -> CompiledMpc:
+        """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.CompiledMpc`."""
         from .studies.predictive import controller
 
         return controller(self, file, **options)

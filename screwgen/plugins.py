@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import numpy as np
     import typer
 
+    from .arguments import Loads, Numbers
     from .ir.block import Block
     from .spec.link_class import LinkClass
     from .spec.robot import Robot
@@ -33,7 +34,7 @@ CHECKOUT = Path(__file__).resolve().parents[1] / "pyproject.toml"
 T = TypeVar("T")
 
 
-class Chapter(Protocol):
+class PluginChapter(Protocol):
     """What a plug-in adds to a document, made of :mod:`.backends.latex.content`."""
 
     @property
@@ -56,7 +57,9 @@ class Formulation(Protocol):
     def model(self) -> Any:
         """The derived :class:`screwgen.Model` with the same coordinates, kinematics and energies."""
 
-    def forward_dynamics(self, q, v, tau, w_ext=None) -> tuple[np.ndarray, np.ndarray]:
+    def forward_dynamics(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nq,) and the joint wrenches (n, 6) at ``q``, ``v`` (nq,), torques and tip wrenches (n, 6)."""
 
     def record(self) -> dict:
@@ -85,7 +88,7 @@ class Plugin:
     """What makes CasADi functions, by name."""
     casadi_notes: str = ""
     """What the README of the CasADi functions says of them, in Markdown."""
-    chapter: Callable[[Chain], Chapter | None] = lambda _: None
+    chapter: Callable[[Chain], PluginChapter | None] = lambda _: None
     """What a robot's document says, before its link classes."""
     trees: bool = True
     """Whether documents of robots that are no chains have its blocks and its chapter."""

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from .algorithms.dae_functions import dae_names
+from .algorithms.gauges import strain_names
 from .algorithms.scope import derived
 from .arguments import Given, parameters_keyword
 from .backends.numpy.loop_rows import choose_rows
@@ -24,7 +25,10 @@ from .topology.chain import Chain
 from .version import __version__ as VERSION
 
 if TYPE_CHECKING:
+    from .backends.casadi.acados import AcadosExport
     from .backends.casadi.functions import Made
+
+_T = TypeVar("_T")
 
 
 class RobotModel:
@@ -45,15 +49,16 @@ class RobotModel:
         names = coordinate_names(robot)
         self.q_names, self.v_names = list(names.q), list(names.v)
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
+        self.marker_names, self.strain_names = [m.name for m in self.chain.markers], list(strain_names(self.chain))
         self.parameter_names = [p.name for p in parameters(robot)]
         self.parameter_values = [p.value for p in parameters(robot)]
         self._kept: dict[Hashable, object] = {}
 
-    def once(self, key: Hashable, make: Callable[[], object]):
+    def once(self, key: Hashable, make: Callable[[], _T]) -> _T:
         """What ``make`` returns; made when ``key`` is first asked for, and kept as long as the model."""
         if key not in self._kept:
             self._kept[key] = make()
-        return self._kept[key]
+        return cast(_T, self._kept[key])
 
     def made(self, key: Hashable) -> bool:
         """Whether :meth:`once` has made it."""
@@ -125,9 +130,9 @@ class RobotModel:
     @cached_property
     def _casadi(self) -> Made:
         from .backends.casadi import functions as casadi
-        from .backends.casadi import motion as casadi_motion
+        from .backends.casadi import steps
 
-        own = (casadi.functions, casadi.dae_functions, casadi_motion.motion_functions)
+        own = (casadi.functions, casadi.dae_functions, steps.motion_functions)
         integrands = {
             "ode": lambda: casadi.ode(self.chain, found["forward_dynamics"]),
             "dae": lambda: casadi.dae(self.chain, found["assemble"]),
@@ -144,21 +149,21 @@ class RobotModel:
         ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
         ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
         """
-        from .backends.casadi.motion import steps
+        from .backends.casadi.steps import steps
         from .integrators.methods import with_built_in
 
         with_built_in(more := tuple(methods))
         made = lambda: self._casadi.joined(steps(self.chain, more))  # noqa: E731
         return self.once(("casadi", more), made) if more else self._casadi
 
-    def jax(self, precision="double", forward_mode=False, methods: Sequence[Method] = ()) -> Mapping:
+    def jax(self, precision: str = "double", forward_mode: bool = False, methods: Sequence[Method] = ()) -> Mapping:
         """The functions on arrays of JAX by the names of :meth:`casadi`, pure and jitted; :mod:`.backends.jax`."""
         from .backends.jax import functions
 
         given = (self.chain, precision, forward_mode, tuple(methods))
-        return self.once(("jax", given[1:]), partial(functions, *given))  # type: ignore[return-value]
+        return self.once(("jax", given[1:]), partial(functions, *given))
 
-    def acados(self, form="joint", parameters="runtime", w_ext=False):
+    def acados(self, form: str = "joint", parameters: str = "runtime", w_ext: bool = False) -> AcadosExport:
         """The model in the fields of acados' ``AcadosModel``, on SX: an :class:`AcadosExport`.
 
         ``form``: ``"joint"``: x = [q; v] (2 nq), ``f_expl_expr`` and ``f_impl_expr``, z empty; ``"dae"``: x and z of
@@ -172,7 +177,7 @@ class RobotModel:
         return acados(self.chain, self.casadi(), form, parameters, w_ext)
 
     @cached_property
-    def statics(self):
+    def statics(self) -> Callable[..., Any]:
         """The CasADi function ``(q, w_ext, p) -> (potential, force, stiffness, weight, wrench, tip)`` of rest."""
         from .backends.casadi.linear import statics
 

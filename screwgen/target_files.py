@@ -44,7 +44,7 @@ def latex_files(robot: Robot, plugins: Sequence[Plugin]) -> dict[str, bytes]:
     return {f"{robot.name}{end}": make(shown).encode() for end, make in made.items()}
 
 
-def unit_files(model: RobotModel, target: str, **options) -> dict[str, bytes]:
+def unit_files(model: RobotModel, target: str, **options: Any) -> dict[str, bytes]:
     """Of a functional mock-up unit; options as :func:`screwgen.runtime.fmu.unit_files` takes them."""
     from .runtime import fmu
 

@@ -102,7 +102,7 @@ def _run() -> bytes:
     from screwgen.simulation.runs import write_npz
 
     out = io.BytesIO()
-    write_npz(screwgen.simulate(model(), 0.004, 1e-3, backend="numpy"), out)
+    write_npz(screwgen.simulate(model(), 0.004, 1e-3, backend="casadi"), out)
     return out.getvalue()
 
 

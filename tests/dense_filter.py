@@ -36,7 +36,7 @@ class DenseFilter:
 
     def update(self, tau, w_ext, encoder, strain, acceleration):
         """All entries at once; NaN is not measured."""
-        n, driven = self.n, self.model.chain.driven
+        n, driven = self.n, self.model.chain.effort_places
         a, H_a = self.accelerometer(self.x, tau, np.reshape(w_ext, (-1, 6)).T)
         H = np.r_[np.eye(2 * n)[driven], self.gauge_rows, H_a.full()]
         expected = np.r_[self.x[driven], self.gauge_rows @ self.x, a.full()[:, 0]]

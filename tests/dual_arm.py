@@ -43,7 +43,7 @@ def dual_arm(planar: bool = True) -> dict:
 
 def torques(model) -> np.ndarray:
     """Small where they act on rotors."""
-    return model.chain.at_rotors(0.5 * np.cos(1.0 + np.arange(model.n_tau)), model.parameter_values)
+    return model.chain.at_efforts(0.5 * np.cos(1.0 + np.arange(model.n_tau)), model.parameter_values)
 
 
 def start(model, seed: int = 3) -> tuple[np.ndarray, np.ndarray]:
@@ -52,7 +52,7 @@ def start(model, seed: int = 3) -> tuple[np.ndarray, np.ndarray]:
     q, v = np.array(chain.home), 0.3 * rng.normal(size=chain.nv)
     q[:3], turn = rng.normal(size=3), rng.normal(size=4)
     q[3:7] = turn / np.linalg.norm(turn)
-    q[7 : chain.eta_q] = chain.relaxed(POSTURE[chain.n_joints == 4], p)
-    v[6 : chain.eta_v] = chain.relaxed(v[6 : 6 + chain.n_joints], p)
+    q[7 : chain.eta_q] = chain.with_added(POSTURE[chain.n_joints == 4], p)
+    v[6 : chain.eta_v] = chain.with_added(v[6 : 6 + chain.n_joints], p)
     v[chain.eta_v :] = 0.02 * rng.normal(size=chain.n_modes)
     return (q := assemble(model, q)), moving(model.numpy(), q, v)

@@ -27,21 +27,21 @@ def small() -> dict:
 
 
 @cache
-def written(target: str, make=small):
-    """The model and the path of its unit."""
+def written(target: str, make=small, outputs=False):
+    """The model and the path of its unit; ``outputs``: with what sensors measure."""
     fmu.FLAGS = (*QUICK, "-fvisibility=hidden")
     model = model_of(make())
     folder = Path(mkdtemp(prefix="screwgen-fmi-"))
-    model.write(folder / "out", targets=(target,))
+    model.write(folder / "out", targets=(target,), outputs=outputs)
     return model, folder / "out" / target / f"{model.robot.name}.fmu"
 
 
 class Unit:
     """An instance of a unit in a form of `KINDS`; variables are known by their names."""
 
-    def __init__(self, target: str, kind: str, make=small):
+    def __init__(self, target: str, kind: str, make=small, outputs=False):
         self.target, self.kind = target, kind
-        self.model, path = written(target, make)
+        self.model, path = written(target, make, outputs)
         self.description = read_model_description(str(path))
         self.references = {x.name: x.valueReference for x in self.description.modelVariables}
         folder, name = extract(str(path)), self.model.robot.name

@@ -27,6 +27,7 @@ from pydantic import ValidationError
 from test_loops import JOINTS
 
 from screwgen import Model
+from screwgen.elements import CYLINDER, STOP, FourBarLinkage
 
 LIMITS = {
     "branching": 0.4,
@@ -246,9 +247,9 @@ def described(case: Mixed) -> str:
         "rows": len(chain.closures),
         "floating": int(case.floating),
         "tree": int(not chain.tree.is_chain),
-        "stops": len(chain.stops),
-        "cylinders": len(chain.pushed),
-        "linkages": len(chain.linked),
+        "stops": len(chain.acted(STOP)),
+        "cylinders": sum(x == CYLINDER for x in chain.travels.values()),
+        "linkages": sum(isinstance(x, FourBarLinkage) for x in chain.travels.values()),
         "places": sum(map(len, (k.stations_at for k in keys))),
     }
     return " ".join(f"{k} {n}" for k, n in parts.items() if n)

@@ -28,7 +28,7 @@ def strains(robot, q, fibre: float) -> list[float]:
 def measured(robot, q, v, tau, w_ext, rng, noise: Noise, accelerometer=True) -> dict:
     """Measurements by their names, with their noise."""
     chain = robot.chain
-    turns = q[chain.base_q :][np.array(chain.driven) - chain.base_v]
+    turns = q[chain.base_q :][np.array(chain.effort_places) - chain.base_v]
     z = {"encoder": turns, "strain": strains(robot, q, noise.fibre)}
     if accelerometer:
         z["acceleration"] = felt(robot, q, v, tau, w_ext)

@@ -8,12 +8,13 @@ import numpy as np
 from helpers import relative
 
 from screwgen.algorithms import fused
-from screwgen.algorithms.exponential import Series
 from screwgen.backends.casadi.functions import expressions
-from screwgen.backends.casadi.motion import step
+from screwgen.backends.casadi.steps import step
+from screwgen.elements import FRICTION, STOP
 from screwgen.integrators import METHODS
-from screwgen.integrators.se3 import FLAT, Floating, programs
+from screwgen.integrators.space import FLAT, Curved, replayed
 from screwgen.ir.replay import run
+from screwgen.joints.exponential import Series
 
 DIGITS = 50
 SHIFT = "1e-16"
@@ -36,7 +37,9 @@ def point(model, seed=3, angle=0.8, modal=0.01, rate=1.0):
     rng, chain = np.random.default_rng(seed), model.chain
     q, v = np.array(chain.home), rate * rng.uniform(-1, 1, chain.nv)
     joints = rng.uniform(-angle, angle, chain.n_joints)
-    q[chain.base_q :] = np.r_[chain.relaxed(joints, model.parameter_values), rng.uniform(-modal, modal, chain.n_modes)]
+    q[chain.base_q :] = np.r_[
+        chain.with_added(joints, model.parameter_values), rng.uniform(-modal, modal, chain.n_modes)
+    ]
     v[chain.eta_v :] *= 0.1
     if chain.floating:
         q[:7] = rng.normal(size=7)
@@ -52,7 +55,7 @@ def by_casadi(model, method, q, v, tau, w_ext, h):
     chain = model.chain
     nq, nv, f = chain.nq, chain.nv, step(chain, METHODS.get(method, method), "step")
     x, u, given = ca.SX.sym("x", 2 * nv), ca.SX.sym("u", chain.n_tau), ca.SX.sym("q", nq)
-    moved = expressions(programs(nq, nv)[0], {"q": given, "u": x[:nv]})["q"] if chain.floating else given + x[:nv]
+    moved = replayed(chain, expressions).moved(given, x[:nv])
     after, rates = f(moved, v + x[nv:], u, np.reshape(w_ext, (-1, 6)).T, model.parameter_values, h)
     middle = ca.SX.sym("middle", nq)
     change = ca.vertcat(_pose_change(middle, after), after[7:]) if chain.floating else after
@@ -92,10 +95,10 @@ class Precise:
         n, (q_there, v_there) = chain.n_given, there or (q, v)
         M, K, D = (self.own[name].copy() for name in ("M_eta", "K", "D"))
         x, rate, later = q[len(q) - n :], v[len(v) - n :], v_there[len(v) - n :]
-        for k, i in enumerate(chain.dry):
+        for k, i in enumerate(x.coordinate for x in chain.acted(FRICTION)):
             D[i] += self.own["coulomb"][k] / mpmath.sqrt(later[i] ** 2 + self.own["speed"][k])
         m, f = M + h * (D + h * K), chain.modal_product(K, x + h * rate) + chain.modal_product(D, rate)
-        for k, (i, side) in enumerate(chain.stops):
+        for k, (_, i, side) in enumerate(chain.acted(STOP)):
             columns = (self.own[name][k] for name in ("stop_at", "stop_K", "stop_D"))
             stiffness, damping, rest = stop_secants(side, x[i], rate[i], later[i], h, *columns)
             m[i] += h * (damping + h * stiffness)
@@ -124,7 +127,7 @@ def by_differences(model, method, q, v, tau, w_ext, h):
         chain, shift, nv = model.chain, mpmath.mpf(SHIFT), model.chain.nv
         number = np.vectorize(mpmath.mpf, otypes=[object])
         series = Series(lambda x: fused.precise("c4", x), lambda x: fused.precise("c5", x))
-        space = Floating(series) if chain.floating else FLAT
+        space = Curved(chain, series) if chain.curved else FLAT
         q, v, tau, h = number(q), number(v), number(tau), mpmath.mpf(h)
 
         def moved(k: int, by) -> tuple:

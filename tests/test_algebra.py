@@ -26,8 +26,8 @@ from screwgen.algebra.expression import (
     unit,
     zeros,
 )
-from screwgen.algebra.functions import stumpff
 from screwgen.algebra.rate import rate, turned_rate
+from screwgen.algebra.stumpff import stumpff
 
 RNG = np.random.default_rng(0)
 SHAPES = {"a": (3, 1), "b": (3, 1), "s": (1, 1), "A": (3, 3), "B": (3, 3), "P": (3, 2), "t": (1, 1)}

@@ -12,7 +12,7 @@ from helpers import arm, equal_links, example, link, model_of, quick
 import screwgen
 from screwgen.integrators import METHODS
 from screwgen.simulation.controllers import PD
-from screwgen.simulation.integrate import Dynamics, Held
+from screwgen.simulation.integrate import Dynamics, HeldAccelerations
 from screwgen.simulation.linearised import Linearised
 from screwgen.simulation.state import State
 from screwgen.studies.analysis import sample_states
@@ -98,7 +98,7 @@ def test_maps_of_one_evaluation_are_derivatives_of_the_c_step_in_any_state(metho
 def test_every_map_is_the_derivative_of_the_step_at_an_equilibrium(method, name):
     model = example(name)
     q, v, tau = equilibrium(model, np.linspace(-0.5, 0.9, model.n_joints))
-    held = Held(Dynamics(model, model.parameter_values), tau, np.zeros((model.n_links, 6)))
+    held = HeldAccelerations(Dynamics(model, model.parameter_values), tau, np.zeros((model.n_links, 6)))
 
     def step(x):
         return np.concatenate(METHODS[method].step(held, *np.split(x, 2), 5e-4))
@@ -126,7 +126,7 @@ def test_a_controller_acts_on_the_state_at_the_steps_start():
 def test_growth_predicted_is_growth_of_a_run():
     model, omega = single()
     h, steps = 1e-3, 400
-    run = screwgen.simulate(model, steps * h, h, [1e-3], integrator="euler", backend="numpy")
+    run = screwgen.simulate(model, steps * h, h, [1e-3], integrator="euler", backend="casadi")
     S = step_map(model, "euler", [0.0], [0.0], h)
     amplitude = np.hypot(run.q[:, 0] * omega, run.v[:, 0])
     assert growth(S) == pytest.approx(np.sqrt(1 + (omega * h) ** 2), rel=1e-12)

@@ -12,8 +12,8 @@ import screwgen
 from screwgen import UsageError
 from screwgen.backends.numpy.closing import moving
 from screwgen.simulation.linearised import Linearised
-from screwgen.simulation.linearised_loops import Shut
-from screwgen.simulation.stable_steps import Held
+from screwgen.simulation.linearised_loops import LinearisedWithLoops
+from screwgen.simulation.stable_steps import LinearisedMotions
 from screwgen.studies.analysis.analyse import first_state, sample_states
 from screwgen.studies.analysis.spectrum import step_map
 
@@ -82,7 +82,7 @@ def running(bent):
 
 def test_the_spectrum_of_a_moving_linkage_is_that_of_its_linear_model(bent, running):
     """CasADi's derivatives of another program."""
-    motion, expected = Shut(bent, *running), bent.linearise(*running)
+    motion, expected = LinearisedWithLoops(bent, *running), bent.linearise(*running)
     assert np.allclose(motion.jacobian, expected.A, rtol=1e-9, atol=1e-9 * np.abs(expected.A).max())
     assert tuple(motion.names) == expected.state_names[: len(motion.names)]
 
@@ -102,7 +102,7 @@ def test_a_step_map_is_the_derivative_of_the_step_at_rest(bent, method):
     step = lambda x: np.concatenate(stepper.step(stepper.initial(*np.split(x, 2)), rest.tau, w_ext, 1e-3))  # noqa: E731
     expected = np.array([(step(x + 1e-5 * e) - step(x - 1e-5 * e)) / 2e-5 for e in np.eye(len(x))]).T
     assert np.abs(found - expected).max() < 1e-6 * np.abs(expected).max()
-    shut = Shut(bent, rest.q, np.zeros(bent.nv), rest.tau)
+    shut = LinearisedWithLoops(bent, rest.q, np.zeros(bent.nv), rest.tau)
     own = np.linalg.eigvals(shut.step_map(method, 1e-3))
     both = np.append(own, shut.closing_factors(method, 1e-3))
     assert np.allclose(np.poly(both), np.poly(found), rtol=0, atol=1e-7 * np.abs(np.poly(both)).max())
@@ -115,7 +115,8 @@ def test_held_by_constant_forces_the_modes_are_heavier_within_the_loops(bent):
     free, held = motion.slopes(2e-3), motion.trimmed().slopes(2e-3)
     for one, other in zip(free, held, strict=True):
         assert np.allclose(one, other, rtol=1e-7, atol=1e-7 * np.abs(one).max())
-    assert Held(Shut(bent, rest.q, np.zeros(bent.nv), rest.tau).trimmed()).bears("modal_midpoint", 1e-3)
+    looped = LinearisedWithLoops(bent, rest.q, np.zeros(bent.nv), rest.tau)
+    assert LinearisedMotions(looped.trimmed()).bears("modal_midpoint", 1e-3)
 
 
 def test_the_report_says_what_loops_leave(bent, running):

@@ -11,7 +11,7 @@ from scipy.linalg import eigh
 
 from screwgen.bases import BASES, of_order, products
 from screwgen.bases import shapes as shapes_of
-from screwgen.bases.functions import ClosedForm, inner, polynomial_form
+from screwgen.bases.closed_form import ClosedForm, inner, polynomial_form
 from screwgen.bases.shapes import Family, Shapes, latex_number, tabulate, working_digits
 
 MANY = 32

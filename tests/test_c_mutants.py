@@ -8,7 +8,7 @@ from helpers import arm, model_of
 from mutants import Folder, Mutant, mutants, spread
 
 from screwgen.backends.c.project import CProject
-from screwgen.spec.screw import Screw
+from screwgen.joints.screw import Screw
 
 SOUGHT = 0.95
 """The fraction of all mutants that the self-check must find."""

@@ -122,7 +122,7 @@ def test_a_terminal_is_told_that_a_predictive_controller_is_built(monkeypatch):
     """Its derivation and compilation take minutes; what is no terminal stays silent."""
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setattr(predictive, "fitted", lambda *_: "fitted")
-    monkeypatch.setattr(predictive, "Mpc", lambda *given: given)
+    monkeypatch.setattr(predictive, "CompiledMpc", lambda *given: given)
     for watched in (True, False):
         stream = io.StringIO()
         monkeypatch.setattr(stream, "isatty", lambda watched=watched: watched)

@@ -332,7 +332,7 @@ def test_parameters_of_no_robot_are_refused_wherever_they_enter(ella):
         lambda: model.linearise([0.0] * 3, parameters=bad),
         lambda: screwgen.equilibrium(model, hold=True, parameters=bad),
         lambda: screwgen.natural_frequencies(model, parameters=bad),
-        lambda: screwgen.simulate(model, 0.01, 1e-3, parameters=bad, backend="numpy"),
+        lambda: screwgen.simulate(model, 0.01, 1e-3, parameters=bad, backend="casadi"),
         lambda: screwgen.rollout(model, np.zeros(18), step=1e-3, steps=1, parameters=bad),
     )
     for call in calls:

@@ -12,9 +12,9 @@ from helpers import example_dict, model_of
 import screwgen
 from screwgen.cli.main import main
 from screwgen.errors import DivergedError
+from screwgen.simulation.captured_state import CapturedState
 from screwgen.simulation.control_loop import ControlLoopWarning
 from screwgen.simulation.controllers import PD, read_pd
-from screwgen.simulation.pure import Seen
 from screwgen.simulation.validity import ModelValidityWarning
 from screwgen.studies.light_joints import SLOW, light_joints, steps_borne
 
@@ -88,7 +88,7 @@ def test_a_function_that_remembers_is_as_it_was():
         return torque, seen
 
     torque, seen = law(0, [], np.zeros(1))
-    assert Seen(torque).admissible
+    assert CapturedState(torque).admissible
     screwgen.simulate(model, 0.01, 1e-3, q0=[0.2], controller=torque)
     assert seen == pytest.approx([0.0, *np.arange(11) * 1e-3])  # a run asks twice at its start
     assert 12 in [cell.cell_contents for cell in torque.__closure__ if isinstance(cell.cell_contents, int)]
@@ -120,8 +120,8 @@ def test_what_a_function_may_not_see_keeps_it_from_being_asked():
         return [np.random.normal()]
 
     gains = [3.0, 1.0]
-    assert not Seen(objects).admissible and not Seen(noise).admissible
-    assert Seen(lambda t, q, v: -gains[0] * q - gains[1] * np.sin(v)).admissible
+    assert not CapturedState(objects).admissible and not CapturedState(noise).admissible
+    assert CapturedState(lambda t, q, v: -gains[0] * q - gains[1] * np.sin(v)).admissible
     model = loops.model_of_case("a boom")
     assert not loops.said(lambda: screwgen.simulate(model, 0.002, 1e-3, controller=objects)) and memory.called == 4
 
@@ -211,7 +211,7 @@ def test_a_run_without_a_controller_blames_none():
     }  # fmt: skip
     model = model_of({"name": "tower", "gravity": [0.0, 0.0, -9.81], "links": [column]})
     with pytest.raises(DivergedError) as failed:
-        screwgen.simulate(model, 2.0, 1e-3, q0=[1e-3, 0, 0, 0, 0, 0], backend="numpy")
+        screwgen.simulate(model, 2.0, 1e-3, q0=[1e-3, 0, 0, 0, 0, 0], backend="casadi")
     line = str(failed.value)
     assert "controller" not in line and "at the start link 'column': axial load over buckling load is 1.99e+03" in line
 

@@ -80,7 +80,7 @@ def test_random_trees_equal_the_constrained_oracle(seed):
     assert relative(np.ravel(by_casadi), torques) < 1e-9
     loads = np.array(state["w_ext"]) + judge.loop_wrenches(*given)
     needed = oracle.inverse_dynamics(q, v, found, loads)[: model.n_joints]
-    direct = [k for k, place in enumerate(model.chain.actuated) if place == k]
+    direct = [k for k, place in enumerate(model.chain.held_places) if place == k]
     assert relative(needed[direct], (np.array(state["tau"]) + torques)[direct]) < 1e-9
     state = moved(model, q)
     assert error(model, state, judge.derivatives(*state)) < 1e-9

@@ -9,8 +9,9 @@ import sympy as sp
 from screwgen.bodies.energy import energy_block
 from screwgen.bodies.link import LinkBlock
 from screwgen.ir.block import Block
+from screwgen.joints.product import product
+from screwgen.joints.screw import Screw
 from screwgen.spec.link_class import BodyClass, LinkClass
-from screwgen.spec.screw import Screw
 
 DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
@@ -19,7 +20,7 @@ def link_class(basis="polynomial", counts=(1, 2, 1, 1), **given) -> LinkClass:
     """A class of one revolute link that has `given` besides its modes."""
     flags = ("mount_xyz", "mount_rpy", "armature", "joint_damping", "stiffness", "frame_at", "damping")
     absent = dict.fromkeys(flags, False)
-    structure = {"screws": (Screw((0.0, 0.0, 1.0)),), "spin": True, "section_rotation": True, "bodies": ()}
+    structure = {"joint": product([Screw((0.0, 0.0, 1.0))]), "spin": True, "section_rotation": True, "bodies": ()}
     return LinkClass(bases=(basis,) * 4, counts=counts, **(absent | structure | given))
 
 

@@ -9,6 +9,7 @@ from transmitted import acados_agrees
 
 from screwgen import Robot, UsageError, derive, load
 from screwgen.backends.latex import document as latex
+from screwgen.elements import FRICTION
 from screwgen.plugins import plugins
 from screwgen.spec import dump
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
@@ -77,7 +78,9 @@ def test_names_and_units():
     assert model.tau_names[0] == "cart.torque[0]" and model.tau_names[-1] == "tool.force[0]"
     assert coordinate_units(model.robot)[:10] == ["m", *["rad"] * 5, "m", *["rad"] * 3]
     assert force_units(model.robot) == [*["N·m"] * 6, "N"]
-    assert model.chain.driven == [7, 1, 8, 9, 4, 5, 6] and model.chain.dry == [1, 8, 9, 6]
+    assert model.chain.effort_places == [7, 1, 8, 9, 4, 5, 6] and [
+        x.coordinate for x in model.chain.acted(FRICTION)
+    ] == [1, 8, 9, 6]
     assert [name for name in model.dae_names["x"] if ".theta[" in name] == rotors
     assert not [name for name in model.dae_names["z"] if "theta" in name]
 
@@ -121,4 +124,4 @@ def test_the_readme_of_casadi_knows_where_the_states_of_the_dae_stand():
 
 def test_the_example_has_seven_axes_and_six_rotors():
     chain = example("elastic_joint").chain
-    assert (chain.n_tau, chain.n_motors, chain.nq) == (7, 6, 23) and len(chain.dry) == 6
+    assert (chain.n_tau, chain.n_added, chain.nq) == (7, 6, 23) and len(chain.acted(FRICTION)) == 6

@@ -77,8 +77,8 @@ def test_the_dae_of_casadi_moves_rotors_as_the_joint_form_does():
     f = Function("f", [dae[k] for k in ("x", "z", "u", "p")], [dae["ode"], dae["alg"]])
     ode, alg = (y.full()[:, 0] for y in f(x, z, np.append(tau, w_ext), p))
     rotors = [k for k, name in enumerate(model.dae_names["x"]) if ".theta_rate[" in name]
-    expected = c.oracle.forward_dynamics(**c.state)[0][chain.n_joints : chain.n_joints + chain.n_motors]
-    assert np.abs(alg).max() < 1e-9 * np.abs(H.full()).max() and len(rotors) == chain.n_motors == 3
+    expected = c.oracle.forward_dynamics(**c.state)[0][chain.n_joints : chain.n_joints + chain.n_added]
+    assert np.abs(alg).max() < 1e-9 * np.abs(H.full()).max() and len(rotors) == chain.n_added == 3
     assert relative(ode[rotors], expected) < c.tolerance
 
 
@@ -102,7 +102,10 @@ def test_linear_models_equal_differences_of_the_oracle():
 def test_steps_of_c_and_of_both_forms_agree(method):
     c, start = everything(3), dict(q0=everything(3).inputs[0], v0=everything(3).inputs[1])
     given = dict(start, controller=c.inputs[2], integrator=method)
-    runs = [simulate(c.model, 0.01, 1e-4, backend="numpy", **given), simulate(c.model, 0.01, 1e-4, form="dae", **given)]
+    runs = [
+        simulate(c.model, 0.01, 1e-4, backend="casadi", **given),
+        simulate(c.model, 0.01, 1e-4, form="dae", **given),
+    ]
     library = quick(c.model)
     library.q[:], library.v[:] = c.inputs[:2]
     q, v = library.step(*c.inputs[:3], np.zeros((4, 6)), 1e-4, method, 100)
@@ -117,13 +120,13 @@ def test_steps_of_c_and_of_both_forms_agree(method):
 def test_a_stiff_gear_tends_to_the_armature():
     """The error of a motion falls as 1/k: k 1e4 … 1e9 N·m/rad."""
     tau, q, v = np.array([20.0, -5.0]), np.array([0.3, -0.5]), np.array([0.7, -0.4])
-    rigid = simulate(swing(modes=0), 0.1, 1e-4, q, v, tau, backend="numpy", every=50)
+    rigid = simulate(swing(modes=0), 0.1, 1e-4, q, v, tau, backend="casadi", every=50)
     qdd = swing(modes=0).numpy().forward_dynamics(q, v, tau, None)[0]
     errors = []
     for k in 10.0 ** np.arange(4, 10):
         soft = swing(k, modes=0)
         q0 = np.append(q, RATIO * (q + (tau - ARMATURE * qdd) / k))
-        run = simulate(soft, 0.1, 1e-4, q0, v, tau / RATIO, backend="numpy", every=50)
+        run = simulate(soft, 0.1, 1e-4, q0, v, tau / RATIO, backend="casadi", every=50)
         errors.append(np.abs(run.q[:, :2] - rigid.q[:, :2]).max())
     assert 1e-6 < errors[0] < 1e-3
     assert np.allclose(np.array(errors[:-1]) / errors[1:], 10.0, rtol=0.1), errors
@@ -143,7 +146,7 @@ def test_energy_is_kept_without_damping():
     """Of second order in the step, and the power is that of torques, gears and friction."""
     drift = []
     for h in (1e-3, 5e-4):
-        total = simulate(swing(3e3), 0.5, h, [0.3, -0.5], [1.0, 1.0], backend="numpy").energy.sum(axis=1)
+        total = simulate(swing(3e3), 0.5, h, [0.3, -0.5], [1.0, 1.0], backend="casadi").energy.sum(axis=1)
         drift.append(np.abs(total - total[0]).max())
     assert drift[0] < 1e-4 and 2.0 < drift[0] / drift[1] < 6.0
     c = everything(4)
@@ -161,7 +164,7 @@ def test_a_stuck_axis_creeps_as_stated(method, share):
     """Under a torque below dry friction c the rotor turns by w = v_f (tau/c) / sqrt(1 - (tau/c)²)."""
     dry, velocity = 0.4, 0.01
     model = stuck(dry, velocity)
-    run = simulate(model, 4.0, 1e-3, controller=[share * dry, 0.0], backend="numpy", integrator=method, every=100)
+    run = simulate(model, 4.0, 1e-3, controller=[share * dry, 0.0], backend="casadi", integrator=method, every=100)
     w = velocity * share / np.sqrt(1 - share**2)
     assert np.isclose(run.v[-1, 2], w, rtol=1e-6) and np.isclose(run.v[-1, 0] * RATIO, w, rtol=1e-6)
 
@@ -177,7 +180,7 @@ def test_dry_friction_does_not_limit_the_step():
     The midpoint rule leaves its rate an error that changes sign at every step and hardly decays; nothing moves by it.
     """
     for method in ("modal_implicit", "modal_midpoint"):
-        run = simulate(stuck(10.0, 1e-3), 0.5, 1e-3, v0=[0.05, 0.0], backend="numpy", integrator=method)
+        run = simulate(stuck(10.0, 1e-3), 0.5, 1e-3, v0=[0.05, 0.0], backend="casadi", integrator=method)
         assert run.energy[-1].sum() < 0.1 * run.energy[0].sum() and np.ptp(run.q[100:, 2]) < 1e-3
     assert np.abs((run.v[-2] + run.v[-1])[2]) < 0.05 * np.abs(run.v[-1, 2])
 
@@ -208,7 +211,7 @@ def test_a_pd_law_works_through_gears():
     """Gains and limits are those at the joint: the rotor is measured, and gets its share of the torque."""
     model, q = swing(3e3), np.array([0.4, -0.2])
     law = PD((900.0, 400.0), (120.0, 60.0), tuple(q), duration=0.4, tau_max=(150.0, 60.0), gravity=Holding(model))
-    run = simulate(model, 1.0, 1e-3, controller=law, backend="numpy", every=10)
+    run = simulate(model, 1.0, 1e-3, controller=law, backend="casadi", every=10)
     assert np.abs(run.q[-1, :2] - q).max() < 2e-2 and np.abs(run.tau).max() < 150.0 / RATIO
     plain = replace(law, gravity=None)
     runs = [simulate(model, 0.2, 1e-3, controller=plain, backend=b, every=10) for b in ("c", "numpy")]

@@ -13,8 +13,9 @@ from helpers import Case, arm, drawn, link, model_of, quick, relative
 from judges import compiled, derivatives, numpy_and_casadi, solved_densely
 
 from screwgen import PD, Holding, SingularError, UsageError, dump, equilibrium, load, natural_frequencies, simulate
-from screwgen.algorithms.transmissions import travels
+from screwgen.algorithms.travels import travels
 from screwgen.backends.latex import document as latex
+from screwgen.elements import TRAVELS
 from screwgen.plotting import plot
 from screwgen.plugins import plugins
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
@@ -36,7 +37,7 @@ def case(request) -> Case:
 
 def test_the_seeds_draw_both_kinds():
     chains = [drawn_with_gears(seed).model.chain for seed in (9303, 9304)]
-    assert {"cylinder", "four_bar_left"} <= {chain.cranked[joint] for chain in chains for joint in chain.loose}
+    assert set(TRAVELS[:2]) <= {chain.travels[joint] for chain in chains for joint in chain.elastic_travels}
 
 
 def test_both_forms_in_numpy_and_casadi_equal_the_oracle(case):
@@ -133,7 +134,7 @@ START, PUSH = np.array([0.2, 0.4]), {False: np.array([900.0, -300.0]), True: np.
 
 @pytest.mark.parametrize("linkage", [False, True])
 def test_stiff_gears_tend_to_the_rigid_one_as_1_over_k(linkage):
-    given = dict(controller=PUSH[linkage], q0=START, backend="numpy")
+    given = dict(controller=PUSH[linkage], q0=START, backend="casadi")
     rigid = simulate(model_of(lift(linkage=linkage)), 0.02, 1e-3, integrator="rk4", **given).q[-1]
     errors = []
     for k in (1e6, 1e7, 1e8):
@@ -147,9 +148,9 @@ def test_stiff_gears_tend_to_the_rigid_one_as_1_over_k(linkage):
 def test_a_gear_of_1_khz_bears_steps_of_1_ms_and_keeps_the_energy():
     model = model_of(lift(k=1e9))
     assert natural_frequencies(model, START, joints="free")[-1] > 1000
-    run = simulate(model, 0.2, 1e-3, q0=START, integrator="modal_midpoint", backend="numpy")
+    run = simulate(model, 0.2, 1e-3, q0=START, integrator="modal_midpoint", backend="casadi")
     assert np.ptp(run.energy.sum(axis=1)) < 1e-5 * np.ptp(run.energy[:, 0])
-    fine = simulate(model_of(lift(k=1e5)), 0.05, 1e-4, q0=START, integrator="rk4", backend="numpy")
+    fine = simulate(model_of(lift(k=1e5)), 0.05, 1e-4, q0=START, integrator="rk4", backend="casadi")
     assert np.ptp(fine.energy.sum(axis=1)) < 1e-9 * np.ptp(fine.energy[:, 0])
 
 
@@ -157,7 +158,7 @@ def test_a_gear_of_1_khz_bears_steps_of_1_ms_and_keeps_the_energy():
 def test_forms_and_back_ends_make_the_same_motion(integrator):
     model = model_of(lift(k=2e5, damping=300.0, friction=FRICTION, modes={"bending_z": 1}))
     given = dict(q0=np.array([*START, 1e-3, 0.0]), integrator=integrator, controller=PUSH[False])
-    numpy, dae = (simulate(model, 0.005, 1e-3, backend="numpy", form=form, **given) for form in ("joint", "dae"))
+    numpy, dae = (simulate(model, 0.005, 1e-3, backend="casadi", form=form, **given) for form in ("joint", "dae"))
     assert np.allclose(dae.q[-1], numpy.q[-1], rtol=0, atol=1e-9)
 
 
@@ -173,7 +174,7 @@ def test_the_c_of_both_forms_makes_the_same_motion():
 def test_a_law_measures_the_rotor_and_reaches_its_goal():
     model = model_of(lift(k=2e5))
     law = PD(kp=(4e3, 1e3), kd=(1200.0, 300.0), q_des=(0.3, 0.3), duration=0.5, gravity=Holding(model))
-    run = simulate(model, 1.0, 4e-3, q0=equilibrium(model, START, hold=True).q, controller=law, backend="numpy")
+    run = simulate(model, 1.0, 4e-3, q0=equilibrium(model, START, hold=True).q, controller=law, backend="casadi")
     assert np.abs(run.v[-1]).max() < 0.1 and np.abs(run.q[-1, :2] - 0.3).max() < 0.05
 
 
@@ -201,7 +202,7 @@ def test_rest_winds_the_gears_and_locked_drives_leave_joints_on_them(linkage):
 def test_a_cylinder_passes_its_dead_centre_and_needs_an_infinite_force_there():
     model = model_of(lift(k=2e5, damping=1000.0))
     assert model.numpy().levers([1.5, 0.0, 0.0])[0] == 0.0
-    run = simulate(model, 0.1, 1e-3, q0=[1.4, 0.4], v0=[2.0, 0.0], controller=np.array([500.0, 0.0]), backend="numpy")
+    run = simulate(model, 0.1, 1e-3, q0=[1.4, 0.4], v0=[2.0, 0.0], controller=np.array([500.0, 0.0]), backend="casadi")
     assert run.q[-1, 0] > 1.55 and np.ptp(run.q[:, 2]) < 0.01
     with pytest.raises(SingularError, match=r"boom.joint\[0\]: its cylinder is in a dead centre, where no force turns"):
         equilibrium(model, [1.5, 0.4], hold=True)
@@ -216,7 +217,7 @@ def test_an_elastic_gear_does_not_carry_a_linkage_through_the_end_of_its_reach()
     for k, step in ((3e3, 2e-4), (1e6, 1e-3)):
         model = model_of(lift(k=k, linkage=True))
         with pytest.raises(SingularError, match=r"t = 0\.\d+ s: the joint of link 'boom' is singular in this posture"):
-            simulate(model, 0.1, step, q0=[end + 0.02, 0.0], v0=[-2.0, 0.0], backend="numpy")
+            simulate(model, 0.1, step, q0=[end + 0.02, 0.0], v0=[-2.0, 0.0], backend="casadi")
 
 
 # -------- what users see
@@ -251,7 +252,7 @@ def test_the_dae_as_differential_equations_is_refused_in_one_line():
 
 def test_figures_and_documents_show_the_stretch():
     model = model_of(lift(k=2e5))
-    run = simulate(model, 0.002, 1e-3, q0=START, backend="numpy")
+    run = simulate(model, 0.002, 1e-3, q0=START, backend="casadi")
     shown = {panel.title: panel.unit for panel in plot.panels(run, None, model) if panel.lines}
     assert shown["Rotors ahead of their cylinders"] == "m"
     text = latex.tex(latex.content(model.robot, plugins()))

@@ -83,12 +83,12 @@ class Truth:
         self.model, self.rng = model, np.random.default_rng(seed)
         self.stepper = JointStepper(model, "modal_midpoint", model.parameter_values)
         joints = self.rng.uniform(-0.5, 0.5, model.n_joints) + 0.3
-        self.q = model.chain.filled(joints, model.parameter_values)
+        self.q = model.chain.with_inner(joints, model.parameter_values)
         self.v = np.zeros(model.nq)
         self.rows = gauge_rows(model)
 
     def torque(self):
-        driven = self.model.chain.driven
+        driven = self.model.chain.effort_places
         stiff = 40.0 if self.model.robot.name == "ella" else 1.0
         noise = self.rng.normal(size=len(driven))
         return -stiff * self.q[driven] - stiff / 20 * self.v[driven] + noise
@@ -100,7 +100,7 @@ class Truth:
         """Encoders and strain."""
         strain, noise = self.rows[:, : self.model.nq] @ self.q, noise_of(self.model)
         return (
-            self.q[self.model.chain.driven] + noise.encoder * rng.normal(size=self.model.n_tau),
+            self.q[self.model.chain.effort_places] + noise.encoder * rng.normal(size=self.model.n_tau),
             strain + noise.strain * rng.normal(size=strain.size),
         )
 

@@ -21,8 +21,8 @@ from test_loops import angles
 from screwgen import SingularError, UsageError, equilibrium
 from screwgen.errors import ScrewgenError
 from screwgen.plotting.mode_plot import displaced
-from screwgen.runtime.compiled import LeanProject
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.runtime.lean import LeanProject
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.integrate import JointStepper
 
@@ -74,7 +74,7 @@ def test_numpy_and_c_are_the_same_and_stay_closed(name):
     filters = (compiled(name), Estimator(robot))
     for e in filters:
         e.start(*begin(name), deviation(robot), 10 * deviation(robot), noise)
-    tau = 0.1 * robot.chain.at_rotors(rng.normal(size=robot.n_tau), robot.parameter_values)
+    tau = 0.1 * robot.chain.at_efforts(rng.normal(size=robot.n_tau), robot.parameter_values)
     w_ext = 0.1 * rng.normal(size=(robot.n_links, 6))
     for k in range(10):
         for e in filters:
@@ -102,7 +102,7 @@ def test_numpy_and_c_are_the_same_and_stay_closed(name):
 def test_in_float(name):
     robot, noise = model(name), noise_of(model(name))
     e, q, rest = compiled(name, True), begin(name)[0], np.zeros((model(name).n_links, 6))
-    driven = np.array(robot.chain.driven) + robot.chain.base_q - robot.chain.base_v
+    driven = np.array(robot.chain.effort_places) + robot.chain.base_q - robot.chain.base_v
     e.start(*begin(name), deviation(robot), deviation(robot), noise)
     for _ in range(20):
         e.predict(np.zeros(robot.n_tau), rest, 1e-3)
@@ -249,7 +249,7 @@ def test_errors_are_as_large_as_the_covariance_says(name):
         off = P[:, free] @ np.linalg.solve(P[np.ix_(free, free)], d)
         q, v = settled(eye, *changed(robot, q, v, off))
         for k in range(1, max(sizes) + 1):
-            tau = 0.1 * robot.chain.at_rotors(np.cos(np.arange(robot.n_tau) + k * h), robot.parameter_values)
+            tau = 0.1 * robot.chain.at_efforts(np.cos(np.arange(robot.n_tau) + k * h), robot.parameter_values)
             q, v = stepper.step(stepper.initial(q, v), tau, w_ext, h)
             q, v = settled(eye, q, v + np.sqrt(h * noise.density_v) * rng.normal(size=n))
             e.predict(tau, w_ext, h)
@@ -264,11 +264,11 @@ def test_errors_are_as_large_as_the_covariance_says(name):
 
 def independent_of(robot, q) -> np.ndarray:
     """The changes of [q; v] that loops leave free."""
-    from screwgen.simulation.mobility import by_drive, jacobian, mobility
+    from screwgen.simulation.mobility import by_effort, jacobian, mobility
 
     own = np.arange(robot.nv)
     if robot.chain.closures:
-        own = mobility(jacobian(robot, q, robot.parameter_values), by_drive(robot.chain)).independent
+        own = mobility(jacobian(robot, q, robot.parameter_values), by_effort(robot.chain)).independent
     return np.append(own, robot.nv + own)
 
 

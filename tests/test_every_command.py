@@ -15,6 +15,7 @@ REASONS = (
     "the links find no steady deflection",
     "its mass matrix is no longer positive definite",
     "has opened by",
+    "about which steps are not linearised; give states in which it rests",
 )
 """What a robot may be refused for: what there is not of floating bases, loads that it does not bear, steps too long."""
 

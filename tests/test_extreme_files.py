@@ -14,7 +14,7 @@ import pytest
 
 from screwgen import load
 from screwgen.cli.main import main
-from screwgen.simulation import linearised, loop
+from screwgen.simulation import compiled_runs, linearised
 from screwgen.spec.ranges import RANGES
 
 SHORT = "simulate arm.toml --duration 2e-3 --step 1e-3 -o run.csv --state state.json"
@@ -63,7 +63,7 @@ stiffness = {x("stiffness", 10.0)}
 @pytest.mark.parametrize("seed", range(3))
 def test_numbers_at_the_ends_of_their_ranges_do_no_harm(capsys, monkeypatch, tmp_path, seed):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(loop, "has_compiler", lambda: False)
+    monkeypatch.setattr(compiled_runs, "has_compiler", lambda: False)
     rng = np.random.default_rng(seed)
     Path("arm.toml").write_text(robot(rng, (0.1, 0.3, 1.0)[seed % 3]))
     ends = [float(rng.choice([1.0, RANGES[key].high])) for key in ("q", "v", "tau")]

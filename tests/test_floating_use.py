@@ -23,7 +23,6 @@ from screwgen.simulation.state import State
 from screwgen.spec import load
 from screwgen.spec.base import TWIST
 from screwgen.spec.parameters import coordinate_units
-from screwgen.studies.analysis import analyse, spectrum
 from screwgen.studies.modes import natural_frequencies
 from screwgen.studies.stiffness import stiffness_matrix
 
@@ -148,11 +147,8 @@ def test_a_wrong_file_is_refused_in_one_line(change, said, tmp_path):
 
 
 def test_what_needs_a_fixed_base_says_so(satellite):
-    q, v = start(satellite)
     calls = {
         "table of modes under loads": lambda: natural_frequencies(satellite, loaded=True),
-        "analysis": lambda: analyse(satellite),
-        "spectrum": lambda: spectrum.step_map(satellite, q, v, 1e-3, "rk4"),
         "torque that holds it": lambda: Holding(satellite),
     }
     for what, call in calls.items():

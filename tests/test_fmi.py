@@ -16,9 +16,8 @@ from fmpy.validation import validate_fmu
 from helpers import arm, link, model_of, quick, relative
 
 from screwgen.algorithms import fused
-from screwgen.algorithms.robot_functions import function_named
-from screwgen.backends.casadi.functions import coordinate_rates, expressions, rotations
-from screwgen.backends.casadi.linear import base_strains
+from screwgen.algorithms.robot_functions import BY_NAME
+from screwgen.backends.casadi.functions import coordinate_rates, expressions, side_by_side
 from screwgen.bodies.validity import MEASURES
 from screwgen.errors import TargetWarning
 from screwgen.integrators import METHODS
@@ -83,6 +82,28 @@ def test_outputs_are_those_of_the_model(target, kind):
     assert (unit.get([f"boom.validity.{x}" for x in MEASURES]) == measures[0]).all()
 
 
+@every_form
+def test_what_sensors_measure_is_an_output_of_units_that_are_asked_for_it(target, kind):
+    assert validate_fmu(str(written(target, small, True)[1])) == []
+    unit = pushed(Unit(target, kind, small, True))
+    m, (q, v), u = unit.model, state_of(unit), unit.get(unit.inputs)
+    R, position = m.numpy().marker_pose(q)
+    expected = {
+        "gyro.omega": m.numpy().gyro(q, v),
+        "accelerometer.a": m.numpy().accelerometer(q, v, u[: m.n_tau], u[m.n_tau :].reshape(-1, 6)),
+        "marker_velocity.twist": m.numpy().marker_velocity(q, v),
+        "marker_pose.position": position,
+        "marker_pose.R": R,
+    }
+    for what, values in expected.items():
+        names = [x for x in unit.references if f".{what}" in x]
+        assert [x.partition(f".{what}")[0] for x in names[:: values[0].size]] == m.marker_names
+        assert relative(unit.get(names), values.ravel()) < 1e-12
+    (strain,) = m.numpy().strain(q)
+    assert relative(unit.get(m.strain_names), [strain]) < 1e-13
+    assert not [x for x in Unit(target, kind).references if "gyro" in x]
+
+
 def responses(model) -> ca.Function:
     """``(x, u) -> (J)`` by CasADi: the derivatives of all rates of states and outputs with states and inputs."""
     chain = model.chain
@@ -90,12 +111,13 @@ def responses(model) -> ca.Function:
     given = {name: ca.SX.sym(name, *size) for name, size in sizes.items()} | {"p": ca.DM(model.parameter_values)}
     dynamics, poses = expressions(fused.forward_dynamics(chain), given), expressions(fused.poses(chain), given)
     energy, tips = expressions(fused.energy(chain), given), chain.lasts
-    R = rotations(poses["tip_R"], chain.n)
+    R = side_by_side(poses["tip_R"], 3, 3)
+    strains = expressions(BY_NAME["strain"].program(chain), given)["strain"]
     parts = [coordinate_rates(chain, given["q"], given["v"], given["p"]), dynamics["vdot"], given["q"], given["v"]]
     parts += [poses["tip_position"][3 * i : 3 * i + 3] for i in tips]
     parts += [ca.vec(R[:, 3 * i : 3 * i + 3].T) for i in tips]
-    parts += [dynamics["wrench"], base_strains(chain, given["q"], given["p"]), energy["kinetic"], energy["potential"]]
-    parts.append(expressions(function_named("drive_power").program(chain), given)["power"])
+    parts += [dynamics["wrench"], strains, energy["kinetic"], energy["potential"]]
+    parts.append(expressions(BY_NAME["drive_power"].program(chain), given)["power"])
     point = ca.vertcat(*(ca.vec(given[name]) for name in sizes))
     return ca.Function("responses", [point], [ca.jacobian(ca.vertcat(*parts), point)])
 

@@ -15,7 +15,8 @@ from mechanisms import slider_crank
 from test_closed_runs import moving_off
 from test_fmi import responses, state_of
 
-from screwgen.algorithms import fused, response
+from screwgen.algorithms import fused
+from screwgen.algorithms.response import Response
 from screwgen.cli.main import main
 from screwgen.errors import UsageError
 from screwgen.integrators.methods import METHODS
@@ -68,7 +69,7 @@ def test_units_of_every_sort(name, target):
 def test_the_wrench_about_a_free_axis_is_its_torque():
     """Of the platform's hinge, which states no armature: of all states and inputs its rate and its torque count."""
     chain = model_of(example_dict("parallelogram")).chain
-    about_y = response.sparsity(chain)["wrench"][6 * 1 + 1]
+    about_y = Response(chain).sparsity()["wrench"][6 * 1 + 1]
     assert about_y == [chain.nq + 1, chain.nq + chain.nv + 1]
 
 

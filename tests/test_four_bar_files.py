@@ -10,8 +10,8 @@ from transmitted import acados_agrees, estimated
 from screwgen import FourBar, RobotFileError, dump, load
 from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
+from screwgen.elements import FourBarLinkage
 from screwgen.plugins import plugins
-from screwgen.spec.four_bar import NUMBERS
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
 
 FINE = 'four_bar = { ground = 0.4, crank = 0.22, coupler = 0.47, rocker = 0.25, angle = 1.3, branch = "open" }'
@@ -82,7 +82,7 @@ def test_names_units_parameters_and_round_trips(tmp_path):
     assert model.tau_names == ["boom.force[0]", "bucket.torque[0]"] and force_units(model.robot) == ["N", "N·m"]
     assert coordinate_units(model.robot)[:2] == ["rad", "rad"]
     of, drive = {x.name: x for x in parameters(model.robot)}, "bucket.joint.drives[0]"
-    assert [of[f"{drive}.transmission.four_bar.{x}"].unit for x in NUMBERS] == ["m", "m", "m", "m", "rad"]
+    assert [of[f"{drive}.transmission.four_bar.{x}"].unit for x in FourBarLinkage.KEYS] == ["m", "m", "m", "m", "rad"]
     assert of[f"{drive}.ratio"].unit == "1" and of[f"{drive}.friction.viscous"].unit == "N·m·s/rad"
     moved = {f"{drive}.transmission.four_bar.angle": 1.1, f"{drive}.transmission.four_bar.crank": 0.3}
     other = model_of(digger(LINKAGE | {"angle": 1.1, "crank": 0.3}, modes={"bending_z": 1}))

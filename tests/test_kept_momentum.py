@@ -51,7 +51,7 @@ def test_operations_of_momentum_and_locked_inertia():
         total = ph.rows(s)[0]
         for section in s.sections:
             total = total + mx.shift(section.kept("r_T"), ph.tip_load(section)[0])
-        if s.key.free:
+        if s.key.floats:
             s.keep("Lambda_i", total)
             return
         s.write("base.Lambda", mx.pack(mx.rotate(s.kept("R_P"), mx.shift(s.kept("lever"), total))))

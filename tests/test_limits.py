@@ -9,6 +9,7 @@ from stop_robots import mixed
 import screwgen
 from screwgen import PD, LimitWarning, UsageError, load, simulate
 from screwgen.cli.main import main
+from screwgen.elements import STOP
 from screwgen.plotting.plot import figure
 from screwgen.simulation.hits import lines
 from screwgen.spec import dump
@@ -121,18 +122,18 @@ def test_more_hits_than_the_c_keeps_at_once(cart):
 def test_a_range_without_stop_is_watched_and_said():
     model = shuttle()
     bare = model_of(arm(link("cart", axes=[{"slide": "x"}], joint={"limits": [{"upper": 0.2}]}), gravity=(0, 0, 0)))
-    assert not bare.chain.stops and model.chain.stops
+    assert not bare.chain.acted(STOP) and model.chain.acted(STOP)
     with pytest.warns(
         LimitWarning, match=r"cart.slide\[0\] past its upper limit from 0.1 s to the end: 0.2 m deep; noth"
     ):
-        run = simulate(bare, 0.2, 1e-3, v0=[2.0], backend="numpy")
+        run = simulate(bare, 0.2, 1e-3, v0=[2.0], backend="casadi")
     assert [(hit.stop, hit.force) for hit in run.hits] == [(False, 0.0)]
 
 
 def test_a_set_point_beyond_a_limit_is_said(cart):
     law = PD((10.0,), (5.0,), (0.25,), duration=0.1)
     with pytest.warns(LimitWarning, match=r"sends cart.slide\[0\] to 0.25 m, past its upper limit 0.2 m; move"):
-        simulate(cart, 0.01, 1e-3, controller=law, backend="numpy")
+        simulate(cart, 0.01, 1e-3, controller=law, backend="casadi")
 
 
 def test_the_command_line_prints_a_line_per_hit(tmp_path, capsys):
@@ -148,7 +149,7 @@ def test_the_command_line_prints_a_line_per_hit(tmp_path, capsys):
 
 def test_figures_draw_the_limits_beside_the_coordinate(cart):
     """Both as lines of their own; without a model there are none."""
-    run = simulate(cart, 0.45, 1e-3, v0=[2.0], backend="numpy")
+    run = simulate(cart, 0.45, 1e-3, v0=[2.0], backend="casadi")
     for model, expected in ((cart, [-0.3, 0.2]), (None, [])):
         axes = next(a for a in figure(run, model).axes if "Slides" in (a.get_title(), a.get_title(loc="left")))
         assert sorted(x.get_ydata()[0] for x in axes.lines if len(x.get_ydata()) == 2) == pytest.approx(expected)

@@ -105,7 +105,7 @@ def test_a_spring_and_a_gear_swing_a_linkage_at_their_frequency():
     assert len(natural_frequencies(sprung, angles(crank))) == 0  # the crank is locked, which holds the rocker
     geared = linkage(crank={"joint": {"drives": [GEAR]}})
     rotor, I = GEAR["ratio"] ** 2 * GEAR["rotor_inertia"], inertia(crank)
-    q = geared.chain.filled(angles(crank), geared.parameter_values)
+    q = geared.chain.with_inner(angles(crank), geared.parameter_values)
     stiffness = np.array([GEAR["stiffness"]])
     assert natural_frequencies(geared, q) == pytest.approx(np.sqrt(stiffness / I) / (2 * np.pi), rel=1e-8)
     free = np.sqrt(stiffness * (1 / I + 1 / rotor)) / (2 * np.pi)

@@ -25,7 +25,7 @@ def test_a_linkage_is_overconstrained_whatever_else_moves(robot, rows):
     assert model.chain.overconstrained and len(model.chain.closures) == rows
     q = np.zeros(model.nq)
     v = moving(model.numpy(), q, np.arange(1, model.nv + 1) ** 1.5)
-    run = simulate(model, 0.3, 1e-3, q0=q, v0=v / np.max(np.abs(v)), backend="numpy")
+    run = simulate(model, 0.3, 1e-3, q0=q, v0=v / np.max(np.abs(v)), backend="casadi")
     assert max(np.max(model.numpy().mismatch(x)) for x in run.q[::50]) < 1e-5
 
 

@@ -9,7 +9,7 @@ from test_algebra import AXIS, RATES, RNG, SHAPES, SYMBOLS, evaluate
 
 from screwgen.algebra.components import components
 from screwgen.algebra.expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Diagonal,
     Expression,
@@ -56,7 +56,7 @@ NODES = {
     Diagonal: Diagonal(a),
     Root: Root(squared),
     Inverse: Inverse(s),
-    Block: Block(((a, b), (b, a))),
+    BlockMatrix: BlockMatrix(((a, b), (b, a))),
     Rotation: Rotation(AXIS, t),
     Stumpff: Stumpff(2, squared),
     Integral: Integral(a, s, rule),
@@ -64,7 +64,7 @@ NODES = {
 """An instance of every type of node that has components."""
 
 WITHOUT = {
-    "rate": {Root, Inverse, Integral},
+    "rate": {Root, Integral},
     "plain": {Diagonal, Root, Rotation, Stumpff},
     "numbers of a motion": {Diagonal, Root, Rotation, Stumpff},
 }

@@ -1,5 +1,6 @@
 """The picture of a run: what it shows, and that nothing on it collides."""
 
+import dataclasses
 from functools import cache
 
 import numpy as np
@@ -8,7 +9,9 @@ from figures import collisions, covered, laid_out, outside
 from helpers import arm, example, link, model_of
 
 from screwgen import PD, Run
-from screwgen.plotting import plot
+from screwgen.algorithms.robot_functions import BY_NAME
+from screwgen.algorithms.signals import Signal
+from screwgen.plotting import curves, plot
 from screwgen.plotting.look import canvas
 from screwgen.simulation.motion import displacements
 from screwgen.simulation.runs import OWN
@@ -152,6 +155,21 @@ def test_deflections_of_tips_stand_in_place_of_modal_coordinates():
         assert np.allclose(bent.lines[1].values, u[:, k]) and np.abs(u[:, k]).max() > 1e-3
     assert not any("η" in panel.symbol for panel in shown.values())
     assert any("η" in panel.symbol for panel in plot.panels(run) if panel.lines), "all there is"
+
+
+def test_what_a_function_reports_has_a_panel_by_itself(monkeypatch):
+    """Vectors have a curve along each axis, numbers one; quantities of axes are drawn with their links."""
+    model = example("ella")
+    signals = {"linear": Signal((3,), "kg*m/s", "-", "momentum of the arm"), "mass": Signal((), "kg", "-", "all mass")}
+    monkeypatch.setitem(BY_NAME, "momentum", dataclasses.replace(BY_NAME["energy"], results=signals, name="momentum"))
+    run = swing(model)
+    told = np.random.default_rng(0).normal(size=(len(run.t), 4))
+    shown = {x.title: x for x in plot.panels(dataclasses.replace(run, told={"momentum": told}), model=model)}
+    moved, heavy = shown["Momentum of the arm"], shown["All mass"]
+    assert (moved.unit, heavy.unit) == ("kg·m/s", "kg") and [x.label for x in moved.lines] == ["x", "y", "z"]
+    assert all(np.array_equal(x.values, told[:, k]) for k, x in enumerate([*moved.lines, *heavy.lines]))
+    assert curves.prefixed(1e-5, "kg·m/s") == (1.0, "kg·m/s")
+    assert "Power of drives" not in {x.title for x in plot.panels(run, model=model)}, "the run has none of it"
 
 
 def test_forces_keep_their_signs():

@@ -15,7 +15,7 @@ import screwgen
 from screwgen import Model, Robot, ScrewgenError
 from screwgen.algebra.expression import number
 from screwgen.backends.latex import document as latex
-from screwgen.backends.latex.content import Chapter, Paragraph, Section
+from screwgen.backends.latex.content import Chapter, DocumentSection, Paragraph
 from screwgen.cli.main import main
 from screwgen.ir.block import Binding, Block
 from screwgen.plugins import GROUP, Plugin, merged, plugins
@@ -37,7 +37,7 @@ def doubled(key) -> dict[str, Block]:
 
 def chapter(chain) -> Chapter:
     named = (r"\mathbf{Q}_q", "a symbol of the text", "m", "3", "-", Binding.STATE)
-    return Chapter((Section("Of a plug-in", [Paragraph("$x$ is squared.")]),), symbols=(named,))
+    return Chapter((DocumentSection("Of a plug-in", [Paragraph("$x$ is squared.")]),), symbols=(named,))
 
 
 def links(model) -> list[str]:

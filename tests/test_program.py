@@ -16,7 +16,7 @@ from screwgen.algorithms.schedule import trace
 from screwgen.backends.casadi import expressions as sx
 from screwgen.backends.numpy.python import compiled
 from screwgen.ir.program import FUNCTIONS, Label, Program, Tracer, give_label
-from screwgen.ir.replay import inline, run, specialise
+from screwgen.ir.replay import bind, inline, run
 from screwgen.ir.signs import signed
 
 
@@ -152,7 +152,7 @@ def test_every_algebra_gives_the_same_number(f, x, y):
     tracer = Tracer()
     copy = inline(program, {"x": tracer.input("x", 1), "y": tracer.input("y", 1)}, tracer)
     copied = Program("copy", dict(program.inputs), copy, [], tracer.sections)
-    known = specialise(program, {"y": [y]})
+    known = bind(program, {"y": [y]})
     assert "y" not in known.inputs and copied.operation_count == program.operation_count
     found = [
         float(in_mpmath),
@@ -174,8 +174,8 @@ def test_functions_of_numbers_run_in_every_algebra():
 
 def test_specialising_folds_everything_that_is_known():
     p = traced(lambda t, a, x: [a[0] * x[0] + a[1] * x[1]], a=2, x=2)
-    assert specialise(p, {"a": [0.0, 1.0]}).operation_count == 0
-    assert value(specialise(p, {"a": [2.0, 3.0]}), x=[5.0, 7.0]) == [31.0]
+    assert bind(p, {"a": [0.0, 1.0]}).operation_count == 0
+    assert value(bind(p, {"a": [2.0, 3.0]}), x=[5.0, 7.0]) == [31.0]
 
 
 def test_unary_primitives_are_known_everywhere():

@@ -1,12 +1,16 @@
 """The functions that every back end offers: alike in NumPy, CasADi, JAX and C, and what of them a run reports."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from conftest import package, swept
-from helpers import ROOT, Case, drawn, example, quick, relative
+from helpers import Case, drawn, example, quick, relative
 
+from docs.tools import functions_page
 from screwgen import rollout, simulate
-from screwgen.algorithms.robot_functions import FUNCTIONS, entry_names, offered, reported, shape, table_row
+from screwgen.algorithms.robot_functions import BY_NAME, FUNCTIONS, entry_names, entry_units, offered, reported, shape
+from screwgen.algorithms.signals import Signal
 
 EXAMPLES = ("ella", "bucket", "crane_loop", "elastic_joint", "space_arm", "gantry")
 SEEDS = range(8600, 8616)
@@ -38,14 +42,14 @@ def test_numpy_casadi_jax_and_c_give_the_same(name, row):
     expected = parts(getattr(model.numpy(), row.name)(*given))
     assert [x.shape for x in expected] == [shape(of, model.chain) for of in row.results.values()]
     columns = [x.T if x.ndim == 2 else x for x in given]
-    for found, y in zip(model.casadi()[row.name].call([*columns, p]), expected, strict=True):
+    for of, found, y in zip(row.results.values(), model.casadi()[row.name].call([*columns, p]), expected, strict=True):
         matrix = found.full()
-        across = np.hstack(list(y)) if y.ndim == 3 else y if y.shape == (3, 3) else y.T if y.ndim == 2 else y
+        across = np.hstack(list(y)) if y.ndim == 3 else y if of.shape == (3, 3) else y.T if y.ndim == 2 else y
         assert relative(matrix.reshape(np.shape(across)), across) < 1e-9
     with jax.enable_x64(True):
         for found, y in zip(parts(model.jax()[row.name](*given, np.array(p))), expected, strict=True):
             assert found.shape == y.shape and relative(found, y) < 1e-9
-    if row.in_c:
+    if row.c_file:
         named = dict(zip(row.names, given, strict=True))
         for found, y in zip(parts(getattr(quick(model), row.name)(**named)), expected, strict=True):
             assert found.shape == y.shape and relative(found, y) < 1e-11
@@ -94,8 +98,18 @@ def test_a_rollout_reports_what_runs_do():
 
 
 def test_the_page_lists_every_function():
-    page = (ROOT / "docs" / "functions.md").read_text(encoding="utf-8")
-    assert [line for line in page.splitlines() if line.startswith("| `")] == list(map(table_row, FUNCTIONS))
+    """`python docs/tools/functions_page.py` writes them."""
+    page = functions_page.PAGE.read_text(encoding="utf-8")
+    assert functions_page.table(page) == page
+    assert all(f"\n| `{row.name}` | " in page for row in FUNCTIONS)
+
+
+def test_entries_of_vectors_have_names_and_units():
+    signals = {"linear": Signal((3,), "kg*m/s", "-", ""), "turn": Signal((), "kg*m^2/s", "-", "")}
+    row = dataclasses.replace(BY_NAME["energy"], name="momentum", results=signals)
+    names = ["momentum.linear.x", "momentum.linear.y", "momentum.linear.z", "momentum.turn"]
+    assert list(entry_names(row, ())) == names
+    assert entry_units(row, example("bucket").chain) == ["kg·m/s"] * 3 + ["kg·m²/s"]
 
 
 def test_what_nothing_reports_is_no_attribute():

@@ -1,19 +1,16 @@
 """docs/robot.md: its tables are those of the classes that read a robot file, and its example has every key."""
 
-import importlib.util
 import re
-import sys
 import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-DOCS = Path(__file__).resolve().parents[1] / "docs"
-spec = importlib.util.spec_from_file_location("robot_page", DOCS / "tools" / "robot_page.py")
-robot_page = sys.modules["robot_page"] = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(robot_page)
+from docs.tools import robot_page
+from screwgen.elements import KINDS
 
+DOCS = Path(__file__).resolve().parents[1] / "docs"
 PAGE = robot_page.PAGE.read_text(encoding="utf-8")
 WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
@@ -22,8 +19,8 @@ WITHOUT_UNIT = set(
     axis of markers""".split()
 )
 """Keys that are no physical quantity in some table."""
-IN_ELEMENTS = {"slide", "screw", "pitch", "spring", "rest"}
-"""Keys of axes and of their elements, which have tables of their own."""
+IN_AXES = {"slide", "screw", "pitch"}
+"""Keys of axes, which have a table of their own, as elements have."""
 
 
 def keys(part) -> list[str]:
@@ -49,14 +46,10 @@ def test_the_examples_have_every_key():
     """The one of the page, and those with files of the page on bodies."""
     text = PAGE + (DOCS / "elements.md").read_text(encoding="utf-8")
     examples = [tomllib.loads(block) for block in re.findall(r'```toml title="[^"]+"\n(.*?)```', text, re.DOTALL)]
-    shown = set(_keys([example for example in examples if "links" in example])) - {
-        "slide",
-        "screw",
-        "pitch",
-        "spring",
-        "rest",
-    }
-    assert shown == {key for part in robot_page.PARTS for key in keys(part)}
+    shown = set(_keys([example for example in examples if "links" in example]))
+    elements = {key for kind, own in KINDS.items() for key in (kind, *own.table())}
+    listed = {key for part in robot_page.PARTS for key in keys(part)}
+    assert shown - IN_AXES == listed | elements
 
 
 def _keys(value):

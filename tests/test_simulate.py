@@ -154,7 +154,7 @@ def test_wrenches_may_be_a_function_or_a_constant():
 def test_parameters_by_name_equal_another_file():
     heavy = soft_dict()
     heavy["links"][1]["bodies"][0]["mass"] = 2.5
-    expected = simulate(model_of(heavy), 0.05, 1e-3, backend="numpy", **START)
+    expected = simulate(model_of(heavy), 0.05, 1e-3, backend="casadi", **START)
     found = simulate(soft(), 0.05, 1e-3, parameters={"fore.bodies[0].mass": 2.5}, **START)
     assert np.allclose(found.q, expected.q, rtol=1e-12) and np.allclose(found.energy, expected.energy, rtol=1e-12)
 
@@ -195,7 +195,7 @@ def test_singular_start_names_the_link():
     link = {"name": "wrist", "length": 0.5, "section": {"rhoA": 1.0, "rhoIp": 0.01}, "joint": {"axes": ["x", "z", "x"]}}
     model = model_of({"name": "ball", "gravity": [0.0, 0.0, 0.0], "links": [link]})
     with pytest.raises(SingularError, match=r"t = 0 s: .*wrist"):
-        simulate(model, 0.01, 1e-3, backend="numpy")
+        simulate(model, 0.01, 1e-3, backend="casadi")
 
 
 # -------- forms of one's own
@@ -206,7 +206,7 @@ def test_a_form_is_an_argument():
     model = ella()
     form, posture = partial(CompiledStepper, model.compile()), [0.1, 0.2, 0.3]
     run = simulate(model, 0.01, 1e-3, posture, form=form, integrator="modal_midpoint")
-    assert np.abs(run.q - simulate(model, 0.01, 1e-3, posture, backend="numpy").q).max() < 1e-12
+    assert np.abs(run.q - simulate(model, 0.01, 1e-3, posture, backend="casadi").q).max() < 1e-12
     with pytest.raises(UsageError, match="this form names no integrator of its own; give one"):
         simulate(model, 0.01, 1e-3, form=form)
     with pytest.raises(UsageError, match="the backend 'c' steps the joint form"):

@@ -20,7 +20,7 @@ from test_simulate import END, START, soft, soft_dict
 from screwgen import PD, SingularError, UsageError
 from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
-from screwgen.simulation import loop
+from screwgen.simulation import compiled_runs
 from screwgen.simulation.integrate import DivergedError
 from screwgen.simulation.runs import ARRAYS
 from screwgen.simulation.simulate import simulate
@@ -60,15 +60,15 @@ WAYS = {
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_c_and_numpy_make_the_same_run(way):
+def test_c_and_casadi_make_the_same_run(way):
     given = {"duration": 0.1, "step": 1e-3} | START | WAYS[way]
-    a, b = (simulate(soft(), **given, backend=backend) for backend in ("c", "numpy"))
+    a, b = (simulate(soft(), **given, backend=backend) for backend in ("c", "casadi"))
     assert_same(a, b)
 
 
 @pytest.mark.parametrize("integrator", METHODS)
 def test_every_integrator_is_the_same(integrator):
-    a, b = (simulate(soft(), END, 1e-3, integrator=integrator, backend=x, **START) for x in ("c", "numpy"))
+    a, b = (simulate(soft(), END, 1e-3, integrator=integrator, backend=x, **START) for x in ("c", "casadi"))
     assert_same(a, b)
 
 
@@ -77,7 +77,7 @@ def test_random_robots_move_the_same(seed):
     robot, state, _ = rr.draw_regular(np.random.default_rng(seed), 1, limit=1e5, soft=1.0, max_modes=2)
     model = model_of(robot)
     given = {name: state[name] for name in ("q", "v", "tau", "w_ext")}
-    a, b = (simulate(model, 0.02, 1e-3, *given.values(), backend=x) for x in ("c", "numpy"))
+    a, b = (simulate(model, 0.02, 1e-3, *given.values(), backend=x) for x in ("c", "casadi"))
     assert_same(a, b, 1e-7)
 
 
@@ -106,18 +106,18 @@ def test_samples_are_those_of_the_whole_run():
 
 def test_c_is_taken_where_it_can_be(monkeypatch):
     calls = []
-    real = loop.Loop.__call__
-    monkeypatch.setattr(loop.Loop, "__call__", lambda self, *a: calls.append(1) or real(self, *a))
+    real = compiled_runs.CompiledRuns.__call__
+    monkeypatch.setattr(compiled_runs.CompiledRuns, "__call__", lambda self, *a: calls.append(1) or real(self, *a))
     simulate(soft(), 0.01, 1e-3)
     assert calls == [1]
-    simulate(soft(), 0.01, 1e-3, backend="numpy")
+    simulate(soft(), 0.01, 1e-3, backend="casadi")
     simulate(soft(), 0.01, 1e-3, form="dae")
     monkeypatch.setenv("CC", "no-such-compiler")
     fallen_back = simulate(model_of(soft_dict()), 0.01, 1e-3)
     assert calls == [1] and len(fallen_back.t) == 11
     for arguments, message in (
         ({"backend": "c", "form": "dae"}, "'c' steps the joint form, not 'dae'"),
-        ({"backend": "fortran"}, "c or numpy"),
+        ({"backend": "fortran"}, "c or casadi"),
         ({"every": 0}, "every is 0"),
         ({"store": "run.txt"}, "suffix"),
     ):
@@ -137,7 +137,12 @@ def test_a_compiler_that_fails_is_said_once_and_done_without(monkeypatch):
         simulate(model, 0.005, 1e-3, backend="c")
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_the_earlier_name_of_a_back_end_is_taken():
+    runs = [simulate(soft(), 0.005, 1e-3, backend=name, **START) for name in ("numpy", "casadi")]
+    assert np.array_equal(runs[0].q, runs[1].q)
+
+
+@pytest.mark.parametrize("backend", ["c", "casadi"])
 def test_what_goes_wrong_is_said_alike(backend):
     stiff = model_of(soft_dict() | {"links": [dict(soft_dict()["links"][0], modes={"bending_z": 4})]})
     with pytest.raises(DivergedError, match=r"^t = 0\.\d+ s: the integrator 'euler' diverged; .*modal_midpoint$"):
@@ -164,7 +169,7 @@ def test_a_singular_posture_on_the_way_names_the_link():
         "joint": {"axes": ["x", "z", "x"]},
     }
     model = model_of({"name": "ball", "gravity": [0.0, 0.0, 0.0], "links": [wrist]})
-    for backend in ("c", "numpy"):
+    for backend in ("c", "casadi"):
         with pytest.raises(SingularError, match=r"^t = 0 s: the joint of link 'wrist' is singular"):
             simulate(model, 0.01, 1e-3, backend=backend)
     with pytest.raises(SingularError, match=r"^t = 0\.01 s: the joint of link 'wrist' is singular"):
@@ -194,7 +199,7 @@ def test_progress_and_interruption_come_between_calls():
 # -------- what is stored meanwhile
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("backend", ["c", "casadi"])
 @pytest.mark.parametrize("suffix", [".npz", ".csv"])
 def test_a_stored_run_is_the_saved_one(tmp_path, suffix, backend):
     given = {"duration": 0.0105, "step": 1e-3, "controller": LAW, "every": 2, "backend": backend} | START
@@ -212,7 +217,7 @@ def read(folder, suffix):
     return np.column_stack([part[name].reshape(len(part), -1) for name in ARRAYS])
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("backend", ["c", "casadi"])
 @pytest.mark.parametrize("suffix", [".npz", ".csv"])
 def test_a_run_that_fails_or_is_stopped_keeps_what_it_had(tmp_path, suffix, backend):
     def controller(t, q, v):

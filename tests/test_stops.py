@@ -13,6 +13,7 @@ from stop_robots import MIXED
 
 from screwgen import equilibrium, natural_frequencies, rollout, simulate
 from screwgen.algorithms import fused
+from screwgen.elements import STOP
 from screwgen.integrators import METHODS
 from screwgen.simulation.integrate import JointState, JointStepper
 from screwgen.studies.analysis.spectrum import step_map
@@ -38,7 +39,7 @@ def everything(seed: int) -> Case:
 def pressed(c: Case) -> int:
     """How many stops act in a case."""
     q, at = c.inputs[0], [x for own in c.model.numpy().constants for x in own.get("stop_at", ())]
-    return sum(side * (q[k] - x) > 0 for (k, side), x in zip(c.model.chain.stops, at, strict=True))
+    return sum(side * (q[k] - x) > 0 for (_, k, side), x in zip(c.model.chain.acted(STOP), at, strict=True))
 
 
 # -------- against the oracle
@@ -57,7 +58,7 @@ def test_the_c_equals_the_oracle_in_both_forms(case):
 @pytest.mark.parametrize("seed", swept(range(2), 1))
 def test_stops_of_every_kind_in_one_robot(seed):
     c = everything(seed)
-    assert 1 <= pressed(c) < len(c.model.chain.stops)
+    assert 1 <= pressed(c) < len(c.model.chain.acted(STOP))
     for judge in (numpy_and_casadi, solved_densely, derivatives):
         judge(c)
     compiled(c, "fused")
@@ -153,7 +154,7 @@ def test_a_slide_on_its_stop_is_a_half_swing():
     stop = {"upper": 0.1, "stiffness": 2000.0}
     model = model_of(arm(link("cart", axes=[{"slide": "x"}], rhoA=2.0, joint={"limits": [stop]}), gravity=(0, 0, 0)))
     swing = np.sqrt(2000.0 / model.numpy().mass_matrix([0.0])[0, 0])
-    run = simulate(model, 0.3, 5e-4, v0=[2.0], backend="numpy")
+    run = simulate(model, 0.3, 5e-4, v0=[2.0], backend="casadi")
     assert np.isclose(run.q[:, 0].max(), 0.1 + 2.0 / swing, rtol=1e-4)
     back = run.t[np.flatnonzero(np.diff(np.sign(run.q[:, 0] - 0.1)) < 0)[0]]
     assert abs(back - (0.05 + np.pi / swing)) < 6e-4 and np.isclose(run.v[-1, 0], -2.0, rtol=1e-5)
@@ -168,7 +169,7 @@ def test_steps_of_c_casadi_and_both_forms_agree(method):
     c, h = everything(1), 2e-4 if METHODS[method].implicit else 1e-5
     q, v, tau, _ = c.inputs
     given = dict(q0=q, v0=v, controller=tau, integrator=method)
-    run = simulate(c.model, 100 * h, h, backend="numpy", **given)
+    run = simulate(c.model, 100 * h, h, backend="casadi", **given)
     library = quick(c.model, layout="fused", derivatives=True)
     found = library.step(q, v, tau, None, h, method, 100)
     assert relative(found[0], run.q[-1]) < 1e-9 and relative(found[1], run.v[-1]) < 1e-9
@@ -199,7 +200,7 @@ def test_batches_have_stops():
     starts[:, : c.model.n_joints] += rng.uniform(-0.2, 0.2, (5, c.model.n_joints))
     found = rollout(c.model, starts, step=1e-4, steps=100).x[:, -1]
     for start, end in zip(starts, found, strict=True):
-        run = simulate(c.model, 0.01, 1e-4, *np.split(start, 2), backend="numpy", every=100)
+        run = simulate(c.model, 0.01, 1e-4, *np.split(start, 2), backend="casadi", every=100)
         assert relative(end, np.append(run.q[-1], run.v[-1])) < 1e-11
 
 

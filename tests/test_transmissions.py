@@ -21,7 +21,7 @@ from transmitted import (
 )
 
 from screwgen import PD, Holding, SingularError, dump, equilibrium, load, natural_frequencies, simulate
-from screwgen.algorithms.transmissions import efforts, travels
+from screwgen.algorithms.travels import efforts, travels
 from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
 from screwgen.plotting import plot

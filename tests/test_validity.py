@@ -211,18 +211,18 @@ def test_a_limit_is_warned_of_once_for_a_model_and_link():
     """Runs and rollouts of other numbers say no more of it; another model does."""
     model, other = limits.beam(1.0), limits.beam(1.0)
     with warnings.catch_warnings(record=True, action="always") as noted:
-        screwgen.simulate(model, 0.6, 2e-3, backend="numpy")
-        screwgen.simulate(model, 0.7, 2e-3, backend="numpy", v0=0.01 * np.ones(model.nv))
+        screwgen.simulate(model, 0.6, 2e-3, backend="casadi")
+        screwgen.simulate(model, 0.7, 2e-3, backend="casadi", v0=0.01 * np.ones(model.nv))
         for rate in (0.0, 0.01):
             screwgen.rollout(model, np.r_[np.zeros(model.nq), np.full(model.nv, rate)], step=2e-3, steps=300)
         said = len(noted)
-        screwgen.simulate(other, 0.6, 2e-3, backend="numpy")
+        screwgen.simulate(other, 0.6, 2e-3, backend="casadi")
     assert (said, len(noted)) == (1, 2) and all(w.category is ModelValidityWarning for w in noted)
 
 
 def test_peaks_between_samples_are_seen():
     model = limits.beam(1.0)
-    find = lambda every: screwgen.simulate(model, 1.0, 2e-3, every=every, backend="numpy").validity  # noqa: E731
+    find = lambda every: screwgen.simulate(model, 1.0, 2e-3, every=every, backend="casadi").validity  # noqa: E731
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelValidityWarning)
         fine, coarse = find(1), find(500)
@@ -287,7 +287,7 @@ def test_analyse_prints_the_table_of_a_state_and_of_a_run(tmp_path, capsys):
     robot, out = tmp_path / "beam.toml", tmp_path / "run.npz"
     robot.write_text(screwgen.dump(model.robot))
     with pytest.warns(ModelValidityWarning):
-        run = screwgen.simulate(model, 0.2, 1e-3, backend="numpy")
+        run = screwgen.simulate(model, 0.2, 1e-3, backend="casadi")
     run.save(out)
     assert main(["analyse", str(robot), "--state", str(out), "--json"]) == 0
     record = json.loads(capsys.readouterr().out)[str(out)]

@@ -141,18 +141,19 @@ def test_panels_tell_links_axes_and_set_points():
     law = PD((9.0,) * 3, (2.0,) * 3, (0.1, 0.2, 0.3), duration=0.02, q_start=(0.0,) * 3)
     run = screwgen.simulate(model, 0.02, 1e-3, controller=law)
     shown = {x["title"]: x["curves"] for x in panels(run, model, set_points(run, model, law))}
-    assert list(shown) == ["Joint angles", "Torques", "Power of drives", "Bending at tips", "Tip position", "Energy"]
-    styles = [(c["label"], c["color"], c["dash"]) for c in shown["Torques"]]
+    named = [f"Deflection of tips in {axis}" for axis in "yz"]
+    drives = ["Joint angles", "Joint torques", "Power of drives"]
+    assert list(shown) == [*drives, *named, "Elongation", "Twist of tips", "Energy", "Tip, inertial frame"]
+    styles = [(c["label"], c["color"], c["dash"]) for c in shown["Joint torques"]]
     assert styles == [("base arm z", "c0", 0), ("base arm y", "c0", 1), ("fore", "c1", 0)]
     goals = [np.frombuffer(b64decode(c["y"]), "<f4")[-1] for c in shown["Joint angles"] if c["goal"]]
     assert goals == pytest.approx([0.1, 0.2, 0.3], rel=1e-6) and len(shown["Joint angles"]) == 6
-    assert {c["color"] for title in ("Tip position", "Energy") for c in shown[title]}.isdisjoint({"c0", "c1"})
-    tip = {c["label"]: np.frombuffer(b64decode(c["y"]), "<f4")[-1] for c in shown["Bending at tips"]}
+    assert {c["color"] for title in ("Tip, inertial frame", "Energy") for c in shown[title]}.isdisjoint({"c0", "c1"})
+    tip = [np.frombuffer(b64decode(shown[name][0]["y"]), "<f4")[-1] for name in named]
     (R, r), (_, end) = model.numpy().link_pose(run.q[-1]), model.numpy().tip_poses(run.q[-1])
     moved = R[0].T @ (end[0] - r[0])
-    assert tip["base arm y"] == pytest.approx(moved[1], rel=1e-5) and tip["base arm z"] == pytest.approx(
-        moved[2], rel=1e-5
-    )
+    assert tip == pytest.approx(moved[1:], rel=1e-5)
+    assert [c["label"] for name in named for c in shown[name]] == ["base arm"] * 2
 
 
 def test_a_file_of_an_earlier_version_is_read_and_one_without_energies_is_not(tmp_path):

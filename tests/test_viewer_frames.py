@@ -112,7 +112,7 @@ def test_any_robot_is_drawn(name):
     (actor,) = drawn.actors
     faces = actor.faces(home).reshape(-1, 3)
     _, r = model.numpy().tip_poses(home)
-    r = r[[link["radius"] > 0 and not link["free"] for link in actor.scene["links"]]]
+    r = r[[link["radius"] > 0 and link["moves"] != "free" for link in actor.scene["links"]]]
     nearest = np.linalg.norm(faces[None] - r[:, None], axis=2).min(axis=1)
     assert len(r) > 1 and nearest.max() < 1e-6
     assert len(np.unique(drawn.picture(0.5).reshape(-1, 3), axis=0)) > 50

@@ -6,7 +6,7 @@ import pytest
 from helpers import QUICK, quick_batch, relative
 
 from screwgen import PD, Model, equilibrium, rollout, simulate
-from screwgen.algorithms.transmissions import travels
+from screwgen.algorithms.travels import travels
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 
 GAINS = (4e3, 1e3), (4e2, 90.0)

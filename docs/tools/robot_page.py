@@ -2,13 +2,14 @@
 
     python docs/tools/robot_page.py      # writes the tables anew; a test compares them
 
-A table stands below its mark, `<!-- keys of Link -->`; all else in the page is written by hand.
+A table stands below its mark, `<!-- keys of Link -->`, that of elements below its head; the rest is written by hand.
 """
 
 from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 from pydantic.fields import FieldInfo
@@ -16,6 +17,7 @@ from pydantic.fields import FieldInfo
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from screwgen.elements import KINDS  # noqa: E402
 from screwgen.spec import (  # noqa: E402  # noqa: E402
     couplings,
     drive,
@@ -35,6 +37,8 @@ from screwgen.spec.part import Part  # noqa: E402
 
 PAGE = ROOT / "docs" / "robot.md"
 TABLE = re.compile(r"<!-- keys of (\w+) -->\n+(?:\|.*\n)*\n*")
+ELEMENTS = re.compile(r"(\| element \| key \|.*\n\|[-|]+\n)(?:\|.*\n)*")
+SIGNS = {"positive": ", > 0", "non-negative": ", ≥ 0", "any": ""}
 HEAD = "| key | unit | default | what |\n|---|---|---|---|\n"
 CODE = re.compile(r"(\{ [^}]* \}|\[\[\w+\]\]|\[[^\]]*\]|\"\w+\"|\b(?:EA|EI[yz]|GJ|GA[yz]|rhoA|rhoI[pyz]|I[yz]|J)\b)")
 """What a file holds, within a description."""
@@ -60,7 +64,16 @@ PARTS = (
 def tables(text: str) -> str:
     """The page with its tables as the classes have them."""
     parts = {part.__name__: part for part in PARTS}
+    text = ELEMENTS.sub(lambda m: m[1] + "".join(_element_rows()), text)
     return TABLE.sub(lambda m: f"<!-- keys of {m[1]} -->\n\n{HEAD}{''.join(_rows(parts[m[1]]))}\n", text)
+
+
+def _element_rows() -> Iterator[str]:
+    """A row for each key of each kind of element; its name stands beside the first."""
+    for kind in KINDS.values():
+        names = [f"`{kind.KIND}`", *[""] * len(kind.table())]
+        for name, (key, own) in zip(names, kind.table().items(), strict=False):
+            yield f"| {name} | `{key}` | {own.unit} (of a slide {own.sliding}) | {own.meaning}{SIGNS[own.sign]} |\n"
 
 
 def _rows(part: type[Part]) -> list[str]:

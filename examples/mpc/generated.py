@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from screwgen import ScrewgenError
-from screwgen.runtime.mpc import Mpc
+from screwgen.runtime.mpc import CompiledMpc
 from screwgen.spec.mpc import load_mpc
 
 from .arms import Arms
@@ -57,7 +57,7 @@ class Generated(Controller):
         self.file, self.late, horizon = file, late, load_mpc(file).horizon
         super().__init__(arms, Form(horizon.step, horizon.intervals), intervals, plan)
 
-    def stated(self, form: Form) -> Mpc:
+    def stated(self, form: Form) -> CompiledMpc:
         return self.arms.model.mpc(self.file, parameters=self.dynamics.parameters(self.extra))
 
     def refer(self, t: float) -> np.ndarray:
@@ -70,7 +70,7 @@ class Generated(Controller):
             stage["tip_position"][:] = np.array(self.dynamics.tip(x, self.extra)).ravel()
         return np.array([np.concatenate([np.ravel(part) for part in stage.values()]) for stage in c.reference])
 
-    def solve(self, problem: Mpc, x, t: float) -> Sampled:
+    def solve(self, problem: CompiledMpc, x, t: float) -> Sampled:
         """The first sample, at rest before the motion: what acts from t = 0 on."""
         n, reference = self.arms.model.nq, self.refer(t)
         problem.initialise(x[:n], x[n:])

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from screwgen import ModelValidityWarning
-from screwgen.runtime.mpc import Mpc
+from screwgen.runtime.mpc import CompiledMpc
 
 from .arm import FASTEST, GOAL, JOINT_RATES, JOINTS, LIMIT, MODE_RATES, MODES, TIP, TORQUES, H, Run, Task
 
@@ -54,7 +54,7 @@ delay = 0
 """
 
 
-def controller(task: Task, pattern: str = CHOSEN) -> Mpc:
+def controller(task: Task, pattern: str = CHOSEN) -> CompiledMpc:
     """Compiled, with the last stage's published weights, from a cold start that rests at the start."""
     blocks = [length for length, count in PATTERNS[pattern] for _ in range(count)]
     with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
@@ -70,7 +70,7 @@ def controller(task: Task, pattern: str = CHOSEN) -> Mpc:
     return out
 
 
-def closed_loop(task: Task, control: Mpc, plant, duration: float) -> Run:
+def closed_loop(task: Task, control: CompiledMpc, plant, duration: float) -> Run:
     """What `arm.closed_loop` does with acados; `iterations` are those of DAQP."""
     rows, nq = [], task.model.nq
     for _ in range(round(duration / H)):

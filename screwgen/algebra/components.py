@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from .expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Diagonal,
     Expression,
@@ -26,7 +26,7 @@ from .expression import (
     Trace,
     Transpose,
 )
-from .functions import stumpff
+from .stumpff import stumpff
 
 Array = np.ndarray
 
@@ -57,7 +57,7 @@ def components(e: Expression, values: Mapping[str, Array]) -> Array:
             return np.array([[sp.Add(*np.diagonal(inner(e.arg)))]], dtype=object)
         case Diagonal():
             return diagonal(inner(e.arg)[:, 0])
-        case Block():
+        case BlockMatrix():
             return np.vstack([np.hstack([inner(x) for x in row]) for row in e.rows])
         case Rotation():
             return _rodrigues(e.axis, inner(e.angle).item())

@@ -8,13 +8,14 @@ sees is what was derived, and the generated code follows the same grouping.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 Shape = tuple[int, int]
+Rule = Callable[[sp.Expr, str | None], sp.Expr] | None
 
 
 class Expression:
@@ -147,7 +148,7 @@ class Diagonal(Unary):
 
 
 @dataclass(frozen=True)
-class Block(Expression):
+class BlockMatrix(Expression):
     """A matrix put together from blocks, row by row."""
 
     rows: tuple[tuple[Expression, ...], ...]
@@ -195,7 +196,7 @@ class Integral(Expression):
 
     integrand: Expression
     weight: Expression | None
-    rule: Callable[[sp.Expr, str | None], sp.Expr] | None = None
+    rule: Rule = None
     index: str = "i"
 
     @property
@@ -218,8 +219,7 @@ def _changed(value: Any, change: Callable[[Expression], Expression]) -> Any:
 
 
 def number(value: int | sp.Expr) -> Constant:
-    value = sp.sympify(value)
-    return Constant(((value,),), (1, 1), sp.latex(value))
+    return Constant(((sp.sympify(value),),), (1, 1), sp.latex(value))
 
 
 def zeros(rows: int, cols: int = 1) -> Constant:
@@ -241,7 +241,7 @@ def vector(values: Sequence[sp.Expr], display: str) -> Constant:
     return Constant(tuple((sp.sympify(v),) for v in values), (len(values), 1), display)
 
 
-def matrix(rows: Sequence[Sequence[sp.Expr]], shape: Shape, display: str) -> Constant:
+def matrix(rows: Iterable[Iterable[sp.Expr]], shape: Shape, display: str) -> Constant:
     return Constant(tuple(tuple(sp.sympify(v) for v in row) for row in rows), shape, display)
 
 
@@ -297,7 +297,7 @@ def transpose(e: Expression) -> Expression:
             return product(transpose(e.right), transpose(e.left))
         case Hat():
             return -e
-        case Block():
+        case BlockMatrix():
             return block(*([transpose(x) for x in col] for col in zip(*e.rows, strict=True)))
         case Constant() if is_zero(e):
             return zeros(*e.shape[::-1])
@@ -310,7 +310,7 @@ def inverse(e: Expression) -> Expression:
     return e if is_identity(e) else Inverse(e)
 
 
-def integral(integrand: Expression, weight: Expression | None, rule=None, index: str = "i") -> Expression:
+def integral(integrand: Expression, weight: Expression | None, rule: Rule = None, index: str = "i") -> Expression:
     vanishes = is_zero(integrand) or (weight is not None and is_zero(weight))
     return zeros(*integrand.shape) if vanishes else Integral(integrand, weight, rule, index)
 
@@ -319,8 +319,8 @@ def hat(a: Expression) -> Expression:
     return zeros(3, 3) if is_zero(a) else Hat(a)
 
 
-def block(*rows: Sequence[Expression]) -> Expression:
-    return Block(tuple(tuple(r) for r in rows))
+def block(*rows: Sequence[Expression]) -> BlockMatrix:
+    return BlockMatrix(tuple(tuple(r) for r in rows))
 
 
 def stack(*parts: Expression) -> Expression:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from .expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Diagonal,
     Expression,
@@ -170,7 +170,7 @@ def _hat(e: Hat) -> str:
     return tilde(latex(e.arg)) if isinstance(e.arg, Symbol | Constant) else rf"\widetilde{{{latex(e.arg)}}}"
 
 
-def _block(e: Block) -> str:
+def _block(e: BlockMatrix) -> str:
     rows = r" \\ ".join(" & ".join(latex(x) for x in row) for row in e.rows)
     return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
 
@@ -210,7 +210,7 @@ _LATEX: dict[type, Callable] = {
     Hat: _hat,
     Trace: lambda e: rf"\operatorname{{tr}}\left({latex(e.arg)}\right)",
     Diagonal: lambda e: rf"\operatorname{{diag}}\left({latex(e.arg)}\right)",
-    Block: _block,
+    BlockMatrix: _block,
     Rotation: _rotation,
     Stumpff: lambda e: rf"c_{{{e.order}}}\left({latex(e.arg)}\right)",
     Inverse: _inverse,

@@ -7,11 +7,12 @@ from collections.abc import Mapping
 import sympy as sp
 
 from .expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Diagonal,
     Expression,
     Hat,
+    Inverse,
     Negative,
     Product,
     Rotation,
@@ -32,7 +33,7 @@ from .notation import axis_latex
 def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
     """``d/dt`` of ``e`` by the product rule; a symbol that is not in ``rates`` is constant.
 
-    Raises TypeError for roots, inverses and integrals, which no equation differentiates.
+    Raises TypeError for roots and integrals, which no equation differentiates.
     """
     inner = lambda x: rate(x, rates)  # noqa: E731
     match e:
@@ -42,7 +43,9 @@ def rate(e: Expression, rates: Mapping[str, Expression]) -> Expression:
             return zeros(*e.shape)
         case Product():
             return add(product(inner(e.left), e.right), product(e.left, inner(e.right)))
-        case Sum() | Negative() | Transpose() | Hat() | Trace() | Diagonal() | Block():
+        case Inverse():
+            return -product(product(e, inner(e.arg)), e)
+        case Sum() | Negative() | Transpose() | Hat() | Trace() | Diagonal() | BlockMatrix():
             return e.map(inner)
         case Rotation():
             axis = vector(e.axis, axis_latex(e.axis))

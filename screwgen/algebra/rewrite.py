@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 import sympy as sp
 
 from .expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Expression,
     Hat,
@@ -55,7 +55,7 @@ def symbols(e: Expression) -> list[Symbol]:
 
 def difference(a: Expression, b: Expression, rank: Rank = lambda e: 0) -> Expression:
     """``a - b`` with equal terms cancelled; of two matrices cut alike, block by block."""
-    if isinstance(a, Block) and isinstance(b, Block) and _cuts(a) == _cuts(b):
+    if isinstance(a, BlockMatrix) and isinstance(b, BlockMatrix) and _cuts(a) == _cuts(b):
         rows = [
             [difference(x, y, rank) for x, y in zip(p, q, strict=True)] for p, q in zip(a.rows, b.rows, strict=True)
         ]
@@ -66,7 +66,7 @@ def difference(a: Expression, b: Expression, rank: Rank = lambda e: 0) -> Expres
     return rebuild(terms, a.shape)
 
 
-def _cuts(e: Block) -> list[list[Shape]]:
+def _cuts(e: BlockMatrix) -> list[list[Shape]]:
     return [[x.shape for x in row] for row in e.rows]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .expression import Expression, block, hat, identity, zeros
 
 
-def lever(r: Expression) -> Expression:
+def shift(r: Expression) -> Expression:
     """``[[I, 0], [-hat(r), I]]``: the twist of the point ``r`` from that of the origin."""
     return block([identity(3), zeros(3, 3)], [-hat(r), identity(3)])
 

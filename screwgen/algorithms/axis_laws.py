@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ..elements import FRICTION, STOP, Law
-from ..elements.axis_element import OfElement
+from ..elements import Law
 from ..ir.program import Value, Vector
-from ..spec.link_class import SIDES, LinkClass
+from ..spec.axis_laws import Acting
+from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from ..topology.parameters import element_label
 from .scope import Scope
 
 Place = tuple[str, int]
@@ -34,60 +33,22 @@ class OfRobot(NamedTuple):
 
 
 def of_link(key: LinkClass) -> list[OfLink]:
-    """The laws that act on a link's coordinates; dry friction behind an elastic gear acts on its rotor."""
-    dry = [("theta", key.motors.index(axis)) if axis in key.motors else ("q", axis) for axis in key.rubbed]
-    stops = [("q", axis) for axis, _ in key.stops]
-    sides = tuple(SIDES[side] for _, side in key.stops)
-    found = [OfLink(FRICTION, dry, (1,) * len(dry)), OfLink(STOP, stops, sides)]
-    for kind in dict.fromkeys(kind for kind, _ in key.elements):
-        axes = [("q", axis) for axis in key.axes_with(kind)]
-        found.append(OfLink(OfElement(kind), axes, (1,) * len(axes)))
-    return [one for one in found if one.places]
+    """The laws that act on a link's coordinates."""
+    groups = [(law, [one for one in key.laws if one.law == law]) for law in dict.fromkeys(one.law for one in key.laws)]
+    return [OfLink(law, [(x.part, x.place) for x in own], tuple(x.side for x in own)) for law, own in groups]
 
 
 def of_robot(chain: Chain) -> list[OfRobot]:
     """The laws that act in a robot, link by link."""
-    dry = OfRobot(FRICTION, chain.dry, [1] * len(chain.dry))
-    stops = OfRobot(STOP, [k for k, _ in chain.stops], [side for _, side in chain.stops])
-    more = [OfRobot(OfElement(kind), places, [1] * len(places)) for kind, places in chain.elements.items()]
-    return [one for one in (dry, stops, *more) if one.coordinates]
-
-
-# ------------------------------------------------------------------------------------------ constants
-
-
-class Acting(NamedTuple):
-    """A law on one axis of a joint: its side there, and the labels of its constants, None for one that is zero."""
-
-    law: Law
-    axis: int
-    side: int
-    labels: tuple[str | None, ...]
-
-
-def on_axes(key: LinkClass) -> Iterator[Acting]:
-    """The laws on the axes of a link's joint; friction on rotors and in transmissions is not among them."""
-    for axis in (axis for axis in key.rubbed if axis not in key.motors):
-        yield Acting(FRICTION, axis, 1, (f"drive_coulomb_{axis + 1}", f"drive_velocity_{axis + 1}"))
-    yield from stops(key)
-    for kind, axis in key.elements:
-        yield Acting(OfElement(kind), axis, 1, tuple(element_label(kind.KIND, x, axis) for x in kind.table()))
-
-
-def stops(key: LinkClass) -> Iterator[Acting]:
-    """The stops of the axes."""
-    for axis, side in key.stops:
-        damping = f"limit_damping_{axis + 1}" if axis in key.stop_damping else None
-        yield Acting(STOP, axis, SIDES[side], (f"limit_{side}_{axis + 1}", f"limit_stiffness_{axis + 1}", damping))
+    return [OfRobot(law, [x.coordinate for x in own], [x.side for x in own]) for law, own in chain.laws.items()]
 
 
 def columns_of(s: Scope) -> Iterator[tuple[str, list[Value]]]:
-    """The columns of stops and elements, recorded from the parameters: name, an entry for each coordinate."""
-    acting = [*stops(s.key), *(one for one in on_axes(s.key) if isinstance(one.law, OfElement))]
-    for law in dict.fromkeys(one.law for one in acting):
-        labels = zip(*(one.labels for one in acting if one.law == law), strict=True)
-        for name, own in zip(law.constants, labels, strict=True):
-            yield name, [0.0 if label is None else s.read(f"p.{label}", 1)[0] for label in own]
+    """The columns of laws, recorded from the parameters: name, an entry for each coordinate."""
+    for law in dict.fromkeys(one.law for one in s.key.laws):
+        read = lambda label: 0.0 if label is None else s.read(f"p.{label}", 1)[0]  # noqa: E731
+        entries = (law.prepared(*map(read, one.labels)) for one in s.key.laws if one.law == law)
+        yield from zip(law.constants, map(list, zip(*entries, strict=True)), strict=True)
 
 
 # ------------------------------------------------------------------------------------------ in phases
@@ -95,20 +56,21 @@ def columns_of(s: Scope) -> Iterator[tuple[str, list[Value]]]:
 
 def axis_forces(s: Scope, q: Vector, qdot: Vector) -> Iterator[tuple[int, Value]]:
     """The forces of laws on the joint's axes, each with its axis; friction of rotors is not among them."""
-    for law, axis, side, labels in on_axes(s.key):
-        constants = [0.0 if label is None else s.constant(label) for label in labels]
-        if law == FRICTION:
-            constants[1] = constants[1] * constants[1]
-        yield axis, law.force(s.tracer, float(side), q[axis], qdot[axis], *constants)
+    for law, _, axis, side, labels in _on_axes(s):
+        yield axis, law.force(s.tracer, float(side), q[axis], qdot[axis], *_constants(s, law, labels))
 
 
 def axis_energy(s: Scope, q: Vector) -> Value:
-    """Twice the potential of stops and elements."""
+    """Twice the potential of laws."""
     total: Value = 0.0
-    for law, axis, side, labels in on_axes(s.key):
-        constants = [0.0 if label is None else s.constant(label) for label in labels]
-        if law == STOP:
-            total = total + STOP.energy(s.tracer, float(side), q[axis], *constants[:2])
-        elif isinstance(law, OfElement):
-            total = total + law.energy(s.tracer, float(side), q[axis], *constants)
+    for law, _, axis, side, labels in _on_axes(s):
+        total = total + law.energy(s.tracer, float(side), q[axis], *_constants(s, law, labels))
     return total
+
+
+def _on_axes(s: Scope) -> list[Acting]:
+    return [one for one in s.key.laws if one.part == "q"]
+
+
+def _constants(s: Scope, law: Law, labels: tuple[str | None, ...]) -> tuple[Value, ...]:
+    return law.prepared(*(0.0 if label is None else s.constant(label) for label in labels))

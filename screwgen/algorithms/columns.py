@@ -4,45 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..elements.axis_element import PREFIX, OfElement
+from ..elements import Law
 from ..topology.chain import Chain
 from .axis_laws import of_robot
 from .schedule import COLUMNS
 
-LAWS = ("dry", "stop")
-"""The parts whose columns are those of friction and stops."""
-
 
 def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, list]:
-    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints that are not sprung.
+    """The robot's columns ``M_eta``, ``K``, ``D`` from those of its links; zero for joints without forces of axes.
 
-    Entries below the diagonal, if modes or rotors are coupled, follow the diagonal's. ``coulomb`` and ``speed`` are of
-    the coordinates in ``chain.dry``, if there are any; those of stops and elements follow.
+    Entries below the diagonal, if modes or rotors are coupled, follow the diagonal's. Those of laws follow, an entry
+    for each coordinate on which a law acts.
     """
     out = {name: [0.0] * chain.n_inertia for name in COLUMNS["eta"]}
     for one in of_robot(chain):
         out |= {name: [0.0] * len(one.coordinates) for name in one.law.constants}
     for i, link in enumerate(links):
-        for part, span in chain.given(i).items():
-            for name, own in zip(robot_columns(chain, part), link_columns(chain, part), strict=True):
+        for part, span in chain.own_spans(i).items():
+            for name, own in zip(robot_columns(part), link_columns(part), strict=True):
                 out[name][span] = link[own]
     return out
 
 
-def link_columns(chain: Chain, part: str) -> tuple[str, ...]:
+def width(span: slice) -> int:
+    """The number of entries of a slice."""
+    return span.stop - span.start
+
+
+def link_columns(part: str | Law) -> tuple[str, ...]:
     """The columns of a part of every link."""
-    return COLUMNS[part] if part in COLUMNS else _of_element(chain, part)
+    return COLUMNS[part] if isinstance(part, str) else part.constants
 
 
-def robot_columns(chain: Chain, part: str) -> tuple[str, ...]:
+def robot_columns(part: str | Law) -> tuple[str, ...]:
     """The robot's columns that hold those of a part of every link."""
-    return link_columns(chain, part if is_of_law(part) else "eta")
-
-
-def is_of_law(part: str) -> bool:
-    """Whether the columns of a part are those of forces that are not linear, see :mod:`.axis_laws`."""
-    return part in LAWS or part.startswith(PREFIX)
-
-
-def _of_element(chain: Chain, part: str) -> tuple[str, ...]:
-    return next(OfElement(kind).constants for kind in chain.elements if f"{PREFIX}{kind.KIND}" == part)
+    return link_columns("eta" if isinstance(part, str) else part)

@@ -10,25 +10,38 @@ from __future__ import annotations
 import numpy as np
 
 from ..ir.program import Array
+from ..joints.exponential import Series
 from . import matrices as mx
-from .drives import joint_torque
+from .axis_terms import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
-from .phases import free_motion, joint_motion, relative_posture, tip_motion, tip_state
-from .quaternions import joint_quaternion, quaternion_matrix, quaternion_product, tip_quaternion, unit_quaternion
+from .phases import joint_motion, motion_in_space, relative_posture, tip_motion, tip_state
+from .quaternions import (
+    joint_quaternion,
+    quaternion_matrix,
+    quaternion_product,
+    tip_quaternion,
+    unit_coordinates,
+    unit_quaternion,
+)
 from .scope import Scope
 from .signals import PER_CHILD
 
 
 def dae_kinematics(s: Scope) -> None:
     """Base to tip: the joint's rates from the twists, then the motion as in the joint form."""
-    if s.key.free:
-        free_motion(s)
+    if s.key.floats:
+        motion_in_space(s, stated_pose(s), s.read("twist"))
         s.write("qdot", mx.zeros(0))
     else:
         _joint_kinematics(s)
     for section in s.sections:
         tip_motion(section)
         section.write("tip.v", section.lower("tip_motion", tip_state(s, s.read("twist")), "v_t")[0])
+
+
+def stated_pose(s: Scope) -> Array:
+    """The coordinates of a floating base, which this form states as position and quaternion."""
+    return np.concatenate([s.read("position"), s.read("quaternion")])
 
 
 def _joint_kinematics(s: Scope) -> None:
@@ -81,7 +94,8 @@ def twist_rates(s: Scope) -> None:
 
     That of a floating base is what the elimination solves for.
     """
-    if s.key.free:
+    if s.key.floats:
+        s.write("Vdot", s.read("qddot"))
         return
     R = quaternion_matrix(s.read("quaternion"))
     fall = mx.multiply(R.T, s.read("gravity"))
@@ -104,9 +118,9 @@ def project(s: Scope) -> None:
 
     Of a floating base only the length of the quaternion is corrected.
     """
-    q, twist, eta, etadot = s.read("q"), s.read("twist"), *_modal(s)
+    q, twist, eta, etadot = _redundant(s), s.read("twist"), *_modal(s)
     R_raw = quaternion_matrix(s.read("quaternion"))
-    if s.key.free:
+    if s.key.floats:
         s.write("new_q", q)
         _measured_tip(s, R_raw, twist, eta, etadot)
         _place(s, q, q, eta, etadot)
@@ -120,7 +134,8 @@ def project(s: Scope) -> None:
         if r_raw is not None:
             gap = mx.multiply(R_P.T, r_raw - s.read("base.r_m")) - joint_offset(s, q)
             error = np.concatenate([error, mx.multiply(R.T, gap)])
-        q = q + mx.multiply(pseudo_inverse(s, q), error)
+        q = s.key.joint.integrate(q, mx.multiply(pseudo_inverse(s, q), error), series_of(s))
+    q = unit_coordinates(s, q)
     (R,) = s.lower("posture", {"q": q}, "R_rel")
     qdot = mx.multiply(pseudo_inverse(s, q), _relative_twist(s, q, R, twist, "omega_m", "v_m"))
     s.write("new_q", q)
@@ -128,9 +143,20 @@ def project(s: Scope) -> None:
     _place(s, q, qdot, eta, etadot)
 
 
+def series_of(s: Scope) -> Series:
+    """The Stumpff functions of what a phase records."""
+    return Series(lambda x: s.tracer.call("c4", x), lambda x: s.tracer.call("c5", x))
+
+
+def _redundant(s: Scope) -> Array:
+    """The joint coordinates beside the poses; a floating base has none."""
+    return mx.zeros(0) if s.key.floats else s.read("q")
+
+
 def forward_kinematics(s: Scope) -> None:
     """Base to tip: poses and twists of the DAE form from q and qdot."""
-    _place(s, s.read("q"), s.read("qdot"), *_modal(s))
+    q = _redundant(s)
+    _place(s, q, q if s.key.floats else s.read("qdot"), *_modal(s))
 
 
 def _modal(s: Scope) -> tuple[Array, Array]:
@@ -158,9 +184,10 @@ def _tip_rotation(s: Scope, eta: Array) -> Array:
 
 
 def _place(s: Scope, q: Array, qdot: Array, eta: Array, etadot: Array) -> None:
-    if s.key.free:
+    if s.key.floats:
         omega, v = np.split(s.read("twist"), 2)
-        R, r, Q = rotation(s), s.read("position"), unit_quaternion(s, s.read("quaternion"))
+        pose = stated_pose(s)
+        R, r, Q = rotation(s, pose), pose[:3], unit_quaternion(s, pose[3:])
     else:
         parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
         R_rel, omega, v = s.lower("joint", {"q": q, "qdot": qdot, **parent}, "R_rel", "omega", "v")
@@ -203,8 +230,8 @@ LINK_ROWS = (
 
 def joint_rows(s: Scope) -> None:
     """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance; of a floating base w = 0."""
-    twist, q = s.read("twist"), s.read("q")
-    if s.key.free:
+    twist, q = s.read("twist"), _redundant(s)
+    if s.key.floats:
         _free_terms(s, twist)
         _write_biases(s)
         _write_rows(s, {})

@@ -8,6 +8,7 @@ State ``x = [pose_1; ...; pose_n; theta; eta; V_1; ...; V_n; thetadot; etadot; q
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from ..errors import UsageError
 from ..ir.program import Value
@@ -15,6 +16,7 @@ from ..spec.base import TWIST
 from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from .functions import ASSEMBLY, DAE_FORWARD, DAE_RATES, PLACEMENT, PROJECTION, ROTORS, Functions
+from .joint_moves import coordinate_rates
 from .schedule import Algorithm
 from .signals import edge_name
 
@@ -28,7 +30,7 @@ RATES = {
     "twist": "Vdot",
     "thetadot": "thetaddot",
     "etadot": "etaddot",
-    "q": "qdot",
+    "q": "qrate",
 }
 """The name of the signal with the rate of each part of the state."""
 
@@ -40,7 +42,7 @@ Entries = dict[tuple[int, int], Value]
 
 def state_size(chain: Chain) -> int:
     """The length of x."""
-    return 13 * chain.n + 2 * chain.n_inner + chain.n_joints
+    return 13 * chain.n + 2 * chain.n_inner + chain.n_redundant
 
 
 def unknown_size(chain: Chain) -> int:
@@ -51,13 +53,13 @@ def unknown_size(chain: Chain) -> int:
 def dae_names(chain: Chain) -> dict[str, list[str]]:
     """The names of the entries of ``x`` and ``z``."""
     links, names = chain.names, coordinate_names(chain.robot)
-    inner = list(names.q[chain.eta_q - chain.n_motors :])
-    rates = list(names.v[chain.eta_v - chain.n_motors :])
+    inner = list(names.q[chain.eta_q - chain.n_added :])
+    rates = list(names.v[chain.eta_v - chain.n_added :])
     poses = [f"{link}.{p}" for link in links for p in POSE]
     twists = [f"{link}.{t}" for link in links for t in TWIST]
     unknowns = link_unknowns(chain, TWIST)
-    x = poses + inner + twists + rates + list(names.q[: chain.n_joints])
-    modal = rates[chain.n_motors :]
+    x = poses + inner + twists + rates + list(names.q[chain.base_q : chain.q_offset[-1]])
+    modal = rates[chain.n_added :]
     return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in modal]}
 
 
@@ -77,7 +79,8 @@ class DaeFunctions(Functions):
         c, o, t = self.chain, self.chain.eta_offset, self.chain.theta_offset
         at_theta, at_twist = 7 * c.n, 7 * c.n + c.n_inner
         at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_inner
-        at_eta, at_etadot = at_theta + c.n_motors, at_rate + c.n_motors
+        at_eta, at_etadot = at_theta + c.n_added, at_rate + c.n_added
+        redundant = [max(k - c.base_q, 0) for k in c.q_offset]
         return [
             {
                 "quaternion": list(x[7 * i : 7 * i + 4]),
@@ -87,7 +90,7 @@ class DaeFunctions(Functions):
                 "etadot": list(x[at_etadot + o[i] : at_etadot + o[i + 1]]),
                 "theta": list(x[at_theta + t[i] : at_theta + t[i + 1]]),
                 "thetadot": list(x[at_rate + t[i] : at_rate + t[i + 1]]),
-                "q": list(x[at_q + c.q_offset[i] : at_q + c.q_offset[i + 1]]),
+                "q": list(x[at_q + redundant[i] : at_q + redundant[i + 1]]),
             }
             for i in range(c.n)
         ]
@@ -98,11 +101,13 @@ class DaeFunctions(Functions):
         get = lambda link, part: link.get(named(part), ()) if "theta" in part else link[named(part)]  # noqa: E731
         gather = lambda *parts: [v for link in links for part in parts for v in get(link, part)]  # noqa: E731
         inner, rates = gather("theta") + gather("eta"), gather("thetadot") + gather("etadot")
-        return [*gather("quaternion", "position"), *inner, *gather("twist"), *rates, *gather("q")]
+        jointed = (link for link, key in zip(links, self.chain.keys, strict=True) if not key.floats)
+        redundant = [v for link in jointed for v in get(link, "q")]
+        return [*gather("quaternion", "position"), *inner, *gather("twist"), *rates, *redundant]
 
     def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
         """The state with inertias and forces of modes and sprung joints; joint rates are taken from the twists."""
-        if self.chain.sprung and self.given is None:
+        if self.chain.has_axis_forces and self.given is None:
             found, _ = self._run(kinematics, state)
             state = [dict(x) | {"qdot": link["qdot"]} for x, link in zip(state, found, strict=True)]
         return self._with_terms(state)
@@ -112,10 +117,24 @@ class DaeFunctions(Functions):
 
     def place(self, q: Sequence, v: Sequence) -> list:
         """A state that satisfies the joint constraints: x from coordinates and rates."""
-        links, _ = self._run(PLACEMENT, self._state(q, v))
+        links, _ = self._run(PLACEMENT, self._stated(self._state(q, v)))
         return self.pack(links, PLACED)
 
-    def _solve(self, x, tau, w_ext) -> list[dict[str, list]]:
+    def _stated(self, links: Sequence[dict[str, list]]) -> Sequence[dict[str, list]]:
+        """Joint coordinates and rates as this form states them: of a floating base as pose and twist."""
+        if self.chain.floating:
+            base = links[0]
+            base |= {"position": base["q"][:3], "quaternion": base["q"][3:], "twist": base["qdot"]}
+        return links
+
+    def _of_joints(self, links: Sequence[dict[str, list]]) -> Sequence[dict[str, list]]:
+        """The inverse."""
+        if self.chain.floating:
+            base = links[0]
+            base |= {"q": [*base["position"], *base["quaternion"]], "qdot": base["twist"]}
+        return links
+
+    def _solve(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> list[dict[str, list]]:
         if self.chain.closures:
             tau, w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
@@ -126,15 +145,24 @@ class DaeFunctions(Functions):
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
         return [rate for link in links for rate in link["qdot"]]
 
-    def rates(self, x, tau, w_ext) -> tuple[list, list, list]:
+    def rates(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list, list]:
         """``xdot``, ``vdot`` of the joint form, and the joint wrenches, by block elimination."""
         links = self._solve(x, tau, w_ext)
         wrench = [w for link in links for w in link["wrench"]]
         return self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot"), wrench
 
     def _state_rates(self, x: Sequence, links: Sequence[Mapping[str, list]]) -> list:
-        poses, _ = self._run(DAE_RATES, self.unpack(x))
-        return self.pack([a | b for a, b in zip(links, poses, strict=True)], RATES)
+        state = self.unpack(x)
+        poses, _ = self._run(DAE_RATES, state)
+        return self.pack([a | b for a, b in zip(self._redundant_rates(state, links), poses, strict=True)], RATES)
+
+    def _redundant_rates(self, state: Sequence[Mapping[str, list]], links: Sequence[Mapping[str, list]]) -> list[dict]:
+        """The links with the rates of joint coordinates, which those of joints are but for quaternions."""
+        out = [dict(link) | {"qrate": link["qdot"]} for link in links]
+        for i, joint in ((part.link, part.joint) for part in self.chain.curved if not part.joint.in_space):
+            given = {"q": state[i]["q"], "v": links[i]["qdot"]}
+            out[i]["qrate"] = self.apply(i, 0, coordinate_rates(joint), given)["rates"]
+        return out
 
     def kinematic_rates(self, x: Sequence, z: Sequence, tau: Sequence = ()) -> list:
         """``xdot`` when the accelerations are given: the differential equations of the DAE.
@@ -142,14 +170,14 @@ class DaeFunctions(Functions):
         ``tau`` acts on the rotors of elastic drives; their accelerations are no unknowns. Raises UsageError where
         transmissions have elastic gears, whose accelerations need those of the joints.
         """
-        if self.chain.loose:
+        if self.chain.elastic_travels:
             what = "has an elastic gear behind a transmission, for which the DAE has no differential equations"
             raise UsageError(f"robot '{self.chain.robot.name}' {what}; use dae_dynamics, or the joint form")
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
-        if self.chain.n_motors:
+        if self.chain.n_added:
             moving = self._with_terms([a | {"qdot": b["qdot"]} for a, b in zip(self.unpack(x), links, strict=True)])
-            rotors, _ = self._run(ROTORS, moving, self._torques(tau))
-            links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, rotors, strict=True)]
+            added, _ = self._run(ROTORS, moving, self._torques(tau))
+            links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, added, strict=True)]
         n, o = self.chain.n, self.chain.eta_offset
         given = [
             {"Vdot": list(z[12 * i + 6 : 12 * i + 12]), "etaddot": list(z[12 * n + o[i] : 12 * n + o[i + 1]])}
@@ -166,10 +194,10 @@ class DaeFunctions(Functions):
     def coordinates(self, x: Sequence) -> tuple[list, list]:
         """``q`` and ``v`` of a state."""
         links, _ = self._run(DAE_FORWARD[:1], state := self.unpack(x))
-        join, links = self.chain.join, [a | b for a, b in zip(state, links, strict=True)]
-        return join(links, "q", "eta"), join(links, "qdot", "etadot")
+        join, found = self.chain.join, self._of_joints([a | b for a, b in zip(state, links, strict=True)])
+        return join(found, "q", "eta"), join(found, "qdot", "etadot")
 
-    def assemble(self, x, tau, w_ext) -> tuple[Entries, list, list]:
+    def assemble(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[Entries, list, list]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z.
 
         The wrenches of loops on the tips are part of ``W_sys``.
@@ -180,7 +208,7 @@ class DaeFunctions(Functions):
         links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._stacked(links)
 
-    def _stacked(self, links: Sequence[Mapping[str, list]]) -> tuple[Entries, list, list]:
+    def _stacked(self, links: Sequence[Mapping[str, Any]]) -> tuple[Entries, list, list]:
         """The blocks of all links, each at its rows and columns."""
         M: Entries = {}
         for i, link in enumerate(links):

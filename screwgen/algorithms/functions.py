@@ -7,18 +7,20 @@ from contextlib import AbstractContextManager, nullcontext
 
 from ..elements import Law
 from ..ir.program import Value
+from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from . import dae, given_motion, transmissions, validity
+from . import dae, given_motion, travels, validity
 from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
-from .columns import is_of_law
-from .drives import drive_power, rotor_accelerations
+from .axis_terms import drive_power, rotor_accelerations
+from .joint_moves import rates
 from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
-from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, trace
+from .marker_functions import MarkerFunctions
+from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
 
@@ -31,7 +33,7 @@ ENERGY: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.energy, OUTW
 MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers, INWARD))
 
-LEVERS: Algorithm = (Phase(transmissions.levers, OUTWARD),)
+LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
 POWER: Algorithm = (Phase(drive_power, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
@@ -46,7 +48,7 @@ EVERYTHING = (FORWARD, INVERSE, PLACES, ENERGY, DAE_FORWARD, DAE_RATES, PROJECTI
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
-def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
+def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     """The nodes with their known values: the base is at rest and accelerates by ``-g``, leaves carry no load."""
     out: list[dict[str, list]] = [{} for _ in range(chain.tree.size)]
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
@@ -61,7 +63,7 @@ def nodes(chain: Chain, gravity: Sequence[Value]) -> list[dict[str, list]]:
     return out
 
 
-class Functions(LoopFunctions):
+class Functions(LoopFunctions, MarkerFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
@@ -75,19 +77,20 @@ class Functions(LoopFunctions):
     section: Callable[[str], AbstractContextManager] = nullcontext
     """Opens a titled section of the program that is being recorded, if one is."""
 
-    def __init__(self, chain: Chain, constants: Sequence[Mapping[str, list]], gravity: Sequence, apply: Apply):
+    def __init__(self, chain: Chain, constants: Sequence[dict[str, list]], gravity: Sequence, apply: Apply):
         self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
 
-    def _nodes(self) -> list[dict[str, list]]:
-        return nodes(self.chain, self.gravity)
+    def _nodes(self, chain: Chain) -> list[dict[str, list]]:
+        return nodes(chain, self.gravity)
 
     def _run(self, algorithm: Algorithm, *parts: Sequence[Mapping[str, list]]) -> tuple[list, list]:
-        places = self._nodes()
+        chain = seen_by(self.chain, algorithm)
+        places = self._nodes(chain)
         links = [dict(c) for c in self.constants]
         for part in parts:
             for link, more in zip(links, part, strict=True):
                 link.update(more)
-        return execute(self.chain, algorithm, links, places, self.apply), places
+        return execute(chain, algorithm, links, places, self.apply), places
 
     def _motion(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
         position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
@@ -97,28 +100,27 @@ class Functions(LoopFunctions):
         return self._with_terms(self._motion(q, v))
 
     def _with_terms(self, state: Sequence[Mapping], *parts: str) -> list[dict[str, list]]:
-        """The state with inertia and force of the modes and of sprung joints, or of the named ``parts`` alone."""
+        """The state with inertia and force of modes and joints, or of the named ``parts`` alone."""
         return [dict(x) | self._terms(i, x, parts) for i, x in enumerate(state)]
 
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out: dict[str, list] = {}
-        spans = self.chain.given(i)
-        below, gear = (spans.pop(part, None) for part in ("below", "gear"))
+        spans = self.chain.own_spans(i)
+        below, gear = (spans.pop(part, None) for part in ("below", "between"))
         for part, span in spans.items():
-            if is_of_law(part):
+            if not isinstance(part, str):
                 continue
             if self.given is not None:
                 out |= {f"{name}_{part}": list(column[span]) for name, column in zip("mf", self.given, strict=True)}
             elif not parts or part in parts:
                 M, K, D = (self.constants[i][name] for name in COLUMNS[part])
-                pairs = zip(K, x[part], D, x[f"{part}dot"], strict=True)
+                pairs = zip(K, stretched(self.chain.keys[i], x, part), D, x[f"{part}dot"], strict=True)
                 out |= {f"m_{part}": list(M), f"f_{part}": [k * a + d * b for k, a, d, b in pairs]}
         out |= {} if below is None else self._coupled_terms(i, x, below, out["f_eta"])
         key = self.chain.keys[i]
-        acting = key.rubbed or key.stops or key.elements
-        return self._drive_terms(i, x, gear, out) if gear is not None or acting else out
+        return self._axis_terms(i, x, gear, out) if gear is not None or key.laws else out
 
-    def _drive_terms(self, i: int, x: Mapping[str, list], span: slice | None, out: dict[str, list]) -> dict[str, list]:
+    def _axis_terms(self, i: int, x: Mapping[str, list], span: slice | None, out: dict[str, list]) -> dict[str, list]:
         """What gears and laws add to the forces of joint and rotors, unless they are given."""
         key, own = self.chain.keys[i], self.constants[i]
         if self.given is not None:
@@ -127,9 +129,9 @@ class Functions(LoopFunctions):
             return out
         out |= {part: list(out[part]) for part in ("f_q", "f_theta") if part in out}
         if span is not None:
-            M, K, D = (own[name] for name in COLUMNS["gear"])
+            M, K, D = (own[name] for name in COLUMNS["between"])
             out["m_gear"] = list(M)
-            for n, axis in enumerate(key.motors):
+            for n, axis in enumerate(key.added_axes):
                 out["f_theta"][n] = out["f_theta"][n] + K[n] * x["q"][axis] + D[n] * x["qdot"][axis]
                 out["f_q"][axis] = out["f_q"][axis] + K[n] * x["theta"][n] + D[n] * x["thetadot"][n]
         for _, (part, n), force, _, _ in self.laws(i, x):
@@ -159,86 +161,89 @@ class Functions(LoopFunctions):
         return {"m_below": list(M), "f_eta": out}
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:
-        offset = self.chain.q_offset
+        offset = self.chain.tau_offset
         return [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
 
     def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:
         return [{"w_ext": list(w_ext[6 * i : 6 * i + 6])} for i in range(self.chain.n)]
 
-    def forward_dynamics(self, q, v, tau, w_ext) -> tuple[list, list]:
+    def forward_dynamics(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """``vdot`` and the joint wrenches, link by link."""
         return self.watched_dynamics(q, v, tau, w_ext)[:2]
 
-    def watched_dynamics(self, q, v, tau, w_ext) -> tuple[list, list, list]:
+    def watched_dynamics(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list, list]:
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
         links, _ = self.forward(q, v, *self.with_loops(q, v, tau, w_ext))
         wrench = [x for link in links for x in link["wrench"]]
         return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
 
-    def forward(self, q, v, tau, w_ext) -> tuple[list, list]:
+    def forward(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The links and the nodes of the open tree after forward dynamics."""
         return self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
 
-    def measures(self, q, wrench, motion) -> list:
+    def measures(self, q: Sequence, wrench: Sequence, motion: Sequence) -> list:
         """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
         n, eta = range(self.chain.n), self.chain.split(q, "q", "eta")
         given = [{"wrench": list(wrench[6 * i : 6 * i + 6]), "motion": list(motion[4 * i : 4 * i + 4])} for i in n]
         return [x for link in self._run(MEASURING, eta, given)[0] for x in link["measures"]]
 
-    def measures_at_rest(self, q, w_ext) -> list:
+    def measures_at_rest(self, q: Sequence, w_ext: Sequence) -> list:
         """The measures at rest in a held posture."""
         rest = [0.0] * self.chain.nv
         still = self.chain.split(rest, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
         return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
 
-    def inverse_dynamics(self, q, v, vdot, w_ext) -> list:
+    def inverse_dynamics(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> list:
         """Inverse dynamics: the generalised forces of a given motion."""
         return self.loads(q, v, vdot, w_ext)[0]
 
-    def loads(self, q, v, vdot, w_ext) -> tuple[list, list]:
+    def loads(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The generalised forces of a given motion, and the joint wrenches, link by link."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
         return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
 
-    def statics(self, q, w_ext) -> tuple[list, list]:
+    def statics(self, q: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The same at rest."""
         rest = [0.0] * self.chain.nv
         return self.loads(q, rest, rest, w_ext)
 
-    def levers(self, q) -> list:
+    def levers(self, q: Sequence) -> list:
         """What the torque of each axis is multiplied by: the travel of its transmission per rad, or 1."""
         return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
 
-    def drive_power(self, q, v, tau) -> list:
+    def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
         """The power that each drive gives to the arm."""
         return [x for link in self._run(POWER, self._motion(q, v), self._torques(tau))[0] for x in link["power"]]
 
-    def sensitivities(self, q, v, vdot, w_ext, tau) -> list[dict[str, list]]:
+    def sensitivities(
+        self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
+    ) -> list[dict[str, list]]:
         """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
         return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext), self._torques(tau))[0]
 
-    def poses(self, q) -> tuple[list, list]:
+    def poses(self, q: Sequence) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""
         links, places = self._run(PLACES, self.chain.split(q, "q", "eta"))
         tips = places[1 : self.chain.n + 1]
         return [(link["R"], link["r"]) for link in links], [(node["R"], node["r"]) for node in tips]
 
-    def coordinate_rates(self, q, v) -> list:
-        """``dq/dt``: the rates themselves, but for the pose of a floating base."""
-        if not self.chain.floating:
-            return list(v)
-        state, (program,) = self._state(q, v)[0], trace(self.chain.keys[0], DAE_RATES)
-        found = self.apply(0, 0, program, {name: state[name] for name in program.inputs})
-        return [*found["position_rate"], *found["quaternion_rate"], *v[self.chain.base_v :]]
+    def coordinate_rates(self, q: Sequence, v: Sequence) -> list:
+        """``dq/dt``: the rates themselves, but for joints whose coordinates do not add up."""
+        return rates(self.chain, q, v, self.apply)
 
-    def energy(self, q, v) -> tuple[Value, Value]:
+    def energy(self, q: Sequence, v: Sequence) -> tuple[Value, Value]:
         """Kinetic and potential energy."""
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential")
+
+
+def stretched(key: LinkClass, x: Mapping[str, list], part: str) -> Sequence[Value]:
+    """The coordinates that springs stretch, one for each rate; a joint whose coordinates do not add up has none."""
+    return [0.0] * key.joints if part == "q" and key.joint.curved else x[part]
 
 
 def axial_motions(links: Sequence[Mapping[str, list]]) -> list:

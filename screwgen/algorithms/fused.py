@@ -12,30 +12,37 @@ from ..ir.program import Program, Tracer, Value
 from ..ir.replay import inline, run
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
-from .columns import columns, link_columns
+from .columns import columns, link_columns, width
 from .dae_functions import DaeFunctions, state_size, unknown_size
 from .functions import EVERYTHING, Functions
-from .schedule import Algorithm, constant_labels, is_column, preparation
+from .schedule import Algorithm, constant_labels, is_column, preparation, seen_by
 
 DIGITS = 40
 
-Body = Callable[[Any, Mapping[str, Sequence[Value]]], Mapping[str, Sequence[Value]]]
+Outputs = Mapping[str, Sequence[Value]]
+Body = Callable[[Any, Mapping[str, Sequence[Value]]], Outputs]
 """Of the functions of a robot, of the class that :func:`fuse` is given, and of the inputs."""
 
 
 def fuse(
-    chain: Chain, name: str, inputs: Mapping[str, int], body: Body, constants="parameters", kind=Functions
+    chain: Chain,
+    name: str,
+    inputs: Mapping[str, int],
+    body: Body,
+    constants: str = "parameters",
+    kind: type[Functions] = Functions,
+    algorithms: Sequence[Algorithm] = EVERYTHING,
 ) -> Program:
     """Trace a function of the whole robot into one program.
 
     ``constants`` says where the links' constants come from: prepared inside from an input ``p``
     (``"parameters"``), inputs of their own (``"constants"``), or numbers (``"baked"``); ``kind`` is the class of
-    functions that ``body`` is given.
+    functions that ``body`` is given, ``algorithms`` are those for which there are constants.
     """
     tracer = Tracer()
     values = {key: tracer.input(key, size) for key, size in inputs.items()}
     read: dict[str, int] = dict(inputs)
-    links, gravity = _sources(chain, tracer, constants, read)
+    links, gravity = _sources(chain, tracer, constants, read, algorithms)
     names = chain.identifiers
     apply = lambda i, _, program, given: inline(program, given, tracer, names[i], i)  # noqa: E731
     functions = kind(chain, links, gravity, apply)
@@ -44,20 +51,23 @@ def fuse(
     return tracer.program(name, read, {k: list(v) for k, v in outputs.items()})
 
 
-def _sources(chain: Chain, tracer: Tracer, constants: str, read: dict[str, int]):
+def _sources(
+    chain: Chain, tracer: Tracer, constants: str, read: dict[str, int], algorithms: Sequence[Algorithm]
+) -> tuple[list[dict[str, list]], Sequence[Value]]:
     if constants == "baked":
-        return baked(chain), [p.value for p in parameters(chain.robot)[:3]]
+        return baked(chain, algorithms), [p.value for p in parameters(chain.robot)[:3]]
     if constants == "parameters":
         size = len(parameters(chain.robot))
         p = tracer.input("p", size)
         read["p"] = size
         called = chain.identifiers
-        return prepared(chain, p, lambda i, program, given: inline(program, given, tracer, called[i])), p[:3]
+        apply = lambda i, program, given: inline(program, given, tracer, called[i])  # noqa: E731
+        return prepared(chain, p, apply, algorithms), p[:3]
     links = []
-    for i, key in enumerate(chain.keys):
-        names = {f"c.{label}": 1 for label in constant_labels(key, EVERYTHING)}
-        for part, span in chain.given(i).items():
-            names |= dict.fromkeys(link_columns(chain, part), span.stop - span.start)
+    for i in range(chain.n):
+        names = {f"c.{label}": 1 for label in constant_labels(chain, i, algorithms)}
+        for part, span in chain.own_spans(i).items():
+            names |= dict.fromkeys(link_columns(part), width(span))
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}
     read["gravity"] = 3
@@ -76,26 +86,26 @@ def prepared(
     constants are for.
     """
     out = []
-    for i, key in enumerate(chain.keys):
-        program, places = preparation(key, constant_labels(key, algorithms)), chain.parameter_labels[i]
+    for i, key in enumerate(seen_by(chain, *algorithms).keys):
+        program, places = preparation(key, constant_labels(chain, i, algorithms)), chain.parameter_labels[i]
         outputs = evaluate(i, program, {name: [p[places[name[2:]]]] for name in program.inputs})
         out.append({name if is_column(name) else f"c.{name}": values for name, values in outputs.items()})
     return out
 
 
-def exact(chain: Chain) -> tuple[list, list[dict[str, list]]]:
+def exact(chain: Chain, algorithms: Sequence[Algorithm] = EVERYTHING) -> tuple[list, list[dict[str, list]]]:
     """The parameters and the constants of every link in mpmath, at the precision of the surrounding context."""
     p = [mpmath.mpf(x.value) for x in parameters(chain.robot)]
-    return p, prepared(chain, p, lambda _, program, given: run(program, given, precise)[0])
+    return p, prepared(chain, p, lambda _, program, given: run(program, given, precise)[0], algorithms)
 
 
-def baked(chain: Chain) -> list[dict[str, list[float]]]:
+def baked(chain: Chain, algorithms: Sequence[Algorithm] = EVERYTHING) -> list[dict[str, list[float]]]:
     """The constants of every link as numbers, evaluated with many digits: the same on every machine."""
     with mpmath.workdps(DIGITS):
-        return [{n: [float(x) for x in v] for n, v in link.items()} for link in exact(chain)[1]]
+        return [{n: [float(x) for x in v] for n, v in link.items()} for link in exact(chain, algorithms)[1]]
 
 
-def precise(op: str, x):
+def precise(op: str, x: Any) -> Any:
     """The unary primitives in mpmath."""
     if op == "neg":
         return -x
@@ -106,7 +116,7 @@ def precise(op: str, x):
     return getattr(mpmath, op)(x)
 
 
-def _stumpff(order: int, x):
+def _stumpff(order: int, x: Any) -> Any:
     """The Stumpff series; at this precision it is accurate for every admissible rotation of a section."""
     term = 1 / mpmath.factorial(order)
     total, j = term, 0
@@ -135,7 +145,13 @@ class Maker(Hashable, Protocol):
     def __call__(self, chain: Chain, constants: str = ...) -> Program: ...
 
 
-def program(names: str, name="", kind=Functions, constants="parameters") -> Callable[[Callable], Maker]:
+def program(
+    names: str,
+    name: str = "",
+    kind: type[Functions] = Functions,
+    constants: str = "parameters",
+    algorithms: Sequence[Algorithm] = EVERYTHING,
+) -> Callable[[Callable], Maker]:
     """Makes ``(chain, constants) -> Program`` of a function that takes the robot's functions and the inputs ``names``.
 
     ``name``: of the program, if it is not the function's; ``constants``: those by default; the rest as of :func:`fuse`.
@@ -143,7 +159,8 @@ def program(names: str, name="", kind=Functions, constants="parameters") -> Call
 
     def made(body: Callable) -> Maker:
         def make(chain: Chain, constants: str = constants) -> Program:
-            return fuse(chain, name or body.__name__, inputs(chain, names), lambda f, x: body(f, **x), constants, kind)
+            given, run = inputs(chain, names), lambda f, x: body(f, **x)
+            return fuse(chain, name or body.__name__, given, run, constants, kind, algorithms)
 
         named: Any = update_wrapper(make, body, updated=())
         del named.__wrapped__  # the signature is that of make
@@ -153,21 +170,22 @@ def program(names: str, name="", kind=Functions, constants="parameters") -> Call
     return made
 
 
-def _watched(f: Functions, q, v, tau, w_ext, m_eta=None, f_eta=None) -> dict[str, Sequence[Value]]:
+def _watched(f: Functions, **x: Sequence) -> dict[str, Sequence[Value]]:
     """``vdot``, ``wrench`` and the motion for the validity measures; inertia and force of modes if they are inputs."""
-    if m_eta is not None:
-        f.given = (m_eta, f_eta)
-    return dict(zip(("vdot", "wrench", "motion"), f.watched_dynamics(q, v, tau, w_ext), strict=True))
+    if "m_eta" in x:
+        f.given = (x["m_eta"], x["f_eta"])
+    vdot, wrench, motion = f.watched_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+    return {"vdot": vdot, "wrench": wrench, "motion": motion}
 
 
 @program("q v tau w_ext")
-def forward_dynamics(f: Functions, **x):
+def forward_dynamics(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, tau, w_ext) -> (vdot, wrench)``."""
     return {name: values for name, values in _watched(f, **x).items() if name != "motion"}
 
 
 @program("q v tau w_ext m_eta f_eta")
-def modal_dynamics(f: Functions, **x):
+def modal_dynamics(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, wrench, motion)``: the forward dynamics of an integrator.
 
     ``m_eta`` and ``f_eta`` are the inertia and the force of stress and damping of every mode. If a joint is sprung,
@@ -177,101 +195,94 @@ def modal_dynamics(f: Functions, **x):
 
 
 @program("q wrench motion")
-def measures(f: Functions, q, wrench, motion):
+def measures(f: Functions, q: Sequence, wrench: Sequence, motion: Sequence) -> Outputs:
     """``(q, wrench, motion) -> (measures)``: four numbers per link, see :mod:`..bodies.validity`."""
     return {"measures": f.measures(q, wrench, motion)}
 
 
 @program("q v tau w_ext")
-def validity(f: Functions, **x):
+def validity(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, tau, w_ext) -> (measures)``."""
     found = _watched(f, **x)
     return {"measures": f.measures(x["q"], found["wrench"], found["motion"])}
 
 
 @program("q v tau w_ext m_eta f_eta", constants="constants")
-def complete_dynamics(f: Functions, **x):
+def complete_dynamics(f: Functions, **x: Sequence) -> Outputs:
     """The forward dynamics of the generated C: :func:`modal_dynamics` with the pose of the last tip."""
-    outputs = _watched(f, **x)
-    R, position = f.poses(x["q"])[1][f.chain.last]
+    outputs, (R, position) = _watched(f, **x), f.poses(x["q"])[1][f.chain.last]
     return outputs | {"tip_rotation": R, "tip_position": position}
 
 
 @program("")
-def modal_properties(f: Functions):
+def modal_properties(f: Functions) -> Outputs:
     """``() -> (M_eta, K, D)``: inertia, stiffness and damping behind the inputs of :func:`modal_dynamics`."""
     return columns(f.chain, f.constants)
 
 
 @program("q v tau w_ext m_eta f_eta")
-def loop_wrenches(f: Functions, q, v, tau, w_ext, m_eta, f_eta):
+def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included.
 
     With couplings also ``closed_tau``, the torques of all axes, those of the couplings included.
     """
-    f.given = (m_eta, f_eta)
-    found = f.with_loops(q, v, tau, w_ext)
+    f.given = (x["m_eta"], x["f_eta"])
+    found = f.with_loops(x["q"], x["v"], x["tau"], x["w_ext"])
     return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.couplings else {})
 
 
 @program("q v")
-def correction(f: Functions, q, v):
+def correction(f: Functions, q: Sequence, v: Sequence) -> Outputs:
     """``(q, v) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""
     return dict(zip(("new_q", "new_v"), f.correct(q, v), strict=True))
 
 
 @program("q")
-def openings(f: Functions, q):
+def openings(f: Functions, q: Sequence) -> Outputs:
     """``(q) -> (openings)``: the squares of how far each loop is from closed, of distance and angle."""
     return {"openings": f.openings(q)}
 
 
 @program("")
-def idle_gaps(f: Functions):
+def idle_gaps(f: Functions) -> Outputs:
     """The ``gaps`` of the rows of loops that no motion changes."""
     return {"gaps": f.idle_gaps()}
 
 
 @program("q v vdot w_ext")
-def inverse_dynamics(f: Functions, q, v, vdot, w_ext):
+def inverse_dynamics(f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> Outputs:
     """``(q, v, vdot, w_ext) -> (force)``."""
     return {"force": f.inverse_dynamics(q, v, vdot, w_ext)}
 
 
 @program("q v w_ext")
-def bias(f: Functions, q, v, w_ext):
+def bias(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence) -> Outputs:
     """``(q, v, w_ext) -> (h)``: the bias force, which is the inverse dynamics without accelerations."""
     return {"h": f.inverse_dynamics(q, v, [0.0] * f.chain.nv, w_ext)}
 
 
-@program("q")
-def levers(f: Functions, q):
-    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
-    return {"levers": f.levers(q)}
-
-
 @program("q vdot")
-def inertial_force(f: Functions, q, vdot):
+def inertial_force(f: Functions, q: Sequence, vdot: Sequence) -> Outputs:
     """``(q, vdot) -> (force)`` at rest: its Jacobian in ``vdot`` is the mass matrix."""
     still = Functions(f.chain, f.constants, [0.0] * 3, f.apply)
     return {"force": still.inverse_dynamics(q, [0.0] * f.chain.nv, vdot, [0.0] * 6 * f.chain.n)}
 
 
 @program("q v")
-def energy(f: Functions, q, v):
+def energy(f: Functions, q: Sequence, v: Sequence) -> Outputs:
     """``(q, v) -> (kinetic, potential)``."""
     kinetic, potential = f.energy(q, v)
     return {"kinetic": [kinetic], "potential": [potential]}
 
 
 @program("q v")
-def coordinate_rates(f: Functions, q, v):
+def coordinate_rates(f: Functions, q: Sequence, v: Sequence) -> Outputs:
     """``(q, v) -> (qdot)``."""
     return {"qdot": f.coordinate_rates(q, v)}
 
 
 @program("q")
-def poses(f: Functions, q):
+def poses(f: Functions, q: Sequence) -> Outputs:
     """``(q) -> (link_R, link_position, tip_R, tip_position)``, every R row by row, link by link."""
     frames, tips = f.poses(q)
     flat = lambda places, k: [v for place in places for v in place[k]]  # noqa: E731
@@ -283,11 +294,11 @@ def poses(f: Functions, q):
     }
 
 
-def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[int, int]]]:
+def assembly(chain: Chain, constants: str = "parameters") -> tuple[Program, list[tuple[int, int]]]:
     """``(x, tau, w_ext) -> (M, H, W)`` of the DAE form, with the places of the entries of ``M``."""
     places: list[tuple[int, int]] = []
 
-    def body(f: DaeFunctions, x):
+    def body(f: DaeFunctions, x: Mapping[str, Sequence]) -> Outputs:
         entries, H, W = f.assemble(x["x"], x["tau"], x["w_ext"])
         places.extend(entries)
         return {"M": list(entries.values()), "H": H, "W": W}
@@ -295,39 +306,39 @@ def assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[
     return fuse(chain, "assemble", inputs(chain, "x tau w_ext"), body, constants, DaeFunctions), places
 
 
-def kinematic_rates(chain: Chain, constants="parameters") -> Program:
+def kinematic_rates(chain: Chain, constants: str = "parameters") -> Program:
     """``(x, z[, tau]) -> (ode)``: the differential equations of the DAE form, the accelerations given.
 
     ``tau`` is an input where drives are elastic.
     """
 
-    def body(f: DaeFunctions, x):
+    def body(f: DaeFunctions, x: Mapping[str, Sequence]) -> Outputs:
         return {"ode": f.kinematic_rates(x["x"], x["z"], x.get("tau", ()))}
 
-    given = inputs(chain, "x z tau" if chain.n_motors else "x z")
+    given = inputs(chain, "x z tau" if chain.n_added else "x z")
     return fuse(chain, "kinematic_rates", given, body, constants, DaeFunctions)
 
 
 @program("x tau w_ext m_eta f_eta", kind=DaeFunctions)
-def dae_dynamics(f: DaeFunctions, x, tau, w_ext, m_eta, f_eta):
+def dae_dynamics(f: DaeFunctions, **x: Sequence) -> Outputs:
     """``(x, tau, w_ext, m_eta, f_eta) -> (xdot, vdot, wrench)``: the DAE form by block elimination."""
-    f.given = (m_eta, f_eta)
-    return dict(zip(("xdot", "vdot", "wrench"), f.rates(x, tau, w_ext), strict=True))
+    f.given = (x["m_eta"], x["f_eta"])
+    return dict(zip(("xdot", "vdot", "wrench"), f.rates(x["x"], x["tau"], x["w_ext"]), strict=True))
 
 
 @program("x", kind=DaeFunctions)
-def joint_rates(f: DaeFunctions, x):
+def joint_rates(f: DaeFunctions, x: Sequence) -> Outputs:
     """``(x) -> (qdot)``: the joint rates that follow from the twists of the DAE form."""
     return {"qdot": f.joint_rates(x)}
 
 
 @program("x", "project", kind=DaeFunctions)
-def projection(f: DaeFunctions, x):
+def projection(f: DaeFunctions, x: Sequence) -> Outputs:
     """``(x) -> (projected)``: the state projected onto the joint constraints."""
     return {"projected": f.project(x)}
 
 
 @program("q v", kind=DaeFunctions)
-def placement(f: DaeFunctions, q, v):
+def placement(f: DaeFunctions, q: Sequence, v: Sequence) -> Outputs:
     """``(q, v) -> (x)``: the state of the DAE form from coordinates and rates."""
     return {"x": f.place(q, v)}

@@ -1,11 +1,52 @@
-"""Strain gauges at the bases of links: their list, and the curvatures of the mode shapes there."""
+"""The strains of links at their bases and markers, and the strain gauges of estimators among them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..bodies.markers import strains
+from ..bodies.markers import STRAIN_UNITS, strains
+from ..ir.program import Value
+from ..spec.markers import BASE
 from ..topology.chain import Chain
+from . import matrices as mx
+from .scope import Scope
+
+
+def strain(s: Scope) -> None:
+    """The strains of the centreline at the link's base, and at its tip and stations."""
+    s.write("strain", _strains(s, BASE))
+    for section in s.sections:
+        section.write("tip.strain", _strains(s, section.key.section_at))
+
+
+def _strains(s: Scope, place: float) -> list[Value]:
+    """At a place along the link, one for each direction that has modes: ``weights . eta / l^order``."""
+    eta, out = s.read("eta"), []
+    for found in strains(s.key, place):
+        total = mx.dot(found.weights, eta[found.modes])
+        for _ in range(found.order):
+            total = total / s.constant("length" if s.key.segments == 1 else "segment")
+        out.append(total)
+    return out
+
+
+def base_strains(chain: Chain) -> int:
+    """How many strains there are at bases; they are the first."""
+    return sum(len(strains(chain.keys[i], BASE)) for i in chain.firsts)
+
+
+def bending(chain: Chain) -> list[int]:
+    """Which of the strains gauges measure."""
+    names = list(strain_names(chain))[: base_strains(chain)]
+    return [k for k, name in enumerate(names) if name.rpartition(".")[2].startswith("bending")]
+
+
+def strain_names(chain: Chain) -> dict[str, str]:
+    """The names and units of the strains: at the bases of all links, then at the markers that links declare."""
+    bases = [(f"{chain.segments[i].owner}.base_strain", i, BASE) for i in chain.firsts]
+    named = [(f"{m.name}.strain", m.segment, m.at) for m in chain.markers if not m.is_tip]
+    found = [(name, x.direction) for name, i, at in bases + named for x in strains(chain.keys[i], at)]
+    return {f"{name}.{direction}": STRAIN_UNITS[direction] for name, direction in found}
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ import numpy as np
 from ..ir.program import Array
 from . import matrices as mx
 from .joint_terms import joint_point, rotation
-from .phases import swing as swung
-from .phases import tip_state
+from .phases import swing, tip_state
 from .scope import Scope
 from .tip_turning import Turning, turning
 
@@ -42,8 +41,8 @@ def motion(s: Scope) -> None:
 
 def link_motion(s: Scope) -> tuple[Motion, Array]:
     """The motion of F_i, and the acceleration of its joint point."""
-    if s.key.free:
-        return free_motion(s)
+    if s.key.floats:
+        return motion_in_space(s)
     q, qdot, qddot = (s.read(name) for name in ("q", "qdot", "qddot"))
     (R,) = s.lower("posture", {"q": q}, "R_rel")
     with s.step("motion: that of the parent's tip in F_i axes"):
@@ -55,7 +54,7 @@ def link_motion(s: Scope) -> tuple[Motion, Array]:
         omegadot = alpha + mx.multiply(A, qddot)
         if s.key.slides:
             a_J = a_J + mx.multiply(s.lower("joint_motion", given, "T")[0], qddot)
-        return Motion(omega, omegadot, a_J - swung(omegadot, omega, joint_point(s))), a_J
+        return Motion(omega, omegadot, a_J - swing(omegadot, omega, joint_point(s))), a_J
 
 
 def tip_motion(s: Scope, link: Motion) -> Motion:
@@ -82,9 +81,9 @@ def tip_rotation(s: Scope) -> Array:
     return s.lower("tip", tip_state(s, mx.zeros(6)), "R_T")[0] if s.key.section_rotation else mx.identity(3)
 
 
-def free_motion(s: Scope) -> tuple[Motion, Array]:
+def motion_in_space(s: Scope) -> tuple[Motion, Array]:
     """The motion of a floating base, and its part that the posture makes: the acceleration against free fall."""
-    twist, Vdot = s.read("twist"), s.read("Vdot")
-    a_R = mx.multiply(rotation(s).T, s.read("base.acc")[3:])
+    twist, rates = s.read("qdot"), s.read("qddot")
+    a_R = mx.multiply(rotation(s, s.read("q")).T, s.read("base.acc")[3:])
     (a,) = s.lower("joint_motion", {"omega": twist[:3], "v": twist[3:], "a_R": a_R}, "a")
-    return Motion(twist[:3], Vdot[:3], a + Vdot[3:]), a_R
+    return Motion(twist[:3], rates[:3], a + rates[3:]), a_R

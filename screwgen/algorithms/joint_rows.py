@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..algebra.expression import Diagonal, Expression, identity, stack, zeros
-from ..algebra.screw import diagonal_blocks, lever, twice
+from ..algebra.screw import diagonal_blocks, shift, twice
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 
@@ -22,8 +22,8 @@ def joint_rows_block(key: LinkClass) -> Block:
     balance completes the six rows.
     """
     b = Block("joint_rows", "Rows of the joint")
-    if key.free:
-        return _free_rows(b)
+    if key.floats:
+        return _rows_in_space(b)
     m = key.joints
     R = b.input("R_rel", (3, 3))
     size = 6 if key.slides else 3
@@ -32,15 +32,15 @@ def joint_rows_block(key: LinkClass) -> Block:
     beta = b.input("beta", (6, 1))
     b_P = b.input("b_P", (6, 1))
     tau = b.input("tau", (m, 1))
-    X = b.step("X", twice(R.T) @ lever(_offset(b, key)))
-    J_B = b.step("J_B", lever(joint_point(b, key)))
+    X = b.step("X", twice(R.T) @ shift(_offset(b, key)))
+    J_B = b.step("J_B", shift(joint_point(b, key)))
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
-    free = identity(size) - N
-    if key.weighted or key.swung:
-        J_m = b.input("J_m", (m, 1)) if key.swung else b.parameter("armature", (m, 1))
-        free = free + S_plus.T @ Diagonal(J_m) @ S_plus
-    P_c = b.step("P_c", _whole(free, identity(3)))
+    inert = identity(size) - N
+    if key.has_constant_inertia or key.has_travelling_inertia:
+        J_m = b.input("J_m", (m, 1)) if key.has_travelling_inertia else b.parameter("armature", (m, 1))
+        inert = inert + S_plus.T @ Diagonal(J_m) @ S_plus
+    P_c = b.step("P_c", _whole(inert, identity(3)))
     b.step("joint_w", _whole(N, zeros(3, 3)))
     b.step("joint_V", P_c @ J_B)
     PX = b.step("PX", P_c @ X)
@@ -51,7 +51,7 @@ def joint_rows_block(key: LinkClass) -> Block:
     return b
 
 
-def _free_rows(b: Block) -> Block:
+def _rows_in_space(b: Block) -> Block:
     """Of a floating base: nothing acts at its joint, ``w = 0``. These are the rows with ``S = I``, thus ``P = 0``."""
     b.step("joint_w", identity(6))
     b.step("joint_V", zeros(6, 6))
@@ -75,8 +75,8 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
     total: Expression | None = None
     slides = not all(screw.turn for screw in key.screws)
     for present, name, state, display in (
-        (key.damped, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
-        (key.braced, "joint_stiffness", "q", r"\mathbf{q}_i"),
+        (key.has_dampers, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
+        (key.has_springs, "joint_stiffness", "q", r"\mathbf{q}_i"),
     ):
         if present:
             column = b.parameter(

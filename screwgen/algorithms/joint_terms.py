@@ -7,10 +7,9 @@ from . import matrices as mx
 from .scope import Scope
 
 
-def rotation(s: Scope) -> Array:
+def rotation(s: Scope, q: Array) -> Array:
     """``R_rel``: the rotation of F_i relative to the parent's tip frame, or of a floating base."""
-    given = {"quaternion": s.read("quaternion")} if s.key.free else {"q": s.read("q")}
-    return s.lower("posture", given, "R_rel")[0]
+    return s.lower("posture", {"q": q}, "R_rel")[0]
 
 
 def joint_point(s: Scope) -> Array:

@@ -71,9 +71,45 @@ def _sizes(law: Law) -> dict[str, int]:
 
 def _later(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> tuple[Value, Value]:
     _, x, w, _, h, *_ = inputs
-    stiffness, damping, rest, constant = _secant(law, tracer, inputs)
-    moved = stiffness * (x - rest + h * w) if law.positional else 0.0
+    return _linear(_secant(law, tracer, inputs), x, w, h, law.positional)
+
+
+def _linear(secant: Secant, x: Value, w: Value, h: Value, positional: bool = True) -> tuple[Value, Value]:
+    """The linear force ``h`` later without the accelerations' part, and what multiplies these."""
+    stiffness, damping, rest, constant = secant
+    moved = stiffness * (x - rest + h * w) if positional else 0.0
     return moved + damping * w + constant, h * (damping + h * stiffness)
+
+
+SPRING = ("x", "w", "h", "K", "D")
+"""The inputs of a spring and a damper, of one coordinate or between two."""
+
+
+@cache
+def spring_stage(later: bool = True, own: bool = False) -> Program:
+    """``SPRING -> (inertia, force)``: what a spring and a damper exert ``h`` later, as :func:`stage` says.
+
+    ``later``: with h, else at once; ``own``: with the inertia ``M`` of the coordinate itself, an input, added.
+    """
+    tracer, names = Tracer(), (*SPRING, *["M"] * own)
+    x, w, h, K, D, *M = (tracer.input(name, 1)[0] for name in names)
+    force, inertia = _linear(Secant(K, D, 0.0), x, w, h if later else 0.0)
+    total = M[0] + inertia if own else inertia
+    return tracer.program("spring", dict.fromkeys(names, 1), {"inertia": [total], "force": [force]})
+
+
+@cache
+def spring_slopes(times: int = 1) -> Program:
+    """``(SPRING, a) -> (by_x, by_w)``: the derivatives of that force, with the part of the acceleration a.
+
+    ``times``: in how many places of a matrix they stand, two between coordinates.
+    """
+    tracer, names = Tracer(), (*SPRING, "a")
+    x, w, h, K, D, a = (tracer.input(name, 1)[0] for name in names)
+    force, inertia = _linear(Secant(K, D, 0.0), x, w, h)
+    by_x, by_w = columns([force + inertia * a], [x, w])
+    tracer.named("by_rate", by_w[0])
+    return tracer.program("spring", dict.fromkeys(names, 1), {"by_x": by_x * times, "by_w": by_w * times})
 
 
 def _secant(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> Secant:

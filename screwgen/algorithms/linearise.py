@@ -9,11 +9,12 @@ per unit of ``vdot`` (columns), and inward the derivatives with a node's motion 
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
 import numpy as np
 
+from ..elements import FRICTION
 from ..ir.program import Array, Program, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
@@ -21,7 +22,7 @@ from ..topology.tree import BASE, TIP
 from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
-from .elastic_gears import GEAR_SLOPES
+from .elastic_travels import GEAR_SLOPES, slope_names
 from .functions import Functions
 from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
@@ -29,6 +30,7 @@ from .loops import Loads
 from .schedule import COLUMNS
 from .scope import OF_TIP
 from .signals import STORE, at_station, edge_name, plain
+from .travels import INERTIA
 
 PAIRS = (
     "F_q F_qdot f_q f_qdot u_q u_qdot rows_q axes F_eta F_etadot f_eta f_etadot tip_eta tip_etadot rows_eta M_eta_eta "
@@ -39,7 +41,7 @@ PAIRS = (
 OF_MOTION = ("R_T", "r_T", "udot_T", "omega_s")
 """Those that a section's motion in the link consists of."""
 
-Section = Callable[[str], AbstractContextManager]
+LinkSection = Callable[[int], AbstractContextManager]
 
 
 @dataclass
@@ -54,32 +56,39 @@ class Slopes:
     f_v: Array
 
 
-def slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext(), own=True) -> Slopes:
+def slopes(
+    f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence, own: bool = True
+) -> Slopes:
     """Over any algebra: ``M``, ``df/dq`` and ``df/dv`` of ``f(q, v, vdot) = M vdot + h`` at held ``vdot``.
 
     Where drives have transmissions ``f`` is less their torques, those of the efforts in ``tau``.  Only the lower
-    triangle of ``M`` counts.  ``section`` opens a titled section of a tracer.  Without ``own`` the given inertia, the
-    springs, dampers, friction and stops of single coordinates are left out: a step takes them elsewhere.
+    triangle of ``M`` counts.  Without ``own`` the given inertia, the springs, dampers, friction and stops of single
+    coordinates are left out: a step takes them elsewhere.
     """
-    return _slopes(f, q, v, vdot, w_ext, tau, section, (), own)[0]
+    return _slopes(f, (q, v, vdot, w_ext, tau), (), own)[0]
 
 
-def closed_slopes(f: Functions, q, v, tau, w_ext, section: Section, own=True) -> tuple[list, Slopes, RowChange]:
+def closed_slopes(
+    f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, own: bool = True
+) -> tuple[list, Slopes, RowChange]:
     """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
     chain = f.chain
     shut, forces = f.loop_forces(q, v, tau, w_ext)
     loads = Loads(tau, w_ext).plus(shut.loads(forces))
     links, places = f.forward(q, v, *loads)
     vdot = chain.join(links, "qddot", "etaddot")
-    found, at = _slopes(f, q, v, vdot, loads.w_ext, tau, section, tips(chain), own)
-    with section("loops: their rows, and what their wrenches do as the tips move"):
+    found, at = _slopes(f, (q, v, vdot, loads.w_ext, tau), tips(chain), own)
+    with f.section("loops: their rows, and what their wrenches do as the tips move"):
         rows, bend = loop_changes(chain, shut, shut.accelerations(links, places), forces, at, f.apply)
         found.f_q = found.f_q - bend
     return vdot, found, rows
 
 
-def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence[int], own: bool):
+def _slopes(
+    f: Functions, state: Sequence[Sequence], at: Sequence[int], own: bool
+) -> tuple[Slopes, dict[int, TipChange]]:
     """The slopes, and how the tips of some links move; their motions stand below the rows of f."""
+    (q, v, vdot, w_ext, tau), section = state, f.section
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
@@ -88,11 +97,11 @@ def _slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section, at: Sequence
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change" + ", joint stiffness and damping added" * own):
             _own(f, i, link, out, own)
-    if f.chain.loose:
-        _gears(f.chain, links, out)
-    if own and (f.chain.n_motors or of_robot(f.chain)):
+    if f.chain.elastic_travels:
+        _travels(f.chain, links, out)
+    if own and (f.chain.n_added or of_robot(f.chain)):
         with section("drives: rotors, gears and dry friction" + _more(f.chain)):
-            _drives(f, q, v, out)
+            _axes(f, q, v, out)
     J = _outward(f.chain, links, out, lambda i: section(f"{name(i)}, pairs: the rows of the links that carry it"), at)
     moved, places_of = {}, list(zip(at, range(nv, len(out.f_q), MOTION), strict=True))
     inward(
@@ -118,20 +127,18 @@ def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] 
         *more,
         *(at_station(name, k) for name in PAIRS if name in OF_TIP for k in range(len(key.stations_at))),
     ]
-    names += ["crank_inertia"] * key.swung + list(GEAR_SLOPES) * bool(key.loose)
+    names += slope_names(key)
     shapes = {name: STORE[plain(name)].size_of(key) for name in names}
-    return {name: mx.array([*store[f"w.{name}"], None])[:-1].reshape(shape) for name, shape in shapes.items()}
+    return {name: np.fromiter(store[f"w.{name}"], object).reshape(shape) for name, shape in shapes.items()}
 
 
 def places(chain: Chain, i: int) -> tuple[slice, slice]:
     """The slices of v with the joint and the modal rates of a link."""
-    m, first = chain.eta_v, 0 if chain.keys[i].free else chain.base_v
-    joint = first, first + chain.keys[i].freedoms
-    return slice(*(x + chain.q_offset[i] for x in joint)), slice(*(m + e for e in chain.eta_offset[i : i + 2]))
+    return slice(*chain.v_offset[i : i + 2]), slice(*(chain.eta_v + e for e in chain.eta_offset[i : i + 2]))
 
 
 def _coordinates(chain: Chain, i: int) -> list[int]:
-    return [k for s in places(chain, i) for k in range(s.start, s.stop)]
+    return np.r_[places(chain, i)].tolist()
 
 
 def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool) -> None:
@@ -140,8 +147,8 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool
     constants, key = f.constants[i], f.chain.keys[i]
     M_q, K_q, D_q = _joint_columns(key, constants, own)
     out.M[q, q] = mx.multiply(link["rows_q"][:, 3:], link["axes"]) + mx.diagonal(M_q)
-    if key.swung:
-        out.M[q, q] = out.M[q, q] + mx.diagonal(link["crank_inertia"])
+    if key.has_travelling_inertia:
+        out.M[q, q] = out.M[q, q] + mx.diagonal(link[INERTIA])
     out.M[eta, q] = mx.multiply(link["rows_eta"][:, 3:], link["axes"])
     empty = mx.zeros(key.modes, key.modes)
     of_modes = lambda A, below: mx.coupled(constants[A], key.coupled, constants.get(below, ()))  # noqa: E731
@@ -157,12 +164,13 @@ def _own(f: Functions, i: int, link: Mapping[str, Array], out: Slopes, own: bool
         J[eta, eta] = link[f"f_{modal}"] + stress
 
 
-def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> None:
+def _travels(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> None:
     """The rows and columns of the elastic gears of transmissions, but for their springs and dampers."""
-    state = [(i, k) for i, key in enumerate(chain.keys) for k in range(len(key.motors))]
-    for (i, k), joint, place in zip(state, chain.geared, range(chain.eta_v - chain.n_motors, chain.eta_v), strict=True):
-        if joint not in chain.loose:
+    state = [(i, k) for i, key in enumerate(chain.keys) for k in range(len(key.added_axes))]
+    for (i, k), joint in zip(state, chain.added_joints, strict=True):
+        if joint not in chain.elastic_travels:
             continue
+        place = chain.elastic_travels[joint]
         M, by_q, by_qdot, back, own = (links[i][name][k] for name in GEAR_SLOPES)
         axis = chain.base_v + joint
         out.M[place, axis] = out.M[axis, place] = M
@@ -171,25 +179,25 @@ def _gears(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes) -> N
 
 
 def _more(chain: Chain) -> str:
-    words = ["stops"] * bool(chain.stops) + [kind.WORDS for kind in chain.elements]
+    words = [law.words for law in chain.laws if law != FRICTION]
     return "".join(f"; {word}" for word in words)
 
 
-def _drives(f: Functions, q, v, out: Slopes) -> None:
-    """The rows and columns of rotors, and the slopes of laws."""
-    chain, first = f.chain, f.chain.eta_v - f.chain.n_motors
-    rotors, pairs = enumerate(chain.geared, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
+def _axes(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
+    """The rows and columns of added coordinates, and the slopes of laws."""
+    chain, first = f.chain, f.chain.eta_v - f.chain.n_added
+    added, pairs = enumerate(chain.added_joints, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
     state = [a | b for a, b in zip(*pairs, strict=True)]
     coordinates = {one.law: iter(one.coordinates) for one in of_robot(chain)}
     for i, key in enumerate(chain.keys):
         own = f.constants[i]
-        for k in range(len(key.motors)):
-            rotor, joint = next(rotors)
+        for k in range(len(key.added_axes)):
+            place, joint = next(added)
             joint += chain.base_v
             for J, name in ((out.M, "M"), (out.f_q, "K"), (out.f_v, "D")):
-                J[rotor, rotor] = J[rotor, rotor] + own[f"{name}_theta"][k]
-                if key.motors[k] not in key.loose:
-                    J[rotor, joint] = J[joint, rotor] = own[f"{name}_gear"][k]
+                J[place, place] = J[place, place] + own[f"{name}_theta"][k]
+                if key.added_axes[k] not in key.elastic_travels:
+                    J[place, joint] = J[joint, place] = own[f"{name}_gear"][k]
         for law, _, _, by_x, by_w in f.laws(i, state[i]):
             place = next(coordinates[law]) + chain.base_v
             out.f_q[place, place] = out.f_q[place, place] + by_x
@@ -198,17 +206,20 @@ def _drives(f: Functions, q, v, out: Slopes) -> None:
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own: bool) -> list[Sequence[Value]]:
     """Inertia, stiffness and damping of the joint's own coordinates; without ``own`` those that are not given."""
-    none = [0.0] * key.freedoms
-    if key.sprung:
+    none = [0.0] * key.joints
+    if key.has_axis_forces:
         return [constants[name] for name in COLUMNS["q"]] if own else [none] * 3
-    return [[constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.weighted else none, none, none]
+    inertia = [constants[f"c.armature_{k + 1}"][0] for k in range(key.joints)] if key.has_constant_inertia else none
+    return [inertia, none, none]
 
 
 Columns = list[tuple[Array, list[int]]]
 """At every node: a matrix, and the numbers of its columns among the coordinates or of its rows among those of ``f``."""
 
 
-def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section, tips: Sequence[int]) -> Columns:
+def _outward(
+    chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, section: LinkSection, tips: Sequence[int]
+) -> Columns:
     """The rows of a link's ancestors: the link's wrench, projected on their virtual accelerations.
 
     Returns these accelerations, of nodes that carry links and of the given tips.
@@ -226,7 +237,11 @@ def _outward(chain: Chain, links: Sequence[Mapping[str, Array]], out: Slopes, se
 
 
 def accelerations(
-    chain: Chain, links: Sequence[Mapping[str, Array]], section, at_nodes: Columns, tips: Container[int] = ()
+    chain: Chain,
+    links: Sequence[Mapping[str, Array]],
+    section: LinkSection,
+    at_nodes: Columns,
+    tips: Container[int] = (),
 ) -> Iterator[tuple[int, list, Array]]:
     """Every link that another carries, the coordinates of those that do, and its acceleration per unit of theirs.
 
@@ -261,16 +276,16 @@ def carrying(
 
 def _moved(r: Array, accelerations: Array) -> Array:
     """Accelerations (6, k) of the origin, converted to the point ``r``."""
-    lever = mx.multiply(mx.hat(r), accelerations[:3])
-    return np.vstack([accelerations[:3], accelerations[3:] - lever])
+    arm = mx.multiply(mx.hat(r), accelerations[:3])
+    return np.vstack([accelerations[:3], accelerations[3:] - arm])
 
 
 def inward(
     chain: Chain,
     links: Sequence[Mapping[str, Array]],
-    own_rows,
+    own_rows: Callable[[int], tuple[Array, Sequence[int]]],
     out: tuple[Array, Array],
-    section,
+    section: LinkSection,
     tips: Mapping[int, list[int]] | None = None,
 ) -> None:
     """The rows of a link's descendants, applied to the motion of its tip per unit of its coordinates.
@@ -289,7 +304,8 @@ def inward(
             rows = mx.zeros(0, 9)
             for node, own in carrying(chain, i, link, tips):
                 carried, those = at_nodes[node]
-                at_tip, here = rw.to_link(carried, *(own[x] for x in OF_MOTION), link["omega_i"])
+                R_T, r_T, udot, omega_s = (own[x] for x in OF_MOTION)
+                at_tip, here = rw.to_link(carried, R_T, r_T, udot, omega_s, link["omega_i"])
                 for J, joint, modal in zip(out, ("q", "qdot"), ("eta", "etadot"), strict=True):
                     J[those, q] = mx.multiply(here, link[f"u_{joint}"])
                     J[those, eta] = mx.multiply(at_tip, own[f"tip_{modal}"])
@@ -297,16 +313,16 @@ def inward(
             if (parent := chain.tree.parents[i]) != BASE:
                 added, at_rows = own_rows(i)
                 handed = np.vstack([rows, added])
-                joint = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
+                R_rel, omega, omega_J = (link[x] for x in ("R_rel", "omega_i", "omega_J"))
                 carrier, at, node = links[parent], chain.tree.at(i), chain.tree.base(i)
                 omega_s, R_T = (carrier[edge_name(name, at)] for name in ("omega_s", "R_T"))
                 omega_P = mx.multiply(R_T.T, carrier["omega_i"] + omega_s)
-                handed = rw.to_parent(handed, *joint, omega_P, link["r_B"], link["r_J"], link["v_J"])
+                handed = rw.to_parent(handed, R_rel, omega, omega_J, omega_P, link["r_B"], link["r_J"], link["v_J"])
                 others, known = at_nodes[node]
                 at_nodes[node] = np.vstack([others, handed]), [*known, *owners, *at_rows]
 
 
-def linearisation(chain: Chain, constants="constants", own=True) -> Program:
+def linearisation(chain: Chain, constants: str = "constants", own: bool = True) -> Program:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program; ``own``: see :func:`slopes`.
 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
@@ -319,11 +335,11 @@ def linearisation(chain: Chain, constants="constants", own=True) -> Program:
         given = x["q"], x["v"], x["tau"], x["w_ext"]
         rows: dict[str, list[Value]] = {}
         if chain.closures:
-            vdot, found, closing = closed_slopes(f, *given, f.section, own)
+            vdot, found, closing = closed_slopes(f, *given, own)
             rows = {"J": list(closing.J.flat), "J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
         else:
             vdot, _ = f.forward_dynamics(*given)
-            found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], f.section, own)
+            found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], own)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
 

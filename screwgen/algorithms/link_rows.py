@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..algebra.expression import Diagonal, Expression, Symbol, stack, zeros
-from ..algebra.screw import lever, twice
+from ..algebra.screw import shift, twice
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from .joint_rows import joint_point
@@ -37,7 +37,7 @@ def link_rows_block(key: LinkClass) -> Block:
     b.step("eta_next", J_eta.T @ X.T)
     b.step("next_V", -(PX @ J_V))
     b.step("next_eta", -(PX @ J_eta))
-    b.step("V_w", -lever(joint_point(b, key)).T)
+    b.step("V_w", -shift(joint_point(b, key)).T)
     carried = b.step("h_carried", M_T @ b_T + h_T)
     b.step("V_H", h_V + J_V.T @ carried)
     b.step("eta_H", h_phi + J_eta.T @ carried)
@@ -62,6 +62,6 @@ def _tip_jacobian(b: Block, key: LinkClass) -> tuple[Symbol, Symbol]:
     Psi = b.input("Psi_c", (3, key.modes))
     Phi = b.input("Phi_c", (3, key.modes))
     turn = twice(R_T.T)
-    J_V = b.step("J_TV", turn @ lever(r_T))
+    J_V = b.step("J_TV", turn @ shift(r_T))
     J_eta = b.step("J_Teta", turn @ stack(J_l @ Psi, Phi))
     return J_V, J_eta

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from copy import copy
 
@@ -28,7 +28,7 @@ class LoopFunctions:
     """What :class:`.functions.Functions` has besides for loops; the attributes are set there."""
 
     chain: Chain
-    constants: Sequence[Mapping[str, list]]
+    constants: Sequence[dict[str, list]]
     gravity: Sequence
     apply: Apply
     given: tuple[Sequence, Sequence] | None
@@ -37,13 +37,13 @@ class LoopFunctions:
     _run: Callable[..., tuple[list, list]]
     _state: Callable[..., list[dict[str, list]]]
 
-    def loop_wrenches(self, q, v, tau, w_ext) -> list:
+    def loop_wrenches(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
         """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
         shut, forces = self.loop_forces(q, v, tau, w_ext)
         with self.section("loops: their wrenches on the tips"):
             return shut.wrenches(forces)
 
-    def loop_forces(self, q, v, tau, w_ext) -> tuple[loops.Shut, list]:
+    def loop_forces(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[loops.Shut, list]:
         """The loops in a state, and the forces of their rows."""
         shut = self._shut(q, v)
         free = shut.accelerations(*self.forward(q, v, tau, w_ext))
@@ -52,7 +52,7 @@ class LoopFunctions:
             wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
         return shut, self._row_forces(q, shut, inertia, wanted)[0][0]
 
-    def with_loops(self, q, v, tau, w_ext) -> loops.Loads:
+    def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
         """Torques and wrenches on the tips, those of the loops included."""
         given = loops.Loads(tau, w_ext)
         if not self.chain.closures:
@@ -62,35 +62,35 @@ class LoopFunctions:
             found = shut.loads(forces)
         return given.plus(found)
 
-    def coupling_torques(self, q, v, tau, w_ext) -> list:
+    def coupling_torques(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
         """The torques (n_tau,) with which couplings act on the joint axes, forces on those that slide."""
         shut, forces = self.loop_forces(q, v, tau, w_ext)
         return shut.torques(forces)
 
-    def close(self, q, v) -> tuple[list, list]:
+    def close(self, q: Sequence, v: Sequence) -> tuple[Sequence, Sequence]:
         """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
         for _ in range(ROUNDS):
             q, v = self.correct(q, v)
         return q, v
 
-    def correct(self, q, v) -> tuple[list, list]:
+    def correct(self, q: Sequence, v: Sequence) -> tuple[list, list]:
         """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
         shut = self._shut(q, v)
         wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
         forces, answers = self._row_forces(q, shut, self._inertia(), *wanted)
         return loops.moved(self.chain, q, forces[0], answers, self.apply), loops.combined(v, forces[1], answers)
 
-    def gaps(self, q, v) -> tuple[list, list]:
+    def gaps(self, q: Sequence, v: Sequence) -> tuple[list, list]:
         """The gap of every row of the loops, m or cosines, and its rate."""
         found = self._shut(q, v).conditions
         return [c.gap for c in found], [c.rate for c in found]
 
-    def offsets(self, q, v) -> list[loops.Offsets]:
+    def offsets(self, q: Sequence, v: Sequence) -> list[loops.Offsets]:
         """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
         shut = self._shut(q, v)
         return [loops.offsets(junction, shut.tips, shut.axes) for junction in self.chain.junctions]
 
-    def openings(self, q) -> list:
+    def openings(self, q: Sequence) -> list:
         """The squares of how far each loop is from closed: of the distance, m², and of the angle; two for each loop."""
         found = self.offsets(q, [0.0] * self.chain.nv)
         return [mx.dot(x, x) for loop in found for x in (loop.places, loop.turns)]
@@ -100,12 +100,14 @@ class LoopFunctions:
         shut = self._shut(self.chain.home, [0.0] * self.chain.nv)
         return [loops.condition(row, shut.tips, shut.axes).gap for row in self.chain.idle]
 
-    def loops_at(self, q, forces) -> tuple[list, loops.Loads]:
+    def loops_at(self, q: Sequence, forces: Sequence) -> tuple[list, loops.Loads]:
         """The gap of every row, and what forces of the rows exert."""
         shut = self._shut(q, [0.0] * self.chain.nv)
         return [c.gap for c in shut.conditions], shut.loads(forces)
 
-    def _row_forces(self, q, shut: loops.Shut, inertia: Sequence, *wanted: Vector) -> tuple[list[list], list[list]]:
+    def _row_forces(
+        self, q: Sequence, shut: loops.Shut, inertia: Sequence, *wanted: Vector
+    ) -> tuple[list[list], list[list]]:
         """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
 
         The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates.
@@ -128,7 +130,7 @@ class LoopFunctions:
         except SingularError:
             raise self.chain.singular_loops() from None
 
-    def _curve(self, link: int, row: Ratio, q) -> loops.Curve:
+    def _curve(self, link: int, row: Ratio, q: Vector) -> loops.Curve:
         """f, f' and f'' of the relation of a coupling."""
         assert row.relation is not None
         found = self.apply(link, -1, curve(row.relation), {"x": [q[row.of]]})
@@ -138,7 +140,7 @@ class LoopFunctions:
         """The inertia of the coordinates that integrators give theirs."""
         return columns(self.chain, self.constants)["M_eta"]
 
-    def _shut(self, q, v) -> loops.Shut:
+    def _shut(self, q: Sequence, v: Sequence) -> loops.Shut:
         """The loops in a state."""
         links, places = self._run(MOTION, self._state(q, v))
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]

@@ -19,7 +19,7 @@ from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from ..topology.loops import Closure
 from . import matrices as mx
-from .loops import Axes, Motion, Shut, Tip, condition
+from .loops import Axes, Shut, Tip, TipsAndAxes, condition
 from .relations import row_slopes
 from .rows import cross_columns
 from .schedule import Apply
@@ -66,7 +66,7 @@ def tips(chain: Chain) -> list[int]:
 
 
 def loop_changes(
-    chain: Chain, shut: Shut, acc: Motion, forces: Sequence, at: Mapping[int, TipChange], apply: Apply
+    chain: Chain, shut: Shut, acc: TipsAndAxes, forces: Sequence, at: Mapping[int, TipChange], apply: Apply
 ) -> tuple[RowChange, Array]:
     """The changes of the rows, and of the generalised forces that given ``forces`` of the rows exert.
 
@@ -121,7 +121,7 @@ def _bend_coupling(
     shut: Shut,
     coupling: Closure,
     acc: Vector,
-    force,
+    force: Value,
     rows: list[list[Array]],
     bend: Array,
     apply: Apply,
@@ -130,7 +130,7 @@ def _bend_coupling(
     row, c = coupling.row, coupling.stabilisation
     assert isinstance(row, Ratio) and row.relation is not None
     q, w = shut.axes.q[row.of], shut.axes.qdot[row.of]
-    given = {"x": [q], "w": [w], "acc": [acc[row.of]], "force": [force], "rate": [c]}
+    given: dict[str, list] = {"x": [q], "w": [w], "acc": [acc[row.of]], "force": [force], "rate": [c]}
     found = apply(coupling.second, -1, row_slopes(row.relation), given)
     of = chain.base_v + row.of
     entries = (-found["slope"][0], found["by_x"][0], found["by_w"][0])
@@ -155,7 +155,7 @@ def slopes_of_rows(rows: tuple[Closure, ...]) -> Program:
     a = Tip(mx.identity(3), mx.zeros(3), *np.split(V_A, 2))
     b = Tip(R, d, *np.split(mx.rotate_wrench(R, V_B), 2))
     found = [condition(c, [a, b], Axes((), ())) for c in rows]
-    acc = Motion([acc_A, mx.rotate_wrench(R, acc_B)], ())
+    acc = TipsAndAxes([acc_A, mx.rotate_wrench(R, acc_B)], ())
     values = [c.power(acc) + c.drift for c in found]
     units = [np.concatenate([c.wrenches[0], mx.rotate_wrench(R.T, c.wrenches[1])]) for c in found]
     wrenches = sum((unit * force for unit, force in zip(units, forces, strict=True)), mx.zeros(12))

@@ -27,7 +27,7 @@ from ..joints.constraints import Alignment, Angle, Distance, Ratio
 from ..topology.chain import Chain
 from ..topology.loops import Closure, Junction
 from . import matrices as mx
-from .exponential import Series, exponential
+from .joint_moves import integration
 from .schedule import Apply
 
 
@@ -50,7 +50,7 @@ class Tip:
         return np.concatenate([self.omega, self.v])
 
 
-class Motion(NamedTuple):
+class TipsAndAxes(NamedTuple):
     """What loops ask about: a quantity (6,) of every tip, and one of every joint axis (n_joints,)."""
 
     tips: Sequence[Array] | Mapping[int, Array]
@@ -88,12 +88,12 @@ class Condition:
     rate: Value
     drift: Value
 
-    def power(self, motion: Motion) -> Value:
+    def power(self, motion: TipsAndAxes) -> Value:
         """The work of the unit force at accelerations of all tips and axes."""
         return _power(self.wrenches, self.torques, motion)
 
 
-def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: Motion) -> Value:
+def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: TipsAndAxes) -> Value:
     parts = [mx.dot(w, motion.tips[i]) for i, w in wrenches.items()]
     parts += [torque * motion.axes[k] for k, torque in torques.items()]
     return sum(parts[1:], parts[0])
@@ -112,7 +112,7 @@ def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
         a, b = tips[closure.first], tips[closure.second]
         gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
         wrenches = dict(zip((closure.first, closure.second), both, strict=True))
-    rate = _power(wrenches, torques, Motion({i: tips[i].twist for i in wrenches}, axes.qdot))
+    rate = _power(wrenches, torques, TipsAndAxes({i: tips[i].twist for i in wrenches}, axes.qdot))
     return Condition(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
 
 
@@ -163,7 +163,7 @@ def offsets(junction: Junction, tips: Sequence[Tip], axes: Axes) -> Offsets:
     for demand in junction.demands:
         if isinstance(demand, Ratio):
             found, turns = [_ratio_gap(demand, axes)], demand.unit == "rad"
-            rates = [_power({}, _torques(demand, axes), Motion((), axes.qdot))]
+            rates = [_power({}, _torques(demand, axes), TipsAndAxes((), axes.qdot))]
         else:
             found, rates = _offset(demand, a, b)
             turns = not isinstance(demand, Distance)
@@ -183,8 +183,8 @@ def _offset(demand: Distance | Angle | Alignment, a: Tip, b: Tip) -> tuple[list[
 class Loads(NamedTuple):
     """What acts on a tree: torques (n_tau,) of the axes, and wrenches on all tips in their tip frames (6 n,)."""
 
-    tau: Vector
-    w_ext: Vector
+    tau: Sequence
+    w_ext: Sequence
 
     def plus(self, more: Loads) -> Loads:
         """The sum of both."""
@@ -200,12 +200,12 @@ class Shut:
         self.tips, self.axes, self.nodes, self.rotations = tips, axes, nodes, rotations
         self.conditions = [condition(c, tips, axes) for c in closures]
 
-    def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> Motion:
+    def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> TipsAndAxes:
         """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""
         nodes = [places[k] for k in self.nodes]
         sums = [[a + b for a, b in zip(node["acc_0"], node["delta"], strict=True)] for node in nodes]
         tips = [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
-        return Motion(tips, [x for link in links for x in link["qddot"]])
+        return TipsAndAxes(tips, [x for link in links for x in link["qddot"]])
 
     def wrenches(self, forces: Vector) -> list[Value]:
         """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""
@@ -284,23 +284,15 @@ def combined(x: Sequence, forces: Sequence, answers: Sequence[Sequence]) -> list
 
 
 def moved(chain: Chain, q: Sequence, forces: Sequence, answers: Sequence[Sequence], apply: Apply) -> list:
-    """The coordinates (nq,) and that sum of changes (nv,); a floating base moves by its exponential.
+    """The coordinates (nq,) and that sum of changes (nv,), by which joints move each in its way.
 
-    The answers to forces inside the robot have no momentum, so its centre of mass stays, to first order.
+    The answers to forces inside the robot have no momentum, so the centre of mass of one that floats stays, to first
+    order.
     """
-    count, poses = chain.base_v, chain.base_q
-    own = combined(q[poses:], forces, [answer[count:] for answer in answers])
-    if not chain.floating:
-        return own
-    u = combined([0.0] * count, forces, [answer[:count] for answer in answers])
-    return [*apply(0, 0, displacement(), {"pose": list(q[:poses]), "u": u})["moved"], *own]
-
-
-@cache
-def displacement() -> Program:
-    """``(pose, u) -> (moved)``: the pose of a floating base times ``exp(u)``."""
-    tracer = Tracer()
-    pose, u = (np.array(tracer.input(name, size), dtype=object) for name, size in (("pose", 7), ("u", 6)))
-    call = lambda name: lambda x: tracer.call(name, x)  # noqa: E731
-    found = exponential(np.concatenate([pose[3:], pose[:3]]), u, Series(call("c4"), call("c5")))
-    return tracer.program("displacement", {"pose": 7, "u": 6}, {"moved": [*found[4:], *found[:4]]})
+    own = combined([q[k] for k in chain.flat_q], forces, [[answer[k] for k in chain.flat_v] for answer in answers])
+    out = dict(zip(chain.flat_q.tolist(), own, strict=True))
+    for part in chain.curved:
+        u = combined([0.0] * part.joint.nv, forces, [answer[part.v] for answer in answers])
+        found = apply(part.link, 0, integration(part.joint), {"q": list(q[part.q]), "u": u})["moved"]
+        out |= dict(zip(range(part.q.start, part.q.stop), found, strict=True))
+    return [out[k] for k in range(chain.nq)]

@@ -7,13 +7,14 @@ float zeros or ones cost no operation, and of a symmetric result only one triang
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
 from ..ir.program import Array, Node, Tracer, Value, Vector
 
 
-def array(entries, shape=None) -> Array:
+def array(entries: Any, shape: tuple[int, ...] | None = None) -> Array:
     out = np.array(entries, dtype=object)
     return out if shape is None else out.reshape(shape)
 
@@ -133,8 +134,8 @@ def shift(r: Array, Lambda: Array) -> Array:
     """``S^T Lambda S`` with ``S = [[I, 0], [-hat(r), I]]``: from the point ``r`` to the origin."""
     A, B, C = Lambda[:3, :3], Lambda[:3, 3:], Lambda[3:, 3:]
     r_hat = hat(r)
-    lever = multiply(r_hat, C)
-    moved = B + lever
+    arm = multiply(r_hat, C)
+    moved = B + arm
     top = multiply(B, r_hat)
     corner = multiply(r_hat, array(moved.T, (3, 3)))
     return blocks(symmetric(3, lambda i, j: A[i, j] - top[i, j] + corner[i, j]), moved, C)

@@ -9,11 +9,11 @@ For each link class the one with fewer operations is taken when its programs are
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ..ir.program import Array
+from ..ir.program import Array, Value
 from . import matrices as mx
 from .scope import Scope
 
@@ -73,7 +73,7 @@ def _dense(s: Scope, own: Rows, loads: Sequence[Load]) -> tuple[Array, Array]:
 
 def _loaded(Theta: Array, loaded: Array, inertia: Array) -> Array:
     """The modes' inertia with that of a load, whose wrenches per unit of each mode are given."""
-    elastic = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + inertia[i, j]  # noqa: E731
+    elastic: Callable[[int, int], Value] = lambda i, j: mx.dot(Theta[:, i], loaded[:, j]) + inertia[i, j]  # noqa: E731
     return mx.symmetric(len(inertia), elastic)
 
 

@@ -6,22 +6,22 @@ import numpy as np
 
 from ..ir.program import Array
 from . import matrices as mx
-from .drives import armature, drive_energies, spring
+from .axis_terms import armature, axis_energies, spring
 from .joint_terms import joint_offset, joint_point, rotation
 from .scope import Scope
 
 
 def poses(s: Scope) -> None:
     """Base to tip: rotation and position of F_i and of the tip section in the inertial frame."""
-    R_rel = s.kept("R_rel") if "R_rel" in s.layouts else rotation(s)
+    R_rel = s.kept("R_rel") if "R_rel" in s.layouts else rotation(s, s.read("q"))
     tips = [(section, *_tip_pose(section)) for section in s.sections]
     R_P, r_P = s.read("base.R"), s.read("base.r")
     with s.step("pose: rotation and position of F_i in the inertial frame (Ad)"):
-        if s.key.free:
-            R, r = R_rel, s.read("position")
+        if s.key.floats:
+            R, r = R_rel, s.read("q")[:3]
         else:
             R = mx.multiply(R_P, R_rel)
-            joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else None))
+            joint = r_P + mx.multiply(R_P, joint_offset(s, s.read("q") if s.key.slides else mx.zeros(0)))
             r = joint - mx.multiply(R, joint_point(s))
         s.write("R", R)
         s.write("r", r)
@@ -43,8 +43,8 @@ def _tip_pose(s: Scope) -> tuple[Array, Array]:
 
 def velocities(s: Scope) -> None:
     """Base to tip: the twists of F_i and of the tip section, each in its own frame."""
-    if s.key.free:
-        omega, v = np.split(s.read("twist"), 2)
+    if s.key.floats:
+        omega, v = np.split(s.read("qdot"), 2)
     else:
         parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
         omega, v = s.lower("joint", {"q": s.read("q"), "qdot": s.read("qdot"), **parent}, "omega", "v")
@@ -73,10 +73,10 @@ def energy(s: Scope) -> None:
     m_T, S_T, I_T = s.lower("tip_body", still, "m_T", "S_T", "I_T")
     M_T = mx.blocks(I_T, mx.hat(S_T), mx.identity(3) * m_T.item())
     body = mx.dot(V_T, mx.multiply(M_T, V_T))
-    spin, wound = drive_energies(s, q, qdot)
-    rotor = mx.dot(qdot, armature(s) * qdot) + spin
-    s.write("kinetic", [kinetic.item() + 0.5 * (body + rotor)])
+    spin, wound = axis_energies(s, q, qdot)
+    added = mx.dot(qdot, armature(s) * qdot) + spin
+    s.write("kinetic", [kinetic.item() + 0.5 * (body + added)])
     R, r, R_T, r_T = s.read("R"), s.read("r"), s.read("tip.R"), s.read("tip.r")
     moment = m.item() * r + mx.multiply(R, S) + m_T.item() * r_T + mx.multiply(R_T, S_T)
-    springs = mx.dot(q * spring(s), q) + wound
+    springs = (mx.dot(q * spring(s), q) if s.key.stiffness else 0.0) + wound
     s.write("potential", [stress.item() + 0.5 * springs - mx.dot(s.read("gravity"), moment)])

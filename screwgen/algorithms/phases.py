@@ -16,32 +16,32 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..ir.program import Array
+from ..ir.program import Array, Value
 from . import matrices as mx
-from .drives import accelerate_rotors, condense, own_force, own_inertia, rotor_forces
-from .elastic_gears import carrying_along
+from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia
+from .elastic_travels import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
-from .transmissions import store
+from .travels import store
 from .validity import axial_motion
 
 
 def kinematics(s: Scope) -> None:
     """Base to tip: angular velocity and ``acc_0`` of F_i and of the tip, from q, qdot, eta, etadot."""
-    if s.key.free:
-        free_motion(s)
+    q, qdot = s.read("q"), s.read("qdot")
+    if s.key.floats:
+        motion_in_space(s, q, qdot)
     else:
-        q, qdot = s.read("q"), s.read("qdot")
         omega_R = relative_posture(s)
         joint_motion(s, q, qdot, omega_R)
     for section in s.sections:
         tip_motion(section)
 
 
-def free_motion(s: Scope) -> None:
-    """The same of a floating base, from its quaternion and twist; the motion subspace is the identity."""
-    twist, R = s.read("twist"), rotation(s)
+def motion_in_space(s: Scope, q: Array, twist: Array) -> None:
+    """The same of a floating base, from its pose and twist; the motion subspace is the identity."""
+    R = rotation(s, q)
     a_R = mx.multiply(R.T, s.read("base.acc_0")[3:])
     (a,) = s.lower("joint_motion", {"omega": twist[:3], "v": twist[3:], "a_R": a_R}, "a")
     s.keep("R_rel", R)
@@ -52,7 +52,7 @@ def free_motion(s: Scope) -> None:
 
 def relative_posture(s: Scope) -> Array:
     """Store the pose of F_i relative to its parent; returns the angular velocity of the parent's tip in F_i axes."""
-    R_rel = rotation(s)
+    R_rel = rotation(s, s.read("q"))
     s.keep("R_rel", R_rel)
     with s.step("R: rotation of F_i relative to the parent's F_i (Ad)"):
         R = s.name("R_P", mx.multiply(s.read("base.R_T"), R_rel))
@@ -130,7 +130,7 @@ def tip_load(s: Scope) -> tuple[Array, Array]:
         return Lambda, s.name("p_T", s.read("tip.p") + bias - outside, "p")
 
 
-def body_force(omega: Array, alpha: Array, m, S: Array, I: Array) -> Array:
+def body_force(omega: Array, alpha: Array, m: Value | Array, S: Array, I: Array) -> Array:
     """Newton-Euler wrench of rigid bodies at an angular velocity and an acceleration of their reference point."""
     turn = mx.cross(S, alpha[3:]) + mx.multiply(I, alpha[:3]) + mx.cross(omega, mx.multiply(I, omega))
     return np.concatenate([turn, m * alpha[3:] + swing(alpha[:3], omega, S)])
@@ -146,7 +146,7 @@ def eliminate(s: Scope) -> None:
         station.keep("load_axial", np.concatenate([Lambda[3], p[3:4]]))
     M, h = eliminate_modes(s, own, loads)
     Lambda, p = eliminate_joint(s, M, h)
-    if s.key.free:
+    if s.key.floats:
         return
     s.keep("Lambda_i", Lambda)
     s.keep("p_i", p)
@@ -159,7 +159,7 @@ def eliminate(s: Scope) -> None:
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
-    The rotors of elastic drives are eliminated before, see :mod:`.drives`.
+    The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`.
     """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
@@ -182,13 +182,12 @@ def accelerate(s: Scope) -> None:
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
         carried = s.name("carried", imparted(s), "delta")
         qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
-        s.write("qddot", qddot[: s.key.joints])
-        if s.key.free:
-            s.write("Vdot", qddot)
-        if s.key.motors:
-            accelerate_rotors(s, qddot)
+        qddot = s.name("Vdot" if s.key.floats else "qddot", qddot)
+        s.write("qddot", qddot)
+        if s.key.added_axes:
+            accelerate_added(s, qddot)
     with s.step("joint wrench (48)"):
-        wrench = mx.zeros(6) if s.key.free else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
+        wrench = mx.zeros(6) if s.key.floats else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
         s.write("wrench", mx.shift_wrench(-joint_point(s), wrench))
     with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
         delta = s.name("delta", carried + mx.multiply(s.kept("S"), qddot))
@@ -220,7 +219,7 @@ def on_the_way(station: Scope) -> float:
 
 def imparted(s: Scope) -> Array:
     """The part of ``delta`` that the parent's tip imparts; a floating base has no parent."""
-    if s.key.free:
+    if s.key.floats:
         return mx.zeros(6)
     return mx.shift_twist(s.kept("lever"), mx.rotate_wrench(s.kept("R_P").T, s.read("base.delta")))
 
@@ -237,7 +236,7 @@ def tip_acceleration(s: Scope, delta: Array, etaddot: Array) -> Array:
 
 def inverse_outward(s: Scope) -> None:
     """Base to tip: ``delta``, the contribution of qddot and etaddot to the accelerations."""
-    qddot, etaddot = given_acceleration(s), s.read("etaddot")
+    qddot, etaddot = s.read("qddot"), s.read("etaddot")
     delta = imparted(s) + mx.multiply(s.kept("S"), qddot)
     s.keep("delta", delta)
     for section in s.sections:
@@ -246,7 +245,7 @@ def inverse_outward(s: Scope) -> None:
 
 def inverse_inward(s: Scope) -> None:
     """Tip to base: the joint wrenches of given accelerations, and the generalised forces."""
-    qddot, etaddot, delta = given_acceleration(s), s.read("etaddot"), s.kept("delta")
+    qddot, etaddot, delta = s.read("qddot"), s.read("etaddot"), s.kept("delta")
     M_V, M_D, h_V, h_eta = rows(s)
     load = tip_reaction(s)
     needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
@@ -267,14 +266,13 @@ def inverse_inward(s: Scope) -> None:
         modal = modal + turned + mx.multiply(station.kept("Phi_c").T, load[3:])
     s.write("force_eta", modal)
     force = mx.multiply(s.kept("S").T, total) + own_inertia(s) * qddot + own_force(s)
-    if s.key.loose:
+    if s.key.elastic_travels:
         force = force + carrying_along(s)
-    s.write("force", force[: s.key.joints])
-    if s.key.motors:
-        rotor_forces(s, qddot)
+    s.write("force", force)
+    if s.key.added_axes:
+        added_forces(s, qddot)
     s.write("wrench", mx.shift_wrench(-joint_point(s), total))
-    if s.key.free:
-        s.write("base_force", force)
+    if s.key.floats:
         return
     s.write("base.p", mx.rotate_wrench(s.kept("R_P"), mx.shift_wrench(s.kept("lever"), total)))
 
@@ -284,8 +282,3 @@ def tip_reaction(s: Scope) -> Array:
     m, S, I = tip_bodies(s)
     bodies = body_force(s.read("tip.omega"), s.read("tip.acc_0") + s.read("tip.delta"), m, S, I)
     return bodies - mx.rotate_wrench(s.kept("R_T"), s.read("w_ext")) + s.read("tip.p")
-
-
-def given_acceleration(s: Scope) -> Array:
-    """The accelerations of the joint: those of its coordinates, or the rate of a floating base's twist."""
-    return s.read("Vdot" if s.key.free else "qddot")

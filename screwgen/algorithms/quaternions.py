@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..ir.program import Array
+from ..ir.program import Array, Value, Vector
 from . import matrices as mx
 from .scope import Scope
 
@@ -28,7 +28,12 @@ def unit_quaternion(s: Scope, Q: Array) -> Array:
     return Q * (1.0 / s.tracer.call("sqrt", mx.dot(Q, Q)))
 
 
-def axis_quaternion(s: Scope, axis, angle) -> Array:
+def unit_coordinates(s: Scope, q: Array) -> Array:
+    """A joint's coordinates, those that are a quaternion scaled to length one."""
+    return s.key.joint.unit(q, lambda x: s.tracer.call("sqrt", x))
+
+
+def axis_quaternion(s: Scope, axis: Vector, angle: Value) -> Array:
     half = 0.5 * angle
     sine = s.tracer.call("sin", half)
     return mx.array([s.tracer.call("cos", half), *(sine * a for a in axis)])
@@ -39,7 +44,9 @@ def joint_quaternion(s: Scope, q: Array) -> Array:
     turns = []
     if s.key.mount_rpy:
         turns += [axis_quaternion(s, mx.identity(3)[k], s.constant(f"mount_rpy_{'xyz'[k]}")) for k in (2, 1, 0)]
-    turns += [axis_quaternion(s, screw.axis, x) for screw, x in zip(s.key.screws, q, strict=True) if screw.turn]
+    if s.key.joint.turn_at is not None:
+        turns.append(unit_coordinates(s, q)[s.key.joint.turn_at :][:4])
+    turns += [axis_quaternion(s, screw.axis, x) for screw, x in zip(s.key.screws, q, strict=False) if screw.turn]
     total = mx.array([1.0, 0.0, 0.0, 0.0])
     for turn in turns:
         total = quaternion_product(total, turn)

@@ -2,119 +2,152 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 
-from ..bodies.markers import strains
 from ..ir.derivative import gradients, tangents
 from ..ir.program import Node, Program, Tracer, Value
 from ..ir.replay import inline
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
-from .functions import Functions
+from .functions import EVERYTHING, Functions
 from .fused import fuse, prepared
-from .robot_functions import FUNCTIONS, entries, reported
+from .gauges import strain_names
+from .marker_functions import STRAINED
+from .robot_functions import FUNCTIONS, OUTPUTS, RobotFunction, entries, reported, sensed
+from .schedule import Algorithm
 
 Values = Mapping[str, Sequence[Value]]
+Body = Callable[[Functions, Values], Values]
 
 POINT = ("q", "v", "tau", "w_ext")
 """States and inputs, in the order of a direction."""
 
-REPORTS = tuple(row.name for row in FUNCTIONS if row.in_c)
-ANSWERS = ("qdot", "vdot", "position", "rotation", "wrench", "strain", *REPORTS)
-"""Rates of the states and outputs, in the order of a direction's image."""
+OWN = ("qdot", "vdot", "position", "rotation", "wrench", "strain")
+"""Rates of the states, and outputs besides what functions report."""
+REPORTED = tuple(row.name for row in FUNCTIONS if row.c_file == OUTPUTS)
 
 
-def sizes(chain: Chain) -> dict[str, int]:
-    """The lengths of all of them; poses are those of the tips of the robot's links."""
-    tips, gauged = len(chain.lasts), sum(len(strains(chain.keys[i], 0.0)) for i in chain.firsts)
-    point = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
-    outputs = {"position": 3 * tips, "rotation": 9 * tips, "wrench": 6 * chain.n, "strain": gauged}
-    told = {row.name: entries(row, chain) for row in reported(chain)}
-    outputs |= {name: told.get(name, 0) for name in REPORTS}
-    return point | {"qdot": chain.nq, "vdot": chain.nv} | outputs
+class Response:
+    """The answers of a robot: ``OWN``, what functions report at every sample, with ``sensing`` what sensors measure.
 
-
-def observation(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, length) -> (qdot, strain, energy, drive_power)``.
-
-    ``length`` (n) has the lengths of the links' segments.
+    ``answers``: their names, in the order of a direction's image.
     """
-    return fuse(chain, "observation", _given(chain, constants, *POINT), _observed, constants)
 
+    def __init__(self, chain: Chain, sensing: bool = False):
+        self.chain = chain
+        self.rows: dict[str, RobotFunction] = {row.name: row for row in reported(chain) + sensed(chain) * sensing}
+        self.reports = (*REPORTED, *(name for name in self.rows if name not in REPORTED))
+        self.answers = (*OWN, *self.reports)
+        own = tuple(algorithm for row in self.rows.values() for algorithm in row.algorithms)
+        self.algorithms: tuple[Algorithm, ...] = (*EVERYTHING, STRAINED, *own)
 
-def tangent(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, length, d_q, d_v, d_tau, d_w_ext) -> (d_qdot, ...)``: the derivative along a direction."""
+    @cached_property
+    def sizes(self) -> dict[str, int]:
+        """The lengths of states, inputs and answers; poses are those of the tips of the robot's links."""
+        chain, tips = self.chain, len(self.chain.lasts)
+        point = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
+        outputs = {
+            "position": 3 * tips,
+            "rotation": 9 * tips,
+            "wrench": 6 * chain.n,
+            "strain": len(strain_names(chain)),
+        }
+        told = {name: entries(self.rows[name], chain) if name in self.rows else 0 for name in self.reports}
+        return point | {"qdot": chain.nq, "vdot": chain.nv} | outputs | told
 
-    def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
-        answers = _answers(f, x)
-        seeds = {a: b for name in POINT for a, b in zip(x[name], x[f"d_{name}"], strict=True) if isinstance(a, Node)}
-        with f.section("along the direction"):
-            slopes = tangents([value for values in answers.values() for value in values], seeds)
-        return _named(slopes, {f"d_{name}": len(values) for name, values in answers.items()})
+    def observation(self, constants: str = "constants") -> Program:
+        """``(q, v, tau, w_ext) -> (qdot, strain, energy, drive_power, ...)``."""
+        return self._fused("observation", self._point, self._observed, constants)
 
-    inputs = _given(chain, constants, *POINT)
-    return fuse(chain, "tangent", inputs | {f"d_{n}": inputs[n] for n in POINT}, body, constants)
+    def tangent(self, constants: str = "constants") -> Program:
+        """``(q, v, tau, w_ext, d_q, d_v, d_tau, d_w_ext) -> (d_qdot, ...)``: the derivative along a direction."""
 
+        def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+            answers = self._answered(f, x)
+            seeds = {
+                a: b for name in POINT for a, b in zip(x[name], x[f"d_{name}"], strict=True) if isinstance(a, Node)
+            }
+            with f.section("along the direction"):
+                slopes = tangents([value for values in answers.values() for value in values], seeds)
+            return _named(slopes, {f"d_{name}": len(values) for name, values in answers.items()})
 
-def adjoint(chain: Chain, constants="constants") -> Program:
-    """``(q, v, tau, w_ext, length, b_qdot, ...) -> (b_q, b_v, b_tau, b_w_ext)``: the gradient of the weighted sum."""
+        inputs = self._point
+        return self._fused("tangent", inputs | {f"d_{n}": inputs[n] for n in POINT}, body, constants)
 
-    def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
-        answers = _answers(f, x)
-        values = [value for name in ANSWERS for value in answers[name]]
-        weights = [weight for name in ANSWERS for weight in x[f"b_{name}"]]
-        with f.section("against the direction"):
-            found = gradients(values, weights, [value for name in POINT for value in x[name]])
-        return _named(found, {f"b_{name}": len(x[name]) for name in POINT})
+    def adjoint(self, constants: str = "constants") -> Program:
+        """``(q, v, tau, w_ext, b_qdot, ...) -> (b_q, b_v, b_tau, b_w_ext)``: the gradient of the weighted sum."""
 
-    size = sizes(chain)
-    inputs = _given(chain, constants, *POINT) | {f"b_{name}": size[name] for name in ANSWERS}
-    return fuse(chain, "adjoint", inputs, body, constants)
+        def body(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+            answers = self._answered(f, x)
+            values = [value for name in self.answers for value in answers[name]]
+            weights = [weight for name in self.answers for weight in x[f"b_{name}"]]
+            with f.section("against the direction"):
+                found = gradients(values, weights, [value for name in POINT for value in x[name]])
+            return _named(found, {f"b_{name}": len(x[name]) for name in POINT})
 
+        inputs = self._point | {f"b_{name}": self.sizes[name] for name in self.answers}
+        return self._fused("adjoint", inputs, body, constants)
 
-def sparsity(chain: Chain) -> dict[str, list[list[int]]]:
-    """The entries of the point, counted through ``POINT``, on which each entry of every answer depends."""
-    program = fuse(chain, "response", _given(chain, "constants", *POINT), _answers, "constants")
-    size = sizes(chain)
-    starts = {name: sum(size[n] for n in POINT[:k]) for k, name in enumerate(POINT)}
-    masks: dict[int, int] = {}
-    for node in program.nodes:
-        if node.op == "input":
-            name, k = node.args
-            masks[node.id] = 1 << (starts[name] + k) if name in starts else 0
-            continue
-        masks[node.id] = 0
-        for a in node.args:
-            masks[node.id] |= masks[a.id] if isinstance(a, Node) else 0
-    return {n: [_bits(masks[v.id]) if isinstance(v, Node) else [] for v in o] for n, o in program.outputs.items()}
+    def sparsity(self) -> dict[str, list[list[int]]]:
+        """The entries of the point, counted through ``POINT``, on which each entry of every answer depends."""
+        program = self._fused("response", self._point, self._answered, "constants")
+        starts = {name: sum(self.sizes[n] for n in POINT[:k]) for k, name in enumerate(POINT)}
+        masks: dict[int, int] = {}
+        for node in program.nodes:
+            if node.op == "input":
+                name, k = node.args
+                masks[node.id] = 1 << (starts[name] + k) if name in starts else 0
+                continue
+            masks[node.id] = 0
+            for a in node.args:
+                masks[node.id] |= masks[a.id] if isinstance(a, Node) else 0
+        return {n: [_bits(masks[v.id]) if isinstance(v, Node) else [] for v in o] for n, o in program.outputs.items()}
+
+    @property
+    def _point(self) -> dict[str, int]:
+        return {name: self.sizes[name] for name in POINT}
+
+    def _fused(
+        self,
+        name: str,
+        inputs: Mapping[str, int],
+        body: Callable[[Functions, Values], Mapping[str, Sequence[Value]]],
+        constants: str,
+    ) -> Program:
+        return fuse(self.chain, name, inputs, body, constants, algorithms=self.algorithms)
+
+    def _answered(self, f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+        """All answers, those of :meth:`observation` last."""
+        _fold(f, self.algorithms)
+        vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
+        tips = f.poses(x["q"])[1]
+        own = self._observed(f, x)
+        return {
+            "qdot": own["qdot"],
+            "vdot": vdot,
+            "position": [value for i in f.chain.lasts for value in tips[i][1]],
+            "rotation": [value for i in f.chain.lasts for value in tips[i][0]],
+            "wrench": wrench,
+            **{name: own[name] for name in ("strain", *self.reports)},
+        }
+
+    def _observed(self, f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+        out: dict[str, Sequence[Value]] = {
+            "qdot": f.coordinate_rates(x["q"], x["v"]) if f.chain.floating else list(x["v"]),
+            "strain": f.strains(x["q"]),
+        }
+        for name, row in self.rows.items():
+            found = row.program.body(f, **{name: x[name] for name in row.names})
+            out[name] = [value for values in found.values() for value in values]
+        return dict.fromkeys(self.reports, ()) | out
 
 
 def _bits(mask: int) -> list[int]:
     return [k for k in range(mask.bit_length()) if mask >> k & 1]
 
 
-def _given(chain: Chain, constants: str, *names: str) -> dict[str, int]:
-    size = sizes(chain)
-    return {name: size[name] for name in names} | ({} if constants == "baked" else {"length": chain.n})
-
-
-def _answers(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
-    """All answers, those of :func:`observation` last."""
-    _fold(f)
-    vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
-    tips = f.poses(x["q"])[1]
-    own = _observed(f, x)
-    return {
-        "qdot": own["qdot"],
-        "vdot": vdot,
-        "position": [value for i in f.chain.lasts for value in tips[i][1]],
-        "rotation": [value for i in f.chain.lasts for value in tips[i][0]],
-        "wrench": wrench,
-        **{name: own[name] for name in ("strain", *REPORTS)},
-    }
-
-
-def _fold(f: Functions) -> None:
+def _fold(f: Functions, algorithms: Sequence[Algorithm]) -> None:
     """Put constants that depend on no parameter in place of inputs, such as the armature that a joint does not state.
 
     Without armature the wrench about the axis of a joint is the torque that acts there. The terms of which the
@@ -122,37 +155,10 @@ def _fold(f: Functions) -> None:
     """
     tracer = Tracer()
     p = tracer.input("p", len(parameters(f.chain.robot)))
-    known = prepared(f.chain, p, lambda _, program, given: inline(program, given, tracer))
+    known = prepared(f.chain, p, lambda _, program, given: inline(program, given, tracer), algorithms)
     for own, fixed in zip(f.constants, known, strict=True):
         for name in own.keys() & fixed.keys():
             own[name] = [x if isinstance(k, Node) else k for x, k in zip(own[name], fixed[name], strict=True)]
-
-
-def _observed(f: Functions, x: Values) -> dict[str, Sequence[Value]]:
-    out: dict[str, Sequence[Value]] = {
-        "qdot": f.coordinate_rates(x["q"], x["v"]) if f.chain.floating else list(x["v"]),
-        "strain": _strains(f.chain, x["q"], x.get("length")),
-    }
-    for row in reported(f.chain):
-        found = row.program.body(f, **{name: x[name] for name in row.names})
-        out[row.name] = [value for values in found.values() for value in values]
-    return dict.fromkeys(REPORTS, ()) | out
-
-
-def _strains(chain: Chain, q: Sequence[Value], lengths: Sequence[Value] | None) -> list[Value]:
-    """The strains at the base section of every link, as the linear models have them."""
-    out = []
-    for i in chain.firsts:
-        segment, first = chain.segments[i], chain.eta_q + chain.eta_offset[i]
-        for strain in strains(chain.keys[i], 0.0):
-            length = chain.robot.links[segment.link].length if lengths is None else lengths[i]
-            total: Value = 0.0
-            for k, weight in zip(strain.modes, strain.weights, strict=True):
-                total = total + weight * q[first + k]
-            for _ in range(strain.order):
-                total = total / (length / segment.count)
-            out.append(total)
-    return out
 
 
 def _named(values: Sequence[Value], counts: Mapping[str, int]) -> dict[str, Sequence[Value]]:

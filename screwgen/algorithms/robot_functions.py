@@ -13,18 +13,34 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
-from . import fused
-from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER, Functions
+from . import fused, sensors
+from . import robot_programs as programs
+from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER
+from .gauges import strain_names
 from .loop_functions import MOTION
+from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .schedule import Algorithm
-from .signals import INERTIAL, ROBOT, TIP, WRENCH, Signal
+from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, TWIST, WRENCH, Signal
 
-ROTATION, PLACE = (3, 3), (3,)
+OUTPUTS, SENSORS = "outputs", "sensors"
+"""The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
+PARTS: dict[tuple, list[str]] = {
+    (): [""],
+    (3,): [f".{x}" for x in "xyz"],
+    (6,): [f".{part}_{x}" for part in ("omega", "v") for x in "xyz"],
+    (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
+}
+"""The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
+WRITTEN = str.maketrans("-*23", "1·²³")
+"""Signs of units in comments of C, and what stands for them elsewhere."""
+SENSED = ("marker_pose", "marker_velocity", "gyro", "accelerometer")
+ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
 
 
 @dataclass(frozen=True)
@@ -33,7 +49,7 @@ class RobotFunction:
 
     ``inputs``: names, which blanks separate; ``results``: name -> shape, unit, frame and meaning; ``program`` makes it
     as one program, whose ``body`` runs on `Functions`; ``algorithms``: those that the body runs; ``offered``: of which
-    robots there is one; ``in_c``: whether ``<robot>_outputs.c`` has it; ``about``: a sentence.
+    robots there is one; ``c_file``: which file of the C has it, if any, see ``OUTPUTS``; ``about``: a sentence.
     """
 
     name: str
@@ -43,7 +59,7 @@ class RobotFunction:
     algorithms: tuple[Algorithm, ...]
     about: str
     offered: Callable[[Chain], bool] = lambda chain: True
-    in_c: bool = False
+    c_file: str = ""
 
     @property
     def names(self) -> list[str]:
@@ -54,47 +70,16 @@ class RobotFunction:
 def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
     """The shape of a result for a robot."""
     sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NLINKS": chain.n}
+    sizes |= {"NMARKERS": len(chain.markers), "NSTRAINS": len(strain_names(chain))}
     return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)
 
 
-def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray):
+def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray) -> Any:
     """The results from all their entries: arrays, numbers, a tuple where they are several."""
     shapes = [shape(of, chain) for of in function.results.values()]
-    ends = np.cumsum([math.prod(size) for size in shapes])
-    parts = np.split(np.asarray(values), ends[:-1])
+    parts = np.split(np.asarray(values), np.cumsum([math.prod(size) for size in shapes])[:-1])
     out = [part.reshape(size) if size else part.item() for part, size in zip(parts, shapes, strict=True)]
     return tuple(out) if len(out) > 1 else out[0]
-
-
-@fused.program("q v tau")
-def drive_power(f: Functions, q, v, tau):
-    """``(q, v, tau) -> (power)``."""
-    return {"power": f.drive_power(q, v, tau)}
-
-
-@fused.program("q v tau w_ext")
-def loop_wrenches(f: Functions, q, v, tau, w_ext):
-    """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
-    return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
-
-
-@fused.program("q v tau w_ext")
-def coupling_torques(f: Functions, q, v, tau, w_ext):
-    """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""
-    return {"torque": f.coupling_torques(q, v, tau, w_ext)}
-
-
-@fused.program("q")
-def tip_pose(f: Functions, q):
-    """``(q) -> (R, position)`` of the last tip, R row by row."""
-    return dict(zip(("R", "position"), f.poses(q)[1][f.chain.last], strict=True))
-
-
-@fused.program("q")
-def link_pose(f: Functions, q):
-    """``(q) -> (R, position)`` of the link frames, link by link."""
-    frames = f.poses(q)[0]
-    return {name: [x for frame in frames for x in frame[k]] for k, name in enumerate(("R", "position"))}
 
 
 AXES = "N*m, of axes that slide N"
@@ -141,16 +126,16 @@ FUNCTIONS = (
         fused.energy,
         (ENERGY,),
         "Kinetic and potential energy.",
-        in_c=True,
+        c_file=OUTPUTS,
     ),
     RobotFunction(
         "drive_power",
         "q v tau",
         {"power": Signal(("NTAU",), "W", "-", "power that each drive gives to the arm")},
-        drive_power,
+        programs.drive_power,
         (POWER,),
         "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
-        in_c=True,
+        c_file=OUTPUTS,
     ),
     RobotFunction(
         "tip_pose",
@@ -159,7 +144,7 @@ FUNCTIONS = (
             "R": Signal(ROTATION, "-", INERTIAL, "rotation of the last tip frame"),
             "position": Signal(PLACE, "m", INERTIAL, "last tip point"),
         },
-        tip_pose,
+        programs.tip_pose,
         (PLACES,),
         "The pose of the last tip.",
     ),
@@ -170,7 +155,7 @@ FUNCTIONS = (
             "R": Signal(("NLINKS", *ROTATION), "-", INERTIAL, "rotation of every link frame"),
             "position": Signal(("NLINKS", *PLACE), "m", INERTIAL, "origin of every link frame"),
         },
-        link_pose,
+        programs.link_pose,
         (PLACES,),
         "The poses of the link frames.",
     ),
@@ -178,16 +163,16 @@ FUNCTIONS = (
         "levers",
         "q",
         {"levers": Signal(("NTAU",), "m/rad, -", "-", "what the torque of each axis is multiplied by")},
-        fused.levers,
+        programs.levers,
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
-        offered=lambda chain: bool(chain.cranked),
+        offered=lambda chain: bool(chain.travels),
     ),
     RobotFunction(
         "loop_wrenches",
         "q v tau w_ext",
         {"loop_wrench": Signal(("NLINKS", 6), WRENCH, TIP, "of the loops on each tip")},
-        loop_wrenches,
+        programs.loop_wrenches,
         (FORWARD, MOTION),
         "The wrenches with which the loops act on the tips.",
         offered=lambda chain: bool(chain.closures),
@@ -196,10 +181,77 @@ FUNCTIONS = (
         "coupling_torques",
         "q v tau w_ext",
         {"torque": Signal(("NTAU",), AXES, "-", "of the couplings on each joint axis")},
-        coupling_torques,
+        programs.coupling_torques,
         (FORWARD, MOTION),
         "The torques with which couplings act on the joint axes.",
         offered=lambda chain: bool(chain.couplings),
+    ),
+    RobotFunction(
+        "marker_pose",
+        "q",
+        {
+            "R": Signal(("NMARKERS", *ROTATION), "-", INERTIAL, "rotation of every marker"),
+            "position": Signal(("NMARKERS", *PLACE), "m", INERTIAL, "point of every marker"),
+        },
+        sensors.marker_pose,
+        (PLACED,),
+        "The poses of the markers.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "marker_velocity",
+        "q v",
+        {"twist": Signal(("NMARKERS", 6), TWIST, MARKER, "[omega; v] of every marker")},
+        sensors.marker_velocity,
+        (MOVING,),
+        "The twists of the markers.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "marker_jacobian",
+        "q",
+        {"J": Signal(("NMARKERS", 6, "NV"), "rad, m per unit of q", MARKER, "J v is the twist of every marker")},
+        sensors.marker_jacobian,
+        (MOVING,),
+        "The Jacobians of the markers.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "marker_bias",
+        "q v",
+        {"bias": Signal(("NMARKERS", 6), ACCELERATION, MARKER, "J vdot + bias is the acceleration of every marker")},
+        sensors.marker_bias,
+        (ACCELERATING,),
+        "The accelerations of the markers that rates alone cause.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "gyro",
+        "q v",
+        {"omega": Signal(("NMARKERS", 3), "rad/s", MARKER, "angular velocity of every marker")},
+        sensors.gyro,
+        (MOVING,),
+        "What gyroscopes at the markers read.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "accelerometer",
+        "q v tau w_ext",
+        {"a": Signal(("NMARKERS", 3), "m/s^2", MARKER, "acceleration of every marker less that of free fall")},
+        sensors.accelerometer,
+        (FORWARD, ACCELERATING),
+        "What accelerometers at the markers read: at rest gravity, upwards; in free fall nothing.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "strain",
+        "q",
+        {"strain": Signal(("NSTRAINS",), "1, 1/m, rad/m", "-", "stretch, curvatures, twist and shear")},
+        sensors.strain,
+        (STRAINED,),
+        "The strains of the centrelines at the bases of links and at the markers that they declare.",
+        c_file=SENSORS,
+        offered=lambda chain: bool(strain_names(chain)),
     ),
 )
 """The functions of a robot; `mass_matrix`, which each back end makes in its own way, is none of them."""
@@ -212,7 +264,17 @@ def offered(chain: Chain) -> tuple[RobotFunction, ...]:
 
 def reported(chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that ``<robot>_outputs.c``, runs and mock-up units report."""
-    return tuple(function for function in offered(chain) if function.in_c)
+    return in_file(OUTPUTS, chain)
+
+
+def sensed(chain: Chain) -> tuple[RobotFunction, ...]:
+    """The functions of sensors that mock-up units report where they are asked for; strains they have anyway."""
+    return tuple(row for row in in_file(SENSORS, chain) if row.name in SENSED)
+
+
+def in_file(name: str, chain: Chain) -> tuple[RobotFunction, ...]:
+    """The functions that a file of the C has."""
+    return tuple(function for function in offered(chain) if function.c_file == name)
 
 
 def entries(function: RobotFunction, chain: Chain) -> int:
@@ -220,34 +282,34 @@ def entries(function: RobotFunction, chain: Chain) -> int:
     return sum(math.prod(shape(of, chain)) for of in function.results.values())
 
 
-def entry_names(function: RobotFunction, tau_names: Sequence[str]) -> tuple[str, ...]:
-    """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`."""
+def entry_names(function: RobotFunction, drives: Sequence[str], markers: Sequence[str] = ()) -> tuple[str, ...]:
+    """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
+    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot.
+    """
     out: list[str] = []
     for name, signal in function.results.items():
-        per_drive = [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in tau_names]
-        out += per_drive if signal.shape == ("NTAU",) else [f"{function.name}.{name}"]
+        what = f"{function.name}.{name}"
+        if signal.shape == ("NTAU",):
+            out += [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in drives]
+        elif "NMARKERS" in signal.shape:
+            out += [f"{marker}.{what}{part}" for marker in markers for part in PARTS[signal.shape[1:]]]
+        else:
+            out += [what + part for part in PARTS[signal.shape]]
     return tuple(out)
 
 
+def written(unit: str) -> str:
+    """A unit of a signal as people write it: `kg·m²/s` of `kg*m^2/s`."""
+    return unit.translate(WRITTEN).replace("^", "")
+
+
 def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
-    """The units of these entries."""
-    return [of.unit for of in function.results.values() for _ in range(math.prod(shape(of, chain)))]
-
-
-def table_row(function: RobotFunction) -> str:
-    """The row of a function in the table of docs/functions.md."""
-    sizes = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NLINKS": "n"}
-    told = [
-        f"`{name}` ({', '.join(str(sizes.get(str(n), n)) for n in of.shape) or 'a number'}), {of.unit}"
-        for name, of in function.results.items()
-    ]
-    where = "also in C, runs, rollouts, units. " if function.in_c else ""
-    return f"| `{function.name}` | {', '.join(function.names)} | {'; '.join(told)} | {where}{function.about} |"
-
-
-def function_named(name: str) -> RobotFunction:
-    """The function of a name; raises KeyError where there is none."""
-    return BY_NAME[name]
+    """The units of these entries, as mock-up units have them."""
+    out: list[str] = []
+    for of in function.results.values():
+        count, parts = math.prod(shape(of, chain)), written(of.unit).split(", ")
+        out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
+    return out
 
 
 BY_NAME = {function.name: function for function in FUNCTIONS}

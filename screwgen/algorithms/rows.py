@@ -8,7 +8,9 @@ from ..ir.program import Array
 from . import matrices as mx
 
 
-def to_parent(rows: Array, R: Array, omega, omega_J, omega_P, r_B: Array, r_J: Array, v_J: Array) -> Array:
+def to_parent(
+    rows: Array, R: Array, omega: Array, omega_J: Array, omega_P: Array, r_B: Array, r_J: Array, v_J: Array
+) -> Array:
     """Rows (k, 9) on the motion of F_i, converted to rows on the motion of the parent's tip, in tip-frame components.
 
     ``r_J`` is the joint point relative to the parent's tip and ``v_J`` its relative velocity, both in that frame.

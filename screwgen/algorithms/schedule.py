@@ -9,13 +9,14 @@ from functools import cache
 from ..elements import FRICTION, STOP
 from ..elements.axis_element import PREFIX
 from ..errors import SingularError
-from ..ir.block import Binding
+from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from .axis_laws import columns_of
-from .drives import constant, labelled
+from .axis_terms import COLUMNS as OF_AXES
+from .axis_terms import constant, labelled
 from .modal_elimination import COMPLIANCE, FACTOR, WAYS
 from .scope import AT_TIP, Layout, Scope, derived, owner_of
 from .signals import is_node
@@ -23,31 +24,21 @@ from .signals import is_node
 OUTWARD, INWARD = +1, -1
 COLUMNS = {
     "eta": ("M_eta", "K", "D"),
-    "q": ("M_q", "K_q", "D_q"),
-    "theta": ("M_theta", "K_theta", "D_theta"),
-    "gear": ("M_gear", "K_gear", "D_gear"),
+    **{part: tuple(own) for part, own in OF_AXES.items()},
     "below": ("M_below", "K_below", "D_below"),
-    "dry": FRICTION.constants,
-    "stop": STOP.constants,
 }
-"""Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if the joint is sprung,
-of the rotors of elastic drives, the entries that couple these with their axes,
-and those below the diagonal where modes are coupled (``LinkClass.coupled``);
-dry friction, and limit, stiffness and damping of stops; those of other elements are not listed (:mod:`..elements`)."""
+"""Inertia, stiffness and damping of a link: of its modal coordinates, of its joint coordinates if forces act on these,
+of what elements add, the entries that couple these with their axes,
+and those below the diagonal where modes are coupled (``LinkClass.coupled``); those of laws are not listed."""
 
 
 def is_column(name: str) -> bool:
     """Whether a name is that of a column, not of a constant of a link."""
-    return name.startswith(PREFIX) or any(name in names for names in COLUMNS.values())
+    return name.startswith(PREFIX) or any(name in names for names in (*COLUMNS.values(), *BUILT_IN))
 
 
-OF_AXES = {
-    "q": ("armature", "joint_stiffness", "joint_damping"),
-    "theta": ("rotor_inertia", "rotor_stiffness", "rotor_damping"),
-    "gear": ("gear_inertia", "gear_stiffness", "gear_damping"),
-    "dry": FRICTION.constants,
-}
-"""The constants of axes that the columns of joints and drives hold, see :mod:`.drives`."""
+BUILT_IN = (FRICTION.constants, STOP.constants)
+"""The columns of laws whose names have no prefix."""
 FEW, MANY = 3, 12
 """With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""
 
@@ -60,6 +51,8 @@ class Phase:
     direction: int
     per_child: bool = False
     """Whether the phase depends on each of the links that a link carries, not on their sum."""
+    at_markers: bool = False
+    """Whether the phase runs at all markers of a link, not only where it carries others."""
 
     @property
     def name(self) -> str:
@@ -116,7 +109,7 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
     scope = Scope(key, tracer, {})
     blocks = derived(key)
     for label in labels:
-        if key.drives and (value := labelled(scope, label)) is not None:
+        if (value := labelled(scope, label)) is not None:
             scope.write(label, [value])
             continue
         section, own = owner_of(key, label)
@@ -129,17 +122,17 @@ def preparation(key: LinkClass, labels: tuple[str, ...]) -> Program:
             damped = key.damping or not name.startswith("D")
             values = lower(derived(key)["link"], inputs, (name,), tracer)[name] if damped else [0.0] * size
             scope.write(name, values)
-    sprung = range(key.joints) if key.sprung else ()
-    for part, axes in (("q", sprung), ("theta", key.motors), ("gear", key.motors), ("dry", key.rubbed)):
-        for name, label in zip(COLUMNS[part], OF_AXES[part], strict=True):
-            if axes:
+    joints = range(key.joints) if key.has_axis_forces else ()
+    for part, own_columns in OF_AXES.items():
+        for name, label in own_columns.items():
+            if axes := joints if part == "q" else key.added_axes:
                 scope.write(name, [constant(scope, label, axis) for axis in axes])
     for name, entries in columns_of(scope):
         scope.write(name, entries)
     return scope.program("prepare")
 
 
-def _parameters(scope: Scope, block) -> dict:
+def _parameters(scope: Scope, block: Block) -> dict:
     """The parameters of a block as inputs of its preparation."""
     out = {}
     for name, signal in block.inputs.items():
@@ -149,7 +142,7 @@ def _parameters(scope: Scope, block) -> dict:
     return out
 
 
-def _prepared(scope: Scope, block, label: str) -> Value:
+def _prepared(scope: Scope, block: Block, label: str) -> Value:
     """One constant: its step and the steps that it depends on, recorded from the parameters."""
     symbol = next(s for s in block.bindings if s.name == label)
     for name, signal in block.inputs.items():
@@ -161,9 +154,14 @@ def _prepared(scope: Scope, block, label: str) -> Value:
     return values[place[0]]
 
 
-def constant_labels(key: LinkClass, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
-    """The constants that programs of a class ask for, sorted."""
-    programs = [p for a in algorithms for p in trace(key, a)]
+def seen_by(chain: Chain, *algorithms: Algorithm) -> Chain:
+    """The chain over which algorithms run: with a node for every marker if one of them measures there."""
+    return chain.seen if any(phase.at_markers for a in algorithms for phase in a) else chain
+
+
+def constant_labels(chain: Chain, i: int, algorithms: Sequence[Algorithm]) -> tuple[str, ...]:
+    """The constants of a link that programs ask for, sorted."""
+    programs = [p for a in algorithms for p in trace(seen_by(chain, a).keys[i], a)]
     return tuple(sorted({name[2:] for p in programs for name in p.inputs if name.startswith("c.")}))
 
 

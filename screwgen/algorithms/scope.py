@@ -4,7 +4,7 @@ A chain of n links has n + 1 *nodes*: node 0 is the base, node i + 1 is the tip 
 link i reads and writes signals. The prefix of a signal's name says where it is stored:
 
 ``base.*``, ``tip.*``  node i and node i + 1: twists, poses, accelerations, reactions
-``at0.*``, ``at1.*``   the nodes of the stations, other sections at which the link carries links; see :class:`Station`
+``at0.*``, ``at1.*``   the nodes of the stations, other sections at which the link carries links: :class:`StationScope`
 ``w.*``                the link's store, which later phases of the same link read
 ``c.*``                constants of the link, prepared from its parameters
 anything else          inputs and outputs of the call (``q``, ``eta``, ``tau``, ``wrench`` ...)
@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from functools import cache, cached_property, partial
 from math import prod
@@ -21,13 +22,13 @@ from math import prod
 import numpy as np
 
 from ..bodies.energy import energy_block
+from ..bodies.joint import joint_block, motion_block, posture_block
 from ..bodies.link import LinkBlock
 from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_block
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Array, Label, Node, Program, Tracer, Value, Vector, give_label
-from ..joints.joint import joint_block, motion_block, posture_block
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 from .joint_rows import joint_rows_block
@@ -168,14 +169,14 @@ class Scope:
         self.name(name.rpartition(".")[2], values, name)
         self.outputs[name] = list(np.asarray(values, dtype=object).ravel())
 
-    def name(self, name: str, values: Vector, like="") -> Array:
+    def name(self, name: str, values: Vector, like: str = "") -> Array:
         """Name the entries that have no name yet, like those of a signal (default: ``name``); returns the array."""
         values, kind = np.asarray(values, dtype=object), type_of(like or name)
         for index, value in np.ndenumerate(values):
             give_label(value, Label(name, kind.place(index, values.shape)))
         return values
 
-    def step(self, title: str):
+    def step(self, title: str) -> AbstractContextManager[None]:
         """Operations recorded inside form a section with this title."""
         return self.tracer.section(title)
 
@@ -187,7 +188,7 @@ class Scope:
     @cached_property
     def stations(self) -> list[Scope]:
         """The other sections at which the link carries links."""
-        return [Station(self, number) for number in range(len(self.key.stations_at))]
+        return [StationScope(self, number) for number in range(len(self.key.stations_at))]
 
     def constant(self, label: str) -> Value:
         """A constant of the link, by the label of the step that prepares it."""
@@ -231,9 +232,9 @@ class Scope:
         layout = self.layouts[name]
         stored = self.read(f"w.{name}", layout.size) if layout.size else mx.zeros(0)
         values = [self._entry(e, stored) for e in layout.entries]
-        return np.array([*values, None], dtype=object)[:-1].reshape(layout.shape)
+        return np.fromiter(values, object).reshape(layout.shape)
 
-    def _entry(self, entry, stored: Array) -> Value:
+    def _entry(self, entry: float | tuple[float, int] | tuple[float, str], stored: Array) -> Value:
         if isinstance(entry, float):
             return entry
         sign, place = entry
@@ -252,7 +253,7 @@ OF_TIP = frozenset(KEPT.split()) | PER_CHILD
 """What a link keeps of its tip, and writes of what is carried there."""
 
 
-class Station(Scope):
+class StationScope(Scope):
     """The scope of a phase in which a station stands for the tip: its node, its blocks, what is kept of it.
 
     So what a phase does at the tip is done there by the same lines. Nothing acts on a station but what it carries.

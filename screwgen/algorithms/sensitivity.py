@@ -19,12 +19,13 @@ import numpy as np
 
 from ..ir.derivative import columns
 from ..ir.program import Array
-from . import elastic_gears
+from . import elastic_travels
 from . import matrices as mx
 from .given_motion import Motion, tip_motion_in_link, tip_point, tip_rotation
 from .joint_terms import joint_offset, joint_point, rotation
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .scope import Scope
+from .subspace_changes import subspace_rates, turned_rows
 from .tip_turning import Turning, held_load, shape_rates, turned_moment, turning
 
 # ------------------------------------------------------------------------------------------- the link
@@ -76,12 +77,12 @@ def link_answers(s: Scope) -> Load:
         held = [x.held() for x in loaded]
         for k, name in enumerate(("eta", "etadot")):
             d_wrench, d_force = slopes[name][:6], slopes[name][6:]
-            for x, u, (turned, lever) in zip(loaded, changes, held, strict=True):
+            for x, u, (turned, arm) in zip(loaded, changes, held, strict=True):
                 d_load = mx.multiply(x.load.Gamma, u[k][:3]) + mx.multiply(x.load.Lambda, u[k][3:])
                 d_load = d_load + (mx.zeros(6, s.key.modes) if k else turned)
                 d_wrench = d_wrench + shifted(x.r_T, d_load)
                 d_force = d_force + mx.multiply(x.E.T, d_load)
-                d_wrench = d_wrench if k else d_wrench + lever
+                d_wrench = d_wrench if k else d_wrench + arm
             s.write(f"w.F_{name}", d_wrench)
             for x in () if k else loaded:
                 moment, force = np.split(x.load.wrench, 2)
@@ -110,7 +111,7 @@ class Loaded:
         return cls(s, t, load, r_T, Phi, udot, np.vstack([t.phi, Phi]))
 
     def held(self) -> tuple[Array, Array]:
-        """The change, with the modes, of a load that turns with the section, and of its lever."""
+        """The change, with the modes, of a load that turns with the section, and of its arm."""
         moment, force = np.split(self.load.wrench, 2)
         turned = np.vstack([columns_cross(self.t.phi, moment), columns_cross(self.t.phi, force)])
         return turned, np.vstack([columns_cross(self.Phi, force), mx.zeros(3, self.Phi.shape[1])])
@@ -186,8 +187,8 @@ def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:
 
 def joint_answers(s: Scope, carried: Load) -> None:
     """The joint's rows, their derivatives with the joint's coordinates, and the load passed to the parent."""
-    if s.key.free:
-        free_answers(s, carried)
+    if s.key.floats:
+        answers_in_space(s, carried)
         return
     m, omega_P = s.key.joints, s.read("base.omega_T")
     q, qdot = s.read("q"), s.read("qdot")
@@ -205,11 +206,10 @@ def joint_answers(s: Scope, carried: Load) -> None:
         w = mx.shift_wrench(-r_B, carried.wrench)
         turned = np.vstack([columns_cross(A, w[:3]) + columns_cross(T, w[3:]), columns_cross(A, w[3:])])
         F_q = mx.multiply(answer, u_q)
-        cranked_q, cranked_qdot = elastic_gears.answers(s)
-        later = mx.array([[_later(A, T, w, l, k) for k in range(m)] for l in range(m)], (m, m))
-        s.write("w.f_q", mx.multiply(axes.T, F_q) + later + cranked_q)
+        travel_q, travel_qdot = elastic_travels.answers(s)
+        s.write("w.f_q", mx.multiply(axes.T, F_q) + turned_rows(s, A, T, w) + travel_q)
         F_qdot = mx.multiply(answer, u_qdot)
-        s.write("w.f_qdot", mx.multiply(axes.T, F_qdot) + cranked_qdot)
+        s.write("w.f_qdot", mx.multiply(axes.T, F_qdot) + travel_qdot)
         s.write("w.F_q", F_q + shifted(r_B, turned))
         s.write("w.F_qdot", F_qdot)
         s.write("base.f", mx.shift_wrench(r_J, mx.rotate_wrench(R, w)))
@@ -223,13 +223,13 @@ def joint_answers(s: Scope, carried: Load) -> None:
         s.write(f"w.{name}", value)
 
 
-def free_answers(s: Scope, carried: Load) -> None:
+def answers_in_space(s: Scope, carried: Load) -> None:
     """The rows of a floating base, and their derivatives with its twist and with a change delta of its pose.
 
     The pose becomes ``pose exp(delta)``, delta = [turn; shift] in axes of F_i. That turns what comes from outside in
     F_i: free fall alone.
     """
-    omega, v = np.split(s.read("twist"), 2)
+    omega, v = np.split(s.read("qdot"), 2)
     with s.step("floating base: its rows and their changes with pose and twist"):
         none, one = mx.zeros(3, 3), mx.identity(3)
         u_q = np.vstack([np.hstack([none, none])] * 2 + [np.hstack([mx.hat(s.read("w.a_J")), none])])
@@ -238,7 +238,7 @@ def free_answers(s: Scope, carried: Load) -> None:
         rows = np.hstack([carried.Gamma, carried.Lambda])
         F_q, F_qdot = mx.multiply(rows, u_q), mx.multiply(rows, u_qdot)
     changes = {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": mx.identity(6)}
-    changes |= {"F_q": F_q, "F_qdot": F_qdot, "f_q": F_q, "f_qdot": F_qdot, "R_rel": rotation(s)}
+    changes |= {"F_q": F_q, "F_qdot": F_qdot, "f_q": F_q, "f_qdot": F_qdot, "R_rel": rotation(s, s.read("q"))}
     changes |= {"answer": rows, "w_J": mx.zeros(6)}
     for name, value in (changes | dict.fromkeys(("omega_J", "r_B", "r_J", "v_J"), mx.zeros(3))).items():
         s.write(f"w.{name}", value)
@@ -251,44 +251,18 @@ def joint_changes(s: Scope, A: Array, T: Array, joint: Motion, r_B: Array) -> tu
     The frame of reference is the one in which the joint point is at rest.
     """
     qdot, qddot = s.read("qdot"), s.read("qddot")
-    Adot, Addot, Tdot, Tddot = subspace_rates(A, T, qdot, qddot)
+    Adot, Addot, Tdot, Tddot, bend, lost = subspace_rates(s, A, T, qdot, qddot)
     omega, omegadot = joint.omega, joint.omegadot
     d_omega = Adot + cross_columns(omega, A)
     d_rate = Addot + cross_columns(omegadot, A) + cross_columns(omega, Adot)
-    d_a = cross_columns(joint.a, A) + _swung_changes(d_omega, d_rate, omega, r_B)
-    v_rate, d_v = 2.0 * Adot + cross_columns(omega, A), Tdot + cross_columns(omega, T)
+    d_a = cross_columns(joint.a, A) + _swing_changes(d_omega, d_rate, omega, r_B)
+    v_rate, d_v = bend + cross_columns(omega, A), Tdot + cross_columns(omega, T)
     d_a = d_a + Tddot + cross_columns(omegadot, T) + cross_columns(omega, Tdot + d_v)
-    slip = 2.0 * d_v + _swung_changes(A, v_rate, omega, r_B)
+    slip = 2.0 * d_v - lost + _swing_changes(A, v_rate, omega, r_B)
     return np.vstack([d_omega, d_rate, d_a]), np.vstack([A, v_rate, slip])
 
 
-def subspace_rates(A: Array, T: Array, qdot: Array, qddot: Array) -> tuple[Array, Array, Array, Array]:
-    """``Adot, Addot, Tdot, Tddot``: later screws move the columns of the earlier ones in F_i."""
-    m = A.shape[1]
-    Adot, Addot, Tdot, Tddot = (mx.zeros(3, m) for _ in range(4))
-    omega, alpha, v, a = (mx.zeros(3) for _ in range(4))
-    for k in reversed(range(m)):
-        Adot[:, k] = mx.cross(A[:, k], omega)
-        Addot[:, k] = mx.cross(Adot[:, k], omega) + mx.cross(A[:, k], alpha)
-        Tdot[:, k] = mx.cross(T[:, k], omega) + mx.cross(A[:, k], v)
-        Tddot[:, k] = (
-            mx.cross(Tdot[:, k], omega) + mx.cross(T[:, k], alpha) + mx.cross(Adot[:, k], v) + mx.cross(A[:, k], a)
-        )
-        omega, v = omega + A[:, k] * qdot[k], v + T[:, k] * qdot[k]
-        alpha = alpha + A[:, k] * qddot[k] + Adot[:, k] * qdot[k]
-        a = a + T[:, k] * qddot[k] + Tdot[:, k] * qdot[k]
-    return Adot, Addot, Tdot, Tddot
-
-
-def _later(A: Array, T: Array, w: Array, l: int, k: int):
-    """``d(S_l . w)/d q_k``: the columns before screw k depend on its coordinate."""
-    if k <= l:
-        return 0.0
-    moved = mx.cross(T[:, l], A[:, k]) + mx.cross(A[:, l], T[:, k])
-    return mx.dot(mx.cross(A[:, l], A[:, k]), w[:3]) + mx.dot(moved, w[3:])
-
-
-def _swung_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:
+def _swing_changes(d_omega: Array, d_rate: Array, omega: Array, r_B: Array) -> Array:
     """Derivative of the origin's acceleration relative to the joint point."""
     d = -mx.multiply(swing(omega, r_B, mx.zeros(3)), d_omega)
     return d + mx.multiply(mx.hat(r_B), d_rate)

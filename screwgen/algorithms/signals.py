@@ -1,9 +1,10 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. All others are inputs and outputs of a call. In a shape, ``m`` is the number of joint coordinates of
-a link, ``t`` that of its rotors, ``r`` that of its modes, ``b`` that of its coupled pairs of modes. Angular parts come
-first. Accelerations are those of material points in the inertial frame, less free fall.
+phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
+a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``t`` that of its rotors, ``r`` that of its modes,
+``b`` that of its coupled pairs of modes, ``g`` that of the directions in which it has modes. Angular parts come first.
+Accelerations are those of material points in the inertial frame, less free fall.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ class Signal(NamedTuple):
 
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""
-        counts: dict[Any, Any] = {"m": key.joints, "f": key.freedoms, "t": len(key.motors)}
-        counts |= {"r": key.modes, "b": len(key.coupled)}
+        counts: dict[Any, Any] = {"q": key.joint.nq, "m": key.joints, "a": key.torques, "t": len(key.added_axes)}
+        counts |= {"r": key.modes, "b": len(key.coupled), "g": len({d for d, _ in key.directions})}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
@@ -74,6 +75,7 @@ NODE = {
     "r_m": Signal((3,), "m", INERTIAL, "position of the tip point before projection"),
     "omega_m": Signal((3,), "rad/s", TIP, "angular velocity of the tip section before projection"),
     "v_m": Signal((3,), "m/s", TIP, "velocity of the tip point before projection"),
+    "strain": Signal(("g",), "1, 1/m, rad/m", "-", "strains of the section"),
     "X": Signal((6, 6), "-, m", NEXT, "map from the twist of the tip to that of the next joint point"),
     "PX": Signal((6, 6), MIXED, NEXT, "next joint's rows, columns of the tip's twist rate"),
 }
@@ -108,15 +110,14 @@ H_SYS = {
 """The parts of H_sys and W_sys that a link computes."""
 
 CALL: dict[str, Signal] = {
-    "q": Signal(("m",), "rad", "-", "joint coordinates"),
+    "q": Signal(("q",), "rad", "-", "joint coordinates"),
     "qdot": Signal(("m",), "rad/s", "-", "joint rates"),
     "qddot": Signal(("m",), "rad/s^2", "-", "joint accelerations"),
-    "new_q": Signal(("m",), "rad", "-", "projected joint coordinates"),
-    "tau": Signal(("m",), "N*m", "-", "joint torques"),
-    "m_q": Signal(("m",), "kg*m^2", "-", "inertia of the joint coordinates"),
-    "f_q": Signal(("m",), "N*m", "-", "force of springs and dampers of the joint"),
+    "new_q": Signal(("q",), "rad", "-", "projected joint coordinates"),
+    "tau": Signal(("a",), "N*m", "-", "joint torques"),
+    "m_q": Signal(("a",), "kg*m^2", "-", "inertia of the joint coordinates"),
+    "f_q": Signal(("a",), "N*m", "-", "force of springs and dampers of the joint"),
     "force": Signal(("m",), "N*m", "-", "force of the joint coordinates"),
-    "base_force": Signal((6,), WRENCH, F_I, "wrench on the floating base, at the origin of F_i"),
     "theta": Signal(("t",), "rad", "-", "angles of the rotors"),
     "thetadot": Signal(("t",), "rad/s", "-", "rates of the rotors"),
     "thetaddot": Signal(("t",), "rad/s^2", "-", "accelerations of the rotors"),
@@ -149,8 +150,9 @@ CALL: dict[str, Signal] = {
     "tip_twist": Signal((6,), TWIST, INERTIAL, "angular velocity of the tip section and velocity of the tip point"),
     "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "angular velocity about y and z, axial motion and force"),
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
-    "levers": Signal(("m",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
-    "power": Signal(("m",), "W", "-", "power that each drive gives to the arm"),
+    "levers": Signal(("a",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
+    "power": Signal(("a",), "W", "-", "power that each drive gives to the arm"),
+    "strain": Signal(("g",), "1, 1/m, rad/m", "-", "strains of the section at the base"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
 }
@@ -212,22 +214,22 @@ STORE = {
     "r_B": Signal((3,), "m", F_I, "position of the joint point"),
     "r_J": Signal((3,), "m", "parent's tip frame", "joint point relative to the parent's tip point"),
     "v_J": Signal((3,), "m/s", "parent's tip frame", "velocity of the joint point relative to the parent's tip"),
-    "axes": Signal((6, "f"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
+    "axes": Signal((6, "m"), "-, m", F_I, "motion subspace of the joint at the origin of F_i"),
     "E": Signal((6, "r"), "1/m, -", F_I, "motion of the tip section per unit of each mode"),
-    "u_q": Signal((9, "f"), "-", F_I, "derivative of the motion of F_i with the joint coordinates"),
-    "u_qdot": Signal((9, "f"), "-", F_I, "derivative of the motion of F_i with the joint rates"),
+    "u_q": Signal((9, "m"), "-", F_I, "derivative of the motion of F_i with the joint coordinates"),
+    "u_qdot": Signal((9, "m"), "-", F_I, "derivative of the motion of F_i with the joint rates"),
     "tip_eta": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modes"),
     "tip_etadot": Signal((9, "r"), "-", F_I, "derivative of the tip's motion with the modal rates"),
     "answer": Signal((6, 9), "-", F_I, "derivative of the wrench with the motion of F_i"),
     "w_J": Signal((6,), WRENCH, F_I, "wrench of the joint, at the joint point"),
-    "rows_q": Signal(("f", 9), "-", F_I, "derivative of the joint's forces with the motion of F_i"),
+    "rows_q": Signal(("m", 9), "-", F_I, "derivative of the joint's forces with the motion of F_i"),
     "rows_eta": Signal(("r", 9), "-", F_I, "derivative of the modal forces with the motion of F_i"),
-    "F_q": Signal((6, "f"), WRENCH, F_I, "derivative of the wrench with the joint coordinates"),
-    "F_qdot": Signal((6, "f"), WRENCH, F_I, "derivative of the wrench with the joint rates"),
+    "F_q": Signal((6, "m"), WRENCH, F_I, "derivative of the wrench with the joint coordinates"),
+    "F_qdot": Signal((6, "m"), WRENCH, F_I, "derivative of the wrench with the joint rates"),
     "F_eta": Signal((6, "r"), WRENCH, F_I, "derivative of the wrench with the modes"),
     "F_etadot": Signal((6, "r"), WRENCH, F_I, "derivative of the wrench with the modal rates"),
-    "f_q": Signal(("f", "f"), "N*m", "-", "derivative of the joint's forces with its coordinates"),
-    "f_qdot": Signal(("f", "f"), "N*m*s", "-", "derivative of the joint's forces with its rates"),
+    "f_q": Signal(("m", "m"), "N*m", "-", "derivative of the joint's forces with its coordinates"),
+    "f_qdot": Signal(("m", "m"), "N*m*s", "-", "derivative of the joint's forces with its rates"),
     "f_eta": Signal(("r", "r"), "N/m", "-", "derivative of the modal forces with the modes"),
     "f_etadot": Signal(("r", "r"), "N*s/m", "-", "derivative of the modal forces with the modal rates"),
     "M_eta_eta": Signal(("r", "r"), "kg", "-", "modal inertia of the tip load"),
@@ -269,13 +271,13 @@ ROBOT = {
         "eta": Signal(MODES, MODAL, "-", "modal coordinates"),
         "twist": Signal(("NLINKS", 6), TWIST, F_I, "[omega; v]"),
         "etadot": Signal(MODES, "m/s (torsion: rad/s)", "-", "modal rates"),
-        "q": Signal(JOINTS, "rad", "-", "joint coordinates"),
+        "q": Signal(("NREDUNDANT",), "rad", "-", "joint coordinates"),
     },
     "work": GIVEN | {"motion": Signal(("NLINKS", 4), *CALL["motion"][1:4])},
     "dae_work": GIVEN
     | {
         "qdot": Signal(JOINTS, "rad/s", "-", "joint rates"),
-        "qddot": Signal(JOINTS, "rad/s^2", "-", "joint accelerations"),
+        "qddot": Signal(("NRATES",), "rad/s^2", "-", "joint accelerations"),
         "etaddot": Signal(MODES, "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),
         "alpha": Signal(("NLINKS", 6), ACCELERATION, F_I, "acceleration of F_i"),
         "Vdot": Signal(("NLINKS", 6), ACCELERATION, F_I, "rate of the twist"),

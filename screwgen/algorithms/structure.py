@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeGuard
 
-from ..ir.program import Node, Program, live
+from ..ir.program import Node, Program, Value, live
 from ..ir.replay import bind
 from ..topology.chain import Chain
 from .functions import nodes
@@ -24,7 +25,7 @@ class Unknown:
     def __neg__(self) -> Unknown:
         return self
 
-    def __add__(self, _) -> Unknown:
+    def __add__(self, _: object) -> Unknown:
         return self
 
     __radd__ = __add__
@@ -80,7 +81,9 @@ def specialised_phases(
     return [(*visit, program) for visit, program in zip(visits(chain, algorithm), run, strict=True)]
 
 
-def _inputs(chain: Chain, algorithm: Algorithm, constants, zero: frozenset[str]) -> list[dict[str, list]]:
+def _inputs(
+    chain: Chain, algorithm: Algorithm, constants: Sequence[Mapping[str, list]] | None, zero: frozenset[str]
+) -> list[dict[str, list]]:
     """The signals of every link that no phase computes."""
     out = []
     for i, key in enumerate(chain.keys):
@@ -96,16 +99,16 @@ def _known(given: Mapping[str, list]) -> Known:
     return tuple((n, values) for n, values in sorted(partial.items()) if any(v is not None for v in values))
 
 
-def _entry(value) -> Entry:
+def _entry(value: Value) -> Entry:
     return float(value) if _structural(value) else UNKNOWN
 
 
-def _structural(value) -> bool:
+def _structural(value: Value) -> TypeGuard[float]:
     """Whether an entry is passed on as a number: zeros and ones recur from link to link, sums of masses do not."""
     return not isinstance(value, Node) and abs(value) in (0.0, 1.0)
 
 
-def passages(chain: Chain, run: Applied, results: Iterable[str], each_tip=False) -> list[Passage]:
+def passages(chain: Chain, run: Applied, results: Iterable[str], each_tip: bool = False) -> list[Passage]:
     """The phases, reduced to the outputs that a later phase or the caller uses.
 
     ``results`` are the signals that a caller reads: of every link, or, for a node (``tip.*``), of the last tip, or of
@@ -136,7 +139,7 @@ def passages(chain: Chain, run: Applied, results: Iterable[str], each_tip=False)
     return out[::-1]
 
 
-def _written(value, summed: bool, adds: bool) -> bool:
+def _written(value: Value, summed: bool, adds: bool) -> bool:
     """Whether an entry that somebody reads is written; the first link of a sum writes zeros and ones too."""
     if summed:
         return not adds or not (isinstance(value, float) and value == 0.0)

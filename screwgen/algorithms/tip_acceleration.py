@@ -6,39 +6,30 @@ from collections.abc import Sequence
 
 from ..ir.derivative import columns, tangents
 from ..ir.program import Node, Value
-from . import given_motion
 from .functions import Functions
-from .fused import program
-from .schedule import OUTWARD, Algorithm, Phase
-
-MOTION: Algorithm = (Phase(given_motion.motion, OUTWARD),)
+from .fused import Outputs, program
 
 
-class Accelerometer(Functions):
-    """The functions of a robot, with the acceleration of its last tip."""
-
-    def tip_acceleration(self, q, v, vdot) -> list[Value]:
-        """The proper acceleration (3) of the last tip point, inertial minus free fall, in tip-frame components."""
-        motion = self.chain.split(vdot, "qddot", "etaddot")
-        _, places = self._run(MOTION, self._state(q, v), motion)
-        return places[self.chain.tree.tip(self.chain.last)]["acc"][3:]
-
-
-@program("q v vdot", kind=Accelerometer, constants="constants")
-def tip_acceleration(f: Accelerometer, **x):
+@program("q v vdot", constants="constants")
+def tip_acceleration(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, vdot) -> (a, a_q, a_v, a_vdot)``: the derivatives (3, nv) column by column, each at the others held.
 
-    Those with the pose of a floating base are along ``pose exp(delta)``.
+    Those with joints whose coordinates do not add up are along :meth:`.JointKind.integrate`.
     """
     a = f.tip_acceleration(**x)
-    slopes = {n: columns(a, values[f.chain.base_q :] if n == "q" else values) for n, values in x.items()}
-    slopes["q"] = [tangents(a, change) for change in _changes(f, x["q"])] + slopes["q"]
+    slopes = {n: columns(a, values) for n, values in x.items() if n != "q"}
+    slopes["q"] = along_changes(f, x["q"], a)
     return {"a": a} | {f"a_{n}": [s for column in found for s in column] for n, found in slopes.items()}
 
 
-def _changes(f: Functions, q: Sequence[Value]) -> list[dict[Node, Value]]:
-    """What the entries of a floating base's pose change by with turns and shifts in its axes."""
-    first, nv = f.chain.base_q, f.chain.nv
-    units = [[float(i == k) for i in range(nv)] for k in range(f.chain.base_v)]
-    rates = (f.coordinate_rates(q, unit)[:first] for unit in units)
-    return [{x: r for x, r in zip(q, rate, strict=False) if isinstance(x, Node)} for rate in rates]
+def along_changes(f: Functions, q: Sequence[Value], a: Sequence[Value]) -> list[list[Value]]:
+    """The derivatives of ``a`` with changes of the posture (nv,), column by column."""
+    chain, out = f.chain, {}
+    flat = columns(a, [q[k] for k in chain.flat_q])
+    out = dict(zip(chain.flat_v.tolist(), flat, strict=True))
+    for part in chain.curved:
+        for k in range(part.v.start, part.v.stop):
+            rates = f.coordinate_rates(q, [float(i == k) for i in range(chain.nv)])[part.q]
+            change = {x: r for x, r in zip(q[part.q], rates, strict=True) if isinstance(x, Node)}
+            out[k] = tangents(a, change)
+    return [out[k] for k in range(chain.nv)]

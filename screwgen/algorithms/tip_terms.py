@@ -11,23 +11,23 @@ from .functions import MOTION, Functions
 from .fused import fuse
 
 
-class Tip(Functions):
+class TipFunctions(Functions):
     """The functions of a robot, with the velocity of its last tip."""
 
-    def tip_velocity(self, q, v) -> list[Value]:
+    def tip_velocity(self, q: Sequence, v: Sequence) -> list[Value]:
         """The velocity (3) of the last tip point, inertial components."""
         links, _ = self._run(MOTION, self._state(q, v))
         return links[self.chain.last]["tip_twist"][3:]
 
 
-def tip_terms(chain: Chain, turning: bool, moving: bool, constants="constants") -> Program:
+def tip_terms(chain: Chain, turning: bool, moving: bool, constants: str = "constants") -> Program:
     """``(q, v) -> (r, r_q, [R, R_q], [u, u_q])``, inertial components; derivatives column by column.
 
     ``r`` (3) is the position of the last tip, ``R`` (9) its rotation row by row if ``turning``, ``u`` (3) its velocity
     if ``moving``; that with v is ``r_q``.
     """
 
-    def body(f: Tip, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
+    def body(f: TipFunctions, x: Mapping[str, Sequence[Value]]) -> dict[str, Sequence[Value]]:
         R, r = f.poses(x["q"])[1][chain.last]
         flat = lambda values: [s for column in columns(values, x["q"]) for s in column]  # noqa: E731
         out: dict[str, Sequence[Value]] = {"r": r, "r_q": flat(r)}
@@ -38,4 +38,4 @@ def tip_terms(chain: Chain, turning: bool, moving: bool, constants="constants") 
             out |= {"u": u, "u_q": flat(u)}
         return out
 
-    return fuse(chain, "tip_terms", {"q": chain.nq, "v": chain.nv}, body, constants, Tip)
+    return fuse(chain, "tip_terms", {"q": chain.nq, "v": chain.nv}, body, constants, TipFunctions)

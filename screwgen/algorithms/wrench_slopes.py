@@ -8,24 +8,25 @@ is handed on as these are, in columns.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
 
-from ..ir.program import Array, Node, Program, Value
+from ..ir.program import Array, Program, Value
 from ..topology.chain import Chain
 from ..topology.tree import BASE
 from . import matrices as mx
 from . import rows as rw
 from .functions import Functions
 from .fused import fuse, inputs
-from .linearise import Section, accelerations, arrays, carrying, inward, places
+from .linearise import LinkSection, accelerations, arrays, carrying, inward, places
 
 KINDS = "q", "v", "vdot"
 
 
-def wrench_slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambda _: nullcontext()) -> dict[str, Array]:
+def wrench_slopes(
+    f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
+) -> dict[str, Array]:
     """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a floating base."""
     chain = f.chain
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
@@ -33,25 +34,31 @@ def wrench_slopes(f: Functions, q, v, vdot, w_ext, tau, section: Section = lambd
     out = {kind: mx.zeros(6 * chain.n, chain.nv) for kind in KINDS}
     of = lambda i: slice(6 * i, 6 * i + 6)  # noqa: E731
     rows = [rw.shifted(-link["r_B"], link["answer"]) for link in links]
-    named = lambda i: section(f"{chain.names[i]}: its wrench")  # noqa: E731
+    named = lambda i: f.section(f"{chain.names[i]}: its wrench")  # noqa: E731
     for i, owners, here in accelerations(chain, links, named, [(mx.zeros(6, 0), [])] * chain.tree.size):
         out["vdot"][of(i), owners] = mx.multiply(rows[i][:, 3:], here)
     handed = lambda i: (rows[i], range(6 * i, 6 * i + 6))  # noqa: E731
     inward(chain, links, handed, (out["q"], out["v"]), named)
     _columns(chain, links, rows, out, named)
-    if chain.floating:
-        for kind in KINDS:
-            out[kind][:6] = 0.0
+    for i, key in enumerate(chain.keys):
+        for kind in KINDS if key.floats else ():
+            out[kind][of(i)] = 0.0
     return out | {"wrench": np.concatenate([link["w_J"] for link in links])}
 
 
-def _columns(chain: Chain, links: Sequence[Mapping[str, Array]], rows, out: Mapping[str, Array], section) -> None:
+def _columns(
+    chain: Chain,
+    links: Sequence[Mapping[str, Array]],
+    rows: Sequence[Array],
+    out: Mapping[str, Array],
+    section: LinkSection,
+) -> None:
     """What the coordinates of a link, and of those that it carries, change in its wrench."""
     none: tuple[Array, list[int]] = (mx.zeros(6, 0), [])
     at_nodes = [dict.fromkeys(KINDS, none) for _ in range(chain.tree.size)]
     for i in reversed(range(chain.n)):
         link, (q, eta) = links[i], places(chain, i)
-        owned = [*range(q.start, q.stop), *range(eta.start, eta.stop)]
+        owned = np.r_[q, eta].tolist()
         coupling, spread = link["rows_eta"][:, 3:].T, mx.multiply(link["answer"][:, 3:], link["axes"])
         turning = {"q": link["F_q"], "v": link["F_qdot"], "vdot": spread}
         modal = {"q": link["F_eta"], "v": link["F_etadot"], "vdot": coupling}
@@ -68,7 +75,7 @@ def _columns(chain: Chain, links: Sequence[Mapping[str, Array]], rows, out: Mapp
                 J, count = out[kind], len(owners)
                 J[6 * i : 6 * i + 6, owners] = at_joint[:, :count]
                 J[6 * i : 6 * i + 6, q] = own[kind]
-                J[6 * i : 6 * i + 6, eta] = at_joint[:, count + q.stop - q.start :]
+                J[6 * i : 6 * i + 6, eta] = at_joint[:, count + chain.keys[i].joints :]
                 if chain.tree.parents[i] != BASE:
                     handed = rw.shifted(link["r_J"], rw.rotated_columns(link["R_rel"], at_joint))
                     there = at_nodes[chain.tree.base(i)]
@@ -76,13 +83,12 @@ def _columns(chain: Chain, links: Sequence[Mapping[str, Array]], rows, out: Mapp
                     there[kind] = np.hstack([others, handed]), [*known, *owners, *owned]
 
 
-def wrench_program(chain: Chain, constants="constants") -> Program:
+def wrench_program(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row."""
     chain.needs_tree("derivatives of joint wrenches", "differentiate the CasADi functions")
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
-        tracer = next(y.tracer for values in x.values() for y in values if isinstance(y, Node))
-        found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"], tracer.section)
+        found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"])
         return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS}
 
     found = fuse(chain, "wrench_slopes", inputs(chain, "q v vdot tau w_ext"), body, constants)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import mpmath
 from mpmath import mpc, mpf
 
-from .functions import ClosedForm
+from .closed_form import ClosedForm
 from .shapes import Family, Shapes, latex_number, tabulate, working_digits
 from .sine import sine
 

@@ -12,7 +12,7 @@ from math import comb
 import mpmath
 from mpmath import mpf
 
-from .functions import ClosedForm, inner, polynomial_form
+from .closed_form import ClosedForm, inner, polynomial_form
 from .shapes import Family, Shapes, latex_number, tabulate, working_digits
 
 BEAM = Family(

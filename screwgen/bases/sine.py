@@ -5,7 +5,7 @@ from __future__ import annotations
 import mpmath
 from mpmath import mpc, mpf
 
-from .functions import ClosedForm
+from .closed_form import ClosedForm
 from .shapes import Family, Shapes, tabulate, working_digits
 
 FAMILY = Family(

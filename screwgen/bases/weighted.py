@@ -13,7 +13,7 @@ from functools import cache
 import mpmath
 from mpmath import mpf
 
-from .functions import ClosedForm, inner, polynomial_form
+from .closed_form import ClosedForm, inner, polynomial_form
 from .shapes import Shapes, rounded, to_the_end, working_digits
 
 LINEAR, POLYNOMIAL = "linear", "polynomial"

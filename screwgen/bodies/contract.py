@@ -2,8 +2,8 @@
 
 The equations (:mod:`.link`) are written in a body's moments of mass, its modal momenta, inertia and stiffness, and the
 integrals of products of its fields. A body declares the parameters of these invariants and states them as steps of the
-link's block. :class:`.rod.Rod` has integrals in closed form, :class:`.reduced.Reduced` has numbers, and
-:class:`.rigid.Rigid` has no modes.
+link's block. :class:`.rod.RodBody` has integrals in closed form, :class:`.reduced.ReducedBody` has numbers, and
+:class:`.rigid.RigidBody` has no modes.
 """
 
 from __future__ import annotations
@@ -23,10 +23,9 @@ class RigidMoments(Protocol):
 
     def moments(self, b: Block) -> Moments6:
         """About the joint point, in F_i axes; parameters and steps may be declared in the block."""
-        ...
 
 
-class Turning(NamedTuple):
+class RotaryInertia(NamedTuple):
     """The inertia of a body's sections about an axis of F_i, with the energy ``1/2 ∫ρI (omega + thetadot)^2 dξ``.
 
     ``theta = shapes eta`` is their turn by the modes, of first order.
@@ -44,47 +43,70 @@ class Turning(NamedTuple):
     """(1, r): ``∫ρI shapes dξ``."""
 
 
-class Body(Protocol):
+class LinkBody(Protocol):
     """The body of a link class, in the link's block."""
 
-    rhoA: Symbol
-    """Mass per length: the weight of the integrals over the body."""
-    fields: Moments
-    """The rule that integrates."""
-    moved: Expression
-    """(3, r): the displacement of an element by each mode."""
-    bend: Expression
-    """(3, 1): the acceleration of an element at constant modal rates, less that of its place's turning."""
-    stiffness: Expression
-    """The (r, r) stiffness of the modes."""
-    resistance: Expression
-    """Their (r, r) damping."""
-    turnings: list[Turning]
-    """The axes about which sections have an inertia of their own; known from ``modal`` on."""
+    @property
+    def rhoA(self) -> Symbol:
+        """Mass per length: the weight of the integrals over the body."""
+
+    @property
+    def fields(self) -> Moments:
+        """The rule that integrates."""
+
+    @property
+    def r_b(self) -> Expression:
+        """(3, 1), m: the place of an element of the undeformed body, from the origin of F_i."""
+
+    @property
+    def u(self) -> Expression:
+        """(3, 1), m: its elastic displacement."""
+
+    @property
+    def udot_modal(self) -> Expression:
+        """(3, 1), m/s: the rate of that, by the modal rates."""
+
+    @property
+    def phi_row(self) -> Expression:
+        """A row of the shapes whose products the integrals over the body need."""
+
+    @property
+    def moved(self) -> Expression:
+        """(3, r): the displacement of an element by each mode."""
+
+    @property
+    def bend(self) -> Expression:
+        """(3, 1): the acceleration of an element at constant modal rates, less that of its place's turning."""
+
+    @property
+    def stiffness(self) -> Expression:
+        """The (r, r) stiffness of the modes."""
+
+    @property
+    def resistance(self) -> Expression:
+        """Their (r, r) damping."""
+
+    @property
+    def turnings(self) -> list[RotaryInertia]:
+        """The axes about which sections have an inertia of their own; known from ``modal`` on."""
 
     def declare(self, start: Expression) -> None:
         """Declare the fields; ``start`` (m) is the place of the joint on the centreline of F_i."""
-        ...
 
     def moments(self) -> Moments6:
         """The moments of the undeformed body about the origin of F_i."""
-        ...
 
     def spin(self) -> Expression:
         """(3, 3), kg·m²: the sections' own inertia, about the centreline and across it."""
-        ...
 
     def displaced(self, eta: Symbol, etadot: Symbol) -> tuple[Expression, Expression]:
         """``∫ρA u dξ`` (3, 1) of the elastic displacement, and its rate."""
-        ...
 
     def own_energy(self, omega: Symbol, etadot: Symbol) -> Expression:
         """Twice the kinetic energy of the body that the motion of its elements' points does not have, J."""
-        ...
 
     def modal(self) -> None:
         """State ``sigma``, ``M_Wphi``, ``M_eta``, ``K`` and ``D``, and name the moments of the mode shapes.
 
         Where modes are coupled (``LinkClass.coupled``) also ``M_below``, ``K_below`` and ``D_below``.
         """
-        ...

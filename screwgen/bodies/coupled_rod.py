@@ -10,10 +10,10 @@ import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, zeros
 from ..spec.link_class import AXIS
-from .rod import Rod
+from .rod import RodBody
 
 
-class CoupledRod(Rod):
+class CoupledRod(RodBody):
     """A rod with entries below the diagonal of its modal inertia, at ``LinkClass.coupled``.
 
     The damping is diagonal, ``D_kk = 2 zeta sqrt(K_kk M_kk)`` of the assumed modes: closed in the parameters, and

@@ -18,6 +18,8 @@ class Elastic:
     b: Block
     key: LinkClass
     sigma: Symbol
+    moved: Expression
+    bend: Expression
 
     def _deform(self, fields: Moments, known: dict, Phi: Symbol) -> None:
         """Displacement and elastic velocity, of the shapes ``Phi`` (3, r) and those of second order ``known``."""

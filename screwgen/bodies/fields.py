@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Symbol
-from ..bases import ORDER, integrals, products
+from ..bases import ORDER, Shapes, integrals, products
 from ..ir.block import Block
 from ..spec.link_class import AXIS, TURN, LinkClass
 from ..spec.markers import TIP
 from ..spec.modes import DIRECTIONS
 from .moments import XI, Moments
-from .second_order import Part, parts
+from .second_order import EntryTerm, parts
 
 STRAIN = {direction: row for row, direction in enumerate(DIRECTIONS)}
 """Row of the strain vector u_x', u_y'', u_z'', θ_x', γ_y, γ_z; without shear the first four."""
@@ -32,7 +32,7 @@ def length(b: Block, key: LinkClass) -> Symbol:
 class Fields(Moments):
     """The generators of a link class, their basis constants, and the rule that integrates them."""
 
-    def __init__(self, key: LinkClass, length: sp.Symbol, start: sp.Expr):
+    def __init__(self, key: LinkClass, length: sp.Expr, start: sp.Expr):
         self.key, self.length, self.start = key, length, start
         self.phi = [sp.Symbol(f"phi_{k + 1}", real=True) for k in range(key.modes)]
         self.strain_shape = [sp.Symbol(f"psi_{k + 1}", real=True) for k in range(key.modes)]
@@ -44,7 +44,7 @@ class Fields(Moments):
 
     # the shapes as matrices -------------------------------------------------------------------
 
-    def Phi(self, values=None) -> np.ndarray:
+    def Phi(self, values: Sequence[sp.Expr] | None = None) -> np.ndarray:
         """The 3 x r matrix of displacement shapes; torsion columns are zero."""
         return self._matrix(3, lambda d: AXIS.get(d), values or self.phi)
 
@@ -84,7 +84,7 @@ class Fields(Moments):
             return number((shape.tip_slope if derivative else shape.tip_value)[i])
         return number(shape.evaluate((s,), derivative)[i][0])
 
-    def _matrix(self, rows, row_of, values) -> np.ndarray:
+    def _matrix(self, rows: int, row_of: Callable[[str], int | None], values: Sequence[sp.Expr]) -> np.ndarray:
         out = np.full((rows, self.key.modes), sp.S.Zero, dtype=object)
         for k, (d, _) in enumerate(self.key.directions):
             if row_of(d) is not None:
@@ -107,7 +107,7 @@ class Fields(Moments):
         if second := [g for g in monomial if g in self.second]:
             if len(monomial) > 1 + powers:
                 return sp.S.Zero
-            terms = self._levers(*second, powers)
+            terms = self._arms(second[0], powers)
             return sp.Add(*(l**n * x * integrals(*part.strains, k)[part.i][part.j] for n, x, part, k in terms))
         if strains:
             return self._stiffness(*strains)
@@ -121,11 +121,11 @@ class Fields(Moments):
             return l * integral if powers == 0 else l * (a * integral + l * number(shape.moment[k]))
         raise ValueError(f"no closed form for the integral of {sp.Mul(*monomial)}")
 
-    def _levers(self, second: sp.Symbol, powers: int) -> Iterator[tuple[int, sp.Expr, Part, int]]:
+    def _arms(self, second: sp.Symbol, powers: int) -> Iterator[tuple[int, sp.Expr, EntryTerm, int]]:
         """The integral of a power of ξ times a second-order shape: power of l, factor, part, and power of s."""
         for part, k in itertools.product(self.second[second], range(powers + 1)):
-            lever = sp.binomial(powers, k) * self.start ** (powers - k)
-            yield k + 1 + part.power, lever * part.factor, part, k
+            arm = sp.binomial(powers, k) * self.start ** (powers - k)
+            yield k + 1 + part.power, arm * part.factor, part, k
 
     def _slopes(self, monomial: list[sp.Symbol]) -> list[int]:
         """The modes whose slopes a product has."""
@@ -138,7 +138,7 @@ class Fields(Moments):
             return number(shape.tip_value[i])
         return number(integrals(shape, shape, 1, 1, 1)[i][j]) / self.length
 
-    def _shape(self, k: int):
+    def _shape(self, k: int) -> tuple[Shapes, int]:
         direction, i = self.key.directions[k]
         return self._constants[direction], i
 
@@ -153,7 +153,7 @@ class Fields(Moments):
         return number(shape.stiffness[i]) / self.length ** (2 * order - 1) if k == m else sp.S.Zero
 
 
-def number(value) -> sp.Expr:
+def number(value: float) -> sp.Expr:
     """A basis constant: exact if it is a whole number, else the nearest double."""
     value = float(value)
     return sp.Integer(int(value)) if value == int(value) else sp.Float(value)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import cast
 
 import numpy as np
 
 from ..algebra.expression import (
     Expression,
     Integral,
+    Symbol,
     Trace,
     add,
     block,
@@ -22,12 +23,12 @@ from ..algebra.expression import (
 )
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import Body, Turning
+from .contract import LinkBody, RigidMoments, RotaryInertia
 from .coupled_rod import CoupledRod
 from .lumped import lumped
-from .reduced import Reduced
-from .rigid import Rigid
-from .rod import Rod
+from .reduced import ReducedBody
+from .rigid import RigidBody
+from .rod import RodBody
 from .varying_rod import VaryingRod
 
 
@@ -54,7 +55,7 @@ class LinkBlock(Block):
         super().__init__("turning_link" if turning else "link", title)
         self.key, self.turning = key, turning
         self._declare()
-        self.body: Body = self._body()
+        self.body: LinkBody = self._body()
         self.start = self._start()
         self.body.declare(self.start)
         self._constants()
@@ -72,15 +73,14 @@ class LinkBlock(Block):
         self.rho = self.generators("rho")
         self.udot = self.generators("udot")
 
-    def _body(self) -> Any:
-        """A :class:`.contract.Body`, with fields of its own."""
+    def _body(self) -> LinkBody:
         if self.key.elastic is not None:
-            return Reduced(self, self.key)
+            return ReducedBody(self, self.key)
         if not self.key.beam:
-            return Rigid(self)
+            return RigidBody(self)
         if self.key.stations:
             return VaryingRod(self, self.key)
-        return CoupledRod(self, self.key) if self.key.coupled else Rod(self, self.key)
+        return CoupledRod(self, self.key) if self.key.coupled else RodBody(self, self.key)
 
     def _start(self) -> Expression:
         """The place of the joint on the centreline of F_i."""
@@ -110,7 +110,8 @@ class LinkBlock(Block):
         """Moments of the base bodies about the origin of F_i, shifted from the joint point if the two differ."""
         m, S, J, _ = lumped(self, self.key, "base", "B")
         if self.key.body is not None:
-            m, S, J = (add(*pair) for pair in zip((m, S, J), self.key.body.moments(self), strict=True))
+            given = cast(RigidMoments, self.key.body)
+            m, S, J = (add(*pair) for pair in zip((m, S, J), given.moments(self), strict=True))
         elif not (self.key.frame_at and self.key.bodies_at("base")):
             return m, S, J
         r_B = self.start @ unit(0)
@@ -172,7 +173,7 @@ class LinkBlock(Block):
         if not self.turning:
             self._modal_force()
 
-    def _turn_operator(self):
+    def _turn_operator(self) -> Symbol:
         """The operator from a position to its acceleration by the link's rotation."""
         centripetal = hat(self.omega) @ hat(self.omega)
         if not self.turning:
@@ -180,7 +181,7 @@ class LinkBlock(Block):
         self.alpha = self.input("alpha", (3, 1))
         return self.step("Omega", hat(self.alpha) + centripetal)
 
-    def _spun_up(self):
+    def _spun_up(self) -> Expression:
         """The inertial wrench of the sections' own inertia at ``alpha``."""
         if not self.turning:
             return zeros(6)
@@ -193,7 +194,7 @@ class LinkBlock(Block):
             stress = stress + self.body.resistance @ self.etadot
         self.step("h_phi", self.symbol("h_eta") + self.step("f_eta", stress))
 
-    def _turned(self, momentum: Callable[[Turning], Expression]) -> Expression:
+    def _turned(self, momentum: Callable[[RotaryInertia], Expression]) -> Expression:
         """``omega x l`` of the sections' own angular momentum ``l``, given about each axis."""
         return _moment(1, *(momentum(t) @ (hat(self.omega) @ unit(t.axis)) for t in self.body.turnings))
 

@@ -15,6 +15,7 @@ from ..bases import ORDER
 from ..reduction.invariants import Invariants
 from ..spec.link_class import AXIS, LinkClass
 
+STRAIN_UNITS = dict.fromkeys(ORDER, "1") | {"bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
 NEAR = 0.01
 """Distance from the straight line between base and tip, over its length, within which a node shapes the line drawn."""
 

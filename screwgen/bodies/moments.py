@@ -8,7 +8,7 @@ integrand is a polynomial in generators. The integral of each monomial is a *mom
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 import sympy as sp
@@ -34,7 +34,9 @@ class Moments:
         self._finer: dict[str, dict[Key, sp.Expr]] = {}
         """What coarse generators stand for, as polynomials."""
 
-    def name_coarse(self, symbols, expressions) -> None:
+    def name_coarse(
+        self, symbols: Sequence[sp.Symbol] | np.ndarray, expressions: Sequence[sp.Expr] | np.ndarray
+    ) -> None:
         """Let each symbol stand for a sum of finer generators; what is named last is expanded first."""
         for symbol, expression in zip(np.ravel(symbols), np.ravel(expressions), strict=True):
             self._generators[symbol.name], self.coarse[symbol.name] = symbol, expression

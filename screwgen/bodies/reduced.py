@@ -6,7 +6,7 @@ each mode. Where a rod integrates their products in closed form, their integrals
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import ClassVar
 
 import numpy as np
@@ -15,7 +15,7 @@ import sympy as sp
 from ..algebra.expression import Diagonal, Expression, Root, Symbol, matrix, number, vector, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .contract import Moments6, Turning
+from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
 from .moments import Moments
 from .second_order import AXES, entry
@@ -24,7 +24,7 @@ ROUNDING = 1e-12
 """Rotary inertia of the modes below this, over their inertia, is a rounding error."""
 
 
-class Table(Moments):
+class ReducedMoments(Moments):
     """The generators of a body given by numbers, and the integrals of their products over its mass."""
 
     def __init__(self, key: LinkClass):
@@ -35,13 +35,15 @@ class Table(Moments):
         one = sp.S.One
         known = [one, *self.place, *(g for shapes in self.phi for g in shapes)]
         self.table = {
-            frozenset({known[i], known[j]}): numeral(body.gram[i, j]) for i, j in np.ndindex(body.gram.shape) if i <= j
+            frozenset({known[i], known[j]}): numeral(float(body.gram[i, j]))
+            for i, j in np.ndindex(body.gram.shape)
+            if i <= j
         }
         self.second: dict[sp.Symbol, None] = {}
         for a, k, m in np.ndindex(body.sag.shape) if body.geometric else ():
             h = entry(AXES[a], k, m)
             self.second[h] = None
-            self.table[frozenset({one, h})] = numeral(body.sag[a, k, m])
+            self.table[frozenset({one, h})] = numeral(float(body.sag[a, k, m]))
             for b in {0, 1, 2} - {a}:
                 sign = 1 if (b, a) in ((0, 1), (1, 2), (2, 0)) else -1
                 half = sign * body.swing[3 - a - b, k, m] / 2
@@ -56,10 +58,10 @@ class Table(Moments):
         return self.table.get(frozenset(pair), sp.S.Zero)
 
 
-class Reduced(Elastic):
+class ReducedBody(Elastic):
     """A flexible body from a file."""
 
-    turnings: ClassVar[list[Turning]] = []
+    turnings: ClassVar[list[RotaryInertia]] = []
 
     def __init__(self, b: Block, key: LinkClass):
         assert key.elastic is not None
@@ -69,7 +71,7 @@ class Reduced(Elastic):
 
     def declare(self, start: Expression) -> None:
         """The fields of the body; F_i sits at the base."""
-        f = self.fields = Table(self.key)
+        f = self.fields = ReducedMoments(self.key)
         field = self.b.field
         self.r_b = field("r_b", np.array([f.place], dtype=object).T)
         Phi = field("Phi", np.array(f.phi, dtype=object).T)
@@ -142,6 +144,6 @@ def numeral(value: float) -> sp.Expr:
     return sp.Integer(int(value)) if value == int(value) else sp.Float(value)
 
 
-def numerals(values: Sequence[float]) -> list[sp.Expr]:
+def numerals(values: Iterable[float]) -> list[sp.Expr]:
     """Numbers of the file."""
     return [numeral(float(value)) for value in values]

@@ -9,11 +9,11 @@ import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, zeros
 from ..ir.block import Block
-from .contract import Moments6, Turning
+from .contract import Moments6, RotaryInertia
 from .moments import Moments
 
 
-class Rigid:
+class RigidBody:
     """A link without a section. Its integrals are the moments that the link's block has named."""
 
     def __init__(self, b: Block):
@@ -26,10 +26,11 @@ class Rigid:
         self.fields = Moments(self.b.values["rho"].flat)
         self.fields.name_coarse(self.b.values["udot"], np.full(3, sp.S.Zero))
         self.sigma, self.K, self.D = zeros(3, 0), zeros(0), zeros(0)
-        self.moved, self.bend = zeros(3, 0), zeros(3)
+        self.moved, self.bend, self.phi_row = zeros(3, 0), zeros(3), zeros(1, 0)
+        self.r_b = self.u = self.udot_modal = zeros(3)
 
     stiffness = resistance = zeros(0, 0)
-    turnings: ClassVar[list[Turning]] = []
+    turnings: ClassVar[list[RotaryInertia]] = []
 
     def moments(self) -> Moments6:
         """Zero: the link itself has no mass."""

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
 
 import numpy as np
 import sympy as sp
@@ -13,7 +14,7 @@ import sympy as sp
 from ..algebra.expression import Expression, Symbol, add, identity, is_zero, unit, zeros
 from ..ir.block import Binding, Block
 from ..spec.link_class import AXIS, TURN, LinkClass
-from .contract import Moments6, Turning
+from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
 from .fields import XI, Fields, length
 from .rod_stiffness import RodStiffness
@@ -26,7 +27,7 @@ TURNED = (
 """Of each axis of the sections: inertia per length, its integral, the turn by each mode, the momentum of each mode."""
 
 
-class Rod(Elastic, RodStiffness):
+class RodBody(Elastic, RodStiffness):
     """Sections along a centreline, with mode shapes in four directions, with shear in six."""
 
     kind: type[Fields] = Fields
@@ -45,7 +46,7 @@ class Rod(Elastic, RodStiffness):
         self.r_b = field("r_b", column(XI, 0, 0))
         self.Phi = field("Phi", f.Phi())
         self.phi_row = field("phi_row", f.translational())
-        self.lever = field("xi_phi", XI * f.translational())
+        self.arm = field("xi_phi", XI * f.translational())
         self.turns = {axis: field(TURNED[axis][2], f.turns(axis)) for axis in (0, *self.key.rotary)}
         sheared = "strains of each mode: u_x', u_y'', u_z'', rate of twist, shear in y and in z"
         self.strain = field("strain", f.strain(), **({"meaning": sheared} if len(self.key.counts) > 4 else {}))
@@ -85,11 +86,11 @@ class Rod(Elastic, RodStiffness):
         """The modal invariants (momenta, inertia, stiffness), and the names of their moments for later integrals."""
         phi, name = self.fields.phi, self.fields.name_moment
         self.sigma = self.b.step("sigma", self.integral(self.Phi, self.rhoA))
-        self.b.step("chi", self.integral(self.lever, self.rhoA))
+        self.b.step("chi", self.integral(self.arm, self.rhoA))
         by_mass: Expression = self.integral(self.Phi.T @ self.Phi, self.rhoA)
         self.turnings = [self._turning(axis) for axis in self.key.turned]
         turned = [t for t in self.turnings if not is_zero(t.momentum)]
-        by_turn = [self.integral(t.shapes.T @ t.shapes, t.density) for t in turned]
+        by_turn: list[Expression] = [self.integral(t.shapes.T @ t.shapes, t.density) for t in turned]
         if self.fields.slope:
             by_mass = self.b.step("M_phi", by_mass, symmetric=True)
             by_turn = [self.b.step("M_s", add(*by_turn), symmetric=True)]
@@ -105,14 +106,14 @@ class Rod(Elastic, RodStiffness):
         if self.key.order == 2:
             self.second.moments(self.rhoA)
 
-    def _turning(self, axis: int) -> Turning:
+    def _turning(self, axis: int) -> RotaryInertia:
         """The sections' inertia about an axis and the modes' momenta about it."""
         _, inertia, _, name = TURNED[axis]
         rho, shapes = self.densities[axis], self.turns[axis]
         momentum: Expression = zeros(1, self.key.modes)
         if self.key.turns(axis):
             momentum = self.b.step(name, self.integral(shapes, rho))
-        return Turning(axis, rho, self.b.symbol(inertia), shapes, momentum)
+        return RotaryInertia(axis, rho, self.b.symbol(inertia), shapes, momentum)
 
     def _name_turns(self) -> None:
         """``∫ρI φ_k'`` and ``∫ρI φ_k' φ_m'`` of the slopes of bending, for the kinetic energy."""
@@ -161,9 +162,9 @@ class Rod(Elastic, RodStiffness):
         return [k for k, (d, _) in enumerate(self.key.directions) if d in AXIS]
 
 
-def _row(entries) -> np.ndarray:
+def _row(entries: Iterable[sp.Symbol]) -> np.ndarray:
     return np.array([list(entries)], dtype=object)
 
 
-def column(*entries) -> np.ndarray:
+def column(*entries: sp.Expr | int) -> np.ndarray:
     return np.array([[sp.sympify(e)] for e in entries], dtype=object)

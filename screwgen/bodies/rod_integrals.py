@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from ..reduction.invariants import EPS, Node
+from ..reduction.invariants import EPS, BodyNode
 from ..spec.link_class import TURN, LinkClass
 from ..spec.robot import Link
 from ..spec.stations import Stations
@@ -53,12 +53,12 @@ class Integrals:
                     self._turn(G, axis, 4 + 3 * k, self.of(shape, weight=DENSITIES[axis]) / 2)
         return G + self._lengthened(r)
 
-    def _turn(self, G: np.ndarray, axis: int, mode: int, lever: float) -> None:
+    def _turn(self, G: np.ndarray, axis: int, mode: int, arm: float) -> None:
         """Add sections that turn about an axis with a mode: as displacements across, half of the momentum each."""
         first, second = (axis + 1) % 3, (axis + 2) % 3
         for a, b, sign in ((first, second, 1.0), (second, first, -1.0)):
-            G[1 + a, mode + b] += sign * lever
-            G[mode + b, 1 + a] += sign * lever
+            G[1 + a, mode + b] += sign * arm
+            G[mode + b, 1 + a] += sign * arm
 
     def _lengthened(self, r: int) -> np.ndarray:
         """What the second-order displacement adds to the second moment, the part along the product of two modes."""
@@ -82,7 +82,7 @@ class Integrals:
                 sag[c, k, m], moment[0, c, k, m] = self.of(h), self.of(XI, h)
         return sag, moment
 
-    def node(self, s: float, name: str) -> Node:
+    def node(self, s: float, name: str) -> BodyNode:
         """A section as a node; second-order parts are those of the tip."""
         psi = np.zeros((3, self.key.modes))
         for k, (d, i) in enumerate(self.key.directions):
@@ -95,4 +95,4 @@ class Integrals:
         ]
         second = [np.array(x, float) if quadratic else np.zeros((3,) + psi.shape[1:] * 2) for x in parts]
         place = np.array([self.start + s * self.length, 0.0, 0.0])
-        return Node(name, place, markers.displacement(self.key, (s,))[0], psi, np.eye(3), *second)
+        return BodyNode(name, place, markers.displacement(self.key, (s,))[0], psi, np.eye(3), *second)

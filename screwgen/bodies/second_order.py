@@ -80,7 +80,7 @@ def entries(key: LinkClass, terms: list[Term]) -> Iterator[tuple[int, int, Term,
                 yield modes[term.first[0], i], modes[term.second[0], j], term, i, j
 
 
-class Part(NamedTuple):
+class EntryTerm(NamedTuple):
     """A part of an entry of ``H_c(ξ)``: ``factor l^power ∫…∫ psi_i^(.) psi_j^(.) ds``, as its term says."""
 
     factor: sp.Expr
@@ -100,13 +100,13 @@ class Part(NamedTuple):
         return self.first, self.second, self.term.first[1], self.term.second[1], self.term.times
 
 
-def parts(key: LinkClass) -> dict[sp.Symbol, list[Part]]:
+def parts(key: LinkClass) -> dict[sp.Symbol, list[EntryTerm]]:
     """The entries of the ``H_c(ξ)``."""
-    out: dict[sp.Symbol, list[Part]] = {}
+    out: dict[sp.Symbol, list[EntryTerm]] = {}
     for axis, terms in zip(AXES, PLACE, strict=True):
         for k, m, term, i, j in entries(key, terms):
             families = key.shapes(term.first[0]), key.shapes(term.second[0])
-            part = Part(term.factor * (2 if k == m else 1), *families, i, j, term)
+            part = EntryTerm(term.factor * (2 if k == m else 1), *families, i, j, term)
             out.setdefault(entry(axis, k, m), []).append(part)
     return out
 
@@ -189,20 +189,20 @@ class SecondOrder:
         self.momenta(rhoA)
         self._moments(rhoA, [xi @ H for H in self.H], "E_{}_1", "chi2", "bend_1", XI)
 
-    def _moments(self, rhoA: Symbol, fields: list, names: str, row: str, bend: str, *lever: sp.Symbol) -> Symbol:
+    def _moments(self, rhoA: Symbol, fields: list, names: str, row: str, bend: str, *arm: sp.Symbol) -> Symbol:
         """The moments, with a power of the place, of all second-order fields; returns that of ``u_2`` (3, 1)."""
         b, E = self.b, []
         for axis, field, H in zip(AXES, fields, self.H, strict=True):
             E.append(b.step(names.format(axis), Integral(field, rhoA, self.fields.integrate), symmetric=True))
-            self._name(E[-1], b.values[H.name], lever)
+            self._name(E[-1], b.values[H.name], arm)
         Gamma = b.step(row, rows(b.symbol("eta"), E))
-        self._name(Gamma, self.rows, lever)
+        self._name(Gamma, self.rows, arm)
         displaced = halves(b, Gamma, E, b.symbol("eta"))
-        self._name(displaced, b.values["u_2"], lever)
-        self._name(b.step(bend, forms(b, f"forms {bend}", E, b.symbol("etadot"))), b.values["bend"], lever)
+        self._name(displaced, b.values["u_2"], arm)
+        self._name(b.step(bend, forms(b, f"forms {bend}", E, b.symbol("etadot"))), b.values["bend"], arm)
         return displaced
 
-    def _name(self, step: Symbol, generators: np.ndarray, lever: tuple[sp.Symbol, ...]) -> None:
+    def _name(self, step: Symbol, generators: np.ndarray, arm: tuple[sp.Symbol, ...]) -> None:
         for index, generator in np.ndenumerate(generators):
             if generator != 0:
-                self.fields.name_moment("rhoA", self.b.values[step.name][index], *lever, generator)
+                self.fields.name_moment("rhoA", self.b.values[step.name][index], *arm, generator)

@@ -104,8 +104,12 @@ class End(NamedTuple):
 
 def end_of_rod(b: Block, key: LinkClass) -> End:
     """The tip section of a rod, or the tip of a rigid link."""
-    whole: Expression = length(b, key) if key.length else zeros(1)
-    fields = Fields(key, b.values[whole.name].item() if key.length else sp.S.Zero, sp.S.Zero)
+    whole: Expression = zeros(1)
+    l: sp.Expr = sp.S.Zero
+    if key.length:
+        whole = symbol = length(b, key)
+        l = b.values[symbol.name].item()
+    fields = Fields(key, l, sp.S.Zero)
     second = [[at_tip(key, t, fields.length) for t in terms] if key.order == 2 else () for terms in (PLACE, TURN)]
     reach = whole if key.section_at == TIP else _place(b, key.section_at, whole)
     if key.frame_at:

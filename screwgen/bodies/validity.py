@@ -66,7 +66,8 @@ def across(body: Invariants) -> tuple[np.ndarray, np.ndarray]:
     """(2, r) each: displacement and rotation of the tip by each mode across the line from base to tip."""
     line = body.tip.origin - body.base.origin
     normal = np.linalg.svd(line[None])[2][1:]
-    return tuple(np.array([numerals(row) for row in normal @ x], dtype=object) for x in (body.tip.phi, body.tip.psi))
+    phi, psi = (np.array([numerals(row) for row in normal @ x], dtype=object) for x in (body.tip.phi, body.tip.psi))
+    return phi, psi
 
 
 def _tip(b: Block, key: LinkClass, length: Expression, shapes: tuple[np.ndarray, np.ndarray]) -> None:

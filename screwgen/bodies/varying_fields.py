@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
@@ -20,7 +20,7 @@ def weights(key: LinkClass) -> Weights:
 class VaryingFields(Fields):
     """Fields along a rod of varying section: every integral is linear in the values of a property at the stations."""
 
-    def __init__(self, key: LinkClass, length: sp.Symbol, start: sp.Expr):
+    def __init__(self, key: LinkClass, length: sp.Expr, start: sp.Expr):
         super().__init__(key, length, start)
         self.weights = weights(key)
         self.properties: dict[str, Sequence[sp.Symbol]] = {}
@@ -33,14 +33,14 @@ class VaryingFields(Fields):
         mean = lambda constants: sp.Add(*(number(c) * v for c, v in zip(constants, values, strict=True)))  # noqa: E731
         return sp.Add(*(l**n * factor * mean(constants) for n, factor, constants in self._terms(monomial)))
 
-    def _terms(self, monomial: list[sp.Symbol]):
+    def _terms(self, monomial: list[sp.Symbol]) -> Iterator[tuple[int, sp.Expr | int, Sequence[float]]]:
         """The integral of a product of ξ, φ_k, slopes and strain shapes: power of l, factor, a constant per station."""
         shapes = [self._shape(self.phi.index(g)) for g in monomial if g in self.phi]
         strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
         power = sum(g == XI for g in monomial)
         if second := [g for g in monomial if g in self.second]:
             if len(monomial) == 1 + power:
-                for n, factor, part, k in self._levers(*second, power):
+                for n, factor, part, k in self._arms(second[0], power):
                     yield n, factor, weighted_integrals(self.weights, *part.strains, k)[part.i][part.j]
         elif slopes := [self._shape(k) for k in self._slopes(monomial)]:
             (a, i), (_, j) = slopes[0], slopes[-1]

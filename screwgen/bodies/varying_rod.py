@@ -38,7 +38,7 @@ class VaryingRod(CoupledRod):
 
     def _property(self, name: str) -> Symbol:
         """The property as a field along the rod; its values at the stations are the parameters."""
-        self._values[name] = self.b.values[at_stations(self.b, self.key, name).name][:, 0]
+        self._values[name] = list(self.b.values[at_stations(self.b, self.key, name).name][:, 0])
         display = QUANTITIES[name].display + ALONG
         return self.b.field(name, np.array([[sp.Symbol(name, real=True)]], dtype=object), display)
 

@@ -18,6 +18,7 @@ from ..plugins import Formulation, plugins
 from ..progress import bar, busy
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
+from ..spec.robot import Robot
 from ..studies.light_joints import light_joints
 from .output import load_robot, notes, say, stoppable
 
@@ -37,7 +38,7 @@ LAYOUTS = ("auto", "fused", "modular")
 def run_generate(
     robot: str,
     output: str,
-    targets,
+    targets: Sequence[str] | None,
     parameters: str,
     layout: str,
     quiet: bool,
@@ -94,8 +95,8 @@ EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {
     ("numpy", "dae"): lambda model, s: model.numpy().dae_forward_dynamics(*s),
     ("casadi", "joint"): _casadi_joint,
     ("casadi", "dae"): _casadi_dae,
-    ("c", "joint"): lambda model, s: model.compile().forward_dynamics(*s, form="joint"),
-    ("c", "dae"): lambda model, s: model.compile().forward_dynamics(*s, form="dae"),
+    ("c", "joint"): lambda model, s: model.compile().forward_dynamics(s.q, s.v, s.tau, s.w_ext),
+    ("c", "dae"): lambda model, s: model.compile().forward_dynamics(s.q, s.v, s.tau, s.w_ext, "dae"),
 }
 """Accelerations (nq,) and joint wrenches (n, 6) by backend and form."""
 
@@ -240,19 +241,19 @@ def run_latex(robot: str, output: str, quiet: bool) -> None:
     say(output, quiet)
 
 
-def _tex(robot) -> bytes:
+def _tex(robot: Robot) -> bytes:
     from ..backends.latex import document as latex
 
     return latex.document(robot, plugins()).encode()
 
 
-def _html(robot) -> bytes:
+def _html(robot: Robot) -> bytes:
     from ..backends.latex import document as latex
 
     return latex.html(robot, plugins()).encode()
 
 
-def _pdf(robot) -> bytes:
+def _pdf(robot: Robot) -> bytes:
     from ..backends.latex import document as latex
 
     return latex.pdf(_tex(robot).decode())

@@ -205,7 +205,7 @@ def text(model: Model, e: Equilibrium) -> str:
     """The report."""
     joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
     coordinates, torques = ("joint coordinates", FORCES) if model.chain.sliding else WORDS
-    torques = FORCES if model.chain.pushed else torques
+    torques = FORCES if "N" in force_units(model.robot) else torques
     angles = coordinates + ", held" * e.held
     torques += " that hold them" if e.held else " given"
     lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]

@@ -13,6 +13,7 @@ from copy import copy
 from typing import Annotated
 
 import typer
+from typer.core import TyperGroup
 
 from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
@@ -88,7 +89,7 @@ def generate(
         ),
     ] = False,
     outputs: Annotated[
-        bool, typer.Option("--outputs", help="Also C of what runs report: energies, the power of each drive.")
+        bool, typer.Option("--outputs", help="Also C of what runs report, such as energies, and sensors measure.")
     ] = False,
     mpc: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.")
@@ -110,7 +111,7 @@ def generate(
 
     more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "outputs": outputs}
     said = {"mpc": mpc, "functions": functions or None}
-    run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)  # type: ignore[arg-type]
+    run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)
 
 
 @app.command(short_help="Simulate and store the run.", epilog=EPILOG)
@@ -290,13 +291,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return guarded(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
 
 
-def application():
+def application() -> TyperGroup:
     """The product's commands with those that plug-ins add.  Raises ScrewgenError if two have one name."""
     whole = copy(app)
     whole.registered_commands, whole.registered_groups = list(app.registered_commands), list(app.registered_groups)
     for plugin in plugins():
         plugin.commands(whole)
     found = typer.main.get_command(whole)
+    assert isinstance(found, TyperGroup), "the product has commands"
     if len(found.commands) < len(whole.registered_commands) + len(whole.registered_groups):
         raise ScrewgenError("two plug-ins, or a plug-in and the product, have commands of one name")
     return found

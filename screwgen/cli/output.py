@@ -38,7 +38,7 @@ def stoppable() -> Iterator[None]:
     """An interruption whose text names the remaining results becomes an error with that text."""
     try:
         yield
-    except KeyboardInterrupt as stop:
-        if not stop.args:
+    except KeyboardInterrupt as interruption:
+        if not interruption.args:
             raise
-        raise StoppedError(str(stop)) from None
+        raise StoppedError(str(interruption)) from None

@@ -48,7 +48,7 @@ def warnings_as_lines() -> Iterator[None]:
     with warnings.catch_warnings():
         default = warnings.showwarning
 
-        def show(message, category, *place, **more) -> None:
+        def show(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
             if issubclass(category, UserWarning):
                 _say("warning", str(message))
             else:

@@ -9,25 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
-from .law import Secant, Value
-
-
-class Key(NamedTuple):
-    """A number that an element states: its unit on an axis that turns and on one that slides, meaning and range.
-
-    ``symbol``: as the element's formula has it. The number is 0 or of a size between ``least`` and ``most``; ``sign``:
-    ``positive``, ``non-negative`` or ``any``.
-    """
-
-    unit: str
-    sliding: str
-    meaning: str
-    symbol: str
-    sign: str = "any"
-    least: float = 0.0
-    most: float = 1e18
+from .law import Key, Secant, Value
 
 
 def key(unit: str, sliding: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
@@ -65,6 +49,13 @@ class AxisElement:
         """The keys by name."""
         return {one.name: one.metadata["key"] for one in fields(cls)}
 
+    @classmethod
+    def equations(cls) -> str:
+        """Its section of text in documents."""
+        symbols = ", ".join(f"{one.meaning} ${one.symbol}$" for one in cls.table().values())
+        start = f"Of an axis with {cls.WORDS} the force\n\n$$\nF &= {cls.FORMULA}\n$$"
+        return f"{start}\n\nis taken from the torque in the joint's rows, with {symbols}."
+
     @property
     def values(self) -> tuple[float, ...]:
         """Their values."""
@@ -87,8 +78,19 @@ class OfElement:
         return self.kind.WORDS
 
     @property
+    def table(self) -> Mapping[str, Key]:
+        return {column(self.kind, name): own for name, own in self.kind.table().items()}
+
+    @property
     def constants(self) -> tuple[str, ...]:
-        return tuple(column(self.kind, name) for name in self.kind.table())
+        return tuple(self.table)
+
+    @property
+    def notes(self) -> tuple[str, str]:
+        return "", ""
+
+    def prepared(self, *numbers: Value) -> tuple[Value, ...]:
+        return numbers
 
     def force(self, t: Any, side: Value, x: Value, w: Value, *constants: Value) -> Value:
         return self.kind.force(t, x, w, *constants)

@@ -11,10 +11,26 @@ A law computes with values of any kind. Of the tracer ``t`` it uses ``t.call(nam
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping
 from typing import Any, NamedTuple, Protocol
 
 Value = Any
+
+
+class Key(NamedTuple):
+    """A number that an element states: its unit on an axis that turns and on one that slides, meaning and range.
+
+    ``symbol``: as the element's formula has it. The number is 0 or of a size between ``least`` and ``most``; ``sign``:
+    ``positive``, ``non-negative`` or ``any``.
+    """
+
+    unit: str
+    sliding: str
+    meaning: str
+    symbol: str
+    sign: str = "any"
+    least: float = 0.0
+    most: float = 1e18
 
 
 class Secant(NamedTuple):
@@ -42,14 +58,28 @@ class Law(Hashable, Protocol):
 
     @property
     def constants(self) -> tuple[str, ...]:
-        """The robot's columns that hold its constants, one entry for each coordinate."""
+        """The robot's columns that hold its constants, one entry for each coordinate: the names of ``table``."""
+
+    @property
+    def table(self) -> Mapping[str, Key]:
+        """Unit, meaning and sign of each of them."""
+
+    @property
+    def notes(self) -> tuple[str, str]:
+        """What comments say of how a step takes it, at length and in short; empty where it is the tangents."""
 
     @property
     def positional(self) -> bool:
         """Whether it depends on the coordinate, not on the rate alone."""
 
+    def prepared(self, *numbers: Value) -> tuple[Value, ...]:
+        """The constants out of the numbers of a robot file."""
+
     def force(self, t: Any, side: Value, x: Value, w: Value, *constants: Value) -> Value:
         """The force in a state."""
+
+    def energy(self, t: Any, side: Value, x: Value, *constants: Value) -> Value:
+        """Twice the potential, J; 0 where there is none."""
 
     @property
     def secant(self) -> Callable[..., Secant] | None:

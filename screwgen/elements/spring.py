@@ -24,9 +24,9 @@ class Spring(AxisElement):
     rest: float = key("rad", "m", "coordinate at which the spring is relaxed", "q_0", most=1e6)
 
     @staticmethod
-    def force(t: Any, x: Value, w: Value, stiffness: Value, rest: Value) -> Value:  # type: ignore[override]
+    def force(t: Any, x: Value, w: Value, stiffness: Value, rest: Value) -> Value:
         return stiffness * (x - rest)
 
     @staticmethod
-    def energy(t: Any, x: Value, stiffness: Value, rest: Value) -> Value:  # type: ignore[override]
+    def energy(t: Any, x: Value, stiffness: Value, rest: Value) -> Value:
         return 0.5 * stiffness * ((x - rest) * (x - rest))

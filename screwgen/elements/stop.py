@@ -9,10 +9,11 @@ it is the midpoint rule.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from .law import Secant, Value
+from .law import Key, Secant, Value
 
 
 @dataclass(frozen=True)
@@ -22,15 +23,30 @@ class Stop:
     name: str = "stop"
     words: str = "stops"
     constants: tuple[str, ...] = ("stop_at", "stop_K", "stop_D")
+    notes: tuple[str, str] = (
+        "A stop pushes with K p + D dp/dt while its coordinate is beyond its limit by p, and never pulls. Over a step "
+        "it is linear: K and D times the share of the way that is beyond the limit, as the rates predict it.",
+        'Stops are those on a way at the rates of s or "there".',
+    )
     positional: bool = True
+
+    @property
+    def table(self) -> Mapping[str, Key]:
+        return {
+            "stop_at": Key("rad", "m", "limits with stops", "q_s"),
+            "stop_K": Key("N·m/rad", "N/m", "stiffness of the stops", "k_s", "positive"),
+            "stop_D": Key("N·m·s/rad", "N·s/m", "damping of the stops", "d_s", "non-negative"),
+        }
+
+    def prepared(self, *numbers: Value) -> tuple[Value, ...]:
+        return numbers
 
     def force(self, t: Any, side: Value, x: Value, w: Value, at: Value, k: Value, d: Value) -> Value:
         depth, rate = side * (x - at), side * w
         push = k * depth + d * rate
         return side * (t.call("on", depth) * t.call("on", push) * push)
 
-    def energy(self, t: Any, side: Value, x: Value, at: Value, k: Value) -> Value:
-        """Twice the potential."""
+    def energy(self, t: Any, side: Value, x: Value, at: Value, k: Value, d: Value) -> Value:
         depth = side * (x - at)
         return t.call("on", depth) * (k * depth * depth)
 
@@ -54,3 +70,21 @@ class Stop:
 
 
 STOP = Stop()
+
+SYMBOLS = (
+    (r"q_s", "limit of a joint axis, of slides in m", "rad", False),
+    (r"k_s, d_s", "stiffness and damping of its stop", "N*m/rad, N*m*s/rad", False),
+    (r"p, \tau_s", "penetration of a stop, and its torque, of slides in m and N", "rad, N*m", True),
+)
+"""Symbol, meaning, unit of what documents name, and whether it is a state."""
+
+EQUATIONS = r"""
+A stop at the limit $q_s$ of an axis pushes the joint back while that is beyond it by $p > 0$, and never pulls: from the
+torque in the joint's rows is taken, at an upper limit, and to it is added, at a lower one,
+
+$$
+\tau_s &= \max\left( 0,\ k_s\,p + d_s\,\dot{p} \right), & \quad p &= \pm\left( q - q_s \right)
+$$
+
+with the upper sign at an upper limit. The potential $k_s\,p^2/2$ is stored, all else is dissipated.
+"""

@@ -13,8 +13,8 @@ from functools import cached_property
 from typing import Any, Literal, Protocol
 
 from ..errors import UsageError
-from .order import Place, unmet
-from .se3 import FLAT, Space
+from .order import StageState, unmet
+from .space import FLAT, Space
 
 Motion = tuple[Any, Any]
 """Coordinates (nq,) and rates (nq,)."""
@@ -49,17 +49,17 @@ class Move:
     weights: Sequence[Number] = ()
     moved: Rates = "stages"
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.moved not in RATES:
             raise UsageError(f"moved is {self.moved!r}; it must be {', '.join(map(repr, RATES))}")
-        object.__setattr__(self, "weights", tuple(map(_exact, self.weights)))
+        object.__setattr__(self, "weights", self.exact)
         if self.moved != "stages" and len(self.terms) != 1:
             raise UsageError(f"coordinates moved by the {self.moved} rates need one acceleration with a weight")
 
-    @property
+    @cached_property
     def exact(self) -> tuple[Fraction, ...]:
-        """The weights as they are from the beginning: fractions, or doubles."""
-        return tuple(self.weights)  # type: ignore[arg-type]
+        """The weights as fractions."""
+        return tuple(map(_exact, self.weights))
 
     @property
     def terms(self) -> list[tuple[int, Fraction]]:
@@ -87,11 +87,16 @@ class Stage(Move):
 
     implicit: Number = 0
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         super().__post_init__()
-        object.__setattr__(self, "implicit", _exact(self.implicit))
-        if not 0 <= self.implicit <= 1:
+        object.__setattr__(self, "implicit", self.part)
+        if not 0 <= self.part <= 1:
             raise UsageError(f"implicit is {self.implicit}; it must be from 0 to 1")
+
+    @cached_property
+    def part(self) -> Fraction:
+        """What is `implicit`, as a fraction."""
+        return _exact(self.implicit)
 
 
 @dataclass(frozen=True)
@@ -109,7 +114,7 @@ class Method:
     end: Move
     meaning: str
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         object.__setattr__(self, "stages", tuple(self.stages))
         for check in (self._wrong_words, self._wrong_stages, self._wrong_order):
             if wrong := check():
@@ -151,9 +156,9 @@ class Method:
         return f"it has the order {power - 1}, not {self.order}" if power else None
 
     @cached_property
-    def places(self) -> list[Place]:
+    def places(self) -> list[StageState]:
         """The states of the stages and of the end, in terms of the accelerations."""
-        places: list[Place] = []
+        places: list[StageState] = []
         n = len(self.stages)
         for move in (*self.stages, self.end):
             rates = move.exact + (Fraction(0),) * (n - len(move.weights))
@@ -161,15 +166,15 @@ class Method:
                 inner = [sum((w * places[j].rates[k] for j, w in move.terms), Fraction(0)) for k in range(n)]
             else:
                 inner = [move.kick * w for w in rates]
-            places.append(Place(move.reach, tuple(inner), rates))
+            places.append(StageState(move.reach, tuple(inner), rates))
         return places
 
-    def _elastic(self, i: int, place: Place) -> Place:
+    def _elastic(self, i: int, place: StageState) -> StageState:
         """The state at which stage i takes the elastic forces."""
-        if not (part := self.stages[i].implicit):
+        if not (part := self.stages[i].part):
             return place
         own = [Fraction(int(k == i)) for k in range(len(self.stages))]
-        return Place(part, tuple(part**2 * x for x in own), tuple(part * x for x in own))
+        return StageState(part, tuple(part**2 * x for x in own), tuple(part * x for x in own))
 
     @property
     def implicit(self) -> bool:
@@ -186,8 +191,7 @@ class Method:
         for stage in self.stages:
             u, there_v = _moved(stage, v, h, rates, accelerations)
             there = (q if u is None else space.moved(q, u)), there_v
-            elastic = stage.implicit
-            found = a.implicit(q, v, times(h, elastic), there) if elastic else a.explicit(*there)
+            found = a.implicit(q, v, times(h, stage.part), there) if stage.part else a.explicit(*there)
             rates.append(there_v if u is None else space.rate(u, there_v))
             accelerations.append(found)
         u, v = _moved(self.end, v, h, rates, accelerations)

@@ -61,7 +61,9 @@ def with_built_in(more: Iterable[Method]) -> dict[str, Method]:
     return out
 
 
-def method_of(given: str | Method, known: Mapping[str, Method] = METHODS, missing="there is no integrator") -> Method:
+def method_of(
+    given: str | Method, known: Mapping[str, Method] = METHODS, missing: str = "there is no integrator"
+) -> Method:
     """The method of a name, or the one that is given; raises UsageError on unknown names."""
     if isinstance(given, Method):
         return given

@@ -21,7 +21,7 @@ TOLERANCE = 1e-12
 """Coefficients that are irrational come as doubles."""
 
 
-class Place(NamedTuple):
+class StageState(NamedTuple):
     """A state after the step's start: q + reach h v + h² Σ coordinates_j k_j and v + h Σ rates_j k_j."""
 
     reach: Fraction
@@ -33,17 +33,17 @@ class Branch(NamedTuple):
     """A branch of a tree: `through` the "time", the "coordinates" or the "rates", at the end of which is a tree."""
 
     through: str
-    tree: Tree | None
+    tree: RootedTree | None
 
 
-class Tree(NamedTuple):
+class RootedTree(NamedTuple):
     """An acceleration and its branches."""
 
     elastic: bool
     branches: tuple[Branch, ...]
 
 
-def unmet(order: int, stages: Sequence[Place], elastic: Sequence[Place], end: Place) -> int | None:
+def unmet(order: int, stages: Sequence[StageState], elastic: Sequence[StageState], end: StageState) -> int | None:
     """The lowest power of h at which a step that should have an order differs from the solution; None if it has it.
 
     `stages`: where the accelerations of each stage are evaluated; `elastic`: where their elastic parts are.
@@ -69,12 +69,12 @@ def _product(row: Row, weights: Sequence[Fraction]) -> Fraction:
 
 
 @cache
-def _trees(order: int) -> tuple[Tree, ...]:
+def _trees(order: int) -> tuple[RootedTree, ...]:
     """The trees whose acceleration belongs to h to the `order`."""
     if order <= 0:
-        return (Tree(False, ()),) if order == 0 else ()
-    several = tuple(Tree(False, branches) for branches in _branches(order, order))
-    return several + tuple(Tree(True, (branch,)) for branch in _single(order))
+        return (RootedTree(False, ()),) if order == 0 else ()
+    several = tuple(RootedTree(False, branches) for branches in _branches(order, order))
+    return several + tuple(RootedTree(True, (branch,)) for branch in _single(order))
 
 
 def _branches(order: int, largest: int) -> Iterator[tuple[Branch, ...]]:
@@ -101,7 +101,7 @@ def _order(branch: Branch) -> int:
     return {"coordinates": 2, "rates": 1}[branch.through] + sum(map(_order, branch.tree.branches))
 
 
-def _weights(tree: Tree, stages: Sequence[Place], elastic: Sequence[Place]) -> list[Fraction]:
+def _weights(tree: RootedTree, stages: Sequence[StageState], elastic: Sequence[StageState]) -> list[Fraction]:
     """What the tree contributes to the acceleration of every stage."""
     places, inner = elastic if tree.elastic else stages, []
     for branch in tree.branches:
@@ -113,7 +113,7 @@ def _weights(tree: Tree, stages: Sequence[Place], elastic: Sequence[Place]) -> l
     return [prod((w[i] for w in inner), start=Fraction(1)) for i in range(len(places))]
 
 
-def _exact(tree: Tree) -> Fraction:
+def _exact(tree: RootedTree) -> Fraction:
     """What it contributes to the solution's, over h to its order."""
     out = Fraction(1)
     for branch in tree.branches:

@@ -86,7 +86,7 @@ class Plan:
     def _stage(self, i: int) -> None:
         stage, at = self.method.stages[i], self._places.get(i)
         renewed = not (stage.implicit and stage.terms)
-        self.operations.append(Evaluate(i + 1, at, stage.implicit, renewed))
+        self.operations.append(Evaluate(i + 1, at, stage.part, renewed))
         later = [t for t in range(i + 1, len(self._moves)) if i in dict(self._moves[t].terms)]
         if at and any(self._moves[t].moved == "stages" for t in later):
             self.operations.append(Turn(at))

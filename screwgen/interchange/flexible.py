@@ -84,7 +84,7 @@ def _refuse_the_urdfs(side: SideFile, name: str, table: dict[str, Any]) -> None:
 
 
 @dataclass(frozen=True)
-class Shape:
+class LinkPlacement:
     """How a link that the side file gives a shape sits in the frame of the URDF's link.
 
     `frame`: the link frame F_i there, with the same origin; `tip`: the undeformed tip frame in F_i; `keys`: what the
@@ -116,7 +116,7 @@ class Shape:
         return 0.0 if s < 1e-9 else 1.0 if s > 1 - 1e-9 else s
 
 
-def shape_of(side: SideFile, urdf: Urdf, name: str, body: Inertial | None) -> Shape | None:
+def shape_of(side: SideFile, urdf: Urdf, name: str, body: Inertial | None) -> LinkPlacement | None:
     """The shape of a link, None where the side file gives it none; `body`: its inertia as the URDF states it."""
     table = {key: value for key, value in side.links.get(name, {}).items() if key != "name"}
     keys = {key: value for key, value in table.items() if key not in OWN}
@@ -131,7 +131,8 @@ def shape_of(side: SideFile, urdf: Urdf, name: str, body: Inertial | None) -> Sh
             where = ".".join(("body", *map(str, getattr(error, "context", {}).get("at", ()))))
             raise side.fault(name, where, getattr(error, "context", {}).get("what", str(error))) from None
         end = read_body.data.tip
-        return Shape(frame, Pose(np.array(end.axes), np.array(end.origin)), keys | {"body": read_body}, True, True)
+        tip = Pose(np.array(end.axes), np.array(end.origin))
+        return LinkPlacement(frame, tip, keys | {"body": read_body}, True, True)
     if not any(key in table for key in ROD):
         if "rpy" in table:
             raise side.fault(name, "rpy", "is stated without body, whose axes it turns; leave it out, or state y")
@@ -141,7 +142,7 @@ def shape_of(side: SideFile, urdf: Urdf, name: str, body: Inertial | None) -> Sh
     return _rod(side, urdf, name, table, keys, body)
 
 
-def _rod(side: SideFile, urdf: Urdf, name: str, table: dict, keys: dict, body: Inertial | None) -> Shape:
+def _rod(side: SideFile, urdf: Urdf, name: str, table: dict, keys: dict, body: Inertial | None) -> LinkPlacement:
     end = _tip(side, urdf, name, table.get("tip"))
     size = float(np.linalg.norm(end))
     if size == 0:
@@ -160,7 +161,7 @@ def _rod(side: SideFile, urdf: Urdf, name: str, table: dict, keys: dict, body: I
     ):
         keys = keys | {"section": {"rhoA": body.mass / length} | section}
     keys = {"length": length} | keys
-    return Shape(Pose(R, np.zeros(3)), Pose(HERE.R, np.array([length, 0.0, 0.0])), keys, "modes" in keys, False)
+    return LinkPlacement(Pose(R, np.zeros(3)), Pose(HERE.R, np.array([length, 0.0, 0.0])), keys, "modes" in keys, False)
 
 
 def _tip(side: SideFile, urdf: Urdf, name: str, stated: Any) -> np.ndarray:
@@ -203,7 +204,7 @@ def _checked(side: SideFile, name: str, key: str, value: Any, check: Callable[[A
         raise side.fault(name, key, str(error)) from None
 
 
-def replaced(side: SideFile, name: str, shape: Shape, body: Inertial | None, link: Link) -> str:
+def replaced(side: SideFile, name: str, shape: LinkPlacement, body: Inertial | None, link: Link) -> str:
     """One line on a link that the side file gives a body: where its centreline runs, and what it weighs now and did."""
     own = side.links[name].get("section")
     if shape.stated == "section" and isinstance(own, dict) and body and shape.keys["section"] != own:
@@ -217,7 +218,7 @@ def replaced(side: SideFile, name: str, shape: Shape, body: Inertial | None, lin
     return f"link '{name}': {line}{weight}; what else it carries are bodies of the side file"
 
 
-def _line(side: SideFile, name: str, shape: Shape) -> str:
+def _line(side: SideFile, name: str, shape: LinkPlacement) -> str:
     """The length of a rod, and how its centreline runs in the link's axes, with the tip that would lay it along one."""
     x, length = shape.frame.R[:, 0], float(shape.tip.p[0])
     axis = int(np.abs(x).argmax())

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import UsageError
+from ..spec.joint import MOVED_BY
 from ..spec.load import load as load_robot_file
 from ..spec.load import one_line, read, validated
 from ..spec.robot import Robot
@@ -18,7 +19,7 @@ from .flexible import SideFile, read_side_file, replaced
 from .singular import first_without_inertia
 from .tables import robot_tables
 from .toml_write import document
-from .tree import Node, Options, Tree
+from .tree import MergedLink, Options, UrdfTree
 from .urdf import read_urdf
 
 SUFFIXES = (".urdf", ".xacro", ".xml")
@@ -90,12 +91,14 @@ def is_urdf(path: str | os.PathLike[str]) -> bool:
     return os.path.splitext(os.fsdecode(path))[1].lower() in SUFFIXES
 
 
-def import_urdf(path, flexible=None, options: Options | None = None) -> Imported:
+def import_urdf(
+    path: str | os.PathLike[str], flexible: str | os.PathLike[str] | None = None, options: Options | None = None
+) -> Imported:
     """The robot in a URDF, with notes and names; as :func:`load`."""
     file = one_line(os.fsdecode(path))
     urdf = read_urdf(read(path, file), file)
     side = read_side_file(flexible, urdf)
-    tree = Tree(urdf, side, options or Options())
+    tree = UrdfTree(urdf, side, options or Options())
     tables, comments, joints = robot_tables(tree)
     _refuse_without_inertia(tree)
     robot = validated(tables, side.folder, lambda at: _place(at, tree, file))
@@ -105,7 +108,7 @@ def import_urdf(path, flexible=None, options: Options | None = None) -> Imported
     return Imported(robot, tuple(tree.notes), joints, tables, comments, tuple(sources), side.folder)
 
 
-def _place(at: tuple, tree: Tree, file: str) -> tuple[str, tuple]:
+def _place(at: tuple, tree: UrdfTree, file: str) -> tuple[str, tuple]:
     """The file, and the path in it, of a fault at the path `at` of the robot's tables."""
     side = tree.side
     match at:
@@ -116,7 +119,7 @@ def _place(at: tuple, tree: Tree, file: str) -> tuple[str, tuple]:
     return file, at
 
 
-def _refuse_without_inertia(tree: Tree) -> None:
+def _refuse_without_inertia(tree: UrdfTree) -> None:
     """Refuse a joint that the mass matrix could not be solved for; flexible links are taken to have inertia."""
     nodes = tree.nodes
     inertias = []
@@ -135,9 +138,9 @@ def _refuse_without_inertia(tree: Tree) -> None:
         raise tree.urdf.links[nodes[0].urdf].element.fault("is a floating base without mass; give it an <inertial>")
 
 
-def _armature(node: Node, side: SideFile) -> float:
+def _armature(node: MergedLink, side: SideFile) -> float:
     """The rotor's inertia at the joint; 1 where the side file states one, whose value is then not checked here."""
     stated = side.links.get(node.urdf, {}).get("joint", {})
-    if node.joint is None or "armature" in stated or "drives" in stated:
+    if node.joint is None or not stated.keys().isdisjoint(MOVED_BY):
         return 1.0
-    return (node.joint.rotor_inertia or 0.0) * (node.joint.ratio or 1.0) ** 2
+    return node.joint.armature

@@ -14,14 +14,14 @@ TOO_LITTLE = 1e-12
 """Share of what a joint carries below which the inertia about its axis is rounding."""
 
 
-def motion(axis, q: float) -> Pose:
+def motion(axis: Sequence[float] | dict[str, Sequence[float]], q: float) -> Pose:
     """The motion of a joint by `q` along an axis of a robot file."""
     if isinstance(axis, dict):
         return Pose(np.eye(3), q * np.array(axis["slide"]) / np.linalg.norm(axis["slide"]))
     return Pose(turned(axis, q), np.zeros(3))
 
 
-def subspace(axis) -> np.ndarray:
+def subspace(axis: Sequence[float] | dict[str, Sequence[float]]) -> np.ndarray:
     """(6,): the unit twist [ω; v] of an axis."""
     a = np.array(axis["slide"] if isinstance(axis, dict) else axis)
     zero, unit = np.zeros(3), a / np.linalg.norm(a)

@@ -9,7 +9,7 @@ from ..spec.base import FLOATING
 from ..spec.parents import WORLD
 from ..spec.values import quoted
 from .rigid import LAST_DIGIT, cleaned
-from .tree import Node, Tree
+from .tree import MergedLink, UrdfTree
 from .urdf import SLIDING, UrdfJoint
 
 GRAVITY = (0.0, 0.0, -9.81)
@@ -18,7 +18,7 @@ STICKING = {False: 0.01, True: 0.001}
 ORDER = ("length", "frame_at", "order", "section", "profile", "body", "modes", "damping", "segments", "markers")
 
 
-def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, tuple[str, ...]]]:
+def robot_tables(tree: UrdfTree) -> tuple[dict[str, Any], dict[str, str], dict[str, tuple[str, ...]]]:
     """The robot's keys; a comment for each link by its name; the coordinates' names of each moving joint."""
     robot: dict[str, Any] = {"name": tree.name, "gravity": GRAVITY} | tree.side.robot
     if tree.floating:
@@ -38,7 +38,7 @@ def robot_tables(tree: Tree) -> tuple[dict[str, Any], dict[str, str], dict[str, 
     return robot, comments, joints
 
 
-def _couplings(tree: Tree) -> Iterator[dict[str, Any]]:
+def _couplings(tree: UrdfTree) -> Iterator[dict[str, Any]]:
     """The couplings of joints that mimic others; what they mimic may have been welded for want of mass."""
     nodes = {node.joint.name: node for node in tree.nodes if node.joint is not None and node.axes}
     for node in nodes.values():
@@ -57,13 +57,13 @@ def _couplings(tree: Tree) -> Iterator[dict[str, Any]]:
         yield {"axis": axis, "of": of, "ratio": ratio} | ({"offset": offset} if offset else {})
 
 
-def coordinates(node: Node) -> tuple[str, ...]:
+def coordinates(node: MergedLink) -> tuple[str, ...]:
     """The names of a node's joint coordinates."""
     kinds = ("slide" if isinstance(axis, dict) else "joint" for axis in node.axes)
     return tuple(f"{node.name}.{kind}[{k}]" for k, kind in enumerate(kinds))
 
 
-def _link(tree: Tree, i: int, node: Node) -> dict[str, Any]:
+def _link(tree: UrdfTree, i: int, node: MergedLink) -> dict[str, Any]:
     side = tree.side.links.get(node.urdf, {})
     table: dict[str, Any] = {"name": node.name}
     if node.carrier != i - 1:
@@ -84,7 +84,7 @@ def _link(tree: Tree, i: int, node: Node) -> dict[str, Any]:
     }
 
 
-def _joint(tree: Tree, node: Node) -> dict[str, Any]:
+def _joint(tree: UrdfTree, node: MergedLink) -> dict[str, Any]:
     joint = node.joint
     table: dict[str, Any] = {"axes": node.axes}
     floats = node.joint is None and tree.floating
@@ -124,7 +124,7 @@ def _drive(joint: UrdfJoint) -> dict[str, Any]:
     return drive
 
 
-def _limits_note(tree: Tree, key: str, what: str) -> list[str]:
+def _limits_note(tree: UrdfTree, key: str, what: str) -> list[str]:
     """Limits that a robot file has no place for, in the order of the torques."""
     values = [getattr(node.joint, key) for node in tree.nodes if node.joint is not None for _ in node.axes]
     if not any(values):

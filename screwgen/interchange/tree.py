@@ -7,7 +7,7 @@ robot file, x along the centreline, and carries the joints behind it where the s
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,7 +17,7 @@ from ..errors import UsageError
 from ..spec.names import FILE_NAMES, KEYWORDS, MAX_LENGTH
 from ..spec.parents import WORLD
 from ..spec.values import quoted
-from .flexible import Shape, SideFile, shape_of
+from .flexible import LinkPlacement, SideFile, shape_of
 from .rigid import HERE, Inertial, Pose, cleaned, nearest, possible, together
 from .urdf import FIXED, FREE, SLIDING, Urdf, UrdfJoint
 
@@ -43,7 +43,7 @@ class Options:
 
 
 @dataclass
-class Node:
+class MergedLink:
     """A link of the robot: its carrier (-1: the world), its joint, and the bodies that are merged into it."""
 
     name: str
@@ -51,7 +51,7 @@ class Node:
     carrier: int
     joint: UrdfJoint | None
     axes: list
-    shape: Shape | None
+    shape: LinkPlacement | None
     mount: Pose = HERE
     literal: bool = False
     """Whether the mount is the origin of the URDF's joint as it stands."""
@@ -62,7 +62,7 @@ class Node:
     """Bodies in axes of the tip frame, from the tip."""
 
 
-class Tree:
+class UrdfTree:
     """The links of a robot, from the root outwards."""
 
     def __init__(self, urdf: Urdf, side: SideFile, options: Options):
@@ -72,7 +72,7 @@ class Tree:
             raise UsageError(f"tip: {urdf.element.file} has no link {quoted(options.tip)}; name one")
         self.urdf, self.side, self.options = urdf, side, options
         self.notes = list(urdf.notes)
-        self.nodes: list[Node] = []
+        self.nodes: list[MergedLink] = []
         self.dropped: list[str] = []
         self.floating = options.floating or side.robot.get("base") == FREE
         self.names = identifiers(urdf.links)
@@ -107,7 +107,7 @@ class Tree:
     def _heavy(self) -> set[str]:
         """The links that have inertia or carry what has."""
         found = {x.name for x in self.urdf.links.values() if x.name in self.side.links or (x.body and x.body.something)}
-        found |= {joint.child for joint in self.urdf.joints.values() if joint.rotor_inertia}
+        found |= {joint.child for joint in self.urdf.joints.values() if joint.armature}
         return self._with_carriers(found)
 
     def _to_tip(self) -> set[str]:
@@ -181,11 +181,13 @@ class Tree:
         if self._body(link):
             self.dropped.append(link)
 
-    def _add(self, joint, link: str, carrier: int, placed: Pose, direct=False, welded=False) -> int:
+    def _add(
+        self, joint: UrdfJoint | None, link: str, carrier: int, placed: Pose, direct: bool = False, welded: bool = False
+    ) -> int:
         """A node for a link whose joint frame sits in the frame of its carrier's URDF link at `placed`."""
         body, table = self._body(link), self.side.links.get(link, {})
         shape = shape_of(self.side, self.urdf, link, body)
-        node = Node(
+        node = MergedLink(
             self.names[link], link, carrier, joint, [] if welded or joint is None else _axes(joint, shape), shape
         )
         above = self.nodes[carrier].shape if carrier >= 0 else None
@@ -228,7 +230,7 @@ class Tree:
         if renamed:
             self.notes.append(f"names that became C identifiers: {', '.join(renamed)}")
 
-    def inertia(self, node: Node, bodies: list[Inertial]) -> Inertial:
+    def inertia(self, node: MergedLink, bodies: list[Inertial]) -> Inertial:
         """The bodies of a node as one; refuses an inertia that no body has."""
         body = together(bodies)
         if possible(body):
@@ -243,7 +245,7 @@ class Tree:
         return nearest(body)
 
 
-def _axes(joint: UrdfJoint, shape: Shape | None) -> list:
+def _axes(joint: UrdfJoint, shape: LinkPlacement | None) -> list:
     """The axes of a joint in the axes of the link that it carries."""
     if joint.kind == "planar":
         normal = np.array(joint.axis) / np.linalg.norm(joint.axis)
@@ -256,7 +258,7 @@ def _axes(joint: UrdfJoint, shape: Shape | None) -> list:
     return [{"slide": axis} if joint.kind in SLIDING else axis]
 
 
-def _in(shape: Shape | None, axis) -> tuple[float, float, float]:
+def _in(shape: LinkPlacement | None, axis: Sequence[float] | np.ndarray) -> tuple[float, float, float]:
     turn = HERE.R if shape is None else shape.frame.R.T
     return tuple(axis) if shape is None and isinstance(axis, list) else cleaned(turn @ np.array(axis))
 

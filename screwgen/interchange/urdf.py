@@ -60,6 +60,11 @@ class UrdfJoint:
     rotor_inertia: float | None = None
 
     @property
+    def armature(self) -> float:
+        """The rotor's inertia as the joint feels it; 0 where the file states none."""
+        return (self.rotor_inertia or 0.0) * (self.ratio or 1.0) ** 2
+
+    @property
     def limited(self) -> bool:
         """Whether there is a range."""
         return self.lower is not None or self.upper is not None

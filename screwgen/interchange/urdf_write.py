@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import quoteattr
 
@@ -10,15 +10,16 @@ import numpy as np
 
 from ..backends.numpy.numeric import Numeric
 from ..errors import UsageError
+from ..joints.screw import Screw
 from ..reduction.invariants import hat
 from ..spec.base import FLOATING
 from ..spec.couplings import Axis, coupled_axis
+from ..spec.drive import NO_FRICTION
 from ..spec.joint import Joint
 from ..spec.markers import carried_at
 from ..spec.parents import WORLD, parents
 from ..spec.reduced import elastic, of_link
 from ..spec.robot import Link, Robot
-from ..spec.screw import Screw
 from ..topology.chain import Chain
 from .rigid import HERE, Pose, pose
 from .tables import GRAVITY, STICKING
@@ -53,6 +54,9 @@ class _Writer:
     def exported(self) -> Exported:
         robot = self.robot
         for i, link in enumerate(robot.links):
+            if link.joint.kind.curved:
+                what = f"links[{i}].joint.axes (link {link.name}): is a ball joint, which URDF does not have"
+                raise UsageError(f"{self.file}: {what}; write three axes in its place")
             for k, screw in enumerate(link.joint.screws):
                 if screw.turn and screw.travel:
                     where = f"links[{i}].joint.axes[{k}] (link {link.name})"
@@ -92,14 +96,13 @@ class _Writer:
             self.notes.append(f"{link.name}: is flexible; it is written as the rigid body of its undeformed shape")
         if joint.stiffness and any(joint.stiffness):
             self.notes.append(f"{link.name}.joint.stiffness: is left out; URDF has no springs")
-        drives = joint.drives or ()
-        if any(drive.elastic or drive.transmission for drive in drives):
+        if any(map(joint.between, range(len(joint.axes)))):
             self.notes.append(f"{link.name}.joint.drives: gears are written as rigid, cylinders are left out")
         if any(joint.elements or ()):
             self.notes.append(f"{link.name}.joint.elements: are left out; URDF has no such elements")
         if any(limit.stiffness is not None for limit in joint.limits or ()):
             self.notes.append(f"{link.name}.joint.limits: are written without the stiffness of their stops")
-        for k, drive in enumerate(drives):
+        for k, drive in enumerate(joint.driven):
             known = (None, STICKING[joint.screws[k].slides])
             if drive.friction and drive.friction.velocity not in known:
                 self.notes.append(f"{link.name}.joint.drives[{k}].friction.velocity: is left out")
@@ -221,7 +224,9 @@ class _Writer:
         name = f"{link.name}_axis_{k}"
         return name if name not in self.names else f"{name}_without_mass"
 
-    def _motion(self, joint: Joint, k: int, screw: Screw, above: str, below: str, origin: str):
+    def _motion(
+        self, joint: Joint, k: int, screw: Screw, above: str, below: str, origin: str
+    ) -> tuple[str, str, str, list[str]]:
         limit = joint.limits[k] if joint.limits else None
         lower, upper = (limit.lower, limit.upper) if limit else (None, None)
         kind = "prismatic" if screw.slides else "continuous" if lower is None and upper is None else "revolute"
@@ -237,12 +242,9 @@ class _Writer:
             lower = -max(free, 2 * abs(upper or 0)) if lower is None else lower
             upper = max(free, 2 * abs(lower)) if upper is None else upper
             parts.append(f'<limit lower={_row([lower])} upper={_row([upper])} effort="1e6" velocity="1e3"/>')
-        friction = joint.drives[k].friction if joint.drives else None
-        elastic = bool(joint.drives and (joint.drives[k].elastic or joint.drives[k].transmission))
-        damping = (joint.damping[k] if joint.damping else 0.0) + (
-            (friction and friction.viscous and not elastic and friction.viscous) or 0.0
-        )
-        dry = (friction and not elastic and friction.coulomb) or 0.0
+        friction = (not joint.between(k) and joint.driven[k].friction) or NO_FRICTION
+        damping = (joint.damping[k] if joint.damping else 0.0) + (friction.viscous or 0.0)
+        dry = friction.coulomb or 0.0
         if damping or dry:
             parts.append(f"<dynamics damping={_row([damping])} friction={_row([dry])}/>")
         return kind, above, below, parts
@@ -260,10 +262,10 @@ class _Writer:
         """Rotors, with the reduction of their gears; the tag rotorInertia is one that only some tools read."""
         for link in self.robot.links:
             for k in range(len(link.joint.screws)):
-                drive = link.joint.drives[k] if link.joint.drives else None
+                drive = link.joint.driven[k]
                 armature = link.joint.armature[k] if link.joint.armature else 0.0
                 rotor, ratio = armature, 1.0
-                if drive and drive.rotor_inertia is not None and drive.transmission is None:
+                if drive.rotor_inertia is not None and drive.transmission is None:
                     rotor, ratio = drive.rotor_inertia + armature / (drive.ratio or 1.0) ** 2, drive.ratio or 1.0
                 if rotor:
                     name = _joint_name(link, k)
@@ -284,7 +286,7 @@ def _joint_name(link: Link, k: int) -> str:
     return f"{link.name}_joint" + (f"_{k}" if len(link.joint.screws) > 1 else "")
 
 
-def _row(values) -> str:
+def _row(values: Iterable[float]) -> str:
     """Numbers as an attribute, to the last digit."""
     return quoteattr(" ".join(repr(float(x) + 0.0) for x in values))
 

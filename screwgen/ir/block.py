@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -29,7 +30,7 @@ class Binding(IntEnum):
 
 
 @dataclass(frozen=True)
-class Signal:
+class NamedSignal:
     """A named quantity: shape, unit, frame of its components, and how the paper writes it."""
 
     name: str
@@ -72,7 +73,7 @@ class Step:
     symbols of inputs and earlier steps.  Entries that are numbers or earlier symbols need none.
     """
 
-    signal: Signal
+    signal: NamedSignal
     expression: Expression
     equation: str
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
@@ -94,14 +95,16 @@ class Block:
 
     name: str
     title: str
-    inputs: dict[str, Signal] = field(default_factory=dict)
+    inputs: dict[str, NamedSignal] = field(default_factory=dict)
     steps: dict[str, Step] = field(default_factory=dict)
     values: dict[str, Array] = field(default_factory=dict)
     bindings: dict[sp.Symbol, Binding] = field(default_factory=dict)
-    along: dict[str, Signal] = field(default_factory=dict)
+    along: dict[str, NamedSignal] = field(default_factory=dict)
     """What varies along the link and is listed in documents."""
 
-    def input(self, name, shape, *words, binding=Binding.STATE, **named) -> Symbol:
+    def input(
+        self, name: str, shape: tuple[int, int], *words: str, binding: Binding = Binding.STATE, **named: Any
+    ) -> Symbol:
         """Declare an input and return the symbol that stands for it.
 
         ``words`` (display, unit, frame, meaning) and ``numbered`` replace those of the table of quantities.
@@ -115,7 +118,7 @@ class Block:
             self.bindings[self.values[name][index]] = binding
         return Symbol(name, shape, signal.display)
 
-    def parameter(self, name, shape, *words, **named) -> Symbol:
+    def parameter(self, name: str, shape: tuple[int, int], *words: str, **named: Any) -> Symbol:
         """Declare an input that is known before the state."""
         return self.input(name, shape, *words, binding=Binding.PARAMETER, **named)
 
@@ -128,7 +131,7 @@ class Block:
             out.append(alias)
         return out
 
-    def field(self, name: str, values: Array, display: str | None = None, **words) -> Symbol:
+    def field(self, name: str, values: Array, display: str | None = None, **words: Any) -> Symbol:
         """A quantity that varies along the link and occurs only under an integral.
 
         Its words are those of the table of quantities or given; without them documents do not list it. A symbol of
@@ -150,7 +153,9 @@ class Block:
         self.bindings.update(dict.fromkeys(symbols, Binding.STATE))
         return self.field(name, np.array([[symbol] for symbol in symbols], dtype=object))
 
-    def step(self, name, expression, display=None, *, symmetric=False, **words) -> Symbol:
+    def step(
+        self, name: str, expression: Expression, display: str | None = None, *, symmetric: bool = False, **words: Any
+    ) -> Symbol:
         """Append ``name = expression`` and return the symbol of the new quantity.
 
         ``words`` (unit, frame, equation, meaning, numbered) replace those of the table of quantities.
@@ -171,7 +176,7 @@ class Block:
         signal = self.signal(name)
         return Symbol(name, signal.shape, signal.display)
 
-    def signal(self, name: str) -> Signal:
+    def signal(self, name: str) -> NamedSignal:
         return self.inputs[name] if name in self.inputs else self.steps[name].signal
 
     def _binding(self, raw: Array) -> Binding:
@@ -179,7 +184,9 @@ class Block:
         symbols = set().union(*(entry.free_symbols for entry in raw.flat)) if raw.size else set()
         return max((self.bindings[s] for s in symbols), default=Binding.CONSTANT)
 
-    def _name(self, signal: Signal, raw: Array, symmetric: bool):
+    def _name(
+        self, signal: NamedSignal, raw: Array, symmetric: bool
+    ) -> tuple[Array, tuple[tuple[sp.Symbol, sp.Expr], ...]]:
         """Give every entry that is not a number or a plain symbol a symbol of its own."""
         values, assignments = np.empty(raw.shape, dtype=object), []
         for (i, j), label in signal.labels():
@@ -194,8 +201,8 @@ class Block:
         return values, tuple(assignments)
 
 
-def _signal(name: str, shape: tuple[int, int], q: Quantity, binding: Binding) -> Signal:
-    return Signal(name, shape, q.display, q.unit, q.frame, q.meaning, binding, q.numbered)
+def _signal(name: str, shape: tuple[int, int], q: Quantity, binding: Binding) -> NamedSignal:
+    return NamedSignal(name, shape, q.display, q.unit, q.frame, q.meaning, binding, q.numbered)
 
 
 def _negated(entry: sp.Expr) -> bool:

@@ -8,14 +8,14 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
-from ..algebra.functions import stumpff
+from ..algebra.stumpff import stumpff
 from .block import Binding, Block, Step
-from .program import Array, Tracer, Value, give_label
+from .program import Array, Tracer, Value, Vector, give_label
 
 
 def lower(
     block: Block,
-    inputs: Mapping[str, Array],
+    inputs: Mapping[str, Vector],
     outputs: Sequence[str],
     tracer: Tracer,
     constant: Callable[[str], Value] | None = None,
@@ -119,7 +119,7 @@ def _sum(e: sp.Add) -> Recipe:
     (_, leading), *others = sorted(signed, key=lambda pair: pair[0])
     first, rest = recipe(leading), [(minus, recipe(-t if minus else t)) for minus, t in others]
 
-    def record(known, tracer):
+    def record(known: Mapping[str, Value], tracer: Tracer) -> Value:
         total = first(known, tracer)
         for minus, term in rest:
             value = term(known, tracer)
@@ -136,7 +136,7 @@ def _product(e: sp.Mul) -> Recipe:
     number = float(coefficient)
     factors, divisors = [recipe(f) for f in ordered if f not in below], [recipe(1 / f) for f in below]
 
-    def record(known, tracer):
+    def record(known: Mapping[str, Value], tracer: Tracer) -> Value:
         total: Value = number
         for factor in factors:
             total = total * factor(known, tracer)
@@ -154,7 +154,7 @@ def _power(base: Recipe, exponent: sp.Expr) -> Recipe:
         raise TypeError(f"cannot lower the power {exponent}")
     count, inverted = abs(int(exponent)), exponent < 0
 
-    def record(known, tracer):
+    def record(known: Mapping[str, Value], tracer: Tracer) -> Value:
         power = value = base(known, tracer)
         for _ in range(count - 1):
             power = power * value

@@ -9,10 +9,10 @@ zero or one.  Entries that are plain floats are structure: a zero costs no opera
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeGuard
 
 import mpmath
 import numpy as np
@@ -59,34 +59,34 @@ class Node:
         self.tracer, self.op, self.args, self.id, self.section = tracer, op, args, number, section
         self.label: Label | None = None
 
-    def __add__(self, other):
+    def __add__(self, other: Value) -> Value:
         return NotImplemented if isinstance(other, np.ndarray) else self.tracer.add(self, other)
 
-    def __radd__(self, other):
+    def __radd__(self, other: Value) -> Value:
         return self.tracer.add(other, self)
 
-    def __sub__(self, other):
+    def __sub__(self, other: Value) -> Value:
         return NotImplemented if isinstance(other, np.ndarray) else self.tracer.sub(self, other)
 
-    def __rsub__(self, other):
+    def __rsub__(self, other: Value) -> Value:
         return self.tracer.sub(other, self)
 
-    def __mul__(self, other):
+    def __mul__(self, other: Value) -> Value:
         return NotImplemented if isinstance(other, np.ndarray) else self.tracer.mul(self, other)
 
-    def __rmul__(self, other):
+    def __rmul__(self, other: Value) -> Value:
         return self.tracer.mul(other, self)
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: Value) -> Value:
         return NotImplemented if isinstance(other, np.ndarray) else self.tracer.div(self, other)
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: Value) -> Value:
         return self.tracer.div(other, self)
 
-    def __neg__(self):
+    def __neg__(self) -> Value:
         return self.tracer.neg(self)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<{self.label or self.op} {self.id}>"
 
 
@@ -101,7 +101,7 @@ class Tracer:
     Operands are values; the quick test `type(x) is Node` tells a type checker nothing, so they are declared as Any.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._table: dict[tuple, Node] = {}
         self.sections: list[str] = [""]
         self._section = 0
@@ -110,7 +110,7 @@ class Tracer:
         self._count = 0
 
     @contextmanager
-    def section(self, title: str):
+    def section(self, title: str) -> Iterator[None]:
         """Operations recorded inside belong to a section of this title."""
         before = self._section
         self.sections.append(title)
@@ -120,7 +120,7 @@ class Tracer:
         finally:
             self._section = before
 
-    def _node(self, op: str, *args) -> Node:
+    def _node(self, op: str, *args: Any) -> Node:
         key = (op, *args)
         node = self._table.get(key)
         return self._recorded(key, op, args) if node is None else node
@@ -271,19 +271,19 @@ def _inverse(a: Value, d: Value) -> bool:
     return isinstance(a, Node) and a.op == "div" and a.args[1] is d and _is(a.args[0], 1.0)
 
 
-def _both_numbers(a, b) -> bool:
+def _both_numbers(a: Value, b: Value) -> bool:
     return not isinstance(a, Node) and not isinstance(b, Node)
 
 
-def _is(a, value: float) -> bool:
+def _is(a: Value, value: float) -> bool:
     return not isinstance(a, Node) and a == value
 
 
-def _negated(a) -> bool:
+def _negated(a: Value) -> TypeGuard[Node]:
     return isinstance(a, Node) and a.op == "neg"
 
 
-def _positive(a):
+def _positive(a: Value) -> Value:
     return a.args[0] if _negated(a) else a
 
 
@@ -304,7 +304,7 @@ class Program:
     origins: list[int] = field(default_factory=list)
     nodes: list[Node] = field(init=False)
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         values = [v for entries in self.outputs.values() for v in entries] + self.guards
         self.nodes = live(values)
 

@@ -15,10 +15,10 @@ def run(
     program: Program,
     inputs: Mapping[str, list],
     unary: Callable[[str, Any], Any],
-    epsilon=0.0,
+    epsilon: float = 0.0,
     literal: Callable[[float], Any] = lambda x: x,
     binary: Mapping[str, Callable] = BINARY,
-):
+) -> tuple[dict[str, list], list]:
     """Evaluate a program on values of any algebra: floats, mpmath numbers, casadi.SX, nodes of a tracer.
 
     ``unary(op, value)`` evaluates ``neg`` and the ``FUNCTIONS``, ``binary`` has the other operations by name;
@@ -39,7 +39,9 @@ def run(
     return {n: [pick(v) for v in entries] for n, entries in program.outputs.items()}, [pick(g) for g in program.guards]
 
 
-def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, link="", origin=0):
+def inline(
+    program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, link: str = "", origin: int = 0
+) -> dict[str, list[Value]]:
     """Replay a program into a tracer: the fused layout.
 
     ``link`` is added to labels and section titles; ``origin`` is the number of the link that a failing guard reports.
@@ -72,11 +74,6 @@ def inline(program: Program, inputs: Mapping[str, list[Value]], tracer: Tracer, 
 
 def _unary(op: str, value: Value, tracer: Tracer) -> Value:
     return tracer.neg(value) if op == "neg" else tracer.call(op, value)
-
-
-def specialise(program: Program, known: Mapping[str, list[float]]) -> Program:
-    """The program with some inputs bound to numbers: partial evaluation."""
-    return bind(program, known)
 
 
 def bind(program: Program, known: Mapping[str, Sequence[float | None]]) -> Program:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 from itertools import count
+from typing import Any
 
 from .program import Node, Program, Value
 from .replay import BINARY
@@ -94,7 +95,7 @@ def _rebuilt(program: Program, signs: _Signs) -> Program:
     made: dict[int, Node] = {}
     numbers = count()
 
-    def node(of: Node, op: str, *args) -> Node:
+    def node(of: Node, op: str, *args: Any) -> Node:
         return Node(of.tracer, op, args, next(numbers), of.section)
 
     def pick(value: Value) -> Value:

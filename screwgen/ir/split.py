@@ -55,11 +55,11 @@ class _Piece:
         if kept:
             outputs[f"{KEPT}:{self.slots[kept[0]]}"] = [self.own[i] for i in kept]
         pairs = zip(self.whole.guards, self.whole.origins, strict=True)
-        guards = [(self._operand(g), o) for g, o in pairs if self._here(g.id)]
+        guards = [(self._node(g), o) for g, o in pairs if self._here(g.id)]
         return Program(
             f"{self.whole.name}_{self.number + 1}",
             self.whole.inputs | {KEPT: len(self.slots)},
-            outputs,
+            outputs,  # type: ignore[arg-type]  # None stands for what another piece computes
             [g for g, _ in guards],
             self.whole.sections,
             [o for _, o in guards],
@@ -74,8 +74,9 @@ class _Piece:
         return copy
 
     def _operand(self, value: Value) -> Value:
-        if not isinstance(value, Node):
-            return value
+        return self._node(value) if isinstance(value, Node) else value
+
+    def _node(self, value: Node) -> Node:
         if value.id not in self.own:
             kept = not _free(value)
             op, args = ("input", (KEPT, self.slots[value.id])) if kept else (value.op, value.args)

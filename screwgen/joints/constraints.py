@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..elements import Relation
-from ..spec.screw import Screw
+from ..joints.screw import Screw
 
 Direction = tuple[float, float, float]
 X, Y, Z = np.eye(3)

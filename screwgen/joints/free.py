@@ -1,41 +1,61 @@
-"""The floating base: the first link's pose and twist are state, and its motion subspace is the identity."""
+"""The floating base: a joint to the inertial frame that leaves its link free, with the link's twist as rates."""
 
 from __future__ import annotations
 
-import sympy as sp
+from collections.abc import Sequence
+from dataclasses import dataclass
 
-from ..algebra.expression import Expression, Symbol, hat, identity, inverse, number, stack
-from ..ir.block import Block
+import numpy as np
 
-
-def free_block(b: Block) -> Block:
-    """The rates of the pose; ``omega, v`` is the twist of F_i in its own axes."""
-    R = free_posture(b)
-    Q = b.entries(b.symbol("quaternion"))
-    omega, v = b.input("omega", (3, 1)), b.input("v", (3, 1))
-    u = stack(*Q[1:])
-    turning = stack(-(u.T @ omega), Q[0] @ omega + hat(u) @ omega)
-    half = number(sp.Rational(1, 2))
-    words = {"frame": "-", "meaning": "rate of the quaternion, half its product with [0, ω]"}
-    b.step("quaternion_rate", half @ turning, r"\dot{\mathbf{Q}}_i", unit="1/s", **words)
-    words = {"frame": "inertial", "meaning": "rate of the position"}
-    b.step("position_rate", R @ v, r"\dot{\mathbf{r}}_{oi}", unit="m/s", **words)
-    return b
-
-
-def free_motion_block(b: Block) -> Block:
-    """The acceleration of the origin of F_i, a material point, while its twist's components keep their values."""
-    omega, v, a_R = b.input("omega", (3, 1)), b.input("v", (3, 1)), b.input("a_R", (3, 1))
-    b.step("a", a_R + hat(omega) @ v)
-    return b
+from ..algebra.expression import Symbol, block, identity, stack, zeros
+from .exponential import (
+    Series,
+    algebra_rate,
+    angular_velocity,
+    carried,
+    exponential,
+    quaternion_rate,
+    rotated,
+    rotation,
+    turn_between,
+)
+from .kind import JointKind, Kinematics
 
 
-def free_posture(b: Block) -> Symbol:
-    """``R_rel``: the rotation from F_i to the inertial frame by a quaternion of any length."""
-    words = (r"\mathbf{Q}_i", "-", "-", "rotation of F_i, quaternion (w, x, y, z)")
-    Q = b.input("quaternion", (4, 1), *words)
-    w, *vector = b.entries(Q)
-    cross = hat(stack(*vector))
-    scale: Expression = number(2) @ inverse(Q.T @ Q)
-    R = identity(3) + scale @ (w @ cross + cross @ cross)
-    return b.step("R_rel", R, r"\mathbf{R}_{oi}", meaning="rotation of F_i to the inertial frame")
+@dataclass(frozen=True)
+class Free(JointKind):
+    """``q = [position; quaternion]`` of F_i in the inertial frame, rates ``[omega; v]`` of F_i in its own axes.
+
+    The motion subspace is the identity. The pose moves by the exponential map of SE(3).
+    """
+
+    def kinematics(self, coordinates: Sequence[Symbol]) -> Kinematics:
+        one, none = identity(3), zeros(3, 3)
+        position, quaternion = stack(*coordinates[:3]), coordinates[3:]
+        return Kinematics(rotation(quaternion), position, block([one, none]), block([none, one]))
+
+    def integrate(self, q: np.ndarray, u: np.ndarray, series: Series) -> np.ndarray:
+        pose = exponential(np.concatenate([q[3:], q[:3]]), u, series)
+        return np.concatenate([pose[4:], pose[:4]])
+
+    def difference(self, q: np.ndarray, other: np.ndarray, series: Series) -> np.ndarray:
+        turn, back = turn_between(q[3:], other[3:]), np.append(q[3], -q[4:])
+        units = np.vstack([np.zeros((3, 3)), np.eye(3)])
+        start = np.array([1.0, *[0.0] * 6])
+        moved = [exponential(start, np.append(turn, unit[3:]), series)[4:] for unit in units.T]
+        return np.append(turn, np.linalg.solve(np.array(moved).T, rotated(back, other[:3] - q[:3])))
+
+    def rate(self, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return algebra_rate(u[None], v[None])[0]
+
+    def coordinate_rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return np.concatenate([rotated(q[3:], v[3:]), quaternion_rate(q[3:], v[:3])])
+
+    def rates_of(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
+        return np.concatenate([angular_velocity(q[3:], change[3:]), rotated(np.append(q[3], -q[4:]), change[:3])])
+
+    def carried(self, v: np.ndarray) -> np.ndarray:
+        return carried(v)
+
+
+FREE = Free(7, 6, 0, in_space=True, name="free", turn_at=3)

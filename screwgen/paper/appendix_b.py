@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-from ..algebra.expression import Expression, block, hat, zeros
-from .equation import Equation, Relation
-from .quantities import Link
+from typing import Any
 
-ONE, TWO, ALL = Link("1"), Link("2"), Link("all")
+from ..algebra.expression import Expression, block, hat, zeros
+from .equation import Equality, Equation
+from .quantities import LinkLetters
+
+ONE, TWO, ALL = LinkLetters("1"), LinkLetters("2"), LinkLetters("all")
 O33, O3, O36 = zeros(3, 3), zeros(3), zeros(3, 6)
 PARTS = {name: link.r_b + link.r_xi for name, link in (("r_ib:1", ONE), ("r_ib:2", TWO))}
 
 
-def equation(label: str, title: str, printed: Relation, derived: Relation, **rest) -> Equation:
+def equation(label: str, title: str, printed: Equality, derived: Equality, **rest: Any) -> Equation:
     return Equation(label=label, section="B", title=title, printed=(printed,), derived=(derived,), where=PARTS, **rest)
 
 
-def bent(link: Link, end: str) -> Expression:
+def bent(link: LinkLetters, end: str) -> Expression:
     """The skew matrix of an end's displacement."""
     return hat(getattr(link, f"phi_{end}") @ link.eta)
 
 
-def over(link: Link, integrand: Expression) -> Expression:
+def over(link: LinkLetters, integrand: Expression) -> Expression:
     return link.integral(integrand, link.rhoA)
 
 
@@ -50,21 +52,27 @@ DERIVED_M_D = block(
 # ------------------------------------------------------------------------------------------ M_DPsi
 
 
-def columns(omegadot_1=O33, rddot_1=O33, omegadot_2=O33, torque_1=O33, rddot_2=O33) -> list[Expression]:
+def columns(
+    omegadot_1: Expression = O33,
+    rddot_1: Expression = O33,
+    omegadot_2: Expression = O33,
+    torque_1: Expression = O33,
+    rddot_2: Expression = O33,
+) -> list[Expression]:
     """A row: columns of W_0 (torque, force), of Zdot_1 (omegadot, rddot), and the same of W_1 and Zdot_2."""
     return [O33, O33, omegadot_1, rddot_1, torque_1, O33, omegadot_2, rddot_2]
 
 
-def pulled(link: Link) -> Expression:
+def pulled(link: LinkLetters) -> Expression:
     """``∫ phi eta`` as a skew matrix."""
     return link.integral(hat(link.phi @ link.eta))
 
 
-def turned(link: Link) -> Expression:
+def turned(link: LinkLetters) -> Expression:
     return link.integral(hat(link.r_xi) @ hat(link.phi @ link.eta))
 
 
-def moment_of_turning(link: Link) -> Expression:
+def moment_of_turning(link: LinkLetters) -> Expression:
     """What the angular acceleration adds to the moment through the deformation, in the unknowns of (84)."""
     carried = hat(link.r_ib) @ hat(link.r_xi) + hat(link.r_xi) @ hat(link.r_b) + hat(link.r_xi) @ hat(link.r)
     return -over(link, carried)
@@ -94,12 +102,12 @@ DERIVED_M_DPSI = block(
 # -------------------------------------------------------------------------------------------- h_MD
 
 
-def swung(link: Link, end: str) -> Expression:
+def swung(link: LinkLetters, end: str) -> Expression:
     """``R omega x phi etadot`` at an end."""
     return link.R @ (hat(link.omega) @ (getattr(link, f"phi_{end}") @ link.etadot))
 
 
-def printed_momentum(link: Link) -> list[list[Expression]]:
+def printed_momentum(link: LinkLetters) -> list[list[Expression]]:
     turning = hat(link.omega)
     return [
         [turning @ (link.integral(link.phi) @ link.etadot)],
@@ -107,7 +115,7 @@ def printed_momentum(link: Link) -> list[list[Expression]]:
     ]
 
 
-def derived_momentum(link: Link) -> list[list[Expression]]:
+def derived_momentum(link: LinkLetters) -> list[list[Expression]]:
     turning = hat(link.omega)
     coriolis = over(link, hat(link.r_ib) @ (turning @ link.phi)) @ link.etadot
     carried = over(link, hat(link.r_xi)) @ (turning @ link.rdot)
@@ -140,8 +148,8 @@ EQUATIONS = (
     equation(
         "B1",
         "columns of the modal accelerations",
-        Relation(ALL.M_D, PRINTED_M_D),
-        Relation(ALL.M_D, DERIVED_M_D),
+        Equality(ALL.M_D, PRINTED_M_D),
+        Equality(ALL.M_D, DERIVED_M_D),
         errata=("E8", "E9", "E24"),
         block="link.M_D, link_rows.V_eta, link_rows.next_eta",
         note=ORDER,
@@ -149,8 +157,8 @@ EQUATIONS = (
     equation(
         "B2",
         "columns that the deformation adds",
-        Relation(ALL.M_DPsi, PRINTED_M_DPSI),
-        Relation(ALL.M_DPsi, DERIVED_M_DPSI),
+        Equality(ALL.M_DPsi, PRINTED_M_DPSI),
+        Equality(ALL.M_DPsi, DERIVED_M_DPSI),
         errata=("E8", "E9", "E24", "E28", "E36"),
         block="link.M_DPsi, joint_rows.joint_V, link_rows.next_V, z_rows.Z_Z",
         note=f"{ORDER} In the unknowns of (84), so the columns of "
@@ -160,8 +168,8 @@ EQUATIONS = (
     equation(
         "B3",
         "bias of the deformation's inertia",
-        Relation(ALL.h_MD, PRINTED_H_MD),
-        Relation(ALL.h_MD, DERIVED_H_MD),
+        Equality(ALL.h_MD, PRINTED_H_MD),
+        Equality(ALL.h_MD, DERIVED_H_MD),
         errata=("E8", "E9", "E24", "E36"),
         block="link.h_MD, z_rows.V_h_Ms",
         note=f"{ORDER} In the unknowns of (84), so it does not vanish with the modal rates, as the text has it; in "

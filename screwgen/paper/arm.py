@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from scipy.spatial.transform import Rotation
 
 from ..spec.joint import Joint, Mount
 from ..spec.robot import Body, Link, Modes, Robot
 from ..spec.section import Section
+
+
+class SectionNumbers(NamedTuple):
+    """The numbers of a section, as the robot file names them."""
+
+    rhoA: float
+    EA: float
+    EIy: float
+    EIz: float
+    rhoIp: float
+
 
 NAMES = ("upper_arm", "forearm")
 LENGTHS = (0.95, 0.93)
@@ -16,7 +29,8 @@ MASSES = (3.3, 2.1)
 AXES = ("yz", "z")
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 """rad: theta_y1, theta_z1, theta_z2 at the end of the paper's motion."""
-SECTION = Section(rhoA=1.6302, EA=4.38e7, EIy=2.12e3, EIz=3.67e3, rhoIp=2.15e-4)
+ROD = SectionNumbers(rhoA=1.6302, EA=4.38e7, EIy=2.12e3, EIz=3.67e3, rhoIp=2.15e-4)
+SECTION = Section(**ROD._asdict())
 FREE_FALL = (0.0, 0.0, -9.81)
 STILL = (0.0, 0.0, 0.0)
 STUB = Link(name="stub", length=1e-3, section=Section(rhoA=1e-9), joint=Joint(axes=()))

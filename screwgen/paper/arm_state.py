@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from numpy.linalg import inv, pinv
 from numpy.polynomial.legendre import leggauss
 from scipy.spatial.transform import Rotation
 
+from ..arguments import Numbers
 from ..model import Model
 from .jets import skew, turn
 from .moving_link import adjoint, blocks, body_jacobian, exponential_coordinates, small_adjoint, stack
@@ -26,7 +26,7 @@ AXES = {"axial": 0, "bending_y": 1, "bending_z": 2}
 
 
 @dataclass(frozen=True)
-class View:
+class EquationValues:
     """Values and weights under the indices of an equation, as :func:`.evaluate.evaluate` takes them."""
 
     values: dict[str, np.ndarray]
@@ -51,7 +51,7 @@ class LinkState:
         self._shapes()
         self._section()
 
-    def at(self, s: Sequence[float], order: int = 0) -> np.ndarray:
+    def at(self, s: Numbers, order: int = 0) -> np.ndarray:
         """Mode shapes or their derivatives along the link at abscissas in [0, 1], (points, 3, r); torsion is zero."""
         out = np.zeros((len(s), 3, self.key.modes))
         for k, (direction, i) in enumerate(self.key.directions):
@@ -83,7 +83,7 @@ class LinkState:
         v["M_star"] = v["rhoA"] * np.tensordot(self.weights, np.swapaxes(N, -1, -2) @ N, 1)
         v["I_b"] = v["M_star"][:3, :3]
 
-    def move(self, R, p, V, eta, etadot, gravity) -> None:
+    def move(self, R: np.ndarray, p: np.ndarray, V: Numbers, eta: Numbers, etadot: Numbers, gravity: Numbers) -> None:
         """Place the link: rotation (3, 3), position (3,) in the inertial frame, twist (6,), modal state in metres."""
         v, scale = self.values, self.length**0.5
         v |= {"R": R, "r_o": p.reshape(3, 1), "g": np.reshape(gravity, (3, 1)), "V": np.reshape(V, (6, 1))}
@@ -127,7 +127,7 @@ class LinkState:
 class ArmState:
     """The links of a model in a state ``x`` of its DAE form, or at joint form ``q``, ``v``."""
 
-    def __init__(self, model: Model, x: Sequence[float]):
+    def __init__(self, model: Model, x: Numbers):
         self.model, chain = model, model.chain
         states = model.numpy().dae_functions.unpack(list(map(float, x)))
         self.links = [self._link(i) for i in range(chain.n)]
@@ -138,7 +138,7 @@ class ArmState:
             self._join(i, np.array(s["q"]))
 
     @classmethod
-    def at(cls, model: Model, q: Sequence[float], v: Sequence[float]) -> ArmState:
+    def at(cls, model: Model, q: Numbers, v: Numbers) -> ArmState:
         """The state at joint coordinates and modes ``q`` with rates ``v``."""
         return cls(model, model.numpy().dae_state(q, v))
 
@@ -178,10 +178,10 @@ class ArmState:
         rates = [np.cross(turning + A[:, :k] @ qdot[:k], A[:, k : k + 1], axis=0) for k in range(A.shape[1])]
         return np.hstack(rates) if rates else A
 
-    def view(self, **indices: int) -> View:
+    def view(self, **indices: int) -> EquationValues:
         """The values under an equation's indices: ``view(i=1)``; ``i=k`` brings ``i-1`` with it."""
         places = {name.lstrip("_"): k for name, k in indices.items()}
         if places.get("i", 0) > 0:
             places["i-1"] = places["i"] - 1
         values = {f"{n}:{index}": x for index, k in places.items() for n, x in self.links[k].values.items()}
-        return View(values, {index: self.links[k].weights for index, k in places.items()})
+        return EquationValues(values, {index: self.links[k].weights for index, k in places.items()})

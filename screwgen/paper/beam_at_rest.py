@@ -10,6 +10,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.polynomial.legendre import leggauss
 
+from ..arguments import Numbers
 from .jets import turn
 
 POINTS = 12
@@ -24,7 +25,9 @@ class BeamAtRest:
     away; ``F_B``, ``tau_B`` what the clamp exerts on the link.  Loads and sizes that are not given are random.
     """
 
-    def __init__(self, seed: int, force=None, torque=None, gravity=None):
+    def __init__(
+        self, seed: int, force: Numbers | None = None, torque: Numbers | None = None, gravity: Numbers | None = None
+    ):
         random = np.random.default_rng(seed)
         self.values: dict[str, np.ndarray] = {}
         self.l, self.a, self.rhoA = random.uniform(0.6, 1.4), -random.uniform(0.1, 0.4), random.uniform(0.5, 2.0)

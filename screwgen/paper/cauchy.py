@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
-from ..algebra.expression import Inverse, Symbol, block, identity, stack, zeros
+from ..algebra.expression import Expression, Inverse, Symbol, block, identity, stack, zeros
 from .cauchy_state import inertial_states, measured_states, solution_misfits, step_defects
-from .equation import Equation, Formula, Judge, Relation
+from .equation import Equality, Equation, Formula, Judge
 from .evaluate import evaluate
-from .motion import Motion
 from .quantities import symbol
+from .random_motion import RandomMotion
 
 
 def all_links(name: str, display: str) -> Symbol:
@@ -37,12 +38,12 @@ def at_start(s: Symbol) -> Symbol:
     return Symbol(s.name, s.shape, rf"{s.display}_0" if s is not x_c else rf"{s.display}(0)")
 
 
-def coordinate_rates(J) -> Relation:
+def coordinate_rates(J: Expression) -> Equality:
     """``A_c`` with the map from Z to the rates of the coordinates."""
-    return Relation(A_c, block([O12, O12, J, O12], [O12, O12, O12, I12], *[[O12] * 4] * 2))
+    return Equality(A_c, block([O12, O12, J, O12], [O12, O12, O12, I12], *[[O12] * 4] * 2))
 
 
-def equation(label: str, title: str, *printed: Relation | Formula, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Equality | Formula, **rest: Any) -> Equation:
     return Equation(label=label, section="6", title=title, printed=printed, **rest)
 
 
@@ -53,7 +54,7 @@ def on_motion(misfits: Callable) -> Judge:
     """A judge from a function of a motion's values and links."""
 
     def judge(seed: int) -> tuple[float, float]:
-        motion = Motion(seed)
+        motion = RandomMotion(seed)
         return misfits(motion.values, motion.links)
 
     return judge
@@ -61,7 +62,7 @@ def on_motion(misfits: Callable) -> Judge:
 
 def the_state_is_enough(seed: int) -> tuple[float, float]:
     """Places and velocities built up from ``x_c`` alone, against the motion."""
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     truth = measured_states(motion.links)
     gap = float(np.abs(inertial_states(evaluate(STATE, motion), motion.links) - truth).max() / np.abs(truth).max())
     return gap, gap
@@ -102,8 +103,8 @@ EQUATIONS = (
     equation(
         "DAESOL",
         "solution of the system",
-        Relation(SOLUTION, Inverse(M_sys) @ (W_sys - H_sys)),
-        derived=(Relation(SOLUTION, Inverse(COMPLETED) @ (LOADS - H_sys)),),
+        Equality(SOLUTION, Inverse(M_sys) @ (W_sys - H_sys)),
+        derived=(Equality(SOLUTION, Inverse(COMPLETED) @ (LOADS - H_sys)),),
         errata=("E17",),
         judge=on_motion(solution_misfits),
         block="joint_rows.P_c",
@@ -114,7 +115,7 @@ EQUATIONS = (
     equation(
         "109",
         "state of the Cauchy form",
-        Relation(x_c, STATE),
+        Equality(x_c, STATE),
         judge=the_state_is_enough,
         note="Judged by building up places, rotations and velocities of both links and of their deformed tips from "
         "these numbers alone.",
@@ -122,16 +123,16 @@ EQUATIONS = (
     equation(
         "110",
         "Cauchy form",
-        Relation(xdot_c, A_c @ x_c + g_c),
-        Relation(at_start(x_c), stack(*map(at_start, (q, eta, Z, etadot)))),
+        Equality(xdot_c, A_c @ x_c + g_c),
+        Equality(at_start(x_c), stack(*map(at_start, (q, eta, Z, etadot)))),
         note="Holds with the matrix of the derived (111): on the motion it is found by turning the links.",
     ),
     equation(
         "111",
         "matrix and accelerations of the Cauchy form",
         coordinate_rates(J_q),
-        Relation(g_c, stack(O1, O1, Zdot, etaddot)),
-        derived=(coordinate_rates(Inverse(J_q)), Relation(g_c, stack(O1, O1, Zdot, etaddot))),
+        Equality(g_c, stack(O1, O1, Zdot, etaddot)),
+        derived=(coordinate_rates(Inverse(J_q)), Equality(g_c, stack(O1, O1, Zdot, etaddot))),
         errata=("E18",),
         block="z_form.J_theta, z_form.J_inverse",
         note="By the text of Section 2 the Jacobian takes the rate of the exponential coordinates to the angular "

@@ -10,7 +10,7 @@ from numpy.linalg import inv, lstsq, solve
 from scipy.spatial.transform import Rotation
 
 from .jets import Jet, constant, skew
-from .modal_rows import Rows
+from .modal_rows import ModalRows
 from .moving_link import MovingLink, adjoint, blocks, logarithm_rate, stack
 
 N, MODES = 2, 6
@@ -19,7 +19,8 @@ POSES, ETAS = slice(0, 6 * N), slice(6 * N, 6 * N + MODES * N)
 RATES, ETADOTS = slice(ETAS.stop, ETAS.stop + 6 * N), slice(ETAS.stop + 6 * N, 2 * ETAS.stop)
 """Places in the state x_c, (109)."""
 I3 = np.eye(3)
-Values, Links = dict[str, np.ndarray], Sequence[MovingLink]
+Values = dict[str, np.ndarray]
+Links = Sequence[MovingLink]
 
 
 def add_cauchy(known: Values, links: Links) -> None:
@@ -59,7 +60,7 @@ def completed_solution(known: Values, links: Links) -> np.ndarray:
     What the rows lack of the loads is measured anew after a first solution: their matrix is one of differences, whose
     rounding goes with it.  Elastic forces, which rows and loads share, are left out: they cost digits.
     """
-    rows, truth = Rows(links), known["q_sys:all"]
+    rows, truth = ModalRows(links), known["q_sys:all"]
     rows.stress = [0 * force for force in rows.stress]
     torques = motor_rows(links)
     M, loads = known["M_sys:all"] + torques, rows(truth)[0] + torques @ truth
@@ -85,8 +86,8 @@ def solution_misfits(v: Values, links: Links) -> tuple[float, float]:
     """How far the solution is from the motion: the smallest that fits the printed system, and the completed one's."""
     truth = v["q_sys:all"]
     printed = lstsq(v["M_sys:all"], v["W_sys:all"] - v["H_sys:all"], rcond=1e-10)[0]
-    gaps = (np.abs(x - truth).max() for x in (printed, completed_solution(v, links)))
-    return tuple(float(gap / np.abs(truth).max()) for gap in gaps)
+    gap = lambda x: float(np.abs(x - truth).max() / np.abs(truth).max())  # noqa: E731
+    return gap(printed), gap(completed_solution(v, links))
 
 
 # --------------------------------------------------------------------------------------------- steps
@@ -136,12 +137,13 @@ def step_defects(v: Values, links: Links) -> tuple[float, float]:
     """
     x_c, slopes = v["x_c:all"], [v[f"{name}:all"] for name in ("etadot", "Zdot_star", "etaddot_star")]
     exact = rate(lambda h: measured_states(later(links, h)))
-    defects = []
-    for J in (v["J_q:all"], inv(v["J_q:all"])):
+
+    def defect(J: np.ndarray) -> float:
         xdot = np.vstack([J @ v["Z:all"], *slopes])
-        stepped = rate(lambda h, xdot=xdot: inertial_states(x_c + h * xdot, links))
-        defects.append(float(np.abs(stepped - exact).max() / np.abs(exact).max()))
-    return tuple(defects)
+        stepped = rate(lambda h: inertial_states(x_c + h * xdot, links))
+        return float(np.abs(stepped - exact).max() / np.abs(exact).max())
+
+    return defect(v["J_q:all"]), defect(inv(v["J_q:all"]))
 
 
 def rate(state: Callable[[float], np.ndarray], first: float = 0.02, levels: int = 5) -> np.ndarray:

@@ -13,6 +13,8 @@ from ..cli.main import EPILOG, Quiet
 from ..cli.output import say
 from ..errors import UsageError
 from ..progress import busy
+from .equation import Equation
+from .erratum import Erratum
 
 
 def add(app: typer.Typer) -> None:
@@ -91,25 +93,25 @@ def _write(output: str, equations: Sequence, errata: Sequence, quiet: bool) -> N
     say(output, quiet)
 
 
-def _tex(equations, errata) -> bytes:
+def _tex(equations: Sequence[Equation], errata: Sequence[Erratum]) -> bytes:
     from . import document
 
     return document.tex(equations, errata).encode()
 
 
-def _html(equations, errata) -> bytes:
+def _html(equations: Sequence[Equation], errata: Sequence[Erratum]) -> bytes:
     from . import document
 
     return document.html(equations, errata).encode()
 
 
-def _pdf(equations, errata) -> bytes:
+def _pdf(equations: Sequence[Equation], errata: Sequence[Erratum]) -> bytes:
     from ..backends.latex.document import pdf
 
     return pdf(_tex(equations, errata).decode())
 
 
-def _markdown(equations, errata) -> bytes:
+def _markdown(equations: Sequence[Equation], errata: Sequence[Erratum]) -> bytes:
     from . import document
 
     if equations or not errata:

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ..algebra.expression import Expression, Symbol, Transpose, block, hat, identity, inverse, stack, zeros
 from .appendix_b import DERIVED_H_MD, DERIVED_M_D, DERIVED_M_DPSI, ONE, PARTS, TWO
-from .equation import Equation, Formula, Relation
-from .motion import Motion
+from .equation import Equality, Equation, Formula
 from .projection import TO_BASE, L, shown
-from .quantities import Link
+from .quantities import LinkLetters
+from .random_motion import RandomMotion
 
-A = Link("all")
+A = LinkLetters("all")
 O3, O6, O66, O33 = zeros(3), zeros(6), zeros(6, 6), zeros(3, 3)
 I24 = identity(24)
 TWO_LINKS = "Written and judged for two links."
 
 
-def equation(label: str, title: str, *printed: Relation | Formula, section: str = "5", **rest) -> Equation:
+def equation(label: str, title: str, *printed: Equality | Formula, section: str = "5", **rest: Any) -> Equation:
     return Equation(label=label, section=section, title=title, printed=printed, **rest)
 
 
@@ -32,8 +34,8 @@ def diagonal(first: Expression, second: Expression) -> Expression:
 # --------------------------------------------------------------------------------- stacked modal rows
 
 STACKED = A.M_Dphi_s @ A.Psi_Z_s + A.M_Wphi_s @ A.eta_s + A.h_phi_s
-INERTIA = Relation(A.M_Wphi_s, diagonal(ONE.M_Wphi, TWO.M_Wphi))
-BIAS = Relation(A.h_phi_s, stack(ONE.h_phi, TWO.h_phi))
+INERTIA = Equality(A.M_Wphi_s, diagonal(ONE.M_Wphi, TWO.M_Wphi))
+BIAS = Equality(A.h_phi_s, stack(ONE.h_phi, TWO.h_phi))
 NEXT = -(ONE.J_c.T @ block([identity(6), O66]))
 """Columns of Psi_Z2 in the modal rows of link 1: the wrench W_1 at its tip."""
 
@@ -41,13 +43,13 @@ MODAL = (
     equation(
         "89",
         "modal rows of all links",
-        Relation(STACKED, zeros(12)),
-        Relation(A.M_Dphi_s, diagonal(ONE.M_Dphi, TWO.M_Dphi)),
+        Equality(STACKED, zeros(12)),
+        Equality(A.M_Dphi_s, diagonal(ONE.M_Dphi, TWO.M_Dphi)),
         INERTIA,
         BIAS,
         derived=(
-            Relation(STACKED, A.f_phi_s),
-            Relation(A.M_Dphi_s, block([ONE.M_Dphi, NEXT], [zeros(6, 12), TWO.M_Dphi])),
+            Equality(STACKED, A.f_phi_s),
+            Equality(A.M_Dphi_s, block([ONE.M_Dphi, NEXT], [zeros(6, 12), TWO.M_Dphi])),
             INERTIA,
             BIAS,
         ),
@@ -73,14 +75,14 @@ CHANGE = (
     equation(
         "gamma",
         "twist from its coordinates",
-        Relation(L.V, L.Z + L.gamma),
-        Relation(L.gamma, stack(O3, hat(L.omega) @ L.r)),
+        Equality(L.V, L.Z + L.gamma),
+        Equality(L.gamma, stack(O3, hat(L.omega) @ L.r)),
         block="z_form.gamma, z_form.V",
     ),
     equation(
         "95",
         "inertia of the deformation in the modes",
-        Relation(A.D_s, A.M_D @ A.eta_s + A.M_DPsi @ A.Psi_Z_s + A.h_MD),
+        Equality(A.D_s, A.M_D @ A.eta_s + A.M_DPsi @ A.Psi_Z_s + A.h_MD),
         where=MODES_IN,
         errata=("E8", "E9", "E24", "E28"),
         block="link.M_D, link.M_DPsi, link.h_MD",
@@ -90,18 +92,18 @@ CHANGE = (
     equation(
         "MsPsi",
         "from rates of twists to rates of Z",
-        Relation(A.M_s @ A.Psi, A.M_s @ ((I24 + A.T_gamma_s) @ A.Psi_Z_s) + A.h_Ms),
-        Relation(A.T_gamma_s, ALL_LEVERS),
-        Relation(L.T_gamma, LEVER),
+        Equality(A.M_s @ A.Psi, A.M_s @ ((I24 + A.T_gamma_s) @ A.Psi_Z_s) + A.h_Ms),
+        Equality(A.T_gamma_s, ALL_LEVERS),
+        Equality(L.T_gamma, LEVER),
         block="z_form.T_gamma, z_form.Vdot, z_rows.Z_Z",
         note=TWO_LINKS,
     ),
     equation(
         "HMs",
         "bias of the change to Z",
-        Relation(A.h_Ms, A.M_s @ A.Gamma_star),
-        Relation(A.Gamma_star, stack(O6, ONE.gamma_star, O6, TWO.gamma_star)),
-        Relation(L.gamma_star, stack(O3, hat(L.omega) @ L.rdot)),
+        Equality(A.h_Ms, A.M_s @ A.Gamma_star),
+        Equality(A.Gamma_star, stack(O6, ONE.gamma_star, O6, TWO.gamma_star)),
+        Equality(L.gamma_star, stack(O3, hat(L.omega) @ L.rdot)),
         block="z_form.gamma_star, z_rows.V_h_Ms, z_rows.joint_h_Ms",
         note=f"{TWO_LINKS} The bias is measured as the rows of undeformed links at a motion without a rate of Z.",
     ),
@@ -109,11 +111,11 @@ CHANGE = (
 
 # ------------------------------------------------------------------------------------ the system
 
-BALANCE = Relation(A.M_dyn @ A.Psi_Z_s + A.M_D @ A.eta_s + A.h_dyn, A.W_s)
-COLUMNS = Relation(A.M_dyn, A.M_s @ (I24 + A.T_gamma_s) + A.M_DPsi)
-UNKNOWNS = Relation(A.q_sys, stack(A.Psi_Z_s, A.eta_s))
-MATRIX = Relation(A.M_sys, block([A.M_dyn, A.M_D], [A.M_Dphi_s, A.M_Wphi_s]))
-BIASES = Relation(A.H_sys, stack(A.h_dyn, A.h_phi_s))
+BALANCE = Equality(A.M_dyn @ A.Psi_Z_s + A.M_D @ A.eta_s + A.h_dyn, A.W_s)
+COLUMNS = Equality(A.M_dyn, A.M_s @ (I24 + A.T_gamma_s) + A.M_DPsi)
+UNKNOWNS = Equality(A.q_sys, stack(A.Psi_Z_s, A.eta_s))
+MATRIX = Equality(A.M_sys, block([A.M_dyn, A.M_D], [A.M_Dphi_s, A.M_Wphi_s]))
+BIASES = Equality(A.H_sys, stack(A.h_dyn, A.h_phi_s))
 
 SYSTEM = (
     equation(
@@ -121,8 +123,8 @@ SYSTEM = (
         "discretised rows of joints and links",
         BALANCE,
         COLUMNS,
-        Relation(A.h_dyn, A.h_Ms + A.h_MD),
-        derived=(BALANCE, COLUMNS, Relation(A.h_dyn, A.h_Ms + A.h_MD + A.h_s)),
+        Equality(A.h_dyn, A.h_Ms + A.h_MD),
+        derived=(BALANCE, COLUMNS, Equality(A.h_dyn, A.h_Ms + A.h_MD + A.h_s)),
         errata=("E25",),
         block="z_rows.V_H_Z, z_rows.joint_H_Z",
         note=f"{TWO_LINKS} Each matrix is measured on the judge's arm, unknown by unknown.",
@@ -130,7 +132,7 @@ SYSTEM = (
     equation(
         "98",
         "discretised system",
-        Relation(A.M_sys @ A.q_sys + A.H_sys, A.W_sys),
+        Equality(A.M_sys @ A.q_sys + A.H_sys, A.W_sys),
         block="link_rows.V_V, link_rows.V_eta, link_rows.eta_eta, joint_rows.joint_V",
         note=f"{TWO_LINKS} Its matrices are measured on the judge's arm; what (100) puts in them is judged there.",
     ),
@@ -140,8 +142,8 @@ SYSTEM = (
         UNKNOWNS,
         MATRIX,
         BIASES,
-        Relation(A.W_sys, stack(A.W_s, zeros(12))),
-        derived=(UNKNOWNS, MATRIX, BIASES, Relation(A.W_sys, stack(A.W_s, A.f_phi_s))),
+        Equality(A.W_sys, stack(A.W_s, zeros(12))),
+        derived=(UNKNOWNS, MATRIX, BIASES, Equality(A.W_sys, stack(A.W_s, A.f_phi_s))),
         errata=("E16",),
         block="link_rows.V_V, link_rows.eta_next, link_rows.eta_W",
         note=f"{TWO_LINKS} External wrenches at the ends of a link do work on its modes; the last rows hold them, and "
@@ -150,11 +152,11 @@ SYSTEM = (
     equation(
         "jacobian",
         "rates of the coordinates",
-        Relation(L.qdot, L.J_q_link @ stack(L.omega, L.rdot)),
-        Relation(L.J_q_link, block([L.J_theta, O33], [O33, identity(3)])),
+        Equality(L.qdot, L.J_q_link @ stack(L.omega, L.rdot)),
+        Equality(L.J_q_link, block([L.J_theta, O33], [O33, identity(3)])),
         derived=(
-            Relation(L.qdot, L.J_q_link @ stack(L.omega, L.rdot)),
-            Relation(L.J_q_link, block([inverse(L.J_theta), O33], [O33, identity(3)])),
+            Equality(L.qdot, L.J_q_link @ stack(L.omega, L.rdot)),
+            Equality(L.J_q_link, block([inverse(L.J_theta), O33], [O33, identity(3)])),
         ),
         errata=("E18",),
         block="z_form.J_inverse, z_form.thetadot",
@@ -177,21 +179,21 @@ VELOCITY = TO_V @ L.Z
 LINK_BY_LINK = "Judged link by link; the arm's is the sum."
 
 
-def coupling(left: Expression, right: Symbol) -> Relation:
+def coupling(left: Expression, right: Symbol) -> Equality:
     """The two cross terms of the kinetic energy and their sum."""
     second = SPEED.T @ (M_DPHI @ right)
-    return Relation(left.T @ (M_D @ SPEED) + second, 2 * second)
+    return Equality(left.T @ (M_D @ SPEED) + second, 2 * second)
 
 
-def energy(left: Expression, right: Symbol) -> Relation:
+def energy(left: Expression, right: Symbol) -> Equality:
     """The kinetic energy as a quadratic form."""
     cross = 2 * (SPEED.T @ (M_DPHI @ right))
-    return Relation(2 * L.T, left.T @ (M_DYN @ right) + cross + SPEED.T @ (M_WPHI @ SPEED))
+    return Equality(2 * L.T, left.T @ (M_DYN @ right) + cross + SPEED.T @ (M_WPHI @ SPEED))
 
 
 def asymmetry(seed: int) -> tuple[float, float]:
     """How far the differential-modal block of a link is from a symmetric matrix without negative eigenvalues."""
-    v = Motion(seed).values
+    v = RandomMotion(seed).values
     M = np.block([[v["M_dyn_diff:i"], v["M_D_link:i"]], [v["M_Dphi_diff:i"], v["M_Wphi:i"]]])
     rows = np.eye(12)
     rows[:6, :6] += v["T_gamma:i"].T
@@ -208,13 +210,13 @@ SYMMETRY = (
     equation(
         "103",
         "modal rows and columns",
-        Relation(L.M_Dphi, block([O66, L.M_D_link.T])),
-        Relation(L.integral(-(L.phi.T @ hat(L.r_ib))), Transpose(L.integral(L.phi))),
-        Relation(L.integral(L.phi.T), Transpose(L.integral(hat(L.r_xi) @ L.phi))),
+        Equality(L.M_Dphi, block([O66, L.M_D_link.T])),
+        Equality(L.integral(-(L.phi.T @ hat(L.r_ib))), Transpose(L.integral(L.phi))),
+        Equality(L.integral(L.phi.T), Transpose(L.integral(hat(L.r_xi) @ L.phi))),
         derived=(
-            Relation(L.M_Dphi, block([L.J_a.T @ TO_BASE, L.M_D_link.T @ TO_V])),
-            Relation(over(-(L.phi.T @ hat(L.r_ib))), Transpose(over(hat(L.r_ib) @ L.phi))),
-            Relation(over(L.phi.T), Transpose(over(L.phi))),
+            Equality(L.M_Dphi, block([L.J_a.T @ TO_BASE, L.M_D_link.T @ TO_V])),
+            Equality(over(-(L.phi.T @ hat(L.r_ib))), Transpose(over(hat(L.r_ib) @ L.phi))),
+            Equality(over(L.phi.T), Transpose(over(L.phi))),
         ),
         section="6",
         errata=("E8", "E9", "E16", "E24", "E26"),

@@ -5,14 +5,23 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
-from ..algebra.expression import Block, Expression, Sum, is_zero
+from ..algebra.expression import BlockMatrix, Expression, Sum, is_zero
 from ..algebra.notation import latex, terms
 from ..backends.latex import document as latex_document
-from ..backends.latex.content import CITATION, Display, Document, Heading, Item, Paragraph, Section, Table
+from ..backends.latex.content import (
+    CITATION,
+    Display,
+    Document,
+    DocumentSection,
+    DocumentTable,
+    Heading,
+    Item,
+    Paragraph,
+)
 from ..backends.latex.layout import PAGE, Formula, fill, width
 from ..backends.latex.layout import equation as broken
 from ..version import __version__
-from .equation import Equation, Relation
+from .equation import Equality, Equation
 from .equation import Formula as Statement
 from .erratum import Erratum, Figure
 from .register import SECTIONS
@@ -47,17 +56,18 @@ def content(equations: Sequence[Equation], errata: Sequence[Erratum]) -> Documen
         items = [item for e in equations if e.section == number_ for item in equation_items(e)]
         if items:
             place = f"Section {number_}" if number_.isdigit() else f"Appendix {number_}"
-            sections.append(Section(f"{place}: {title}", items))
+            sections.append(DocumentSection(f"{place}: {title}", items))
     if errata:
-        sections.append(Section("Errata", [item for e in errata for item in erratum_items(e)]))
+        sections.append(DocumentSection("Errata", [item for e in errata for item in erratum_items(e)]))
     return Document("paper", __version__, tuple(sections), TITLE)
 
 
-def _overview(equations: Sequence[Equation]) -> Section:
+def _overview(equations: Sequence[Equation]) -> DocumentSection:
     """How the paper was checked, and a table of what became of each equation."""
     rows = [(f"({e.label})", e.title, e.standing.value, ", ".join(e.errata)) for e in equations]
-    table = Table(("equation", "what", "standing", "errata"), LIST_WIDTHS, tuple(rows))
-    return Section("What holds", [Paragraph(f"{CITATION}."), Paragraph(METHOD), Paragraph(counted(equations)), table])
+    table = DocumentTable(("equation", "what", "standing", "errata"), LIST_WIDTHS, tuple(rows))
+    words = [Paragraph(text) for text in (f"{CITATION}.", METHOD, counted(equations))]
+    return DocumentSection("What holds", [*words, table])
 
 
 # ----------------------------------------------------------------------------------------- equations
@@ -85,11 +95,11 @@ def equation_items(e: Equation) -> list[Item]:
     return [*items, Paragraph(text)] if text else items
 
 
-def statement(s: Relation | Statement) -> Item:
+def statement(s: Equality | Statement) -> Item:
     """A printed or derived line: a displayed formula, or words."""
-    if isinstance(s, Relation):
+    if isinstance(s, Equality):
         left, right = latex(s.left), latex(s.right)
-        if isinstance(s.left, Sum) and not isinstance(s.right, Block) and width(f"{left} = {right}") > PAGE:
+        if isinstance(s.left, Sum) and not isinstance(s.right, BlockMatrix) and width(f"{left} = {right}") > PAGE:
             return Display(tuple(("", line) for line in fill([*terms(s.left), f"= {right}"], PAGE)))
         return Display(_laid_out(left, s.right))
     if isinstance(s.statement, str):
@@ -100,14 +110,14 @@ def statement(s: Relation | Statement) -> Item:
 
 def _laid_out(left: str, right: Expression) -> Formula:
     """``left = right`` fitted to the page; a matrix that is too wide, entry by entry."""
-    if not isinstance(right, Block) or width(f"{left} = {latex(right)}") <= PAGE:
+    if not isinstance(right, BlockMatrix) or width(f"{left} = {latex(right)}") <= PAGE:
         return broken(left, terms(right)) if left else tuple(("", line) for line in fill(terms(right), PAGE))
     rows = [(rf"\text{{row }}{i}\text{{, column }}{j}:", x) for i, j, x in _entries(right)]
     head = ((left, r"= \text{the matrix with}"),) if left else ()
     return (*head, *(line for mark, x in rows for line in _entry(mark, x)))
 
 
-def _entries(e: Block) -> list[tuple[int, int, Expression]]:
+def _entries(e: BlockMatrix) -> list[tuple[int, int, Expression]]:
     return [(i, j, x) for i, row in enumerate(e.rows, 1) for j, x in enumerate(row, 1) if not is_zero(x)]
 
 
@@ -125,14 +135,15 @@ def erratum_items(e: Erratum) -> list[Item]:
         Heading(f"{e.number}: {e.title}"),
         Paragraph(f"In {where(e)}. Printed: {e.printed}."),
         Paragraph(f"What holds: {e.holds}."),
-        Table(("figure", "printed", "derived", "must be"), FIGURE_WIDTHS, tuple(map(_figure, e.figures))),
+        DocumentTable(("figure", "printed", "derived", "must be"), FIGURE_WIDTHS, tuple(map(_figure, e.figures))),
     ]
 
 
 def _figure(f: Figure) -> tuple[str, str, str, str]:
     unit = "" if f.unit == "-" else f" {f.unit}"
-    cells = [_set(number(f, x)) for x in (f.printed, f.derived, f.truth)]
-    return (f.what, *(cell + (unit if cell != "0" else "") for cell in cells))
+    cells = (_set(number(f, x)) for x in (f.printed, f.derived, f.truth))
+    printed, derived, truth = (cell + (unit if cell != "0" else "") for cell in cells)
+    return f.what, printed, derived, truth
 
 
 def _set(text: str) -> str:

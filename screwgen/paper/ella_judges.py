@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import cos, cosh, exp, hypot, log, pi, sin, sinh, sqrt
 
 import numpy as np
 import sympy as sp
 from scipy.optimize import brentq
 
-from .arm import AXES, LENGTHS, SECTION, SET_POINTS, turn
+from .arm import AXES, LENGTHS, ROD, SET_POINTS, turn
 from .clamped_beam import Beam, places
 from .moving_link import exponential_coordinates
 
 STEPS = 200
-FOREARM = Beam(LENGTHS[1], SECTION.EIz, SECTION.rhoA)
+Shape = Callable[[int], Callable]
+"""The derivatives of a function, by their order."""
+FOREARM = Beam(LENGTHS[1], ROD.EIz, ROD.rhoA)
 """The paper's second link, clamped, bending in y, without its payload."""
 
 
@@ -32,21 +34,21 @@ def ratio(wave: float) -> float:
     return (sinh(wave) - sin(wave)) / (cosh(wave) + cos(wave))
 
 
-def values(right: sp.Expr, **given: float) -> Callable[[int], Callable]:
+def values(right: sp.Expr, **given: float) -> Shape:
     """The derivatives of a shape as functions of xi: its symbols by the letter of their LaTeX."""
     known = {s: given[s.name.strip("\\").partition("_")[0]] for s in right.free_symbols if s.name != r"\xi_i"}
     xi = sp.Symbol(r"\xi_i")
     shape = right.subs(known).doit()
-    return lambda order=0: sp.lambdify(xi, sp.diff(shape, xi, order), "numpy")
+    return lambda order: sp.lambdify(xi, sp.diff(shape, xi, order), "numpy")
 
 
-def bending(right: sp.Expr, n: int, L: float) -> Callable[[int], Callable]:
+def bending(right: sp.Expr, n: int, L: float) -> Shape:
     """The n-th shape of a bending formula on a link of length L."""
     wave = root(n)
     return values(right, a=1.0, beta=wave / L, r=ratio(wave))
 
 
-def gram(shapes, L: float) -> np.ndarray:
+def gram(shapes: Sequence[Shape], L: float) -> np.ndarray:
     """Integrals of the products of shapes, by quadrature."""
     s, weights = places()
     found = np.array([shape(0)(s * L) for shape in shapes])
@@ -68,11 +70,11 @@ def axial_misfit(right: sp.Expr, L: float) -> float:
     return float(max(abs(shape(0)(0.0)), abs(shape(1)(L)) * 2 * L / pi) / greatest(shape, L))
 
 
-def greatest(shape, L: float) -> float:
+def greatest(shape: Shape, L: float) -> float:
     return float(np.abs(shape(0)(np.linspace(0, L, 101))).max())
 
 
-def tip_deflection(shape, L: float) -> float:
+def tip_deflection(shape: Shape, L: float) -> float:
     """Of a clamped beam that bends in one shape alone, the deflection under a force at its tip over the exact one."""
     s, weights = places()
     return 3 * shape(0)(L) ** 2 / (L**4 * (weights @ shape(2)(s * L) ** 2))
@@ -157,15 +159,16 @@ def second_mode(seed: int) -> tuple[float, float]:
     loaded = Beam(beam.L, beam.EI, beam.rhoA, np.random.default_rng(seed).uniform(0.5, 2.0) * beam.rhoA * beam.L)
     first, second = loaded.frequencies(2)
     mu = loaded.tip_mass / (beam.rhoA * beam.L)
-    found = ((4.6941 / 1.8751) ** 2, (root(2, mu) / root(1, mu)) ** 2)
-    return tuple(abs(x * first / second - 1) for x in found)
+    gap = lambda x: abs(x * first / second - 1)  # noqa: E731
+    return gap((4.6941 / 1.8751) ** 2), gap((root(2, mu) / root(1, mu)) ** 2)
 
 
 def section(seed: int) -> tuple[float, float]:
     """A frequency of the second link in z: the two statements of its stiffness against Ritz's method."""
-    truth = Beam(LENGTHS[1], SECTION.EIy, SECTION.rhoA).frequencies(mode(seed))[-1]
-    found = (root(mode(seed)) ** 2 / (2 * pi * LENGTHS[1] ** 2) * sqrt(EI / SECTION.rhoA) for EI in (3.67e3, 2.12e3))
-    return tuple(abs(f / truth - 1) for f in found)
+    truth = Beam(LENGTHS[1], ROD.EIy, ROD.rhoA).frequencies(mode(seed))[-1]
+    found = lambda EI: root(mode(seed)) ** 2 / (2 * pi * LENGTHS[1] ** 2) * sqrt(EI / ROD.rhoA)  # noqa: E731
+    gap = lambda EI: abs(found(EI) / truth - 1)  # noqa: E731
+    return gap(3.67e3), gap(2.12e3)
 
 
 # --------------------------------------------------------------------------------------- control law
@@ -190,7 +193,7 @@ def loop_work(gains: np.ndarray, radius: float, points: int = 128) -> tuple[floa
         torque = gains * (target - rotation_vector(AXES[0], *q))
         printed += torque @ omega * 2 * pi / points
         amount += abs(torque @ omega) * 2 * pi / points
-        joints += gains[1:] @ ((centre - q) * dq) * 2 * pi / points
+        joints += float(gains[1:] @ ((centre - q) * dq)) * 2 * pi / points
     return printed, joints, amount
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from . import ella_judges as judges
-from .arm import LENGTHS, SECTION
+from .arm import LENGTHS, ROD
 from .equation import Equation, Formula
 
 XI, L = sp.Symbol(r"\xi_i"), sp.Symbol("L")
@@ -32,14 +34,14 @@ def equals(left: sp.Expr, right: sp.Expr) -> sp.Eq:
     return sp.Eq(left, right, evaluate=False)
 
 
-def equation(label: str, title: str, *printed: Formula, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Formula, **rest: Any) -> Equation:
     return Equation(label=label, section="7", title=title, printed=printed, **rest)
 
 
 # ------------------------------------------------------------------------------------------- shapes
 
 
-def axial(wave) -> sp.Eq:
+def axial(wave: type[sp.Function]) -> sp.Eq:
     """The first axial shape with a sine or cosine, as a derivative or not."""
     factors = [sp.pi / (2 * L)] if wave is sp.cos else []
     shape = times(sp.Symbol("a_x"), *factors, wave(times(sp.pi / (2 * L), XI)))
@@ -70,7 +72,8 @@ def bending_equation(d: str, title: str) -> Equation:
 
     def judge(seed: int) -> tuple[float, float]:
         n, length = judges.mode(seed), judges.drawn(seed).L
-        return tuple(judges.bending_misfit(e.rhs, n, length) for e in (printed, derived))
+        misfit = lambda e: judges.bending_misfit(e.rhs, n, length)  # noqa: E731
+        return misfit(printed), misfit(derived)
 
     return equation(
         f"phi_{d}",
@@ -85,7 +88,8 @@ def bending_equation(d: str, title: str) -> Equation:
 
 
 def judge_axial(seed: int) -> tuple[float, float]:
-    return tuple(judges.axial_misfit(axial(wave).rhs, judges.drawn(seed).L) for wave in (sp.cos, sp.sin))
+    misfit = lambda wave: judges.axial_misfit(axial(wave).rhs, judges.drawn(seed).L)  # noqa: E731
+    return misfit(sp.cos), misfit(sp.sin)
 
 
 # --------------------------------------------------------------------------------- single statements
@@ -130,19 +134,19 @@ INITIAL = (-0.02, 0.0065, -0.0083)
 
 def axial_load() -> tuple[float, float]:
     """Force in MN and energy in kJ that the x component of the initial displacement takes in a link along x."""
-    force = SECTION.EA * abs(INITIAL[0]) / LENGTHS[1]
+    force = ROD.EA * abs(INITIAL[0]) / LENGTHS[1]
     return force / 1e6, force * abs(INITIAL[0]) / 2 / 1e3
 
 
 def printed_bound() -> float:
     """(stability) in s with the text's numbers."""
-    given = {FIRST_ROOT: 1.8751, n: 1, l: LENGTHS[1], RHO_A: DENSITY * AREA, EI: SECTION.EIz}
+    given = {FIRST_ROOT: 1.8751, n: 1, l: LENGTHS[1], RHO_A: DENSITY * AREA, EI: ROD.EIz}
     return float(BOUND.subs(given).doit())
 
 
 def axial_frequency() -> float:
     """rad/s of the first axial mode of the second link, clamped."""
-    return float(sp.pi) / (2 * LENGTHS[1]) * (SECTION.EA / SECTION.rhoA) ** 0.5
+    return float(sp.pi) / (2 * LENGTHS[1]) * (ROD.EA / ROD.rhoA) ** 0.5
 
 
 SECTION_TEXT = (
@@ -170,7 +174,7 @@ EQUATIONS = (
         gap=(Formula(r"$EI_y$: $3.67 \times 10^3 - 2.12 \times 10^3 = 1.55 \times 10^3$ N·m²"),),
         judge=judges.section,
         note="Judged by the frequencies of the bare second link in z. The text's $EA$ is "
-        f"{100 * (1 - SECTION.EA / (YOUNG * AREA)):.1f} % below its product of E and A; with its density, "
+        f"{100 * (1 - ROD.EA / (YOUNG * AREA)):.1f} % below its product of E and A; with its density, "
         f"$\\rho A = {DENSITY * AREA:.4f}$ kg/m. It gives the tip of the second link a displacement at t = 0, "
         f"{list(INITIAL)} m in inertial components, at $b_i$, elsewhere $c_i$, and no posture. Of a link along x, "
         "the first would be axial and take {:.2f} MN and {:.1f} kJ: bending moves the tip across the link.".format(

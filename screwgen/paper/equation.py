@@ -11,8 +11,8 @@ import sympy as sp
 
 from ..algebra.expression import Constant, Expression, Symbol, is_zero
 from ..algebra.rewrite import difference, expand, substitute, symbols
-from .evaluate import evaluate, size
-from .motion import Motion, instant
+from .evaluate import Instant, evaluate, size
+from .random_motion import instant
 
 TOLERANCE = 1e-11
 """What a formula that holds may miss, relative to its largest term."""
@@ -28,7 +28,7 @@ class Standing(Enum):
 
 
 @dataclass(frozen=True)
-class Relation:
+class Equality:
     """``left = right``: matrix expressions over the paper's symbols."""
 
     left: Expression
@@ -38,11 +38,11 @@ class Relation:
     def residual(self) -> Expression:
         return self.left - self.right
 
-    def read(self, reading: Mapping[str, Expression]) -> Relation:
+    def read(self, reading: Mapping[str, Expression]) -> Equality:
         """The relation with symbols replaced."""
-        return Relation(substitute(self.left, reading), substitute(self.right, reading)) if reading else self
+        return Equality(substitute(self.left, reading), substitute(self.right, reading)) if reading else self
 
-    def misfit(self, motion: Motion) -> float:
+    def misfit(self, motion: Instant) -> float:
         """How far the two sides are apart, relative to the largest term of either."""
         gap = np.abs(evaluate(self.left, motion) - evaluate(self.right, motion)).max()
         scale = max(size(self.left, motion), size(self.right, motion))
@@ -66,7 +66,7 @@ class Formula:
         return [first, *(t if t.startswith("-") else f"+ {t}" for t in rest)]
 
 
-Statement = Relation | Formula
+Statement = Equality | Formula
 Judge = Callable[[int], tuple[float, float]]
 """From a seed to the relative misfits of the printed and of the derived statement."""
 
@@ -106,7 +106,7 @@ class Equation:
     @property
     def symbols(self) -> list[Symbol]:
         """The symbols of the printed lines, then of the derived ones, in the order of their appearance."""
-        sides = [side for s in (*self.printed, *self.derived) if isinstance(s, Relation) for side in (s.left, s.right)]
+        sides = [side for s in (*self.printed, *self.derived) if isinstance(s, Equality) for side in (s.left, s.right)]
         return list(dict.fromkeys(s for side in sides for s in symbols(side)))
 
     def misfits(self, seed: int) -> tuple[float, float]:
@@ -114,24 +114,24 @@ class Equation:
         if self.judge:
             return self.judge(seed)
         motion = instant(seed, self.isolated)
-        as_read = max(s.read(self.reading).read(self.where).misfit(motion) for s in self.printed)
-        derived = [s.read(self.where).misfit(motion) for s in self.derived]
+        as_read = max(relation(s).read(self.reading).read(self.where).misfit(motion) for s in self.printed)
+        derived = [relation(s).read(self.where).misfit(motion) for s in self.derived]
         return as_read, max(derived, default=as_read)
 
     def differences(self) -> list[Expression]:
         """Printed minus derived, line by line, with equal terms cancelled; empty where nothing differs."""
-        if not self.derived or not all(isinstance(s, Relation) for s in (*self.printed, *self.derived)):
+        if not self.derived or not all(isinstance(s, Equality) for s in (*self.printed, *self.derived)):
             return []
-        pairs = zip(self.printed, self.derived, strict=True)
+        pairs = zip(map(relation, self.printed), map(relation, self.derived), strict=True)
         return [d for d in (self._difference(p.read(self.reading), d) for p, d in pairs) if not is_zero(d)]
 
     def gaps(self) -> tuple[Expression | Formula, ...]:
         """The differences as they are shown: of matrix expressions, of sympy's equalities, or as stated."""
         pairs = zip(self.printed, self.derived, strict=False)
-        equalities = [_subtracted(p.statement, d.statement) for p, d in pairs if _are_equalities(p, d)]
+        equalities = [_subtracted(*both) for p, d in pairs if (both := _equalities(p, d))]
         return (*self.differences(), *equalities, *self.gap)
 
-    def _difference(self, printed: Relation, derived: Relation) -> Expression:
+    def _difference(self, printed: Equality, derived: Equality) -> Expression:
         """The shorter of the differences with and without the definitions put in."""
         found = []
         for where in ({}, self.where):
@@ -141,12 +141,17 @@ class Equation:
         return min(found, key=length)
 
 
-def _are_equalities(*lines: Statement) -> bool:
-    """Whether lines give the same quantity by formulas of sympy."""
-    statements = [s.statement for s in lines if isinstance(s, Formula)]
-    return (
-        len(statements) == 2 and all(isinstance(s, sp.Eq) for s in statements) and len({s.lhs for s in statements}) == 1
-    )
+def relation(statement: Statement) -> Equality:
+    """A line that relates matrix expressions; TypeError for a formula of sympy."""
+    if isinstance(statement, Equality):
+        return statement
+    raise TypeError(f"{statement} relates no matrix expressions")
+
+
+def _equalities(*lines: Statement) -> list[sp.Eq]:
+    """Two lines that give the same quantity by formulas of sympy; else none."""
+    found = [s.statement for s in lines if isinstance(s, Formula) and isinstance(s.statement, sp.Eq)]
+    return found if len(found) == 2 and found[0].lhs == found[1].lhs else []
 
 
 def _subtracted(printed: sp.Eq, derived: sp.Eq) -> Formula:

@@ -12,7 +12,7 @@ from ..model import derive
 from ..spec.robot import Body, Joint, Link, Modes, Robot
 from ..studies.modes import natural_frequencies
 from . import ella_judges as judges
-from .arm import LENGTHS, MASSES, SECTION, SET_POINTS, ella
+from .arm import LENGTHS, MASSES, ROD, SECTION, SET_POINTS, ella
 from .clamped_beam import Beam
 from .ella_section import axial, axial_frequency, clamped_free, printed_bending, printed_bound
 from .erratum import Erratum, Figure
@@ -38,12 +38,12 @@ def shapes() -> tuple[Figure, ...]:
     moved = [shape(0)(0.0) / judges.greatest(shape, L) for shape in x]
     bent = [judges.tip_deflection(shape[0], L) for shape in y]
     return (
-        Figure("$\\phi_x$ at the clamp, over its greatest value", "-", *moved, scale=1.0),
-        Figure("$\\phi_y'$ at the clamp, over its greatest value", "-", *slope, scale=1.0),
-        Figure("overlap of the first two $\\phi_y$, both of norm 1", "-", *overlap, scale=1.0),
-        Figure("overlap of the first and the third $\\phi_y$, both of norm 1", "-", *further, scale=1.0),
-        Figure(
-            "tip deflection under a force in the first $\\phi_y$, over the exact", "-", *bent, 12 / judges.root(1) ** 4
+        Figure.of("$\\phi_x$ at the clamp, over its greatest value", "-", moved, scale=1.0),
+        Figure.of("$\\phi_y'$ at the clamp, over its greatest value", "-", slope, scale=1.0),
+        Figure.of("overlap of the first two $\\phi_y$, both of norm 1", "-", overlap, scale=1.0),
+        Figure.of("overlap of the first and the third $\\phi_y$, both of norm 1", "-", further, scale=1.0),
+        Figure.of(
+            "tip deflection under a force in the first $\\phi_y$, over the exact", "-", bent, 12 / judges.root(1) ** 4
         ),
     )
 
@@ -73,14 +73,14 @@ def steps() -> tuple[Figure, ...]:
 
 def stiffness() -> tuple[Figure, ...]:
     """The two statements of EI_y."""
-    L, rhoA = LENGTHS[1], SECTION.rhoA
-    found = [Beam(L, EI, rhoA).frequencies(1)[0] for EI in (TEXT["EIy"], SECTION.EIy)]
-    y = Beam(L, SECTION.EIz, rhoA).frequencies(1)[0]
-    truth = judges.root(1) ** 2 / (2 * pi * L**2) * sqrt(SECTION.EIy / rhoA)
+    L, rhoA = LENGTHS[1], ROD.rhoA
+    found = [Beam(L, EI, rhoA).frequencies(1)[0] for EI in (TEXT["EIy"], ROD.EIy)]
+    y = Beam(L, ROD.EIz, rhoA).frequencies(1)[0]
+    truth = judges.root(1) ** 2 / (2 * pi * L**2) * sqrt(ROD.EIy / rhoA)
     ratios = [y / z for z in found]
     return (
-        Figure("lowest frequency of the bare second link in z", "Hz", *found, truth),
-        Figure("its lowest frequency in y over that in z", "-", *ratios, sqrt(SECTION.EIz / SECTION.EIy)),
+        Figure.of("lowest frequency of the bare second link in z", "Hz", found, truth),
+        Figure.of("its lowest frequency in y over that in z", "-", ratios, sqrt(ROD.EIz / ROD.EIy)),
     )
 
 
@@ -120,7 +120,7 @@ def loaded_forearm() -> Robot:
 
 def second_mode() -> tuple[Figure, ...]:
     """Ratios of frequencies under the loads that the arm carries."""
-    derived, truth = model_frequencies(loaded_forearm()), Beam(LENGTHS[1], SECTION.EIz, SECTION.rhoA, MASSES[1])
+    derived, truth = model_frequencies(loaded_forearm()), Beam(LENGTHS[1], ROD.EIz, ROD.rhoA, MASSES[1])
     first, second = truth.frequencies(2)
     frame, whole = arm_frequencies(), arm()
     return (

@@ -7,12 +7,12 @@ import numpy as np
 from .erratum import Erratum, Figure, misfit
 from .evaluate import evaluate
 from .kinematics import EQUATIONS, L
-from .motion import Motion
+from .random_motion import RandomMotion
 
 
 def missing_transport() -> tuple[Figure, ...]:
     """(dvi) + (dvxi) + (dvb) against the acceleration (21) of an element, and against the term that is missing."""
-    motion = Motion(1)
+    motion = RandomMotion(1)
     total = sum(evaluate(x, motion)[..., 3:, :] for x in (L.dV_xi, L.dV_b))  # as printed, and these two hold
     truth, lost = motion.values["dd_r_ob:i"], evaluate(L.omega, motion)
     lost = np.cross(lost, motion.values["v:i"], axis=0)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..algebra.expression import Expression
 from ..algebra.rewrite import substitute
+from .equation import relation
 from .errata_link_ends import ERRATA as ENDS
 from .erratum import Erratum, Figure, misfit
 from .evaluate import evaluate
@@ -30,12 +32,12 @@ G = 9.81
 TORQUE_X, TORQUE_Y, TORQUE_Z = range(3)
 
 
-def wrench(link: SingleLink, D=DERIVED_D, H=DERIVED_H_STAR) -> np.ndarray:
+def wrench(link: SingleLink, D: Expression = DERIVED_D, H: Expression = DERIVED_H_STAR) -> np.ndarray:
     """The external wrench by (26), perhaps with a part as printed."""
     return evaluate(M_STAR @ L.Vdot + D + H, link)[:, 0]
 
 
-def torque(what: str, link: SingleLink, row: int, **printed) -> Figure:
+def torque(what: str, link: SingleLink, row: int, **printed: Expression) -> Figure:
     """A torque on the link by (26), against the balance of momentum of its elements."""
     return Figure(what, "N·m", wrench(link, **printed)[row], wrench(link)[row], link.values["total:i"][row, 0])
 
@@ -44,7 +46,7 @@ def counted_twice() -> tuple[Figure, ...]:
     """A bent link at rest begins to turn about its centreline: only what is displaced is accelerated."""
     link = SingleLink(R=turn(X, 0.3, 0, 10), eta=shaped(0, 0.05))
     lines = (*DEFORMATION.printed, *DEFORMATION.derived)
-    printed, derived = (evaluate(line.left - STRESS, link)[-1, 2, 0] for line in lines)
+    printed, derived = (evaluate(relation(line).left - STRESS, link)[-1, 2, 0] for line in lines)
     truth = link.values["dd_r_ob:i"][-1, 2, 0]
     what = "acceleration near the tip of a bent link at rest that begins to turn about x with 10 rad/s²"
     return misfit(EQUATIONS, "34"), Figure(what, "m/s²", printed, derived, truth)
@@ -52,7 +54,7 @@ def counted_twice() -> tuple[Figure, ...]:
 
 def weight_about_inertial_origin() -> tuple[Figure, ...]:
     """A straight level link at rest, far from the inertial origin: its weight turns it about its own frame."""
-    link = SingleLink(R=turn(Z, 0.3, 0, 0), origin=constant([[4.0], [0], [0]]), gravity=(0, 0, -G))
+    link = SingleLink(R=turn(Z, 0.3, 0, 0), origin=constant([[4.0], [0.0], [0.0]]), gravity=(0, 0, -G))
     held = torque("", link, TORQUE_Y, H=READ_H_STAR)
     truth = -RHO_A * LENGTH * G * TO_MASS_CENTRE
     what = "torque about y that holds a level link of 2 kg, its mass centre 0.25 m and the inertial origin 4 m away"
@@ -71,7 +73,7 @@ def flight() -> tuple[Figure, ...]:
     """A straight link flies freely: its mass centre moves uniformly, its spin about z is steady."""
     R = turn(Z, 0.3, 3, 0)
     centre = Jet(np.array([[0.5], [0.2], [0.0]]), np.array([[2.0], [0.5], [0.0]]), np.zeros((3, 1)))
-    link = SingleLink(R=R, origin=centre - R @ constant([[TO_MASS_CENTRE], [0], [0]]))
+    link = SingleLink(R=R, origin=centre - R @ constant([[TO_MASS_CENTRE], [0.0], [0.0]]))
     what = "torque about z on a straight link in free flight at 2.1 m/s that spins with 3 rad/s"
     return (torque(what, link, TORQUE_Z, H=READ_H_STAR),)
 

@@ -9,14 +9,15 @@ from numpy.polynomial.legendre import leggauss
 from ..model import derive
 from ..spec.robot import Joint, Link, Robot
 from ..spec.section import Section
-from .arm import LENGTHS, MASSES, SECTION, ella
+from .arm import LENGTHS, MASSES, ROD, ella
 from .beam_at_rest import BeamAtRest
+from .equation import relation
 from .erratum import Erratum, Figure, misfit
 from .evaluate import evaluate
 from .jets import skew, turn
 from .link import DEFORMATION, DERIVED_H_STAR, EQUATIONS, M_STAR, PRINTED_H_STAR, WRENCHES, L
 from .link_ends import DERIVED_H, PRINTED_H
-from .motion import Motion
+from .random_motion import RandomMotion
 from .single_link import INSIDE, LENGTH, RHO_A, SingleLink
 
 G = 9.81
@@ -30,7 +31,7 @@ def end_force() -> tuple[Figure, ...]:
     free = {f"{name}:i": np.zeros((3, 1)) for name in ("tau_B", "tau_T", "F_B")}
     link.values |= free | {"F_T:i": np.array([[0.0], [-1.0], [0.0]])}
     lines = (*END_WRENCH.printed, *END_WRENCH.derived)
-    printed, derived = (evaluate(line.right, link)[2, 0] for line in lines)
+    printed, derived = (evaluate(relation(line).right, link)[2, 0] for line in lines)
     truth = (LENGTH - INSIDE) * 1.0
     pulled = BeamAtRest(1, force=(1.0, 0, 0), torque=NOTHING, gravity=NOTHING).values
     exerted = pulled["F_T:i"][0, 0]
@@ -57,16 +58,16 @@ def direction_of_weight() -> tuple[Figure, ...]:
     link = SingleLink(R=turn((0, 0, 1), 0.3, 0, 0), gravity=(0, 0, -G))
     held = [evaluate(H, link)[5, 0] for H in (PRINTED_H_STAR, DERIVED_H_STAR)]
     beam = BeamAtRest(1, force=NOTHING, torque=NOTHING, gravity=(0, 0, -G))
-    left_over = [np.abs(evaluate(s[0].left, beam)).max() for s in (DEFORMATION.printed, DEFORMATION.derived)]
+    left_over = [np.abs(evaluate(relation(s[0]).left, beam)).max() for s in (DEFORMATION.printed, DEFORMATION.derived)]
     return (
-        Figure("force in z that holds a link of 2 kg at rest, with g of free fall", "N", *held, RHO_A * LENGTH * G),
-        Figure("what (34) leaves over for a beam that sags under its weight", "m/s²", *left_over, scale=G),
+        Figure.of("force in z that holds a link of 2 kg at rest, with g of free fall", "N", held, RHO_A * LENGTH * G),
+        Figure.of("what (34) leaves over for a beam that sags under its weight", "m/s²", left_over, scale=G),
     )
 
 
 def rank_of_inertia() -> tuple[Figure, ...]:
     """The inertia of a straight centreline, and of a round bar, whose sections have area."""
-    motion = Motion(1)
+    motion = RandomMotion(1)
     rank = matrix_rank(evaluate(M_STAR, motion)), matrix_rank(motion.values["M_star:i"])
     line, bar = evaluate(L.I_b, motion)[0, 0], _spin_of_bar(density=2700.0, radius=0.02, length=1.0)
     mass = 2700 * np.pi * 0.02**2
@@ -77,7 +78,8 @@ def rank_of_inertia() -> tuple[Figure, ...]:
 def _spin_of_bar(density: float, radius: float, length: float) -> float:
     """What the joint of a derived model feels that turns a round bar about its centreline, kg·m²."""
     area = np.pi * radius**2
-    section = Section(density=density, area=area, Iy=area * radius**2 / 4, Iz=area * radius**2 / 4)
+    I = area * radius**2 / 4
+    section = Section.model_validate({"density": density, "area": area, "Iy": I, "Iz": I})
     bar = Link(name="bar", length=length, section=section, joint=Joint(axes=("x",)))
     return derive(Robot(name="bar", gravity=NOTHING, links=[bar])).numpy().mass_matrix([0.0])[0, 0]
 
@@ -86,13 +88,13 @@ def bodies() -> tuple[Figure, ...]:
     """The arm of Section 7 at rest, held by its base: two beams, a motor, a payload."""
     model = derive(ella(0, axial=0, locked=True))
     _, wrenches = model.numpy().forward_dynamics([], [], [], np.zeros((2, 6)))
-    beams = SECTION.rhoA * sum(LENGTHS)
+    beams = ROD.rhoA * sum(LENGTHS)
     return (
         Figure(
             "force that holds the arm of Section 7 at rest",
             "N",
             beams * G,
-            norm(wrenches[0, 3:]),
+            float(norm(wrenches[0, 3:])),
             (beams + sum(MASSES)) * G,
         ),
     )

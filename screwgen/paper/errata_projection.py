@@ -24,7 +24,7 @@ def lever_of_the_origin() -> tuple[Figure, ...]:
     printed, derived = (field(L.r_ib, L.rdot_ib, gravity), field(L.r_ob, L.rdot_ob, -gravity))
     along = [modal_evidence.at_origin_of_link_2(left) for left in (printed, derived)]
     what = "the straight arm turns at 1 rad/s: acceleration of the elbow, 0.95 m from the axis, along the arm"
-    return Figure(what, "m/s²", *along, truth=-0.95), of("81")
+    return Figure.of(what, "m/s²", along, truth=-0.95), of("81")
 
 
 def mass_per_length() -> tuple[Figure, ...]:

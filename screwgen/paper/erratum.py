@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
+
+from .equation import Equation
 
 WRONG, RIGHT = 1e-3, 1e-9
 """Relative to the figure's scale: a printed figure is wrong beyond the first, a derived one right within the second."""
@@ -25,6 +27,12 @@ class Figure:
     truth: float = 0.0
     within: float = RIGHT
     scale: float | None = None
+
+    @classmethod
+    def of(cls, what: str, unit: str, both: Iterable[float], truth: float = 0.0, **more: float) -> Figure:
+        """The figure of two numbers, the printed formula's and the derived one's."""
+        printed, derived = map(float, both)
+        return cls(what, unit, printed, derived, truth, **more)
 
     @property
     def size(self) -> float:
@@ -59,7 +67,7 @@ class Erratum:
         return self.evidence()
 
 
-def misfit(equations, label: str, seed: int = 1) -> Figure:
+def misfit(equations: Iterable[Equation], label: str, seed: int = 1) -> Figure:
     """The relative misfit of an equation, as printed and as derived: on a random motion, or by its judge."""
     e = next(e for e in equations if e.label == label)
     printed, derived = e.misfits(seed)

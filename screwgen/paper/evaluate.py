@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import reduce
+from typing import Protocol
 
 import numpy as np
 
 from ..algebra.expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Expression,
     Hat,
@@ -21,10 +23,21 @@ from ..algebra.expression import (
     Transpose,
 )
 from .jets import skew
-from .motion import Motion
 
 
-def evaluate(e: Expression, motion: Motion) -> np.ndarray:
+class Instant(Protocol):
+    """What formulas are evaluated on: the values of symbols by name, and the weights of points by link index."""
+
+    @property
+    def values(self) -> Mapping[str, np.ndarray]:
+        """Arrays of the symbols' shapes; fields have one more axis in front."""
+
+    @property
+    def weights(self) -> Mapping[str, np.ndarray]:
+        """Of the points of a field, (points,)."""
+
+
+def evaluate(e: Expression, motion: Instant) -> np.ndarray:
     """The value of ``e``, (r, c), or of a field, (points, r, c); KeyError names a quantity the motion lacks."""
     inner = lambda x: evaluate(x, motion)  # noqa: E731
     match e:
@@ -47,27 +60,27 @@ def evaluate(e: Expression, motion: Motion) -> np.ndarray:
             return skew(inner(e.arg))
         case Trace():
             return np.trace(inner(e.arg), axis1=-2, axis2=-1)[..., None, None]
-        case Block():
+        case BlockMatrix():
             return _joined(e, motion)
         case Integral():
             return _integral(e, motion)
     raise TypeError(f"no value for {type(e).__name__}")
 
 
-def _joined(e: Block, motion: Motion) -> np.ndarray:
+def _joined(e: BlockMatrix, motion: Instant) -> np.ndarray:
     rows = [[evaluate(x, motion) for x in row] for row in e.rows]
     lead = max((x.shape[:-2] for row in rows for x in row), key=len)
     whole = [[np.broadcast_to(x, (*lead, *x.shape[-2:])) for x in row] for row in rows]
     return np.concatenate([np.concatenate(row, -1) for row in whole], -2)
 
 
-def _integral(e: Integral, motion: Motion) -> np.ndarray:
+def _integral(e: Integral, motion: Instant) -> np.ndarray:
     weights, field = motion.weights[e.index], evaluate(e.integrand, motion)
     total = np.tensordot(weights, field, 1) if field.ndim == 3 else weights.sum() * field
     return total if e.weight is None else evaluate(e.weight, motion) * total
 
 
-def size(e: Expression, motion: Motion) -> float:
+def size(e: Expression, motion: Instant) -> float:
     """The largest entry among the terms of a sum, or of a product with one: against this a residual is small or not."""
     match e:
         case Sum():

@@ -15,7 +15,7 @@ import numpy as np
 import scipy.linalg
 from scipy.spatial.transform import Rotation
 
-from .arm import AXES, LENGTHS, MASSES, SECTION, SET_POINTS, turn
+from .arm import AXES, LENGTHS, MASSES, ROD, SET_POINTS, turn
 
 ELEMENTS = 24
 """Elements per link: the lowest frequencies have converged to nine digits."""
@@ -28,8 +28,8 @@ class Bar:
     R: np.ndarray
     length: float
     tip_mass: float
-    EIy: float = SECTION.EIy
-    EIz: float = SECTION.EIz
+    EIy: float = ROD.EIy
+    EIz: float = ROD.EIz
 
 
 def arm_bars(angles: Sequence[float] = SET_POINTS) -> list[Bar]:
@@ -60,12 +60,14 @@ def frequencies(bars: Sequence[Bar], section_rotation: bool = True, elements: in
     return 1 / np.sqrt(np.maximum(periods, np.finfo(float).tiny)) / (2 * np.pi)
 
 
-def _add_bar(K, M, bar: Bar, place, turn, elements: int, first: int) -> tuple[np.ndarray, np.ndarray]:
+def _add_bar(
+    K: np.ndarray, M: np.ndarray, bar: Bar, place: np.ndarray, turn: np.ndarray, elements: int, first: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Add a bar on a node whose displacement and rotation (3, size) are given; returns those of its tip."""
     h, spin = bar.length / elements, bar.R[:, :1].T @ turn
     stiff, mass = element(bar, h)
     into = scipy.linalg.block_diag(*[bar.R.T] * 4)
-    M += SECTION.rhoIp * bar.length * spin.T @ spin
+    M += ROD.rhoIp * bar.length * spin.T @ spin
     for k in range(elements):
         after, bent, at = np.zeros_like(place), np.zeros_like(place), first + 5 * k
         after[:, at : at + 3], bent[:, at + 3 : at + 5] = np.eye(3), bar.R[:, 1:]
@@ -83,13 +85,13 @@ def element(bar: Bar, h: float) -> tuple[np.ndarray, np.ndarray]:
     """Stiffness and mass (12, 12) over ``[u, theta, u, theta]`` of the two nodes, in the bar's axes."""
     K, M = np.zeros((12, 12)), np.zeros((12, 12))
     axial, pair = np.ix_([0, 6], [0, 6]), np.array([[1.0, -1], [-1, 1]])
-    K[axial], M[axial] = SECTION.EA / h * pair, SECTION.rhoA * h / 6 * (1 + np.eye(2))
+    K[axial], M[axial] = ROD.EA / h * pair, ROD.rhoA * h / 6 * (1 + np.eye(2))
     for EI, turned, sign in ((bar.EIz, (1, 5, 7, 11), 1), (bar.EIy, (2, 4, 8, 10), -1)):
         slope = np.array([1, sign * h, 1, sign * h])  # the slope of u_z is minus the turn about y
         at = np.ix_(turned, turned)
         K[at], M[at] = (
             EI / h**3 * np.outer(slope, slope) * BENT,
-            SECTION.rhoA * h / 420 * np.outer(slope, slope) * MOVED,
+            ROD.rhoA * h / 420 * np.outer(slope, slope) * MOVED,
         )
     return K, M
 

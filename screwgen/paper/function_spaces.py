@@ -6,7 +6,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.polynomial.legendre import leggauss
 
-from .motion import Motion
+from .random_motion import RandomMotion
 
 POINTS = 12
 HERMITE = Polynomial([0, 0, 3, -2])
@@ -49,7 +49,7 @@ def weak_stiffness(seed: int) -> tuple[float, float]:
 
 def finite_norm(seed: int) -> tuple[float, float]:
     """How far the norms of the judge's shapes are from the 1 that the orthogonality condition asks for."""
-    link = Motion(seed).links[1]
+    link = RandomMotion(seed).links[1]
     norms = link.sum((link.shapes(link.xi) ** 2).sum(axis=-2))
     gap = float(np.abs(norms - 1).max())
     return gap, gap

@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments import Numbers
 
 
 @dataclass(frozen=True)
@@ -36,12 +39,12 @@ class Jet:
         return Jet(self.rate, self.second, np.full_like(self.second, np.nan))
 
 
-def constant(value: np.ndarray) -> Jet:
-    value = np.asarray(value, float)
-    return Jet(value, np.zeros_like(value), np.zeros_like(value))
+def constant(value: ArrayLike) -> Jet:
+    x = np.asarray(value, float)
+    return Jet(x, np.zeros_like(x), np.zeros_like(x))
 
 
-def turn(axis: np.ndarray, angle: float, speed: float, acceleration: float) -> Jet:
+def turn(axis: Numbers, angle: float, speed: float, acceleration: float) -> Jet:
     """``exp(hat(axis) q)`` about a fixed unit axis, for ``q`` with its two derivatives."""
     K = skew(np.reshape(axis, (3, 1)))
     sin, cos = np.sin(angle), np.cos(angle)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from ..algebra.expression import Symbol, block, hat, identity, inverse, stack
-from .equation import Equation, Relation
-from .link_ends import ENDS, SECTIONS
-from .quantities import Link
+from typing import Any
 
-L = Link("i")
+from ..algebra.expression import Symbol, block, hat, identity, inverse, stack
+from .equation import Equality, Equation
+from .link_ends import ENDS, SECTIONS
+from .quantities import LinkLetters
+
+L = LinkLetters("i")
 FREE_FALL = {"g:i": -L.g}
 """The paper's g, the opposite of free fall, in the judge's letters."""
 PARTS = {"r_ib:i": L.r_b + L.r_xi, "v_ob:i": L.v + L.v_ib}
@@ -20,7 +22,7 @@ over = lambda integrand: L.integral(integrand, rho_A)  # noqa: E731
 to_tip, to_base = hat(L.r_b_c) + hat(L.r_xi_c), hat(L.r_b_a) + hat(L.r_xi_a)
 
 
-def equation(label: str, title: str, *printed: Relation, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Equality, **rest: Any) -> Equation:
     return Equation(label=label, section="3", title=title, printed=printed, isolated=True, **rest)
 
 
@@ -53,7 +55,7 @@ WRENCHES = (
     equation(
         "26",
         "dynamic equation of the link",
-        Relation(L.M_star @ L.Vdot + D_STAR + L.H_star, L.W_star),
+        Equality(L.M_star @ L.Vdot + D_STAR + L.H_star, L.W_star),
         where={"M_star:i": M_STAR, "D_star:i": DERIVED_D, "H_star:i": DERIVED_H_STAR} | PARTS,
         errata=("E34", "E35"),
         block="link.M_star, link.M_DPsi, link.M_D, link.H_star",
@@ -63,7 +65,7 @@ WRENCHES = (
     equation(
         "27",
         "inertia of the undeformed link",
-        Relation(L.M_star, M_STAR),
+        Equality(L.M_star, M_STAR),
         errata=("E29", "E34"),
         block="link.M_star",
         note="Holds for the beam alone; of rank 5, where the text has it positive definite.",
@@ -71,8 +73,8 @@ WRENCHES = (
     equation(
         "28",
         "inertia of the deformation",
-        Relation(D_STAR, PRINTED_D),
-        derived=(Relation(D_STAR, DERIVED_D),),
+        Equality(D_STAR, PRINTED_D),
+        derived=(Equality(D_STAR, DERIVED_D),),
         where=PARTS,
         errata=("E8",),
         block="link.M_DPsi, link.M_D",
@@ -82,8 +84,8 @@ WRENCHES = (
     equation(
         "29",
         "gyroscopic wrench and weight",
-        Relation(L.H_star, PRINTED_H_STAR),
-        derived=(Relation(L.H_star, DERIVED_H_STAR),),
+        Equality(L.H_star, PRINTED_H_STAR),
+        derived=(Equality(L.H_star, DERIVED_H_STAR),),
         reading=FREE_FALL,
         where=PARTS,
         errata=("E3", "E5", "E6", "E7", "E8", "E22"),
@@ -93,20 +95,20 @@ WRENCHES = (
     equation(
         "30",
         "external wrench",
-        Relation(
+        Equality(
             L.W_star,
             stack(L.tau_B - L.tau_T - hat(L.r_xi_a) @ L.F_B + hat(L.r_xi_c) @ L.F_T, L.F_B - L.F_T),
         ),
-        derived=(Relation(L.W_star, stack(L.tau_B - L.tau_T + to_base @ L.F_B - to_tip @ L.F_T, L.F_B - L.F_T)),),
+        derived=(Equality(L.W_star, stack(L.tau_B - L.tau_T + to_base @ L.F_B - to_tip @ L.F_T, L.F_B - L.F_T)),),
         errata=("E10",),
         note="The lever of an end force is the place of the end, and its sign that of the force in the second row.",
     ),
-    equation("vib", "velocity of an element against the frame's origin", Relation(L.v_ib, L.v_xi + L.v_b)),
-    equation("mass", "mass of the beam", Relation(L.m, rho_A @ L.l), block="link.mu"),
+    equation("vib", "velocity of an element against the frame's origin", Equality(L.v_ib, L.v_xi + L.v_b)),
+    equation("mass", "mass of the beam", Equality(L.m, rho_A @ L.l), block="link.mu"),
     equation(
         "Iibi",
         "moment of inertia of the undeformed beam",
-        Relation(L.I_b, -over(hat(L.r_b) @ hat(L.r_b))),
+        Equality(L.I_b, -over(hat(L.r_b) @ hat(L.r_b))),
         errata=("E29",),
         block="link.I_0",
         note="Holds; but a straight centreline has no inertia about itself.",
@@ -116,9 +118,9 @@ WRENCHES = (
 DEFORMATION = equation(
     "34",
     "deformation of the link",
-    Relation(L.vdot + L.vdot_xi - hat(L.r_ib) @ L.omegadot + turning @ L.v_ib + gravity + STRESS, UNLOADED),
+    Equality(L.vdot + L.vdot_xi - hat(L.r_ib) @ L.omegadot + turning @ L.v_ib + gravity + STRESS, UNLOADED),
     derived=(
-        Relation(
+        Equality(
             L.vdot + L.vdot_xi - hat(L.r_b) @ L.omegadot + turning @ L.v_ib + turning @ L.v - gravity + STRESS,
             UNLOADED,
         ),

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from ..algebra.expression import Expression, block, hat, number, unit
 from .beam_at_rest import BeamAtRest, moments_to_bending
-from .equation import Equation, Judge, Relation
+from .equation import Equality, Equation, Judge
 from .evaluate import evaluate
-from .quantities import Link
+from .quantities import LinkLetters
 
-L = Link("i")
+L = LinkLetters("i")
 o, one = number(0), number(1)
 PRINTED_H = block([o, o, o], [o, o, one], [o, one, o])
 DERIVED_H = block([o, o, o], [o, o, one], [o, -one, o])
@@ -23,7 +24,7 @@ BENDING_LAW = (
 )
 
 
-def at_rest(printed: Relation, derived: Relation | None, where: Mapping[str, Expression]) -> Judge:
+def at_rest(printed: Equality, derived: Equality | None, where: Mapping[str, Expression]) -> Judge:
     """The misfits of both on a clamped beam under end loads and its own weight."""
 
     def judge(seed: int) -> tuple[float, float]:
@@ -34,12 +35,11 @@ def at_rest(printed: Relation, derived: Relation | None, where: Mapping[str, Exp
     return judge
 
 
-def static(label: str, title: str, printed: Relation, derived: Relation | None = None, **rest) -> Equation:
+def static(label: str, title: str, printed: Equality, derived: Equality | None = None, **rest: Any) -> Equation:
     """An equation that a beam at rest judges."""
     rest = {"judge": at_rest(printed, derived, rest.get("where", {}))} | rest
-    return Equation(
-        label=label, section="3", title=title, printed=(printed,), derived=(derived,) if derived else (), **rest
-    )
+    holds = (derived,) if derived else ()
+    return Equation(label=label, section="3", title=title, printed=(printed,), derived=holds, **rest)
 
 
 def moment_matrix(seed: int) -> tuple[float, float]:
@@ -59,8 +59,8 @@ def moment(label: str, title: str, bent: Expression, torque: Expression, *more: 
     return static(
         label,
         title,
-        Relation(-(L.I_v2 @ bent), L.H @ torque),
-        Relation(-(L.I_v2 @ bent), -(hat(unit(0)) @ torque)),
+        Equality(-(L.I_v2 @ bent), L.H @ torque),
+        Equality(-(L.I_v2 @ bent), -(hat(unit(0)) @ torque)),
         where={"H:i": PRINTED_H},
         errata=("E11", *more),
         note=BENDING_LAW,
@@ -71,14 +71,14 @@ SECTIONS = (
     static(
         "32",
         "axial section stiffness",
-        Relation(L.I_v1, block([L.EA, o, o], [o, o, o], [o, o, o])),
+        Equality(L.I_v1, block([L.EA, o, o], [o, o, o], [o, o, o])),
         block="link.K",
         note="Judged by the strain energy of a section.",
     ),
     static(
         "33",
         "bending section stiffness",
-        Relation(L.I_v2, block([o, o, o], [o, L.EIz, o], [o, o, L.EIy])),
+        Equality(L.I_v2, block([o, o, o], [o, L.EIz, o], [o, o, L.EIy])),
         block="link.K",
         note=r"Judged by the strain energy of a section; $I_z = \int y^2\,dA$ belongs to the displacement in y.",
     ),
@@ -88,18 +88,18 @@ ENDS = (
     static(
         "35",
         "force at the base",
-        Relation(shear("a"), L.F_B),
+        Equality(shear("a"), L.F_B),
         errata=("E35",),
         note="Here the force is applied to the link, by what holds its base.",
     ),
-    static("36", "force at the tip", Relation(shear("c"), L.F_T), errata=("E10",), note=FORCE_LAW),
+    static("36", "force at the tip", Equality(shear("c"), L.F_T), errata=("E10",), note=FORCE_LAW),
     moment("37", "moment at the base", L.r_xi2_a, L.tau_B, "E35"),
     moment("38", "moment at the tip", L.r_xi2_c, L.tau_T),
     static(
         "39",
         "bending moments from torques",
-        Relation(L.H, PRINTED_H),
-        Relation(L.H, DERIVED_H),
+        Equality(L.H, PRINTED_H),
+        Equality(L.H, DERIVED_H),
         judge=moment_matrix,
         errata=("E11",),
         note=BENDING_LAW,

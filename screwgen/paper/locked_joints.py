@@ -9,7 +9,7 @@ from numpy.polynomial import Polynomial
 
 from ..model import derive
 from ..studies.modes import natural_frequencies
-from .arm import FREE_FALL, LENGTHS, MASSES, SECTION, STILL, ella
+from .arm import FREE_FALL, LENGTHS, MASSES, ROD, STILL, ella
 
 STEP = 1e-6
 """m: by how much modal coordinates are varied; the forces are linear in them but for parts of second order."""
@@ -56,12 +56,12 @@ def base_force_at_rest() -> tuple[float, float]:
 
 def weight() -> float:
     """The weight of the arm, N."""
-    return -FREE_FALL[2] * (SECTION.rhoA * sum(LENGTHS) + sum(MASSES))
+    return -FREE_FALL[2] * (ROD.rhoA * sum(LENGTHS) + sum(MASSES))
 
 
 def tip_deflection(force: float) -> tuple[float, float]:
     """The deflection of the clamped link 2 under a force at its tip, m: by the weak form in s², s³, and by statics."""
-    L, EI = LENGTHS[1], SECTION.EIz
+    L, EI = LENGTHS[1], ROD.EIz
     shapes = [Polynomial([0, 0, 1]), Polynomial([0, 0, 0, 1])]
     energy = lambda p, q: float((p.deriv(2) * q.deriv(2)).integ()(1.0)) * EI / L**3  # noqa: E731
     K, tip = np.array([[energy(p, q) for q in shapes] for p in shapes]), np.array([p(1.0) for p in shapes])

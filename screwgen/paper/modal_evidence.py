@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from copy import copy
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -15,13 +15,14 @@ from ..algebra.expression import Expression, Symbol
 from ..algebra.rewrite import symbols
 from .appendix_b import DERIVED_H_MD, DERIVED_M_DPSI, PRINTED_H_MD, PRINTED_M_DPSI
 from .arm import LENGTHS
+from .arm_state import EquationValues
 from .discretised import RATE, VELOCITY, energy
 from .evaluate import evaluate
 from .jets import Jet, skew
 from .modal_rows import Accelerated
-from .motion import Motion
 from .moving_link import body_jacobian
 from .projection import L
+from .random_motion import RandomMotion
 
 ROOT = 1.8751040687119611
 """The first root of cos x cosh x = -1."""
@@ -39,7 +40,7 @@ def at_origin_of_link_2(left: Expression) -> float:
     r = np.array([[LENGTHS[0]], [0.0], [0.0]])
     given = {"omega:i": np.array([[0.0], [0], [1]]), "r_ob:i": r, "r:i": r, "rhoA:i": np.ones((1, 1)), "R:i": np.eye(3)}
     zeros = {s.name: np.zeros(s.shape) for s in symbols(left) if isinstance(s, Symbol)}
-    return float(evaluate(left, SimpleNamespace(values=zeros | given))[0, 0])
+    return float(evaluate(left, EquationValues(zeros | given, {}))[0, 0])
 
 
 # ------------------------------------------------------------------------------- the judge's arm
@@ -47,7 +48,7 @@ def at_origin_of_link_2(left: Expression) -> float:
 
 def cross_energy(seed: int = 1) -> tuple[float, float, float]:
     """What twist and modal rates add to the kinetic energy together, J: without ρA, with it, and by definition."""
-    link = Motion(seed).links[1]
+    link = RandomMotion(seed).links[1]
     v = link.values
     rigid = v["v"] + skew(v["omega"]) @ v["r_ib"]
     elastic = link.shapes(link.xi) @ v["etadot"]
@@ -60,7 +61,7 @@ def cross_energy(seed: int = 1) -> tuple[float, float, float]:
 
 def ratio_to_transpose(seed: int = 1) -> tuple[float, float]:
     """The force columns of ``M_Dphi`` over the measured ``M_D``, transposed: as (85) prints them, and with ρA."""
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     size = lambda X: float(np.abs(X).max())  # noqa: E731
     measured = size(motion.values["M_D_link:i"][3:])
     printed, derived = L.integral(L.phi.T), L.integral(L.phi.T, L.rhoA)
@@ -69,7 +70,7 @@ def ratio_to_transpose(seed: int = 1) -> tuple[float, float]:
 
 def gap_of_row_order(seed: int = 1) -> tuple[float, float]:
     """Misfits of (95) with all of (B1) as derived, but with its translational rows first; and as derived."""
-    v = {name: value for name, value in Motion(seed).values.items() if name.endswith(":all")}
+    v = {name: value for name, value in RandomMotion(seed).values.items() if name.endswith(":all")}
     rest = v["M_DPsi:all"] @ v["Psi_Z_s:all"] + v["h_MD:all"] - v["D_s:all"]
     swapped = np.vstack([half for rows in np.split(v["M_D:all"], 4) for half in (rows[3:], rows[:3])])
     gap = lambda M: float(np.abs(M @ v["eta_s:all"] + rest).max() / np.abs(v["D_s:all"]).max())  # noqa: E731
@@ -85,23 +86,23 @@ def differential_rows(links: int = 2) -> tuple[int, int, int]:
 
 def kinetic_energies(seed: int = 1) -> tuple[float, float, float]:
     """The kinetic energy of the judge's link, J: (2T) as printed, as derived, and by definition."""
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     printed, derived = (evaluate(e.right, motion).item() / 2 for e in (energy(RATE, RATE), energy(VELOCITY, L.Z)))
     return printed, derived, motion.values["T:i"].item()
 
 
 def lowest_eigenvalue(seed: int = 1) -> tuple[float, float]:
     """Of the symmetric part of the differential-modal block, over the largest: printed, and with its rows in Z."""
-    v = Motion(seed).values
+    v = RandomMotion(seed).values
     M = np.block([[v["M_dyn_diff:i"], v["M_D_link:i"]], [v["M_Dphi_diff:i"], v["M_Wphi:i"]]])
     rows = block_diag(np.eye(6) + v["T_gamma:i"].T, np.eye(len(M) - 6))
-    found = [np.linalg.eigvalsh((X + X.T) / 2) for X in (M, rows @ M)]
-    return tuple(float(x[0] / x[-1]) for x in found)
+    printed, derived = (np.linalg.eigvalsh((X + X.T) / 2) for X in (M, rows @ M))
+    return float(printed[0] / printed[-1]), float(derived[0] / derived[-1])
 
 
 def block_asymmetry(seed: int = 1) -> tuple[float, float]:
     """The asymmetry of ``M_s (I + T_gamma)`` of a link, relative to its largest entry, and with its rows in Z too."""
-    v = Motion(seed).values
+    v = RandomMotion(seed).values
     to_V = np.eye(6) + v["T_gamma:i"]
     gap = lambda M: float(np.abs(M - M.T).max() / np.abs(M).max())  # noqa: E731
     return gap(v["M_star:i"] @ to_V), gap(to_V.T @ v["M_star:i"] @ to_V)
@@ -109,22 +110,23 @@ def block_asymmetry(seed: int = 1) -> tuple[float, float]:
 
 def force_of_turning(seed: int = 1) -> tuple[float, float, float]:
     """The largest force, N, that the deformation of link 2 needs at 1 rad/s² about z: (B2) printed, derived, truth."""
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     unit = np.zeros((24, 1))
     unit[20] = 1.0
     link = motion.links[1]
     truth = link.rhoA * link.sum(np.cross([0.0, 0, 1], motion.values["r_xi:2"][..., 0])[..., None])
     printed = evaluate(PRINTED_M_DPSI, motion)[18:21] @ unit  # its third row block of link 2 is the force
     derived = evaluate(DERIVED_M_DPSI, motion)[21:24] @ unit
-    return tuple(float(np.abs(x).max()) for x in (printed, derived, truth))
+    size = lambda x: float(np.abs(x).max())  # noqa: E731
+    return size(printed), size(derived), size(truth)
 
 
 def moved_end() -> tuple[float, float]:
     """The elastic acceleration of the base of a straight link at 1 rad/s² about z, printed in (B2) and derived."""
-    motion = Motion(1)
-    straight = SimpleNamespace(values=motion.values | STRAIGHT, weights=motion.weights)
-    rows = [evaluate(PRINTED_M_DPSI, straight)[0:3, 6:9], evaluate(DERIVED_M_DPSI, straight)[3:6, 6:9]]
-    return tuple(float(np.linalg.norm(x @ [0.0, 0, 1])) for x in rows)
+    motion = RandomMotion(1)
+    straight = EquationValues(motion.values | STRAIGHT, motion.weights)
+    size = lambda x: float(np.linalg.norm(x @ [0.0, 0, 1]))  # noqa: E731
+    return size(evaluate(PRINTED_M_DPSI, straight)[0:3, 6:9]), size(evaluate(DERIVED_M_DPSI, straight)[3:6, 6:9])
 
 
 def deformation_carried(seed: int = 1) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -133,16 +135,19 @@ def deformation_carried(seed: int = 1) -> tuple[tuple[float, float, float], tupl
     First where only ``rddot``, 1 m/s² along y, is not zero; then ``h_MD`` without modal rates, so with all of the
     accelerations and modal rates zero.
     """
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     link, Zdot = copy(motion.links[1]), np.eye(6)[:, 4:5]
     still = np.zeros_like(link.eta.value)
     link.eta = Jet(link.eta.value, still, still)
     bias, moved = (Accelerated(link, Z, still).values["D_star"] for Z in (0 * Zdot, Zdot))
-    rigid = SimpleNamespace(values=motion.values | {"etadot:1": still, "etadot:2": still}, weights=motion.weights)
+    rigid = EquationValues(motion.values | {"etadot:1": still, "etadot:2": still}, motion.weights)
     size = lambda x: float(np.abs(x).max())  # noqa: E731
-    columns = [evaluate(M, motion)[18:, 18:] @ Zdot for M in (PRINTED_M_DPSI, DERIVED_M_DPSI)]
-    biases = [evaluate(h, rigid)[18:] for h in (PRINTED_H_MD, DERIVED_H_MD)]
-    return (*map(size, columns), size(moved - bias)), (*map(size, biases), size(bias))
+    columns = lambda M: size(evaluate(M, motion)[18:, 18:] @ Zdot)  # noqa: E731
+    biases = lambda h: size(evaluate(h, rigid)[18:])  # noqa: E731
+    return (
+        (columns(PRINTED_M_DPSI), columns(DERIVED_M_DPSI), size(moved - bias)),
+        (biases(PRINTED_H_MD), biases(DERIVED_H_MD), size(bias)),
+    )
 
 
 # ------------------------------------------------------------------------------------ a cantilever
@@ -161,8 +166,8 @@ def first_frequencies(count: int = 4) -> tuple[float, float, float]:
     mix = np.linalg.inv(np.linalg.cholesky((table(0) * weights) @ table(0).T))
     value, bent, fourth = (mix @ table(order) for order in (0, 2, 4))
     strong, weak = np.diag((fourth * weights) @ value.T), (bent * weights) @ bent.T
-    squares = (strong.min(), np.diag(weak).min(), eigh(weak, eigvals_only=True)[0])
-    return tuple(float(np.sqrt(max(x, 0.0))) for x in squares)
+    root = lambda x: float(np.sqrt(max(x, 0.0)))  # noqa: E731
+    return root(strong.min()), root(np.diag(weak).min()), root(eigh(weak, eigvals_only=True)[0])
 
 
 # ------------------------------------------------------------------------------------ coordinates
@@ -175,12 +180,15 @@ def attitude_errors(duration: float = 1.0, steps: int = 400) -> tuple[float, flo
     """
     omega, start = np.array([[0.0], [0], [1]]), np.array([[1.0], [0], [0]])
     truth = Rotation.from_rotvec(start[:, 0]) * Rotation.from_rotvec(duration * omega[:, 0])
-    laws = (lambda t: body_jacobian(t) @ omega, lambda t: np.linalg.solve(body_jacobian(t), omega))
-    found = (_integrated(law, start, duration / steps, steps) for law in laws)
-    return tuple(float(np.degrees((truth.inv() * turned).magnitude())) for turned in found)
+
+    def error(law: Callable[[np.ndarray], np.ndarray]) -> float:
+        turned = _integrated(law, start, duration / steps, steps)
+        return float(np.degrees((truth.inv() * turned).magnitude()))
+
+    return error(lambda t: body_jacobian(t) @ omega), error(lambda t: np.linalg.solve(body_jacobian(t), omega))
 
 
-def _integrated(law, theta: np.ndarray, h: float, steps: int) -> Rotation:
+def _integrated(law: Callable[[np.ndarray], np.ndarray], theta: np.ndarray, h: float, steps: int) -> Rotation:
     for _ in range(steps):
         k1 = law(theta)
         k2 = law(theta + h / 2 * k1)

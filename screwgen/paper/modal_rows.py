@@ -80,11 +80,11 @@ def stress(link: MovingLink) -> np.ndarray:
 def section_twist(link: MovingLink, place: float) -> np.ndarray:
     """The twist about the frame's origin that unit modal rates give a section normal to the centreline, (6, modes)."""
     turn = skew(np.array([[1.0], [0], [0]])) @ link.shapes(place, 1)
-    at = sum(x.value for x in link.displaced(place))
-    return np.vstack([turn, link.shapes(place) + skew(at) @ turn])
+    r_b, r_xi = link.displaced(place)
+    return np.vstack([turn, link.shapes(place) + skew(r_b.value + r_xi.value) @ turn])
 
 
-class Rows:
+class ModalRows:
     """The rows of the two links by their unknowns."""
 
     def __init__(self, links: Sequence[MovingLink]):
@@ -136,7 +136,7 @@ def add_system(values: dict[str, np.ndarray], links: Sequence[MovingLink]) -> No
 
     Called before the links' values get their indices; the wrench on the ground, ``W:0``, is there already.
     """
-    rows = Rows(links)
+    rows = ModalRows(links)
     of = lambda name: [link.values[name] for link in links]  # noqa: E731
     W = [values["W:0"], links[0].values["W"]]
     by_turns = lambda first, second: np.vstack([x for pair in zip(first, second, strict=True) for x in pair])  # noqa: E731

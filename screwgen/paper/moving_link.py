@@ -52,7 +52,7 @@ class MovingLink:
         self.axes = axes / np.linalg.norm(axes, axis=1, keepdims=True)
         self.joint = random.uniform(-1, 1, (2, 3)) * [1.0, 1.5, 4.0]
 
-    def shapes(self, xi, order: int = 0) -> np.ndarray:
+    def shapes(self, xi: float | np.ndarray, order: int = 0) -> np.ndarray:
         """Mode shapes or their derivatives at places of the centreline, (..., 3, 6)."""
         key = (order, np.shape(xi), np.asarray(xi).tobytes())
         if key not in self.tabulated:
@@ -62,11 +62,11 @@ class MovingLink:
             self.tabulated[key] = out
         return self.tabulated[key]
 
-    def elastic(self, xi, order: int = 0) -> np.ndarray:
+    def elastic(self, xi: float | np.ndarray, order: int = 0) -> np.ndarray:
         """The displacement or a derivative of it along the link, (..., 3, 1)."""
         return self.shapes(xi, order) @ self.eta.value
 
-    def displaced(self, xi) -> tuple[Jet, Jet]:
+    def displaced(self, xi: float | np.ndarray) -> tuple[Jet, Jet]:
         """``r_b`` and ``r_xi`` at places of the centreline, body components."""
         r_b = np.zeros((*np.shape(xi), 3, 1))
         r_b[..., 0, 0] = xi

@@ -7,7 +7,7 @@ import unicodedata
 from itertools import groupby
 
 from ..algebra.expression import (
-    Block,
+    BlockMatrix,
     Constant,
     Expression,
     Hat,
@@ -62,14 +62,15 @@ def plain(e: Expression) -> str:
         case Inverse():
             return f"{_factor(e.arg.arg)}⁻ᵀ" if isinstance(e.arg, Transpose) else f"{_factor(e.arg)}⁻¹"
         case Hat():
-            letter = isinstance(e.arg, Symbol | Constant)
-            return accent(letters(e.arg.display), "\u0303") if letter else f"hat({plain(e.arg)})"
+            if isinstance(e.arg, Symbol | Constant):
+                return accent(letters(e.arg.display), "\u0303")
+            return f"hat({plain(e.arg)})"
         case Trace():
             return f"tr({plain(e.arg)})"
         case Integral():
             weight = "" if e.weight is None else f"{plain(e.weight)} "
             return f"{weight}∫" + ("" if is_identity(e.integrand) else f" {_factor(e.integrand)}") + " dξ"
-        case Block():
+        case BlockMatrix():
             return "[" + "; ".join(", ".join(map(plain, row)) for row in e.rows) + "]"
     raise TypeError(f"no text for {type(e).__name__}")
 
@@ -208,7 +209,7 @@ def hung(head: str, lines: list[str]) -> list[str]:
 
 def boxed(e: Expression, width: int = WIDTH) -> list[str]:
     """An expression on several lines."""
-    if not isinstance(e, Block):
+    if not isinstance(e, BlockMatrix):
         return _broken(e, width)
     cells = [[plain(x) for x in row] for row in e.rows]
     columns = [max(shown(row[k]) for row in cells) for k in range(len(cells[0]))]
@@ -220,7 +221,7 @@ def boxed(e: Expression, width: int = WIDTH) -> list[str]:
 
 
 def _tall(e: Expression) -> bool:
-    return isinstance(e, Block) and (len(e.rows) > 1)
+    return isinstance(e, BlockMatrix) and (len(e.rows) > 1)
 
 
 def _row(number: int, row: tuple[Expression, ...], width: int) -> list[str]:

@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ..errors import UsageError
-from ..plugins import Plugin
+from ..plugins import Plugin, PluginChapter
+
+if TYPE_CHECKING:
+    import typer
+
+    from ..robot_model import RobotModel
+    from ..spec.link_class import LinkClass
+    from ..spec.robot import Robot
+    from ..topology.chain import Chain
+    from .printed import PrintedModel
 
 NO_TREE = "the Z-form is that of a chain on a fixed base; leave out parent, loops and base"
 NO_ROTORS = "the Z-form has no rotors; leave out the stiffness of drives"
@@ -22,29 +33,29 @@ wrenches. `J_inverse` and `A_c` are smooth up to that full turn, `cauchy_state` 
 # What takes long to import is imported when a hook is called.
 
 
-def _commands(app) -> None:
+def _commands(app: typer.Typer) -> None:
     from .command import add
 
     add(app)
 
 
-def _printed(robot):
+def _printed(robot: Robot) -> PrintedModel:
     from .printed import PrintedModel
 
     return PrintedModel(robot)
 
 
-def _names(model) -> list[str]:
+def _names(model: RobotModel) -> dict[str, list[str]]:
     from .z_functions import cauchy_names
 
     if not model.chain.serial:
         raise UsageError(f"{model.robot.name}: {NO_TREE}")
-    if model.chain.n_motors:
+    if model.chain.n_added:
         raise UsageError(f"{model.robot.name}: {NO_ROTORS}")
     return cauchy_names(model.chain)
 
 
-def _blocks(key) -> dict:
+def _blocks(key: LinkClass) -> dict:
     from .z_form_blocks import z_rows_block
 
     return {"z_rows": z_rows_block(key)}
@@ -56,13 +67,13 @@ def _common() -> dict:
     return {"z_form": z_form_block()}
 
 
-def _casadi(chain) -> dict:
+def _casadi(chain: Chain) -> dict:
     from .z_casadi import z_functions
 
-    return z_functions(chain) if chain.serial and not chain.n_motors else {}
+    return z_functions(chain) if chain.serial and not chain.n_added else {}
 
 
-def _chapter(chain):
+def _chapter(chain: Chain) -> PluginChapter:
     from .z_latex import z_chapter
 
     return z_chapter(chain)

@@ -9,12 +9,15 @@ bias of the joints projected (E32).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
+from ..arguments import Loads, Numbers
 from ..errors import SingularError, UsageError
 from ..model import derive
+from ..simulation.controllers import Controller
 from ..simulation.inputs import coordinates
 from ..simulation.integrate import DivergedError
 from ..simulation.runs import OWN, Run
@@ -62,7 +65,7 @@ class PrintedModel:
             raise UsageError(f"{robot.name}: the paper has no torsion modes; leave them out, or the formulation")
         if not self.model.chain.serial:
             raise UsageError(f"{robot.name}: the paper's arm is a chain; leave out parent, or the formulation")
-        if self.model.chain.n_motors or self.model.chain.dry or self.model.chain.stops:
+        if self.model.chain.n_added or self.model.chain.laws:
             said = f"{robot.name}: the paper has neither gears nor friction nor stops"
             raise UsageError(f"{said}; leave out drives and limits, or the formulation")
 
@@ -79,7 +82,9 @@ class PrintedModel:
         """Which equations are as printed."""
         return {"as_printed": list(self.as_printed)}
 
-    def assemble(self, q, v, tau, w_ext=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def assemble(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads = None
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys``, ``H_sys``, ``W_sys`` at joint form ``q``, ``v`` (nq,), torques and external wrenches (n, 6)."""
         numeric = self.model.numpy()
         w_ext = np.zeros((self.chain.n, 6)) if w_ext is None else w_ext
@@ -92,7 +97,9 @@ class PrintedModel:
             system.drop_h_s()
         return system.M, system.H, system.W
 
-    def forward_dynamics(self, q, v, tau, w_ext=None) -> tuple[np.ndarray, np.ndarray]:
+    def forward_dynamics(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` (nq,) and the joint wrenches (n, 6) by dense solution; SingularError where there is none."""
         M, H, W = self.assemble(q, v, tau, w_ext)
         if np.linalg.matrix_rank(M) < len(M):
@@ -108,28 +115,28 @@ class PrintedModel:
         self,
         duration: float,
         step: float = 1e-3,
-        q: Sequence[float] | None = None,
-        v: Sequence[float] | None = None,
-        controller: Callable[[float, np.ndarray, np.ndarray], Sequence[float]] | None = None,
+        q: Numbers | None = None,
+        v: Numbers | None = None,
+        controller: Controller | None = None,
     ) -> Run:
         """Table 1, forward Euler from ``q``, ``v``; ``controller(t, q, v)`` gives the torques, zero without.
 
         Raises DivergedError, which names the time, when a number leaves what doubles hold.
         """
         times, numeric = time_grid(duration, step), self.model.numpy()
-        q, v, rows = coordinates(q, "q", self.model), coordinates(v, "v", self.model), []
+        x, u, rows = coordinates(q, "q", self.model), coordinates(v, "v", self.model), []
         for k, t in enumerate(times):
-            tau = np.zeros(self.model.n_joints) if controller is None else np.asarray(controller(t, q, v), float)
+            tau = np.zeros(self.model.n_joints) if controller is None else np.asarray(controller(t, x, u), float)
             with np.errstate(over="ignore", invalid="ignore"):
-                vdot, wrench = self._rates(t, q, v, tau)
-                rows.append((q, v, tau, wrench, numeric.tip_pose(q)[1], numeric.energy(q, v)))
+                vdot, wrench = self._rates(t, x, u, tau)
+                rows.append((x, u, tau, wrench, numeric.tip_pose(x)[1], numeric.energy(x, u)))
                 if k + 1 < len(times):
                     h = times[k + 1] - t
-                    q, v = q + h * v, v + h * vdot
+                    x, u = x + h * u, u + h * vdot
         columns = (np.array(column) for column in zip(*rows, strict=True))
-        arrays = dict(zip((*OWN, "energy"), (times, *columns), strict=True))
+        fields: dict[str, Any] = dict(zip((*OWN, "energy"), (times, *columns), strict=True))
         names = {f"{kind}_names": tuple(getattr(self.model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        return Run(self.robot.name, **arrays, **names)
+        return Run(self.robot.name, **fields | names)
 
     def _rates(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         largest = max(np.abs(q).max(initial=0.0), np.abs(v).max(initial=0.0))

@@ -9,16 +9,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..algebra.expression import Block, Expression, Negative, hat
-from ..algebra.screw import lever, twice
+from ..algebra.expression import BlockMatrix, Expression, Negative, hat
+from ..algebra.screw import shift, twice
 from ..topology.chain import Chain
 from . import appendix_b, link, projection
-from .arm_state import ArmState, LinkState, View
+from .arm_state import ArmState, EquationValues, LinkState
+from .equation import relation
 from .evaluate import evaluate
-from .quantities import Link
+from .quantities import LinkLetters
 from .synthesis import joint_bias, section_bias
 
-L, BEFORE, ONE = Link("i"), Link("i-1"), Link("1")
+L, BEFORE, ONE = LinkLetters("i"), LinkLetters("i-1"), LinkLetters("1")
 O3 = np.zeros((3, 3))
 FORCE, MOMENT = 2, 3
 """Rows of link 1 in (B1)-(B3) as printed; the derived ones are in the other order."""
@@ -83,14 +84,14 @@ class System:
             self.add_joint_bias(k, -self.values(k)["P"] @ self.H_p[k])
 
 
-def gap(a: Expression, b: Expression, view: View) -> np.ndarray:
+def gap(a: Expression, b: Expression, view: EquationValues) -> np.ndarray:
     """``a - b`` in numbers."""
     return evaluate(a, view) - evaluate(b, view)
 
 
-def at_point(side: Link, r: Expression) -> Expression:
+def at_point(side: LinkLetters, r: Expression) -> Expression:
     """From a link's twist to that of its section at r, inertial components."""
-    return twice(side.R) @ lever(r)
+    return twice(side.R) @ shift(r)
 
 
 # ---------------------------------------------------------------------------------------------- joints
@@ -132,13 +133,13 @@ def bias_of_joints(system: System) -> None:
 def gyroscopic(system: System) -> None:
     """(29), with g read as the opposite of free fall; the bodies keep their share."""
     for k, view in enumerate(system.views):
-        printed = link.Relation(L.H_star, link.PRINTED_H_STAR).read(link.FREE_FALL)
+        printed = link.Equality(L.H_star, link.PRINTED_H_STAR).read(link.FREE_FALL)
         change = gap(printed.right, link.DERIVED_H_STAR, view)
         system.H[system.accelerations(k)] += change.ravel()
         system.h_s[k] = system.h_s[k] + change
 
 
-def rows(printed: Block, derived: Block, column: int, view: View) -> np.ndarray:
+def rows(printed: BlockMatrix, derived: BlockMatrix, column: int, view: EquationValues) -> np.ndarray:
     """A column of the rows of link 1, printed minus derived, the moment first."""
     both = [(printed.rows[p][column], derived.rows[d][column]) for p, d in ((MOMENT, FORCE), (FORCE, MOMENT))]
     return np.vstack([gap(p, d, view) for p, d in both])
@@ -200,8 +201,8 @@ def modal_bias(system: System) -> None:
         for triple in triples(state):
             (printed,), (derived,) = equation.printed, equation.derived
             own = of_mode(view, state, triple)
-            per_mass = evaluate(printed.read(equation.reading).right, own) * view.values["rhoA:i"]
-            change = (per_mass - evaluate(derived.right, own)).ravel() * system.scale(k)
+            per_mass = evaluate(relation(printed).read(equation.reading).right, own) * view.values["rhoA:i"]
+            change = (per_mass - evaluate(relation(derived).right, own)).ravel() * system.scale(k)
             for axis, mode in triple.items():
                 system.H[system.modes(k).start + mode] += change[axis]
 
@@ -215,7 +216,7 @@ def triples(state: LinkState) -> list[dict[int, int]]:
     return list(found.values())
 
 
-def of_mode(view: View, state: LinkState, triple: dict[int, int]) -> View:
+def of_mode(view: EquationValues, state: LinkState, triple: dict[int, int]) -> EquationValues:
     """The view with the shapes and coordinates of one mode per direction; zero where a direction has none."""
     values, v = dict(view.values), state.values
     for name in ("phi", "phi1", "phi2", "phi4"):

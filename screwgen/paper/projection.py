@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from ..algebra.expression import (
     Expression,
     Negative,
+    Sum,
     Symbol,
     Transpose,
     add,
@@ -18,11 +20,11 @@ from ..algebra.expression import (
     stack,
     zeros,
 )
-from .equation import Equation, Formula, Relation
+from .equation import Equality, Equation, Formula
 from .function_spaces import finite_norm, weak_derivatives, weak_stiffness
-from .quantities import Link, symbol
+from .quantities import LinkLetters, symbol
 
-L, BELOW = Link("i"), Link("i-1")
+L, BELOW = LinkLetters("i"), LinkLetters("i-1")
 FREE_FALL = {"g:i": -L.g}
 """The paper's g, the opposite of free fall, in the judge's letters."""
 UNLOADED = Symbol("load:i", (3, 1), r"\mathbf{0}")
@@ -33,7 +35,7 @@ over = lambda integrand: L.integral(integrand, rho_A)  # noqa: E731
 O33 = zeros(3, 3)
 
 
-def equation(label: str, title: str, *printed: Relation | Formula, **rest) -> Equation:
+def equation(label: str, title: str, *printed: Equality | Formula, **rest: Any) -> Equation:
     return Equation(label=label, section="5", title=title, printed=printed, **rest)
 
 
@@ -60,27 +62,27 @@ SHAPES = (
     equation(
         "twist_coords",
         "velocities and their rates in coordinates",
-        Relation(L.v, L.rdot + turning @ L.r),
-        Relation(L.v_b, turning @ L.r_b),
-        Relation(L.v_xi, L.rdot_xi + turning @ L.r_xi),
-        Relation(L.vdot_xi, L.rddot_xi - hat(L.r_xi) @ L.omegadot + turning @ L.rdot_xi),
-        Relation(turning @ L.v_ib, turning @ L.rdot_xi + turning @ (turning @ L.r_ib)),
+        Equality(L.v, L.rdot + turning @ L.r),
+        Equality(L.v_b, turning @ L.r_b),
+        Equality(L.v_xi, L.rdot_xi + turning @ L.r_xi),
+        Equality(L.vdot_xi, L.rddot_xi - hat(L.r_xi) @ L.omegadot + turning @ L.rdot_xi),
+        Equality(turning @ L.v_ib, turning @ L.rdot_xi + turning @ (turning @ L.r_ib)),
     ),
-    equation("72", "separation of variables", Relation(L.r_xi, L.phi @ L.eta), block="tip.Phi_c"),
+    equation("72", "separation of variables", Equality(L.r_xi, L.phi @ L.eta), block="tip.Phi_c"),
     equation(
         "73",
         "mode shapes of a link",
-        Relation(L.phi, block([L.phi_one, L.phi_two])),
+        Equality(L.phi, block([L.phi_one, L.phi_two])),
         note="Written and judged for r = 2.",
     ),
     equation(
         "74",
         "modal coordinates of a link",
-        Relation(L.eta, stack(L.eta_one, L.eta_two)),
+        Equality(L.eta, stack(L.eta_one, L.eta_two)),
         note="Written and judged for r = 2.",
     ),
-    equation("75", "shapes of one mode", Relation(L.phi_one, PHI_P), note=FIRST),
-    equation("76", "coordinates of one mode", Relation(L.eta_one, stack(L.eta_x, L.eta_y, L.eta_z)), note=FIRST),
+    equation("75", "shapes of one mode", Equality(L.phi_one, PHI_P), note=FIRST),
+    equation("76", "coordinates of one mode", Equality(L.eta_one, stack(L.eta_x, L.eta_y, L.eta_z)), note=FIRST),
     equation(
         "77",
         "space of the shapes",
@@ -117,15 +119,15 @@ SHAPES = (
     equation(
         "vxi_modal",
         "velocity of the displacement in the modes",
-        Relation(L.v_xi, L.rdot_xi + turning @ L.r_xi),
-        Relation(L.v_xi, L.phi @ L.etadot + turning @ (L.phi @ L.eta)),
+        Equality(L.v_xi, L.rdot_xi + turning @ L.r_xi),
+        Equality(L.v_xi, L.phi @ L.etadot + turning @ (L.phi @ L.eta)),
         block="tip.udot_T",
     ),
     equation(
         "vxidot_modal",
         "its rate in the modes",
-        Relation(L.vdot_xi, L.rddot_xi - hat(L.r_xi) @ L.omegadot + turning @ L.rdot_xi),
-        Relation(
+        Equality(L.vdot_xi, L.rddot_xi - hat(L.r_xi) @ L.omegadot + turning @ L.rdot_xi),
+        Equality(
             L.vdot_xi,
             L.phi @ L.etaddot - hat(L.phi @ L.eta) @ L.omegadot + turning @ (L.phi @ L.etadot),
         ),
@@ -179,12 +181,18 @@ def boundary(end: str, sign: int) -> Expression:
     return force - moment if sign > 0 else moment - force
 
 
+def per_mass(force: Expression) -> Expression:
+    """Every term of a sum over the mass per length."""
+    assert isinstance(force, Sum)
+    return add(*(inverse(rho_A) @ term for term in force.terms))
+
+
 PROJECTED = (
     equation(
         "81",
         "deformation of the link in the modes",
-        Relation(field(L.r_ib, L.rdot_ib, gravity), UNLOADED),
-        derived=(Relation(field(L.r_ob, L.rdot_ob, -gravity), UNLOADED),),
+        Equality(field(L.r_ib, L.rdot_ib, gravity), UNLOADED),
+        derived=(Equality(field(L.r_ob, L.rdot_ob, -gravity), UNLOADED),),
         reading=FREE_FALL,
         where=PLACES,
         errata=("E4", "E22"),
@@ -195,7 +203,7 @@ PROJECTED = (
     equation(
         "82",
         "deformation projected on a mode",
-        Relation(
+        Equality(
             L.integral(P.T) @ L.rddot
             + L.integral(P.T @ P) @ ETADDOT_P
             + L.integral(Negative(P.T @ hat(L.r_ib))) @ L.omegadot
@@ -204,11 +212,11 @@ PROJECTED = (
             UNLOADED_P,
         ),
         derived=(
-            Relation(
+            Equality(
                 L.integral(P.T) @ L.rddot
                 + L.integral(P.T @ L.phi) @ L.etaddot
                 + L.integral(Negative(P.T @ hat(L.r_ob))) @ L.omegadot
-                + add(*(inverse(rho_A) @ term for term in (WEAK + boundary("c", 1) + boundary("a", -1)).terms))
+                + per_mass(WEAK + boundary("c", 1) + boundary("a", -1))
                 + L.integral(P.T @ (rates(L.r_ob, L.rdot_ob) - gravity)),
                 UNLOADED_P,
             ),
@@ -262,8 +270,8 @@ LINK_ROWS = (
     equation(
         "83",
         "modal rows of a link",
-        Relation(ROWS, zeros(6)),
-        derived=(Relation(ROWS - at_link_1("J_c").T @ W_NEXT, at_link_1("f_phi")),),
+        Equality(ROWS, zeros(6)),
+        derived=(Equality(ROWS - at_link_1("J_c").T @ W_NEXT, at_link_1("f_phi")),),
         errata=("E16",),
         block="link_rows.eta_V, link_rows.eta_eta, link_rows.eta_next, link_rows.eta_H, link_rows.eta_W",
         note=r"Judged on link 1, with $\mathbf{M}_{D\phi}$, $\mathbf{M}_{W\phi}$ and $\mathbf{h}_\phi$ as derived: the "
@@ -273,15 +281,15 @@ LINK_ROWS = (
     equation(
         "84",
         "unknowns of a link",
-        Relation(L.Psi_Z, stack(BELOW.W, L.Zdot)),
+        Equality(L.Psi_Z, stack(BELOW.W, L.Zdot)),
         note=r"$\boldsymbol{\mathcal{W}}_{i-1}$ is the wrench of link i on link i-1, in $\mathcal{F}_{i-1}$.",
     ),
-    equation("zi_def", "coordinates of the twist", Relation(L.Z, stack(L.omega, L.rdot)), block="z_form.Z"),
+    equation("zi_def", "coordinates of the twist", Equality(L.Z, stack(L.omega, L.rdot)), block="z_form.Z"),
     equation(
         "85",
         "columns of wrench and acceleration in the modal rows",
-        Relation(L.M_Dphi, PRINTED_M_DPHI),
-        derived=(Relation(L.M_Dphi, block(derived_row(L.phi_one, L.J_a_one), derived_row(L.phi_two, L.J_a_two))),),
+        Equality(L.M_Dphi, PRINTED_M_DPHI),
+        derived=(Equality(L.M_Dphi, block(derived_row(L.phi_one, L.J_a_one), derived_row(L.phi_two, L.J_a_two))),),
         where=PLACES,
         errata=("E4", "E9", "E16"),
         block="link.M_Dphi, link_rows.eta_V, link_rows.eta_next, z_rows.eta_Z",
@@ -291,7 +299,7 @@ LINK_ROWS = (
     equation(
         "86",
         "inertia of the modes",
-        Relation(L.M_Wphi, PRINTED_M_WPHI),
+        Equality(L.M_Wphi, PRINTED_M_WPHI),
         reading=PER_MASS,
         errata=("E9",),
         block="link.M_Wphi",
@@ -301,8 +309,8 @@ LINK_ROWS = (
     equation(
         "88",
         "bias of the modal rows",
-        Relation(H_P, STRONG + L.integral(P.T @ (rates(L.r_ib, L.rdot_ib) + gravity))),
-        derived=(Relation(H_P, WEAK + over(P.T @ (rates(L.r_ob, L.rdot_ob) - gravity))),),
+        Equality(H_P, STRONG + L.integral(P.T @ (rates(L.r_ib, L.rdot_ib) + gravity))),
+        derived=(Equality(H_P, WEAK + over(P.T @ (rates(L.r_ob, L.rdot_ob) - gravity))),),
         reading=FREE_FALL,
         where=PLACES,
         errata=("E4", "E9", "E22", "E30"),

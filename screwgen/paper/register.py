@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from difflib import get_close_matches
 from functools import cache
 from importlib import import_module
+from types import ModuleType
+from typing import TypeVar
 
 from ..errors import UsageError
 from .equation import Equation
 from .erratum import Erratum
+
+_Entry = TypeVar("_Entry")
 
 SECTIONS = {
     "2": "Problem statement",
@@ -39,7 +44,7 @@ def errata() -> tuple[Erratum, ...]:
     return tuple(sorted(found, key=lambda e: int(e.number[1:])))
 
 
-def _module(name: str):
+def _module(name: str) -> ModuleType:
     return import_module(f".{name}", __package__)
 
 
@@ -53,7 +58,7 @@ def erratum(number: str) -> Erratum:
     return _found(number.upper(), {e.number: e for e in errata()}, "erratum")
 
 
-def _found(given: str, known: dict, kind: str):
+def _found(given: str, known: Mapping[str, _Entry], kind: str) -> _Entry:
     name = given.strip().removeprefix("eq:").removeprefix("tab:").strip("()")
     by_lower = {key.lower(): key for key in known}
     key = by_lower.get(name.lower())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..arguments import Numbers
 from .jets import Jet, constant
 from .moving_link import Z3, MovingLink
 from .quantities import MODES
@@ -21,7 +22,7 @@ class SingleLink:
     is of free fall, m/s².  It is evaluated as a motion, under the link index "i".
     """
 
-    def __init__(self, R: Jet = UNTURNED, origin: Jet = STILL, eta: Jet = STRAIGHT, gravity=(0.0, 0.0, 0.0)):
+    def __init__(self, R: Jet = UNTURNED, origin: Jet = STILL, eta: Jet = STRAIGHT, gravity: Numbers = (0.0, 0.0, 0.0)):
         link = _Line(np.random.default_rng(0), np.reshape(gravity, (3, 1)))
         link.joint, link.eta = np.zeros((2, 3)), eta
         r_b, r_xi = link.displaced(link.a)

@@ -6,21 +6,21 @@ The arm is written out for two links; the pattern goes on with every further lin
 from __future__ import annotations
 
 from ..algebra.expression import Expression, Inverse, Transpose, block, identity, stack, zeros
-from .equation import Relation
-from .quantities import Link
+from .equation import Equality
+from .quantities import LinkLetters
 from .synthesis import BEFORE, NONE, L, equation, joint_bias
 
-ONE, TWO, ARM, GROUND = Link("1"), Link("2"), Link("all"), Link("0")
+ONE, TWO, ARM, GROUND = LinkLetters("1"), LinkLetters("2"), LinkLetters("all"), LinkLetters("0")
 O66, I6 = zeros(6, 6), identity(6)
 TWO_LINKS = "Written for two links; every further link adds its joint's row and its own in the same pattern."
 
 
-def down(link: Link, before: Link) -> Expression:
+def down(link: LinkLetters, before: LinkLetters) -> Expression:
     """``Ad_io^-T Ad_o(i-1)^-T``."""
     return Inverse(Transpose(link.Ad_back)) @ Inverse(Transpose(before.Ad))
 
 
-def elastic(link: Link, before: Link | None = None) -> Expression:
+def elastic(link: LinkLetters, before: LinkLetters | None = None) -> Expression:
     """What the rates of the deformations put into a joint's rows."""
     own = -(link.P @ link.Ad @ link.Vdot_xi_a)
     return link.P @ before.Ad @ before.Vdot_xi_c + own if before else own
@@ -30,18 +30,18 @@ JOINT_AND_LINK = (
     equation(
         "58",
         "rows of a joint and its link",
-        Relation(L.M_c @ stack(BEFORE.W, BEFORE.Vdot, L.W, L.Vdot) + L.D_c + L.H_c, L.W_c),
+        Equality(L.M_c @ stack(BEFORE.W, BEFORE.Vdot, L.W, L.Vdot) + L.D_c + L.H_c, L.W_c),
         note="The four parts are judged as what the rows measure on the motion, not as (59) prints them.",
     ),
     equation(
         "59",
         "columns of the unknowns",
-        Relation(
+        Equality(
             L.M_c,
             block([O66, L.P @ BEFORE.Ad, O66, -(L.P @ L.Ad)], [down(L, BEFORE), L.M_star, -I6, O66]),
         ),
         derived=(
-            Relation(
+            Equality(
                 L.M_c,
                 block(
                     [O66, L.P @ BEFORE.Ad_R @ BEFORE.J_b_c, O66, -(L.P @ L.Ad_R @ L.J_b_a)],
@@ -56,14 +56,14 @@ JOINT_AND_LINK = (
     equation(
         "60",
         "deformation in these rows",
-        Relation(L.D_c, stack(elastic(L, BEFORE), L.D_star)),
+        Equality(L.D_c, stack(elastic(L, BEFORE), L.D_star)),
         block="link_rows.V_eta, link_rows.next_eta",
         note="Holds with the Adjoint, which only turns a screw without rotation part.",
     ),
     equation(
         "61",
         "bias of these rows",
-        Relation(L.H_c, stack(L.H_p, L.H_star)),
+        Equality(L.H_c, stack(L.H_p, L.H_star)),
         where={"H_p:i": joint_bias(L, BEFORE)},
         errata=("E32",),
         block="joint_rows.joint_H, link_rows.V_H",
@@ -73,7 +73,7 @@ JOINT_AND_LINK = (
     equation(
         "62",
         "external wrench in these rows",
-        Relation(L.W_c, stack(NONE, L.W_star)),
+        Equality(L.W_c, stack(NONE, L.W_star)),
         block="joint_rows.joint_W, link_rows.V_W",
         note="The paper's external wrenches include the motors'. The derived block has torques in the joint's rows.",
     ),
@@ -83,9 +83,9 @@ FIRST_LINK = (
     equation(
         "63",
         "compatibility of the first joint",
-        Relation(ONE.P @ (-(ONE.Ad @ ONE.Vdot) - ONE.Ad @ ONE.Vdot_xi_a + ONE.H_p), NONE),
+        Equality(ONE.P @ (-(ONE.Ad @ ONE.Vdot) - ONE.Ad @ ONE.Vdot_xi_a + ONE.H_p), NONE),
         derived=(
-            Relation(
+            Equality(
                 ONE.P @ (-(ONE.Ad_R @ ONE.J_b_a @ ONE.Vdot) - ONE.Ad @ ONE.Vdot_xi_a + ONE.H_p),
                 NONE,
             ),
@@ -96,9 +96,9 @@ FIRST_LINK = (
     equation(
         "65",
         "balance of the first link",
-        Relation(ONE.M_star @ ONE.Vdot + ONE.D_star + ONE.H_star - ONE.W + GROUND.W, ONE.W_star),
+        Equality(ONE.M_star @ ONE.Vdot + ONE.D_star + ONE.H_star - ONE.W + GROUND.W, ONE.W_star),
         derived=(
-            Relation(
+            Equality(
                 ONE.M_star @ ONE.Vdot + ONE.D_star + ONE.H_star - ONE.W + Inverse(Transpose(ONE.Ad_back)) @ GROUND.W,
                 ONE.W_star,
             ),
@@ -128,20 +128,20 @@ WHOLE_ARM = (
     equation(
         "66",
         "rows of the whole arm",
-        Relation(ARM.M_s @ ARM.Psi + ARM.D_s + ARM.h_s, ARM.W_s),
+        Equality(ARM.M_s @ ARM.Psi + ARM.D_s + ARM.h_s, ARM.W_s),
         note="The four parts are judged as what the rows measure on the motion, not as (68) prints them.",
     ),
     equation(
         "67",
         "unknowns of the arm",
-        Relation(ARM.Psi, stack(GROUND.W, ONE.Vdot, ONE.W, TWO.Vdot)),
+        Equality(ARM.Psi, stack(GROUND.W, ONE.Vdot, ONE.W, TWO.Vdot)),
         note=TWO_LINKS,
     ),
     equation(
         "68",
         "columns of the unknowns of the arm",
-        Relation(ARM.M_s, PRINTED_M_S),
-        derived=(Relation(ARM.M_s, M_S),),
+        Equality(ARM.M_s, PRINTED_M_S),
+        derived=(Equality(ARM.M_s, M_S),),
         errata=("E12", "E15", "E17", "E23", "E31"),
         block="joint_rows.joint_V, joint_rows.PX, link_rows.V_V, link_rows.V_w, link_rows.V_next",
         note="The four rows and columns that the paper writes out. Its fourth row stands one column to the left: "
@@ -151,14 +151,14 @@ WHOLE_ARM = (
     equation(
         "69",
         "deformation in the rows of the arm",
-        Relation(ARM.D_s, stack(elastic(ONE), ONE.D_star, elastic(TWO, ONE), TWO.D_star)),
+        Equality(ARM.D_s, stack(elastic(ONE), ONE.D_star, elastic(TWO, ONE), TWO.D_star)),
         block="link_rows.V_eta, link_rows.next_eta",
         note=TWO_LINKS,
     ),
     equation(
         "70",
         "bias of the rows of the arm",
-        Relation(ARM.h_s, stack(ONE.H_p, ONE.H_star, TWO.H_p, TWO.H_star)),
+        Equality(ARM.h_s, stack(ONE.H_p, ONE.H_star, TWO.H_p, TWO.H_star)),
         where={"H_p:1": joint_bias(ONE), "H_p:2": joint_bias(TWO, ONE)},
         errata=("E32",),
         block="joint_rows.joint_H, link_rows.V_H",
@@ -167,7 +167,7 @@ WHOLE_ARM = (
     equation(
         "71",
         "external wrenches of the arm",
-        Relation(ARM.W_s, stack(NONE, ONE.W_star, NONE, TWO.W_star)),
+        Equality(ARM.W_s, stack(NONE, ONE.W_star, NONE, TWO.W_star)),
         block="joint_rows.joint_W, link_rows.V_W",
         note=TWO_LINKS,
     ),

@@ -7,18 +7,18 @@ from functools import cache
 import numpy as np
 from numpy.linalg import inv, norm
 
-from ..algebra.expression import block, zeros
+from ..algebra.expression import BlockMatrix, block, zeros
 from ..algebra.rewrite import substitute
-from ..model import derive
+from ..model import Model, derive
 from ..spec.robot import Joint, Link, Modes, Robot
 from ..studies.analysis.regularity import regularity, with_projectors_alone
 from .arm import SECTION, SET_POINTS, ella
-from .arm_state import ArmState, View
-from .equation import Equation, Relation
+from .arm_state import ArmState, EquationValues
+from .equation import Equality, Equation, relation
 from .erratum import Figure, misfit
 from .evaluate import evaluate
 from .jets import Jet, skew, turn, unskew
-from .motion import Motion
+from .random_motion import RandomMotion
 from .stacking import EQUATIONS as STACKED
 from .stacking import M_S, ONE, PRINTED_M_S
 from .synthesis import AXES, BEFORE, GAP, GAP_RATE, I3, NONE, L, printed_rate, section_rate
@@ -38,11 +38,11 @@ def found(label: str) -> Equation:
 
 
 @cache
-def model(section_rotation: bool = False):
+def model(section_rotation: bool = False) -> Model:
     return derive(ella(section_rotation=section_rotation))
 
 
-def posture(q: tuple[float, ...], v: tuple[float, ...], link: int) -> View:
+def posture(q: tuple[float, ...], v: tuple[float, ...], link: int) -> EquationValues:
     """ELLA undeformed with joint angles ``q`` and rates ``v``; ``i`` is the link with the number 0 or 1."""
     return ArmState(model(), state(q, v)).view(i=link)
 
@@ -61,7 +61,7 @@ def elbow_apart() -> tuple[Figure, ...]:
     view = posture((0, 0, 0), (0, 0, 1), 1)
     twists = {"V_T:i-1": BEFORE.V + BEFORE.V_b_c, "V_B:i": L.V + L.V_b_a}
     printed, derived = (
-        np.abs(evaluate(substitute(e.left, twists), view)).max()
+        np.abs(evaluate(substitute(relation(e).left, twists), view)).max()
         for e in (found("45").printed[0], found("45").derived[0])
     )
     what = "velocity with which the elbow of ELLA, straight, comes apart while it turns at 1 rad/s"
@@ -72,12 +72,14 @@ def blocked_turn() -> tuple[Figure, ...]:
     """E13: what the rows block of a turn that the base joint makes; what axes fixed in the link let through."""
     view = posture(SET_POINTS, (1, 0, 0), 0)
     fixed = L.R @ L.A_zero
-    printed, derived = (norm(evaluate((I3 - x) @ (L.R @ L.omega), view)) for x in (fixed @ fixed.T, L.A @ L.A_plus))
-    motion = Motion(1)
+    printed, derived = (
+        float(norm(evaluate((I3 - x) @ (L.R @ L.omega), view))) for x in (fixed @ fixed.T, L.A @ L.A_plus)
+    )
+    motion = RandomMotion(1)
     twice_over = [np.abs(P @ P - P).max() for P in (np.eye(3) - _outer(motion), motion.values["P:i"][:3, :3])]
     return (
         *misses("43", "oA"),
-        Figure("largest entry of PP − P for two skew axes", "-", *twice_over, scale=1.0),
+        Figure.of("largest entry of PP − P for two skew axes", "-", twice_over, scale=1.0),
         Figure("angular velocity that the rows of ELLA's base block while it turns about y at 1 rad/s, at the set "
                "points", "rad/s", printed, derived, scale=1.0),
         Figure("turn left over when a joint about y and z has made a quarter turn about each and taken both back",
@@ -85,7 +87,7 @@ def blocked_turn() -> tuple[Figure, ...]:
     )  # fmt: skip
 
 
-def _outer(motion: Motion) -> np.ndarray:
+def _outer(motion: RandomMotion) -> np.ndarray:
     return motion.values["A:i"] @ motion.values["A:i"].T
 
 
@@ -94,7 +96,7 @@ def turn_left(fixed: bool) -> float:
     R, q2 = np.eye(3), 0.0
     for which, way in ((0, 1), (1, 1), (0, -1), (1, -1)):
         given = {"R_two:i": turn(E_Z, 0.0 if fixed else q2, 0, 0).value, "a_one:i": E_Y, "a_two:i": E_Z}
-        axis = evaluate(AXES, View(given, {}))[:, which]
+        axis = evaluate(AXES, EquationValues(given, {}))[:, which]
         R = R @ turn(axis, way * QUARTER, 0, 0).value
         q2 += which * way * QUARTER
     return float(np.arctan2(norm(R - R.T) / np.sqrt(8), (np.trace(R) - 1) / 2))
@@ -112,23 +114,23 @@ def blocked_share() -> tuple[Figure, ...]:
         P = evaluate(I3 - L.A @ L.A_plus, posture((0, 0, 0), (0, 0, 0), link))
         shares = [(unit.T @ matrix @ unit).item() for matrix in (np.diag(printed), P)]
         what = f"share that joint {link + 1} of ELLA blocks of a turn about {axis}"
-        out.append(Figure(what, "-", *shares, truth, scale=1.0))
+        out.append(Figure.of(what, "-", shares, truth, scale=1.0))
     return tuple(out)
 
 
 def turning_projector() -> tuple[Figure, ...]:
     """E27: the rows with the Adjoint mended, without the rate of P; and the elbow of ELLA at constant joint rates."""
-    motion = Motion(1)
-    rows = (Relation(L.P @ GAP_RATE, NONE), Relation(L.P @ GAP_RATE + L.Pdot @ GAP, NONE))
+    motion = RandomMotion(1)
+    rows = (Equality(L.P @ GAP_RATE, NONE), Equality(L.P @ GAP_RATE + L.Pdot @ GAP, NONE))
     gaps = [r.misfit(motion) for r in rows]
     q, v = (0, 0, 0), (1, 0, 1)
-    printed = -evaluate(found("accconst5").printed[0].right, posture(q, v, 1))[0, 0]
+    printed = -evaluate(relation(found("accconst5").printed[0]).right, posture(q, v, 1))[0, 0]
     H = model().numpy().assemble(state(q, v), [0.0] * 3, np.zeros((2, 6)))[1]
     carried = np.cross(E_Y[:, 0], E_Z[:, 0])[0]
     what = "angular acceleration of ELLA's forearm about x, base turning about y and elbow about z at 1 rad/s"
     return (
         *misses("accconst1", "accconst5"),
-        Figure("relative misfit of (accconst1) with the Adjoint mended", "-", *gaps, within=1e-11, scale=1.0),
+        Figure.of("relative misfit of (accconst1) with the Adjoint mended", "-", gaps, within=1e-11, scale=1.0),
         Figure(what, "rad/s²", printed, -H[12], carried),
     )
 
@@ -147,20 +149,21 @@ def lost_reference() -> tuple[Figure, ...]:
 
 def misplaced() -> tuple[Figure, ...]:
     """E15: one misplacement at a time, everything else as derived."""
-    motion, rows = Motion(1), [list(row) for row in M_S.rows]
-    right = found("66").printed[0]
+    motion, rows = RandomMotion(1), [list(row) for row in M_S.rows]
+    right = relation(found("66").printed[0])
     missing = lambda M: right.read({"M_s:all": M}).misfit(motion)  # noqa: E731
     signs = [[-x for x in rows[0]], rows[1], [-x for x in rows[2]], rows[3]]
     shifted = [*rows[:3], list(PRINTED_M_S.rows[3])]
-    own = found("59").derived[0].right
+    own = relation(found("59").derived[0]).right
+    assert isinstance(own, BlockMatrix)
     below = own.rows[1]
     wrong = block(own.rows[0], (below[0], below[3], below[2], below[1]))
-    pair = found("58").printed[0]
+    pair = relation(found("58").printed[0])
     in_pair = [pair.read({"M_c:i": M}).misfit(motion) for M in (wrong, own)]
     exact = missing(M_S)
     head = "relative misfit on a random motion of"
     return (
-        Figure(f"{head} (58), only the link's inertia in the column printed", "-", *in_pair, scale=1.0),
+        Figure.of(f"{head} (58), only the link's inertia in the column printed", "-", in_pair, scale=1.0),
         Figure(f"{head} (66), only the fourth row of (68) as printed", "-", missing(block(*shifted)), exact, scale=1.0),
         Figure(f"{head} (66), only the signs of rows one and three as printed", "-", missing(block(*signs)), exact,
                scale=1.0),
@@ -169,7 +172,7 @@ def misplaced() -> tuple[Figure, ...]:
 
 def ground() -> tuple[Figure, ...]:
     """E31: W_0 from the balance of the first link against that of the whole arm about the inertial origin."""
-    motion = Motion(1)
+    motion = RandomMotion(1)
     inner = ONE.W_star + ONE.W - ONE.M_star @ ONE.Vdot - ONE.D_star - ONE.H_star
     printed, truth = evaluate(inner, motion), on_ground(motion)
     derived = evaluate(ONE.Ad_back.T @ inner, motion)
@@ -184,7 +187,7 @@ def ground() -> tuple[Figure, ...]:
     )  # fmt: skip
 
 
-def on_ground(motion: Motion) -> np.ndarray:
+def on_ground(motion: RandomMotion) -> np.ndarray:
     """External wrenches less the rate of momentum and weight of every element, about the inertial origin, (6, 1)."""
     total = np.zeros((6, 1))
     for link in motion.links:
@@ -227,12 +230,12 @@ def zero_singular_values() -> tuple[Figure, ...]:
         M = judge.assemble(judge.dae_state(q, v), [0.0] * arm.n_joints, np.zeros((arm.n_links, 6)))[0]
         lost = [len(M) - regularity(x, like=M).rank for x in (with_projectors_alone(arm, M), M)]
         what = rf"zero singular values of $\mathbf{{M}}_{{sys}}$ of {name} ({arm.n_joints} axes)"
-        out.append(Figure(what, "-", *lost))
+        out.append(Figure.of(what, "-", lost))
     return tuple(out)
 
 
 @cache
-def mixed():
+def mixed() -> Model:
     """Three flexible links behind joints of one, two and three axes."""
     modes = Modes(basis="clamped_free", bending_y=1, bending_z=1)
     links = [

@@ -7,8 +7,9 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from ..algebra.expression import Symbol
 from ..algebra.notation import latex
-from .equation import Equation, Formula, Relation, Standing
+from .equation import Equality, Equation, Formula, Standing
 from .erratum import Erratum, Figure
 from .plain import WIDTH, boxed, hung, letters, relation, shown
 from .quantities import QUANTITIES
@@ -70,14 +71,14 @@ def equation_text(e: Equation) -> str:
     return "\n".join(lines + _symbols(e))
 
 
-def _named(e: Equation, name: str):
+def _named(e: Equation, name: str) -> Symbol:
     return next(s for s in e.symbols if s.name == name)
 
 
-def _formulas(head: str, statements: tuple[Relation | Formula, ...]) -> list[str]:
+def _formulas(head: str, statements: tuple[Equality | Formula, ...]) -> list[str]:
     lines = [f"  {head}"]
     for s in statements:
-        text = relation(s.left, s.right, WIDTH - 4) if isinstance(s, Relation) else _text(s)
+        text = relation(s.left, s.right, WIDTH - 4) if isinstance(s, Equality) else _text(s)
         lines += [f"    {line}" for line in text]
     return lines
 
@@ -189,5 +190,5 @@ def _numbers(f: Figure) -> dict[str, str]:
     return {"printed": number(f, f.printed), "derived": number(f, f.derived), "truth": number(f, f.truth)}
 
 
-def _latex(s: Relation | Formula) -> str:
-    return f"{latex(s.left)} = {latex(s.right)}" if isinstance(s, Relation) else s.latex
+def _latex(s: Equality | Formula) -> str:
+    return f"{latex(s.left)} = {latex(s.right)}" if isinstance(s, Equality) else s.latex

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import sympy as sp
 
@@ -177,7 +178,7 @@ INERTIA = "kg, kg*m, kg*m^2"
 
 
 @dataclass(frozen=True)
-class Rows:
+class LinkRows:
     """Some rows of a link: their twist columns and bias in V and in Z, as code and paper name them."""
 
     whose: str
@@ -195,20 +196,20 @@ class Rows:
 
 
 ROWS = (
-    Rows(
+    LinkRows(
         "rows of the joint",
         ("joint_V", r"\mathbf{M}_{V,i}", "joint_Z", r"\mathbf{M}_{Z,i}"),
         MIXED,
         ("joint_H", r"\mathbf{H}_{p,i}", "joint_H_Z", "joint_h_Ms", r"\mathbf{h}_{M_s,p,i}"),
     ),
-    Rows(
+    LinkRows(
         "twist rows",
         ("V_V", r"\mathbf{M}_{VV,i}", "Z_Z", r"\mathbf{M}_{VZ,i}"),
         INERTIA,
         ("V_H", r"\mathbf{H}_{V,i}", "V_H_Z", "V_h_Ms", r"\mathbf{h}_{M_s,V,i}"),
         "N*m, N",
     ),
-    Rows(
+    LinkRows(
         "modal rows",
         ("eta_V", r"\mathbf{M}_{\eta V,i}", "eta_Z", r"\mathbf{M}_{\eta Z,i}"),
         "kg, kg*m",
@@ -216,7 +217,7 @@ ROWS = (
         "N",
         modal=True,
     ),
-    Rows("next joint's rows", ("next_V", r"\mathbf{M}_{V,i+1}^{-}", "next_Z", r"\mathbf{M}_{Z,i+1}^{-}"), MIXED),
+    LinkRows("next joint's rows", ("next_V", r"\mathbf{M}_{V,i+1}^{-}", "next_Z", r"\mathbf{M}_{Z,i+1}^{-}"), MIXED),
 )
 
 
@@ -248,7 +249,7 @@ def z_rows_block(key: LinkClass) -> Block:
     return b
 
 
-def _columns(b: Block, rows: Rows, T: Symbol, modes: int) -> Symbol:
+def _columns(b: Block, rows: LinkRows, T: Symbol, modes: int) -> Symbol:
     """The twist columns of some rows, which become those of Zdot."""
     name, display, in_z, display_z = rows.columns
     size, meaning = modes if rows.modal else 6, f"{rows.whose}, twist columns"
@@ -266,10 +267,10 @@ def _columns(b: Block, rows: Rows, T: Symbol, modes: int) -> Symbol:
     return M
 
 
-def _bias(b: Block, rows: Rows, names: tuple[str, str, str, str, str], change: Expression) -> None:
+def _bias(b: Block, rows: LinkRows, names: tuple[str, str, str, str, str], change: Expression) -> None:
     """``h_Ms`` of some rows, and their bias in Z: ``h_dyn = h_Ms + h_MD + h_s``."""
     name, display, in_z, difference, display_difference = names
-    shared = {"unit": rows.bias_unit, "numbered": rows.numbered}
+    shared: dict[str, Any] = {"unit": rows.bias_unit, "numbered": rows.numbered}
     meaning = f"{rows.whose}: bias of the change to Z"
     h = b.step(difference, change, display_difference, equation="HMs", meaning=meaning, **shared)
     meaning = f"{rows.whose}: bias with the twist's rate as unknown"

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from ..algorithms.dae_functions import DaeFunctions, Entries, link_unknowns
 from ..algorithms.functions import ASSEMBLY, DAE_FORWARD, PLACEMENT, Algorithm
-from ..algorithms.fused import fuse, program
+from ..algorithms.fused import Outputs, fuse, program
 from ..algorithms.schedule import OUTWARD, Phase
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer
@@ -48,8 +50,8 @@ def cauchy_names(chain: Chain) -> dict[str, list[str]]:
 class ZFunctions(DaeFunctions):
     """The functions of the Z-form, on values of any algebra."""
 
-    def _nodes(self) -> list[dict[str, list]]:
-        places = super()._nodes()
+    def _nodes(self, chain: Chain) -> list[dict[str, list]]:
+        places = super()._nodes(chain)
         places[0]["h_M"] = [0.0] * 6
         return places
 
@@ -71,15 +73,19 @@ class ZFunctions(DaeFunctions):
         ]
         return state
 
-    def _links(self, algorithm: Algorithm, state: Sequence[Mapping], tau, w_ext) -> list[dict[str, list]]:
+    def _links(
+        self, algorithm: Algorithm, state: Sequence[Mapping], tau: Sequence, w_ext: Sequence
+    ) -> list[dict[str, list]]:
         return self._run(algorithm, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
 
-    def assemble_z(self, x_c, q, tau, w_ext) -> tuple[Entries, list, list, list[dict[str, list]]]:
+    def assemble_z(
+        self, x_c: Sequence, q: Sequence, tau: Sequence, w_ext: Sequence
+    ) -> tuple[Entries, list, list, list[dict[str, list]]]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys`` with ``Zdot`` as unknown, and what every link has stored."""
         links = self._links(Z_ASSEMBLY, self._with_terms(self.unpack_z(x_c, q), "eta"), tau, w_ext)
         return *self._stacked(links), links
 
-    def cauchy(self, x_c, q, tau, w_ext) -> list[dict[str, list]]:
+    def cauchy(self, x_c: Sequence, q: Sequence, tau: Sequence, w_ext: Sequence) -> list[dict[str, list]]:
         """What every link gives to the Cauchy form: ``J_inverse``, ``Zdot``, ``etaddot``, ``qdot``, ``wrench``."""
         return self._links(Z_FORWARD, self._moving(self.unpack_z(x_c, q), Z_FORWARD[:2]), tau, w_ext)
 
@@ -99,14 +105,14 @@ def _gathered(links: Sequence[Mapping[str, list]], *names: str) -> list:
     return [v for link in links for name in names for v in link[name]]
 
 
-def z_assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tuple[int, int]]]:
+def z_assembly(chain: Chain, constants: str = "parameters") -> tuple[Program, list[tuple[int, int]]]:
     """``(x_c, q, tau, w_ext) -> (M, H, W, h_Ms, T_gamma, gamma_star)``, with the places of the entries of ``M``.
 
     ``T_gamma`` (36 numbers) and ``gamma_star`` (6) link by link.
     """
     places: list[tuple[int, int]] = []
 
-    def body(f: ZFunctions, x):
+    def body(f: ZFunctions, x: Mapping[str, Sequence]) -> Outputs:
         entries, H, W, links = f.assemble_z(x["x_c"], x["q"], x["tau"], x["w_ext"])
         places.extend(entries)
         pieces = {name: _gathered(links, name) for name in ("T_gamma", "gamma_star")}
@@ -115,13 +121,13 @@ def z_assembly(chain: Chain, constants="parameters") -> tuple[Program, list[tupl
     return fuse(chain, "assemble_z", _inputs(chain), body, constants, ZFunctions), places
 
 
-def z_dynamics(chain: Chain, constants="parameters") -> Program:
+def z_dynamics(chain: Chain, constants: str = "parameters") -> Program:
     """``(x_c, q, tau, w_ext) -> (J_inverse, Zdot, etaddot, qdot, wrench, margin)`` by block elimination.
 
     ``margin`` is positive where a link's ``J_inverse`` exists.
     """
 
-    def body(f: ZFunctions, x):
+    def body(f: ZFunctions, x: Mapping[str, Sequence]) -> Outputs:
         links = f.cauchy(x["x_c"], x["q"], x["tau"], x["w_ext"])
         names = ("J_inverse", "Zdot", "etaddot", "qdot", "wrench", "margin")
         return {name: _gathered(links, name) for name in names}
@@ -130,7 +136,7 @@ def z_dynamics(chain: Chain, constants="parameters") -> Program:
 
 
 @program("q v", kind=ZFunctions)
-def z_placement(f: ZFunctions, q, v):
+def z_placement(f: ZFunctions, q: Sequence, v: Sequence) -> Outputs:
     """``(q, v) -> (quaternion, r, eta, Z, etadot)``, link by link."""
     links, names = f.place_z(q, v), ("new_quaternion", "r", "eta", "Z", "etadot")
     return {name.removeprefix("new_"): _gathered(links, name) for name in names}
@@ -139,6 +145,6 @@ def z_placement(f: ZFunctions, q, v):
 def exponential() -> Program:
     """``(theta) -> (R, J, J_inverse)``, row by row."""
     tracer = Tracer()
-    values = lower(z_form_block(), {"theta": tracer.input("theta", 3)}, ("R", "J_theta", "J_inverse"), tracer)
+    values = lower(z_form_block(), {"theta": np.array(tracer.input("theta", 3))}, ("R", "J_theta", "J_inverse"), tracer)
     outputs = {name.removesuffix("_theta"): list(matrix.ravel()) for name, matrix in values.items()}
     return tracer.program("exponential", {"theta": 3}, outputs)

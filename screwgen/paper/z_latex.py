@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from ..backends.latex.content import Chapter, Item, Named, Section, equation, parse
+from ..backends.latex.content import Chapter, DocumentSection, Item, Named, equation, parse
 from ..backends.latex.pattern import pattern
 from ..backends.latex.steps import StepView, block_view
 from ..backends.templates import render
@@ -36,7 +36,7 @@ def z_chapter(chain: Chain) -> Chapter:
     block = z_form_block()
     view = block_view(block)
     prose = render("z_form.tex.jinja", TEMPLATES, pattern=pattern(chain, "Z"), size=cauchy_size(chain))
-    section = Section("The Z-form", list(_items(prose, {step.name: step for step in view.steps})))
+    section = DocumentSection("The Z-form", list(_items(prose, {step.name: step for step in view.steps})))
     return Chapter((section,), ((block, view),), SYMBOLS)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ..elements import ADDED
 from .look import GREY, SMALL
 
 if TYPE_CHECKING:
@@ -45,9 +46,7 @@ class AxisCurves(NamedTuple):
 AXIS_CURVES = (
     AxisCurves("Joint angles", "q", "rad", "q", ".joint[", "goal"),
     AxisCurves("Slides", "q", "m", "q", ".slide[", "goal"),
-    AxisCurves("Rotor angles", "θ", "rad", "q", ".theta["),
-    AxisCurves("Rotors ahead of their cranks", "e", "rad", "q", ".gear["),
-    AxisCurves("Rotors ahead of their cylinders", "e", "m", "q", ".stretch["),
+    *(AxisCurves(one.title, one.symbol, one.unit, "q", f".{one.name}[") for one in ADDED),
     AxisCurves("Torques", "τ", "N·m", "tau", ".torque[", "bound"),
     AxisCurves("Forces of drives", "f", "N", "tau", ".force[", "bound"),
     AxisCurves("Power of drives", "P", "W", "drive_power", ".power["),
@@ -76,16 +75,18 @@ def thin(t: np.ndarray, values: np.ndarray, most: int = MOST_POINTS) -> tuple[np
 
 
 def prefixed(size: float, unit: str) -> tuple[float, str]:
-    """The factor to, and the name of, the unit that suits values up to `size` SI units: mm, kN, mrad."""
+    """The factor to, and the name of, the unit that suits values up to `size` SI units: mm, kN, mrad; kg·m/s stays."""
     power = 0
-    while power > -12 and size * 10.0**-power < 0.2:
+    while power > -12 and not unit.startswith("k") and size * 10.0**-power < 0.2:
         power -= 3
-    while power < 9 and size * 10.0**-power >= 2e4 and unit != "rad":
+    while power < 9 and size * 10.0**-power >= 2e4 and unit != "rad" and not unit.startswith("k"):
         power += 3
     return 10.0**-power, PREFIXES[power] + unit
 
 
-def scale(t: np.ndarray, curves: Sequence[np.ndarray], unit: str, bounds: Sequence[float] = (), ends=()) -> Scale:
+def scale(
+    t: np.ndarray, curves: Sequence[np.ndarray], unit: str, bounds: Sequence[float] = (), ends: Sequence[float] = ()
+) -> Scale:
     """The scale for curves (N,) over t, SI: all values, unless a transient at the start would flatten the rest.
 
     `bounds`: limits ±b of the curves; they are on the scale where that leaves half of it to the curves.

@@ -6,7 +6,7 @@ import io
 from collections.abc import Callable, Sequence
 from functools import wraps
 from itertools import pairwise, product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import numpy as np
 from matplotlib import rc_context
@@ -66,11 +66,15 @@ VIEWS = ((22.0, -58.0), (22.0, 32.0), (55.0, -58.0), (55.0, 32.0))
 """Elevations and azimuths, degrees, to look from."""
 
 
-def styled(draw: Callable) -> Callable:
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def styled(draw: Callable[_P, _R]) -> Callable[_P, _R]:
     """`draw` in this look."""
 
     @wraps(draw)
-    def drawn(*args, **options):
+    def drawn(*args: _P.args, **options: _P.kwargs) -> _R:
         with rc_context(LOOK):
             return draw(*args, **options)
 
@@ -146,7 +150,7 @@ def name_ends(axes: Axes, lines: Sequence[Line2D], gap: float = 0.075) -> None:
         axes.annotate(line.get_label(), (1, below), (5, 0), color=line.get_color(), fontsize=SMALL, **place)
 
 
-def fitted_legend(owner: Axes | Figure, handles: Sequence, width: float, **options) -> Legend:
+def fitted_legend(owner: Axes | Figure, handles: Sequence, width: float, **options: Any) -> Legend:
     """A legend of axes or of a figure with as many columns as fit into `width`, pixels."""
     for columns in range(len(handles), 0, -1):
         out = owner.legend(handles=handles, ncols=columns, **options)

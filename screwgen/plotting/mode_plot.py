@@ -43,7 +43,7 @@ REST, MOVED, OTHER = PALE, PALETTE[0], "#90cdf4"
 WORDS = {direction: direction.replace("_", " in ") for direction in DIRECTIONS} | {ELASTIC: "modes"}
 
 
-class Shape(NamedTuple):
+class ModeMotion(NamedTuple):
     """The motion of an arm in a mode: of the centrelines and, for links with torsion modes, of their sections."""
 
     motion: np.ndarray
@@ -51,9 +51,9 @@ class Shape(NamedTuple):
     turns: dict[int, np.ndarray]
     """Of each link with torsion modes (stations,) rad: about its centreline."""
 
-    def scaled(self, factor: float) -> Shape:
+    def scaled(self, factor: float) -> ModeMotion:
         """The shape, larger."""
-        return Shape(factor * self.motion, {i: factor * turn for i, turn in self.turns.items()})
+        return ModeMotion(factor * self.motion, {i: factor * turn for i, turn in self.turns.items()})
 
 
 def png(model: RobotModel, q: np.ndarray, found: ModeShapes) -> bytes:
@@ -83,7 +83,7 @@ def figure(model: RobotModel, q: np.ndarray, found: ModeShapes) -> Figure:
 # ------------------------------------------------------------------------------ what moves
 
 
-def field(model: RobotModel, q: np.ndarray, shape: np.ndarray) -> Shape:
+def field(model: RobotModel, q: np.ndarray, shape: np.ndarray) -> ModeMotion:
     """The motion of the arm, linear in the mode, of arbitrary size."""
     size = np.max(np.abs(shape))
     there, back = (displaced(model, q, sign * STEP / size * shape) for sign in (1, -1))
@@ -94,7 +94,7 @@ def field(model: RobotModel, q: np.ndarray, shape: np.ndarray) -> Shape:
         if modal_columns(model, i, "torsion"):
             rolls = R[i].T @ (R_there[i] - R_back[i]) / (2 * STEP)
             turns[i] = rolls[2, 1] + twist(model, turning[None], i, STATIONS)[0]
-    return Shape(motion, turns)
+    return ModeMotion(motion, turns)
 
 
 def displaced(model: RobotModel, q: np.ndarray, change: np.ndarray) -> np.ndarray:
@@ -108,7 +108,7 @@ def displaced(model: RobotModel, q: np.ndarray, change: np.ndarray) -> np.ndarra
     return out
 
 
-def amplified(rest: np.ndarray, shape: Shape) -> Shape:
+def amplified(rest: np.ndarray, shape: ModeMotion) -> ModeMotion:
     """The shape scaled to the arm's size by its largest part, section or centreline, which is positive."""
     size = np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
     largest = shape.motion.reshape(-1, 3)[np.argmax(np.linalg.norm(shape.motion, axis=2))]
@@ -147,7 +147,7 @@ def meaning(model: RobotModel, shape: np.ndarray) -> str:
 # ------------------------------------------------------------------------------ how it is drawn
 
 
-def _draw(axes: Axes, model: RobotModel, rest: np.ndarray, frames: np.ndarray, shape: Shape) -> np.ndarray:
+def _draw(axes: Axes, model: RobotModel, rest: np.ndarray, frames: np.ndarray, shape: ModeMotion) -> np.ndarray:
     """Draw the arm at rest and at both ends of the vibration; returns the points to frame, (N, 3) m."""
     points, width = [], WIDTH * np.linalg.norm(np.ptp(rest.reshape(-1, 3), axis=0))
     for share, color, weight in ((-1.0, OTHER, 0.9), (0.0, REST, 1.6), (1.0, MOVED, 1.8)):

@@ -18,7 +18,7 @@ from ..simulation.runs import Run, check_output, outputs
 from . import look
 from .curves import over_time, scale, thin
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
-from .run_panels import Panel, color, link_names, panels, sift
+from .run_panels import Panel, PanelCurve, link_names, panels, sift
 from .strands import feet, strands
 
 if TYPE_CHECKING:
@@ -39,6 +39,8 @@ PATH = dict(color=INK, linewidth=0.9)
 EARLIER = dict(color=PALE, linewidth=1.6)
 MARK = dict(marker="o", linestyle="none", markersize=6)
 START, END = PALETTE[2], PALETTE[3]
+NAMED = dict(zip("xyz", PALETTE, strict=False)) | {"kinetic": PALETTE[0], "potential": PALETTE[1], "total": INK}
+"""The colours of curves that are no link's."""
 
 
 @styled
@@ -60,7 +62,7 @@ def figure(run: Run, model: RobotModel | None = None, controller: Any = None) ->
     cells = [grid[k * SPACE[0] // beside : (k + 1) * SPACE[0] // beside, SPACE[1] :] for k in range(beside)]
     cells += filled(grid, below, COLUMNS, SPACE[0])
     for panel, cell in zip(shown, cells, strict=True):
-        _curves(out.add_subplot(cell), panel, run.t)
+        _curves(out.add_subplot(cell), panel, run.t, len(link_names(run)))
     space = grid[: SPACE[0], : SPACE[1] if shown else GRID].subgridspec(2, 1, height_ratios=(8, 1))
     room = look.rooms(out, [space[0]])
     _key(out.add_subplot(space[1]), run, shown, model is not None)
@@ -91,24 +93,38 @@ def _headline(run: Run) -> str:
     return f"{run.name}: {run.t[-1]:g} s in {steps} step{'s' if steps != 1 else ''}"
 
 
-def _curves(axes: Axes, panel: Panel, t: np.ndarray) -> None:
+def color(owner: int | str, n: int) -> Any:
+    """The colour of a curve of one of n links: by name while there are few, else on a scale from base to tip."""
+    if isinstance(owner, str):
+        return NAMED[owner]
+    return PALETTE[owner % len(PALETTE)] if n <= len(PALETTE) else colormaps["viridis"](0.95 * owner / (n - 1))
+
+
+def _style(line: PanelCurve) -> str:
+    return STYLES[line.number % len(STYLES)] if line.owner != "total" else "--"
+
+
+def _on_scale(line: PanelCurve, n: int) -> bool:
+    """Whether the curve is told by its place on a scale of colours, and not by its name."""
+    return isinstance(line.owner, int) and n > len(PALETTE)
+
+
+def _curves(axes: Axes, panel: Panel, t: np.ndarray, n: int) -> None:
     goals = [line.goal for line in panel.lines if line.goal is not None]
     bounds = [line.bound for line in panel.lines if line.bound is not None]
     ends = [x for line in panel.lines for x in line.ends]
     fitted = scale(t, [line.values for line in panel.lines] + goals, panel.unit, bounds, ends)
     for line in panel.lines:
-        for values, options in (
-            (line.goal, GOAL | {"linestyle": line.style}),
-            (line.values, {"linestyle": line.style, "label": line.label}),
-        ):
+        look = {"color": color(line.owner, n), "linestyle": _style(line)}
+        for values, options in ((line.goal, GOAL), (line.values, {} if _on_scale(line, n) else {"label": line.label})):
             if values is not None:
                 x, y = thin(t, values)
-                axes.plot(x, fitted.factor * y, color=line.color, **options)
+                axes.plot(x, fitted.factor * y, **look, **options)
         if line.bound is not None:
             for sign in (-1, 1):
-                axes.axhline(sign * fitted.factor * line.bound, color=line.color, **BOUND)
+                axes.axhline(sign * fitted.factor * line.bound, color=look["color"], **BOUND)
         for place in (fitted.factor * x for x in line.ends if fitted.low <= fitted.factor * x <= fitted.high):
-            axes.axhline(place, color=line.color, **END_OF_RANGE)
+            axes.axhline(place, color=look["color"], **END_OF_RANGE)
     over_time(axes, t, panel.title, f"{panel.symbol} ({fitted.unit})", fitted)
     legend_above(axes, 0.8 * len(axes.get_subplotspec().colspan) / GRID * axes.figure.bbox.width)
 
@@ -121,7 +137,7 @@ def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
         (name, dict(color=color(i, n))) for i, name in enumerate(links) if n <= len(PALETTE)
     ]
     for style, word in zip(STYLES[1:], ("second", "third", "fourth"), strict=True):
-        if any(line.style == style and line.label is None for line in lines):
+        if any(_style(line) == style and _on_scale(line, n) for line in lines):
             entries.append((f"{word} axis or mode of a link", dict(linestyle=style)))
     if any(line.goal is not None for line in lines):
         entries.append(("set point", GOAL))

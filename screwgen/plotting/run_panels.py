@@ -1,15 +1,16 @@
-"""What the figure of a run shows over time: panels of curves, each with its unit, in the colours of their links."""
+"""What figures and pages show of a run over time: panels of curves, each with its unit, and whose they are."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
-from matplotlib import colormaps
 from scipy.spatial.transform import Rotation
 
+from ..algorithms.robot_functions import BY_NAME, PARTS, written
+from ..elements import ROTOR
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run
@@ -18,7 +19,6 @@ from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
 from .curves import AXIS_CURVES, NOTHING, AxisCurves
 from .demands import axis_word, bounds_of, place_names, set_points
-from .look import INK, PALETTE, STYLES
 
 TIPS = (
     ("Deflection of tips in y", "y", ("bending_y", "shear_y", ELASTIC)),
@@ -28,13 +28,15 @@ TIPS = (
 """Title, axis of the link, and the directions of modes that move the tip along it."""
 
 
-class Line(NamedTuple):
-    """A curve over time with colour, style and label, and the goal and the bound that are drawn with it."""
+class PanelCurve(NamedTuple):
+    """A curve over time, and the goal and the bound that are drawn with it."""
 
     values: np.ndarray
-    color: Any
-    style: str = "-"
-    label: str | None = None
+    owner: int | str
+    """The number of its link, whose colour it has; of what is no link's, such as ``x`` and ``total``, the name."""
+    label: str
+    number: int = 0
+    """Which of its link's it is: the first, the second, … has dashes of its own."""
     goal: np.ndarray | None = None
     bound: float | None = None
     ends: Sequence[float] = ()
@@ -47,7 +49,7 @@ class Panel(NamedTuple):
     title: str
     symbol: str
     unit: str
-    lines: list[Line]
+    lines: list[PanelCurve]
 
     @property
     def largest(self) -> float:
@@ -57,12 +59,17 @@ class Panel(NamedTuple):
 
 def panels(run: Run, controller: Any = None, model: RobotModel | None = None) -> list[Panel]:
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
+    goals, bounds = set_points(run, model, controller), bounds_of(run, model, controller)
+    return [*motion_panels(run, model, goals, bounds), *_wrenches(run)]
+
+
+def motion_panels(
+    run: Run, model: RobotModel | None, goals: np.ndarray | None = None, bounds: np.ndarray | None = None
+) -> list[Panel]:
+    """Those of motion, drives and energy; `goals` (n_joints, N): set points, `bounds` (n_tau,): limits of drives."""
     kinetic, potential = run.energy.T
-    energy = [Line(kinetic, PALETTE[0], label="kinetic"), Line(potential, PALETTE[1], label="potential")]
-    energy.append(Line(kinetic + potential, INK, "--", "total"))
-    place = [Line(x, shade, "-", name) for name, x, shade in zip("xyz", run.tip_position.T, PALETTE, strict=False)]
-    beside = {"goal": set_points(run, model, controller), "bound": bounds_of(run, model, controller)}
-    beside |= {"ends": None if model is None else model.chain.limits}
+    energy = _named(("kinetic", "potential", "total"), (kinetic, potential, kinetic + potential))
+    beside = {"goal": goals, "bound": bounds, "ends": None if model is None else model.chain.limits}
     titles = _titles(run, model)
     return [
         *_base(run),
@@ -72,21 +79,41 @@ def panels(run: Run, controller: Any = None, model: RobotModel | None = None) ->
             if x.array in run.arrays
         ),
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
-        *_wrenches(run),
         Panel("Energy", "E", "J", energy),
-        Panel("Tip, inertial frame", "r", "m", place),
+        *_reported(run),
+        *_reported(run),
+        Panel("Tip, inertial frame", "r", "m", _named("xyz", run.tip_position.T)),
     ]
+
+
+def _reported(run: Run) -> Iterator[Panel]:
+    """What functions of the robot report, where it is no quantity of axes: a panel for each result."""
+    for name in sorted(set(run.told) - {x.array for x in AXIS_CURVES}):
+        rows, first = run.told[name].reshape(len(run.t), -1).T, 0
+        for result, signal in BY_NAME[name].results.items():
+            labels = [part.lstrip("._") or result for part in PARTS[signal.shape]]
+            own = rows[first : first + len(labels)]
+            lines = [PanelCurve(x, a if a in "xyz" else k, a) for k, (x, a) in enumerate(zip(own, labels, strict=True))]
+            first += len(labels)
+            title = signal.meaning[0].upper() + signal.meaning[1:]
+            yield Panel(title, result, written(signal.unit), lines)
+
+
+def _named(names: Sequence[str], values: Iterable[np.ndarray]) -> list[PanelCurve]:
+    """Curves that are no link's."""
+    return [PanelCurve(x, name, name) for name, x in zip(names, values, strict=True)]
 
 
 def _titles(run: Run, model: RobotModel | None) -> dict[str, str]:
     """Other titles of panels: torques and forces of a robot whose drives act on its joints directly."""
-    rotors = any(".theta[" in name for name in run.q_names) or (model is not None and bool(model.chain.linked))
-    pushed = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
-    direct = {"Torques": "Joint torques"} if not rotors else {}
-    return direct | ({} if pushed else {"Forces of drives": "Forces on slides"})
+    kinds = model.chain.travel_kinds if model else []
+    behind = any(f".{ROTOR.name}[" in name for name in run.q_names) or any(x.EFFORT_UNIT == "N·m" for x in kinds)
+    turned = {name.replace(".force[", ".joint[") for name in run.tau_names if ".force[" in name} & set(run.q_names)
+    direct = {"Torques": "Joint torques"} if not behind else {}
+    return direct | ({} if turned else {"Forces of drives": "Forces on slides"})
 
 
-def _of_axes(run: Run, model: RobotModel | None, x: AxisCurves, beside: dict[str, Any]) -> list[Line]:
+def _of_axes(run: Run, model: RobotModel | None, x: AxisCurves, beside: dict[str, Any]) -> list[PanelCurve]:
     """The curves of a panel of axes, with set points, bounds or limits of the axes."""
     names = run.names_of(x.array)
     out = _lines(run, model, run.arrays[x.array], names, x.word, axes=True)
@@ -103,10 +130,7 @@ def _base(run: Run) -> list[Panel]:
         return []
     turns = Rotation.from_quat(run.q[:, 3:7], scalar_first=True)
     turned = (turns * turns[0].inv()).as_rotvec()
-    place, turn = (
-        [Line(x, shade, "-", name) for name, x, shade in zip("xyz", values.T, PALETTE, strict=False)]
-        for values in (run.q[:, :3], turned)
-    )
+    place, turn = _named("xyz", run.q[:, :3].T), _named("xyz", turned.T)
     return [Panel("Base, inertial frame", "r", "m", place), Panel("Turn of the base", "θ", "rad", turn)]
 
 
@@ -121,30 +145,21 @@ def link_names(run: Run) -> list[str]:
     return list(dict.fromkeys(map(owner, run.wrench_names)))
 
 
-def color(link: int, n: int) -> tuple | str:
-    """The colour of a link: by name while there are few, on a scale from base to tip when there are many."""
-    return PALETTE[link % len(PALETTE)] if n <= len(PALETTE) else colormaps["viridis"](0.95 * link / (n - 1))
-
-
 def _lines(
-    run: Run, model: RobotModel | None, values: np.ndarray, names: tuple[str, ...], part: str, axes=False
-) -> list[Line]:
-    """The columns whose name has `part` after the link's, in the link's colour; the style counts those of a link.
-
-    `axes`: they belong to joint axes, whose letters the labels have.
-    """
+    run: Run, model: RobotModel | None, values: np.ndarray, names: tuple[str, ...], part: str, axes: bool = False
+) -> list[PanelCurve]:
+    """The columns whose name has `part` after the link's; `axes`: of joint axes, whose letters the labels have."""
     links, given = link_names(run), {x.name: x for x in model.robot.links} if model else {}
     found: list[tuple] = [(k, *name.split(part)) for k, name in enumerate(names) if part in name]
     out = []
     for k, link, member in found:
         i, own, number = links.index(owner(link)), owner(link), int(member[:-1])
         word = axis_word(given[own], number) if axes and own in given else str(number + 1) if number else ""
-        label = _few(f"{own} {word}".strip(), len(links))
-        out.append(Line(values[:, k], color(i, len(links)), STYLES[number % len(STYLES)], label))
+        out.append(PanelCurve(values[:, k], i, f"{own} {word}".strip(), number))
     return out
 
 
-def _modes(q: Callable[[str], list[Line]]) -> list[Panel]:
+def _modes(q: Callable[[str], list[PanelCurve]]) -> list[Panel]:
     """The modal coordinates of a run whose model is not at hand."""
     titles = {d: f"Modes, {d.replace('_', ' in ')}" for d in DIRECTIONS} | {ELASTIC: "Modes of bodies from files"}
     units = {"torsion": "rad"}
@@ -153,9 +168,9 @@ def _modes(q: Callable[[str], list[Line]]) -> list[Panel]:
 
 def _tips(run: Run, model: RobotModel) -> list[Panel]:
     """How far the tips of flexible links are from those of the undeformed links, and how far they are twisted."""
-    tips, names, n = tip_deflections(model, run.q), [x.name for x in model.robot.links], len(link_names(run))
+    tips, names = tip_deflections(model, run.q), [x.name for x in model.robot.links]
     has = lambda i, kinds: any(modal_columns(model, i, kind) for kind in kinds)  # noqa: E731
-    named = lambda i, values: Line(values, color(i, n), "-", _few(names[i], n))  # noqa: E731
+    named = lambda i, values: PanelCurve(values, i, names[i])  # noqa: E731
     moved = [
         Panel(title, f"$u_{axis}$", "m", [named(i, u[:, "xyz".index(axis)]) for i, u in tips.items() if has(i, kinds)])
         for title, axis, kinds in TIPS
@@ -167,22 +182,17 @@ def _tips(run: Run, model: RobotModel) -> list[Panel]:
 def _wrenches(run: Run) -> list[Panel]:
     """The forces and moments at the bases of links, each along an axis of its link, with their signs."""
     joints = [i for i, name in enumerate(run.wrench_names[::6]) if owner(name) == name.rpartition(".")[0]]
-    names, n = link_names(run), len(joints)
+    names = link_names(run)
     return [
         Panel(f"Joint {what}s in {axis}", f"${letter}_{axis}$", unit, [
-            Line(run.wrench[:, i, row + k], color(j, n), "-", _few(names[j], n)) for j, i in enumerate(joints)
+            PanelCurve(run.wrench[:, i, row + k], j, names[j]) for j, i in enumerate(joints)
         ])
         for what, letter, unit, row in (("force", "F", "N", 3), ("moment", "M", "N·m", 0))
         for k, axis in enumerate("xyz")
     ]  # fmt: skip
 
 
-def _few(name: str, n: int) -> str | None:
-    """The name of a curve beside its panel's title, unless links are so many that their colours are a scale."""
-    return name if n <= len(PALETTE) else None
-
-
-def _with(lines: list[Line], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[Line]:
+def _with(lines: list[PanelCurve], field: str, values: np.ndarray | None, chosen: np.ndarray) -> list[PanelCurve]:
     """The lines with one field each from the `chosen` ones of `values`, one per joint axis, if there are any."""
     if values is None or len(values) != len(chosen):
         return lines

@@ -7,6 +7,7 @@ import numpy as np
 from ..robot_model import RobotModel
 from ..spec.markers import carried_at
 from ..spec.parents import parents
+from ..spec.robot import Link
 
 
 def feet(model: RobotModel) -> list[np.ndarray]:
@@ -36,6 +37,6 @@ def _on(line: np.ndarray, s: float) -> np.ndarray:
     return line[first] + (whole - first) * (line[first + 1] - line[first]) if s < 1 else line[-1]
 
 
-def _mount(link) -> np.ndarray:
+def _mount(link: Link) -> np.ndarray:
     mount = link.joint.mount
     return np.array(mount.xyz if mount and mount.xyz else np.zeros(3), float)

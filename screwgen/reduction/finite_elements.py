@@ -10,7 +10,7 @@ metres.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,7 +21,7 @@ from scipy.sparse.linalg import ArpackError, eigsh, splu
 from ..errors import RobotFileError, one_line
 from ..files import open_arrays, sound
 from . import INTERFACES
-from .invariants import EPS, Invariants, Node, hat
+from .invariants import EPS, BodyNode, Invariants, hat
 from .standard import MOST_MODES
 
 PARTS = ("data", "indices", "indptr", "shape")
@@ -54,9 +54,9 @@ class Mesh:
 
     def rigid(self, name: str) -> np.ndarray:
         """(degrees of freedom of the set, 6): its motion by unit displacements and rotations at its point."""
-        lever = self.places[self.sets[name]] - self.points[name]
-        out = np.zeros((len(lever), self.each, 6))
-        out[:, :3, :3], out[:, :3, 3:] = np.eye(3), hat(lever).swapaxes(1, 2)
+        arm = self.places[self.sets[name]] - self.points[name]
+        out = np.zeros((len(arm), self.each, 6))
+        out[:, :3, :3], out[:, :3, 3:] = np.eye(3), hat(arm).swapaxes(1, 2)
         out[:, 3:, 3:] = np.eye(3)[: self.each - 3]
         return out.reshape(-1, 6)
 
@@ -117,7 +117,11 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     return Mesh(M, K, places, sets, points)
 
 
-def _matrix(stored: Mapping[str, np.ndarray], name: str, n: int, fault) -> sparse.csc_matrix:
+Fault = Callable[[str], RobotFileError]
+"""The error that says so of a file."""
+
+
+def _matrix(stored: Mapping[str, np.ndarray], name: str, n: int, fault: Fault) -> sparse.csc_matrix:
     data, *places = (stored[f"{name}_{part}"] for part in PARTS)
     try:
         if data.dtype.kind not in "iuf" or any(x.dtype.kind not in "iu" or x.ndim != 1 for x in places):
@@ -138,7 +142,7 @@ def _is_point(point: np.ndarray) -> bool:
     return point.shape == (3,) and point.dtype.kind in "iuf" and sound(point)
 
 
-def _set(stored: Mapping[str, np.ndarray], name: str, n: int, fault) -> np.ndarray:
+def _set(stored: Mapping[str, np.ndarray], name: str, n: int, fault: Fault) -> np.ndarray:
     nodes = np.unique(stored[name])
     if nodes.dtype.kind not in "iu" or not len(nodes) or nodes[0] < 0 or nodes[-1] >= n:
         raise fault(f"{name} must be indices of nodes, from 0 to {n - 1}")
@@ -174,7 +178,9 @@ def reduced(
     return _invariants(mesh, V, omega, base, tip)
 
 
-def _shapes(mesh: Mesh, modes, frequency, interface, base, tip, file) -> tuple[np.ndarray, np.ndarray]:
+def _shapes(
+    mesh: Mesh, modes: int | None, frequency: float | None, interface: str, base: str, tip: str, file: str
+) -> tuple[np.ndarray, np.ndarray]:
     """The modes (all degrees of freedom, r), each of the body's mass, and their angular frequencies."""
     inner = np.setdiff1d(np.arange(mesh.M.shape[0]), np.union1d(mesh.of(base), mesh.of(tip)))
     T = _rigid_tip(mesh, inner, tip)
@@ -217,7 +223,15 @@ def _rigid_tip(mesh: Mesh, inner: np.ndarray, tip: str) -> sparse.csr_matrix:
     return sparse.csr_matrix((entries, places), shape=(mesh.M.shape[0], len(inner) + 6))
 
 
-def _lowest(K, M, seen: np.ndarray, modes: int | None, frequency: float | None, most: int, file: str) -> np.ndarray:
+def _lowest(
+    K: sparse.csc_matrix,
+    M: sparse.csc_matrix,
+    seen: np.ndarray,
+    modes: int | None,
+    frequency: float | None,
+    most: int,
+    file: str,
+) -> np.ndarray:
     """The lowest modes (n, count), mass-normalised: ``modes`` of them, or those up to ``frequency`` Hz.
 
     One more is computed, so that the last is not any combination of two of equal frequency.
@@ -288,10 +302,10 @@ def _invariants(mesh: Mesh, V: np.ndarray, omega: np.ndarray, base: str, tip: st
     return Invariants(G, mass * np.eye(r), np.diag(mass * omega**2), np.zeros((r, r)), none, none, names, nodes)
 
 
-def _node(mesh: Mesh, name: str, V: np.ndarray, origin: np.ndarray, clamped: bool) -> Node:
+def _node(mesh: Mesh, name: str, V: np.ndarray, origin: np.ndarray, clamped: bool) -> BodyNode:
     r = V.shape[1]
     motion = np.zeros((6, r)) if clamped else _motion(mesh, name) @ V
     for part in (motion[:3], motion[3:]):
         part[np.abs(part) < NOISE * np.abs(part).max(initial=0.0)] = 0.0
     none = np.zeros((3, r, r))
-    return Node(name, mesh.points[name] - origin, motion[:3], motion[3:], np.eye(3), none, none)
+    return BodyNode(name, mesh.points[name] - origin, motion[:3], motion[3:], np.eye(3), none, none)

@@ -35,7 +35,7 @@ DEFINITE, ROUNDING = 1e-12, 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class Node:
+class BodyNode:
     """A node of the body: what the modes do to it, in the body's axes."""
 
     name: str
@@ -74,7 +74,7 @@ class Invariants:
     """(3, r, r) kg: its moment, ``∫ r x H dm``."""
     names: tuple[str, ...]
     """What the modes are, for documents."""
-    nodes: tuple[Node, ...]
+    nodes: tuple[BodyNode, ...]
     """The base first, the tip last."""
 
     @cached_property
@@ -107,7 +107,7 @@ class Invariants:
         return self.gram[0, 4:].reshape(-1, 3).T
 
     @property
-    def levers(self) -> np.ndarray:
+    def arms(self) -> np.ndarray:
         """(3, 3, r) kg·m: ``∫ r_a phi_bk dm``."""
         return self.gram[1:4, 4:].reshape(3, -1, 3).swapaxes(1, 2)
 
@@ -124,12 +124,12 @@ class Invariants:
         return any(bool(x.any()) for x in arrays)
 
     @property
-    def base(self) -> Node:
+    def base(self) -> BodyNode:
         """Where the joint holds the body."""
         return self.nodes[0]
 
     @property
-    def tip(self) -> Node:
+    def tip(self) -> BodyNode:
         """Where the next link is mounted."""
         return self.nodes[-1]
 
@@ -146,7 +146,7 @@ class Invariants:
 
     def check(self) -> None:
         """Raises RobotFileError where no body has these numbers, or a mode moves without strain."""
-        r, P = self.modes, self.levers
+        r, P = self.modes, self.arms
         if not all(np.isfinite(x).all() for x in (self.gram, self.inertia, self.stiffness, self.damping)):
             raise RobotFileError("the body's numbers are not finite; check the file")
         if not self.mass > 0:
@@ -209,13 +209,13 @@ class Invariants:
             T[own, 0] = spin @ b.origin - turn @ b.phi[:, k]
         return T
 
-    def _seen(self, n: Node, turn: np.ndarray) -> Node:
+    def _seen(self, n: BodyNode, turn: np.ndarray) -> BodyNode:
         """A node as the base sees it."""
         b = self.base
-        lever = n.origin - b.origin
-        moved = n.phi - b.phi - np.cross(b.psi, lever, axisa=0).T
+        arm = n.origin - b.origin
+        moved = n.phi - b.phi - np.cross(b.psi, arm, axisa=0).T
         second = {name: np.einsum("ab,bkl->akl", turn, getattr(n, name)) for name in ("phi2", "psi2")}
-        rest = replace(n, origin=turn @ lever, phi=turn @ moved, psi=turn @ (n.psi - b.psi), **second)
+        rest = replace(n, origin=turn @ arm, phi=turn @ moved, psi=turn @ (n.psi - b.psi), **second)
         return replace(rest, axes=turn @ n.axes)
 
 
@@ -226,7 +226,7 @@ def _digest(x: object) -> str:
         value = getattr(x, f.name)
         if isinstance(value, np.ndarray):
             text.update(repr(value.shape).encode() + np.ascontiguousarray(value + 0.0).tobytes())
-        elif isinstance(value, tuple) and value and isinstance(value[0], Node):
+        elif isinstance(value, tuple) and value and isinstance(value[0], BodyNode):
             text.update("".join(map(_digest, value)).encode())
         else:
             text.update(repr(value).encode())

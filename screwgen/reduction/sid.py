@@ -66,7 +66,7 @@ class Sid:
     parts: dict[str, Taylor]
 
 
-class Line(NamedTuple):
+class SidLine(NamedTuple):
     """A line of the file that is not empty."""
 
     number: int
@@ -86,15 +86,15 @@ class Reader:
 
     def __init__(self, text: str, file: str):
         self.file = file
-        lines = (Line(i, " ".join(line.split())) for i, line in enumerate(text.splitlines(), 1))
+        lines = (SidLine(i, " ".join(line.split())) for i, line in enumerate(text.splitlines(), 1))
         self.lines = iter([line for line in lines if line.text])
-        self.last = Line(1, "")
+        self.last = SidLine(1, "")
         self.left = MOST_NUMBERS
 
     def error(self, line: int, what: str) -> RobotFileError:
         return RobotFileError(one_line(f"{self.file}: line {line}: {what}"))
 
-    def inside(self, end: str) -> Iterator[Line]:
+    def inside(self, end: str) -> Iterator[SidLine]:
         """The lines up to ``end``."""
         opened = self.last
         for line in self.lines:
@@ -104,7 +104,7 @@ class Reader:
             yield line
         raise self.error(self.last.number, f"the file ends within '{opened.text}' of line {opened.number}; add '{end}'")
 
-    def unknown(self, line: Line, known: tuple[str, ...]) -> RobotFileError:
+    def unknown(self, line: SidLine, known: tuple[str, ...]) -> RobotFileError:
         return self.error(line.number, f"'{line.text[:40]}' is unknown here; known are {', '.join(known)}")
 
     def sid(self) -> Sid:
@@ -172,7 +172,7 @@ class Reader:
                     raise self.unknown(inner, ("rframe", *NODE_PARTS))
             yield node
 
-    def _taylor(self, opened: Line) -> Taylor:
+    def _taylor(self, opened: SidLine) -> Taylor:
         """A matrix: its head, then its entries; what is not stated is zero."""
         head: dict[str, int] = {}
         out = None
@@ -186,7 +186,7 @@ class Reader:
                 raise self.unknown(line, (*HEAD, "m0(row, column)", "m1(row, mode, column)"))
         return out or self._empty(opened, head)
 
-    def _empty(self, opened: Line, head: dict[str, int]) -> Taylor:
+    def _empty(self, opened: SidLine, head: dict[str, int]) -> Taylor:
         where = self.last.number
         if missing := [name for name in ("order", "nrow", "ncol", "structure") if name not in head]:
             raise self.error(where, f"{opened.text} does not state {missing[0]}; add it before the entries")
@@ -208,7 +208,7 @@ class Reader:
         m1 = np.zeros((rows, head["nq"], columns)) if head["order"] else None
         return Taylor(m0, m1, head["structure"], opened.number)
 
-    def _entry(self, out: Taylor, line: Line, match: re.Match) -> None:
+    def _entry(self, out: Taylor, line: SidLine, match: re.Match) -> None:
         into = out.m0 if match[1] == "0" else out.m1
         if into is None:
             raise self.error(line.number, f"'{line.key}' belongs to a matrix of order 0; state order = 1")
@@ -220,14 +220,14 @@ class Reader:
         if out.structure == SYMMETRIC:
             into[(index[-1], *index[1:-1], index[0])] = into[index]
 
-    def _index(self, line: Line, match: re.Match | None, shape: tuple[int, ...]) -> tuple[int, ...]:
+    def _index(self, line: SidLine, match: re.Match | None, shape: tuple[int, ...]) -> tuple[int, ...]:
         index = [_whole(part.strip()) for part in match[1].split(",") if part.strip()] if match else []
         if len(index) != len(shape) or not all(1 <= i <= n for i, n in zip(index, shape, strict=True)):
             allowed = ", ".join(f"1 to {n}" for n in shape)
             raise self.error(line.number, f"'{line.key[:40]}' must have the indices ({allowed})")
         return tuple(i - 1 for i in index)
 
-    def _number(self, line: Line) -> float:
+    def _number(self, line: SidLine) -> float:
         try:
             value = float(line.value.replace("D", "E").replace("d", "e"))
         except ValueError:
@@ -236,7 +236,7 @@ class Reader:
             raise self.error(line.number, f"'{line.value[:40]}' is no number; state a finite one after '='")
         return value
 
-    def _count(self, line: Line) -> int:
+    def _count(self, line: SidLine) -> int:
         if (count := _whole(line.value)) < 0:
             raise self.error(line.number, f"{line.key} must be a whole number from 0 to {LARGEST}")
         return count

@@ -20,7 +20,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..errors import RobotFileError
-from .invariants import EPS, Invariants, Node, hat
+from .invariants import EPS, BodyNode, Invariants, hat
 from .sid import PARTS, SYMMETRIC, ZERO, Sid, SidNode, Taylor, read_sid
 
 NEEDED = ("mdCM", "J", "Ct", "Cr", "Me", "Ke")
@@ -99,11 +99,11 @@ class Standard:
         inertia = self.part("J", 3, 3)[0]
         G[1:4, 1:4] = np.trace(inertia) / 2 * np.eye(3) - inertia
         G[0, 4:] = self.part("Ct", r, 3)[0].ravel()
-        G[1:4, 4:] = self._levers().transpose(1, 0, 2).reshape(3, -1)
+        G[1:4, 4:] = self._arms().transpose(1, 0, 2).reshape(3, -1)
         G[4:, 4:] = self._products().transpose(1, 0, 3, 2).reshape(3 * r, 3 * r)
         return np.triu(G) + np.triu(G, 1).T
 
-    def _levers(self) -> np.ndarray:
+    def _arms(self) -> np.ndarray:
         """(r, 3, 3): ``∫ r_a phi_bk dm``, its antisymmetric part by Cr, the other by the slope of J."""
         r = self.modes
         slope = self.part("J", 3, 3)[1]
@@ -126,7 +126,7 @@ class Standard:
         crossed = (crossed - crossed.swapaxes(1, 2)) / 2
         return (S + np.einsum("abc,ckl->abkl", EPS, crossed) / 2).transpose(0, 2, 1, 3)
 
-    def nodes(self, base: str | None, tip: str | None) -> Iterator[Node]:
+    def nodes(self, base: str | None, tip: str | None) -> Iterator[BodyNode]:
         """The base, the others, the tip."""
         named = {node.name: node for node in self.sid.nodes}
         if len(named) < 2:
@@ -142,7 +142,7 @@ class Standard:
         between = [node for name, node in named.items() if name not in (first, last)]
         yield from map(self._node, (named[first], *between, named[last]))
 
-    def _node(self, node: SidNode) -> Node:
+    def _node(self, node: SidNode) -> BodyNode:
         r = self.modes
         part = lambda name, rows, columns: self._checked(name, node.parts.get(name), (rows, columns))  # noqa: E731
         (phi, phi1), (psi, psi1) = part("phi", 3, r), part("psi", 3, r)
@@ -151,7 +151,7 @@ class Standard:
             raise RobotFileError(f"{self.file}: line {node.parts['AP'].line}: AP is no rotation; it must be orthogonal")
         slopes = {"phi": phi1, "psi": psi1}
         second = [self.symmetric(name, x.transpose(1, 2, 0), node.parts) for name, x in slopes.items()]
-        return Node(node.name, part("origin", 3, 1)[0][:, 0], phi, psi, axes, *second)
+        return BodyNode(node.name, part("origin", 3, 1)[0][:, 0], phi, psi, axes, *second)
 
 
 # ------------------------------------------------------------------------------------ from a body
@@ -159,10 +159,10 @@ class Standard:
 
 def sid_of(body: Invariants) -> Sid:
     """The standard input data of a body, all matrices of order 1 that have one."""
-    r, Q, P, sigma = body.modes, body.products, body.levers, body.momenta
+    r, Q, P, sigma = body.modes, body.products, body.arms, body.momenta
     trace = np.einsum("akal->kl", Q)
-    lever = np.einsum("aak->k", P)
-    C4 = P.transpose(2, 1, 0) - lever[:, None, None] * np.eye(3)
+    arm = np.einsum("aak->k", P)
+    C4 = P.transpose(2, 1, 0) - arm[:, None, None] * np.eye(3)
     C6 = Q.transpose(1, 3, 0, 2) - trace[:, :, None, None] * np.eye(3)
     second = body.gram[1:4, 1:4]
     crossed = np.einsum("cab,albk->ckl", EPS, Q)
@@ -186,7 +186,7 @@ def sid_of(body: Invariants) -> Sid:
     return Sid(body.mass, list(body.names), [_sid_node(n) for n in body.nodes], parts)
 
 
-def _sid_node(n: Node) -> SidNode:
+def _sid_node(n: BodyNode) -> SidNode:
     slope = lambda x: x.swapaxes(1, 2) if x.any() else None  # noqa: E731
     turned = np.einsum("kab,bc->akc", hat(n.psi.T), n.axes)
     parts = {

@@ -13,8 +13,8 @@ import numpy as np
 from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..robot_model import RobotModel
-from .compiled import LeanProject
 from .differentiated import STATUS, known
+from .lean import LeanProject
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices
@@ -58,7 +58,12 @@ class CompiledBatch:
     """
 
     def __init__(
-        self, model: RobotModel, single=False, flags=FLAGS, compiler: str | None = None, methods: Sequence[Method] = ()
+        self,
+        model: RobotModel,
+        single: bool = False,
+        flags: Sequence[str] = FLAGS,
+        compiler: str | None = None,
+        methods: Sequence[Method] = (),
     ):
         self.model, self.real = model, np.float32 if single else np.float64
         name = model.robot.name
@@ -84,7 +89,18 @@ class CompiledBatch:
             raise UsageError(f"scenario {k}: {said}")
         return out
 
-    def run(self, q, v, tau, w_ext, constants, dt: float, hold: int, method: str | Method, threads: int):
+    def run(
+        self,
+        q: np.ndarray,
+        v: np.ndarray,
+        tau: np.ndarray,
+        w_ext: np.ndarray,
+        constants: np.ndarray,
+        dt: float,
+        hold: int,
+        method: str | Method,
+        threads: int,
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Fill the paths ``q`` (periods + 1, nq, batch) and ``v`` (.., nv, batch) from their first rows on.
 
         ``tau`` and ``w_ext`` are (periods, n, batch), or (1, n, batch) for all periods.  Returns, for every
@@ -93,15 +109,14 @@ class CompiledBatch:
         status, fault, done = (np.full(q.shape[2], x, np.int32) for x in (OK, -1, 0))
         task = _Task(q, v, tau, w_ext, constants, hold, q[0].copy(), v[0].copy(), status, fault)
         real = ctypes.c_float if self.real is np.float32 else ctypes.c_double
-        method, dt = known(method, self.project), real(dt)
-        step = getattr(self.library, f"{self.project.name}_step_batch_{method}")
+        step = getattr(self.library, f"{self.project.name}_step_batch_{known(method, self.project)}")
 
         def call(first: int, size: int, k: int, periods: int) -> None:
             """Some periods of the scenarios from `first` on."""
             own = task.constants[first if len(constants) > 1 else 0 :]
             batch, made = task.part(first, size, k), np.zeros(size, np.int32)
             batch.completed = pointer(made)
-            if failed := step(pointer(own), ctypes.byref(batch), dt, periods):
+            if failed := step(pointer(own), ctypes.byref(batch), real(dt), periods):
                 raise ScrewgenError(f"the generated C reports: {STATUS[failed]}")
             done[first : first + size] += made
 
@@ -125,7 +140,7 @@ class _Task(NamedTuple):
 
     def part(self, first: int, size: int, k: int) -> _Batch:
         """The scenarios from `first` on, from period k on."""
-        count, held = self.q.shape[2], {}
+        count, held = self.q.shape[2], dict[str, ctypes.c_void_p | int]()
         for name in ("tau", "w_ext"):
             values = getattr(self, name)
             varies = len(values) > 1
@@ -157,11 +172,11 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
 
     The threads are Python's, which run in parallel inside the C; OpenMP's threads do not survive a fork.
     """
-    stop = threading.Event()
+    over = threading.Event()
 
     def work(first: int, size: int) -> None:
         for k, part in slices(periods, max(1, FIRST // size)):
-            if stop.is_set():
+            if over.is_set():
                 break
             call(first, size, k, part)
 
@@ -172,7 +187,7 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
             for done in [pool.submit(work, *share) for share in shares]:
                 done.result()
         finally:
-            stop.set()
+            over.set()
 
 
 def _files(model: RobotModel, methods: Sequence[Method]) -> tuple[LeanProject, dict[str, str]]:

@@ -5,38 +5,26 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
-from ..algorithms.robot_functions import BY_NAME, RobotFunction, results
-from ..arguments import Given, array, choice, parameters_keyword, seconds, whole
-from ..backends.c.columns import rendered
+from ..algorithms.robot_functions import BY_NAME, SENSORS, RobotFunction, entries, results
+from ..arguments import Given, Loads, Numbers, array, choice, parameters_keyword, seconds, whole
 from ..backends.c.forms import split
-from ..backends.c.project import CProject
 from ..backends.c.shim import shims
 from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
 from .differentiated import NO_METHOD, Differentiated
-from .forms import Forms
+from .forms import Forms, Later
+from .lean import LeanProject
 from .library import load
-from .memory import Array, Motion, pointer
+from .memory import Array, LinkMotions, Pair, pointer
 from .pace import slices
 from .stepper import Stepper
-
-FORMS = ("joint", "dae")
-
-
-class LeanProject(CProject):
-    """The library alone, without the self-check, whose reference values take as long as all the rest."""
-
-    _recorded = ()
-
-    def files(self) -> dict[str, str]:
-        used = {file: template for file, template in self.library.items() if template != "reference.h"}
-        return {file: rendered(template, **self.context) for file, template in used.items()}
 
 
 class Compiled(Differentiated):
@@ -59,24 +47,27 @@ class Compiled(Differentiated):
     def __init__(
         self,
         model: RobotModel,
-        layout="auto",
-        parameters="runtime",
-        single=False,
+        layout: str = "auto",
+        parameters: str = "runtime",
+        single: bool = False,
         flags: Sequence[str] = ("-O2",),
         compiler: str | None = None,
-        derivatives=False,
+        derivatives: bool = False,
         cache: bool | str | os.PathLike = False,
         methods: Sequence[Method] = (),
     ):
         self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
-        options = {"derivatives": derivatives, "methods": methods, "outputs": True}
+        options: dict[str, Any] = {"derivatives": derivatives, "methods": methods, "outputs": True}
         self.project = LeanProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
-        joint, dae = split(self.project, self.project.files() | shims(self.project))
+        files = self.project.files() | shims(self.project)
+        joint, dae = split(self.project, files)
+        headers = {name: text for name, text in files.items() if name.endswith(".h")}
         compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
-        self.library = Forms(compiled(joint), partial(compiled, dae))
+        self.library = Forms(compiled(joint), Later(lambda: compiled(dae)))
+        self._sensors = Later(lambda: compiled(headers | self.project.sensing()))
         self._place()
         self.prepare(None)
 
@@ -109,8 +100,14 @@ class Compiled(Differentiated):
     # joint form -------------------------------------------------------------------------------
 
     def forward_dynamics(
-        self, q, v, tau=None, w_ext=None, form="joint", out: tuple[Array, Array] | None = None
-    ) -> tuple[Array, Array]:
+        self,
+        q: Numbers,
+        v: Numbers,
+        tau: Loads = None,
+        w_ext: Loads = None,
+        form: str = "joint",
+        out: Pair | None = None,
+    ) -> Pair:
         """``vdot`` (nq,) and the joint wrenches (n, 6); torques and tip wrenches left out are zero."""
         call = self._forward if form == "joint" else self._forward_of(form)
         with self._lock:
@@ -119,50 +116,60 @@ class Compiled(Differentiated):
                 self.check(status)
             if out is None:
                 return self.vdot.copy(), self.wrench.copy()
-            return self._given(out, (self.vdot, self.wrench))
+            return self._given(out, self.vdot, self.wrench)
 
     def _forward_of(self, form: str) -> Callable[..., int]:
-        dae = choice(form, FORMS, "there is no form") == "dae"
+        dae = choice(form, ("joint", "dae"), "there is no form") == "dae"
         return self.library.shim_dae_forward if dae else self._forward
 
-    def complete_dynamics(self, q, v, tau=None, w_ext=None, form="joint"):
+    def complete_dynamics(
+        self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None, form: str = "joint"
+    ) -> tuple[Array, Array, Array, Array]:
         """``vdot``, wrenches, rotation (3, 3) and position (3,) of the last tip."""
         call = self._forward_of(form)
         with self._lock:
             self._set(q, v, tau, w_ext)
             self.check(call(self.memory))
-            return tuple(x.copy() for x in (self.vdot, self.wrench, self.tip_rotation, self.tip_position))
+            return self.vdot.copy(), self.wrench.copy(), self.tip_rotation.copy(), self.tip_position.copy()
 
-    def validity(self, q, v, tau=None, w_ext=None) -> Array:
+    def validity(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Array:
         """How far every link is from the limits of the model (n, 4): `derive.validity.MEASURES`."""
         with self._lock:
             self._set(q, v, tau, w_ext)
             self.check(self.library.shim_watched(self.memory))
             return self._measures.copy()
 
-    def accelerations(self, q, v, tau=None, w_ext=None, out: Array | None = None) -> Array:
+    def accelerations(
+        self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None, out: Array | None = None
+    ) -> Array:
         """``vdot`` alone."""
         with self._lock:
             self._set(q, v, tau, w_ext)
             if status := self._accelerations(self.memory):
                 self.check(status)
-            return self.vdot.copy() if out is None else self._given((out,), (self.vdot,))[0]
+            return self.vdot.copy() if out is None else self._given((out,), self.vdot)[0]
 
     def __getattr__(self, name: str) -> Callable:
-        """What ``<robot>_outputs.c`` reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
+        """What the C reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
         row = BY_NAME.get(name)
-        if row is None or not row.in_c:
+        if row is None or not row.c_file:
             raise AttributeError(f"'Compiled' has no attribute '{name}'", name=name, obj=self)
         return partial(self._report, row)
 
-    def _report(self, row: RobotFunction, q, v=None, tau=None, w_ext=None):
+    def _report(
+        self, row: RobotFunction, q: Numbers, v: Numbers | None = None, tau: Loads = None, w_ext: Loads = None
+    ) -> Any:
         """The results of a function: arrays, numbers, a tuple where they are several."""
         with self._lock:
             self._set(q, self._no_v if v is None else v, tau, w_ext)
+            if row.c_file == SENSORS:
+                found = np.zeros(max(entries(row, self.chain), 1), self.real)
+                self.check(getattr(self._sensors, f"shim_{row.name}")(self.memory, pointer(found)))
+                return results(row, self.chain, found[: entries(row, self.chain)])
             self.check(getattr(self.library, f"shim_{row.name}")(self.memory))
             return results(row, self.chain, self._reports[row.name].copy())
 
-    def inverse_dynamics(self, q, v, vdot, w_ext=None) -> tuple[Array, Array]:
+    def inverse_dynamics(self, q: Numbers, v: Numbers, vdot: Numbers, w_ext: Loads = None) -> Pair:
         """The generalised forces (nv,) and the joint wrenches (n, 6) of a motion."""
         c = self.chain
         force, wrench = np.zeros(max(c.nv, 1), self.real), np.zeros((c.n, 6), self.real)
@@ -172,7 +179,7 @@ class Compiled(Differentiated):
             self.check(self.library.shim_inverse(self.memory, *map(pointer, (given, force, wrench))))
         return force[: c.nv], wrench
 
-    def mass_matrix(self, q) -> Array:
+    def mass_matrix(self, q: Numbers) -> Array:
         """``M`` (nv, nv)."""
         nv, size = self.chain.nv, max(self.chain.nv, 1)
         M = np.zeros((size, size), self.real)
@@ -181,51 +188,61 @@ class Compiled(Differentiated):
             self.check(self.library.shim_mass_matrix(self.memory, pointer(M)))
         return M[:nv, :nv]
 
-    def step(self, q, v, tau, w_ext, dt: float, method: str | Method = "rk4", count=1) -> tuple[Array, Array]:
+    def step(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads, dt: float, method: str | Method = "rk4", count: int = 1
+    ) -> Pair:
         """The state after ``count`` steps of the joint form, the input held; long work can be interrupted.
 
         ``method``: a built-in integrator, or one of those that the model was compiled with.
         """
-        place = lambda q, v: self._set(q, v, tau, w_ext)  # noqa: E731
-        read = lambda: (self.q.copy(), self.v.copy())  # noqa: E731
-        return self._steps(self.library.shim_step, method, count, dt, (q, v), place, read)
+        step, read = self._stepping(self.library.shim_step, method, dt), lambda: (self.q.copy(), self.v.copy())
+        q, v = self._steps(step, count, (q, v), lambda q, v: self._set(q, v, tau, w_ext), read)
+        return q, v
 
-    def _steps(self, call: Callable[..., int], method, count: int, dt: float, state: tuple, place, read):
+    def _stepping(self, call: Callable[..., int], method: str | Method, dt: float) -> Callable[[int], int]:
+        """What makes so many steps of the state in memory."""
+        number, size = self.number(method), self._real(seconds(dt, "dt"))
+        return lambda count: call(self.memory, number, count, size)
+
+    def _steps(
+        self, call: Callable[[int], int], count: int, state: tuple, place: Callable, read: Callable[[], tuple]
+    ) -> tuple[Array, ...]:
         """The state after steps, in parts between which others may use the memory.
 
         ``place``: writes a state and the inputs into memory; ``read``: returns the state there.
         """
-        number, dt = self.number(method), self._real(seconds(dt, "dt"))
         for _, part in slices(whole(count, "count", 0)) if count else ((0, 0),):
             with self._lock:
                 place(*state)
-                if status := call(self.memory, number, part, dt):
+                if status := call(part):
                     self.check(status)
                 state = read()
         return state
 
-    def stepper(self, dt: float, method: str | Method = "modal_midpoint", count=1, parameters: Given = None) -> Stepper:
+    def stepper(
+        self, dt: float, method: str | Method = "modal_midpoint", count: int = 1, parameters: Given = None
+    ) -> Stepper:
         """Steps that begin and end in arrays of their own: a :class:`.stepper.Stepper`.
 
         A call makes ``count`` steps of ``dt`` seconds; ``parameters``: those of the robot, None: the file's.
         """
-        number, dt = self.number(method), self._real(seconds(dt, "dt"))
-        return Stepper(self.fresh(parameters), number, whole(count, "count", 1), dt)
+        number, size = self.number(method), self._real(seconds(dt, "dt"))
+        return Stepper(self.fresh(parameters), number, whole(count, "count", 1), size)
 
     # poses and statics ------------------------------------------------------------------------
 
-    def kinematics(self, q, v=None) -> Motion:
+    def kinematics(self, q: Numbers, v: Numbers | None = None) -> LinkMotions:
         """Poses of all links and of their tips, and the twists of the tips; rates left out are zero."""
         with self._lock:
             self._set(q, self._no_v if v is None else v)
             return self.motion()
 
-    def motion(self) -> Motion:
+    def motion(self) -> LinkMotions:
         """The same of the state in memory."""
         self.check(self.library.shim_kinematics(self.memory))
-        return Motion(*(x.copy() for x in self._motion))
+        return LinkMotions(*(x.copy() for x in self._motion))
 
-    def tip_jacobian(self, q) -> Array:
+    def tip_jacobian(self, q: Numbers) -> Array:
         """``J`` (6, nv): J v is the twist [omega; v] of the last tip, in inertial components."""
         nv = self.chain.nv
         J = np.zeros((6, max(nv, 1)), self.real)
@@ -234,7 +251,7 @@ class Compiled(Differentiated):
             self.check(self.library.shim_tip_jacobian(self.memory, pointer(J)))
         return J[:, :nv]
 
-    def gravity(self, q, w_ext=None) -> tuple[Array, Array]:
+    def gravity(self, q: Numbers, w_ext: Loads = None) -> Pair:
         """The equilibrium at the joint coordinates of ``q``: ``force`` (nv,) and the posture ``q`` (nq,).
 
         Of a fixed base the first n_tau entries of ``force`` are the torques that hold the arm, those of the modes what
@@ -247,7 +264,7 @@ class Compiled(Differentiated):
             self.check(self.library.shim_gravity(self.memory, pointer(force)))
             return force[: self.chain.nv], self.q.copy()
 
-    def loop_mismatch(self, q) -> Array:
+    def loop_mismatch(self, q: Numbers) -> Array:
         """(loops, 2): how far the frames of each loop are apart where its joint does not let them, m, and turned, rad
         (of an angle θ it is 2 sin(θ/2)). Both vanish where loops are closed, and only there."""
         out = np.zeros((len(self.chain.junctions), 2), self.real)
@@ -257,7 +274,7 @@ class Compiled(Differentiated):
                 self.check(self.library.shim_loop_mismatch(self.memory, pointer(out)))
         return out
 
-    def coupling_torques(self, q, v=None, tau=None, w_ext=None) -> Array:
+    def coupling_torques(self, q: Numbers, v: Numbers | None = None, tau: Loads = None, w_ext: Loads = None) -> Array:
         """(n_tau,): the torques with which couplings act on the joint axes, N·m, N on those that slide."""
         out = np.zeros(max(self.chain.n_tau, 1), self.real)
         if self.chain.couplings:
@@ -268,23 +285,26 @@ class Compiled(Differentiated):
 
     # DAE form ---------------------------------------------------------------------------------
 
-    def dae_state(self, q, v) -> Array:
+    def dae_state(self, q: Numbers, v: Numbers) -> Array:
         """The state ``x`` of the DAE form."""
         with self._lock:
             self._set(q, v)
             self.check(self.library.shim_dae_state(self.memory))
             return self.x
 
-    def dae_step(self, x, tau, w_ext, dt: float, method: str | Method = "rk4", count=1) -> Array:
+    def dae_step(
+        self, x: Numbers, tau: Loads, w_ext: Loads, dt: float, method: str | Method = "rk4", count: int = 1
+    ) -> Array:
         """``x`` after ``count`` steps of the DAE form, each projected, the input held."""
         x, (tau, w_ext) = array(x, "x", (state_size(self.chain),), finite=False), self._input(tau, w_ext)
 
         def place(x: Array) -> None:
             self.x, self.tau[:], self.w_ext[:] = x, tau, w_ext
 
-        return self._steps(self.library.shim_dae_step, method, count, dt, (x,), place, lambda: (self.x,))[0]
+        step = self._stepping(self.library.shim_dae_step, method, dt)
+        return self._steps(step, count, (x,), place, lambda: (self.x,))[0]
 
-    def assemble(self, x, tau, w_ext) -> tuple[Array, Array, Array]:
+    def assemble(self, x: Numbers, tau: Loads, w_ext: Loads) -> tuple[Array, Array, Array]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``."""
         size, rows, columns = unknown_size(self.chain), *self._pattern()
         values, H, W = np.zeros(len(rows), self.real), np.zeros(size, self.real), np.zeros(size, self.real)
@@ -297,7 +317,7 @@ class Compiled(Differentiated):
             M[rows[columns[j] : columns[j + 1]], j] = values[columns[j] : columns[j + 1]]
         return M, H, W
 
-    def _pattern(self) -> tuple[Array, Array]:
+    def _pattern(self) -> Pair:
         rows = np.zeros(self.project.context["nnz"], np.int32)
         columns = np.zeros(unknown_size(self.chain) + 1, np.int32)
         self.library.shim_pattern(pointer(rows), pointer(columns))
@@ -316,15 +336,15 @@ class CompiledStepper:
 
     default = "modal_implicit"
 
-    def __init__(self, compiled: Compiled, model: RobotModel, integrator: str | Method, p):
+    def __init__(self, compiled: Compiled, model: RobotModel, integrator: str | Method, p: Given):
         self.compiled, self.method = compiled, method_of(integrator, compiled.project.methods, NO_METHOD)
         compiled.prepare(p)
 
-    def initial(self, q, v):
+    def initial(self, q: Numbers, v: Numbers) -> Pair:
         return np.array(q, float), np.array(v, float)
 
-    def step(self, state, tau, w_ext, dt: float):
+    def step(self, state: Pair, tau: Loads, w_ext: Loads, dt: float) -> Pair:
         return self.compiled.step(*state, tau, w_ext, dt, self.method)
 
-    def coordinates(self, state):
+    def coordinates(self, state: Pair) -> Pair:
         return state

@@ -18,12 +18,12 @@ BINDINGS = ("runtime", "baked")
 
 def compile_model(
     model: RobotModel,
-    layout="auto",
-    precision="double",
-    derivatives=False,
+    layout: str = "auto",
+    precision: str = "double",
+    derivatives: bool = False,
     flags: Sequence[str] | None = None,
     cache: bool | str | os.PathLike = True,
-    parameters="runtime",
+    parameters: str = "runtime",
     methods: Sequence[Method] = (),
 ) -> Compiled:
     """The implementation of :meth:`screwgen.Model.compile`."""

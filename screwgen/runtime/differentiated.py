@@ -3,26 +3,28 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from ..arguments import seconds
-from ..backends.c.project import CProject
+from ..arguments import Loads, Numbers, seconds
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
-from .memory import Array, Memory, pointer
+from .lean import LeanProject
+from .memory import Array, Memory, Real, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
 SINGULAR = 2
 OUT_OF_REACH = "a linkage does not reach this posture; give an angle within its range"
+Derivatives = tuple[Array, Array, Array, Array]
 NO_METHOD = "in the generated C there is no integrator"
 
 
-def known(method: str | Method, project: CProject) -> Method:
+def known(method: str | Method, project: LeanProject) -> Method:
     """An integrator of the library of a project; raises UsageError where it is not one of its methods."""
     wanted = method_of(method, project.methods, NO_METHOD)
     if wanted not in project.methods.values():
@@ -53,9 +55,10 @@ class Scratch(dict):
 class Differentiated(Memory):
     """The functions that need ``derivatives=True``."""
 
-    project: CProject
+    project: LeanProject
+    single: bool
 
-    def linearise(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
+    def linearise(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Derivatives:
         """``vdot`` (nv,) and its partial derivatives with q, v (nv, nv) and tau (nv, n_tau).
 
         Of a floating base those with q are with a change δ (6,) = [turn; shift] of its pose in its own axes,
@@ -65,8 +68,8 @@ class Differentiated(Memory):
         return self._differentiated("linearise", (nv, (nv, nv), (nv, nv), (nv, m)), (q, v, tau, w_ext))
 
     def step_derivatives(
-        self, q, v, tau, w_ext, dt: float, method: str | Method = "modal_midpoint"
-    ) -> tuple[Array, Array, Array, Array]:
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads, dt: float, method: str | Method = "modal_midpoint"
+    ) -> Derivatives:
         """The state after one step, and its derivatives: ``q, v, A, B``.
 
         ``A`` (2 nv, 2 nv) is with respect to [q; v], ``B`` (2 nv, n_tau) with respect to tau; of a floating base the
@@ -78,7 +81,7 @@ class Differentiated(Memory):
         shapes = c.nq, c.nv, (2 * c.nv, 2 * c.nv), (2 * c.nv, c.n_tau)
         return self._differentiated("step_derivatives", shapes, (q, v, tau, w_ext), *step)
 
-    def linearise_wrenches(self, q, v, tau=None, w_ext=None) -> tuple[Array, Array, Array, Array]:
+    def linearise_wrenches(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Derivatives:
         """The joint wrenches (n, 6) and their derivatives with q, v (n, 6, nv) and tau (n, 6, n_tau), vdot following.
 
         The columns are those of :meth:`linearise`.  Needs ``derivatives=True``.
@@ -90,15 +93,17 @@ class Differentiated(Memory):
         shapes = [(c.n, 6, *k) for k in ((), (c.nv,), (c.nv,), (c.n_tau,))]
         return self._differentiated("linearise_wrenches", shapes, (q, v, tau, w_ext))
 
-    def _differentiated(self, name: str, shapes, given: tuple, *more) -> tuple[Array, Array, Array, Array]:
+    def _differentiated(
+        self, name: str, shapes: Sequence[int | tuple[int, ...]], given: tuple, *more: object
+    ) -> Derivatives:
         """What a function of the library writes into new arrays of these shapes, at a state and inputs."""
         self._needs_derivatives()
-        arrays = [np.zeros(shape, self.real) for shape in shapes]
+        arrays = a, b, c, d = [np.zeros(shape, self.real) for shape in shapes]
         with self._lock:
             self._set(*given)
             call = getattr(self.library, f"shim_{name}")
             self.check(call(self.memory, self._scratch[name], *more, *map(pointer, arrays)))
-        return tuple(arrays)
+        return a, b, c, d
 
     def _needs_derivatives(self) -> None:
         if not self.project.with_derivatives:
@@ -115,7 +120,7 @@ class Differentiated(Memory):
             return list(methods).index(method)
         return list(methods.values()).index(known(method, self.project))
 
-    def _real(self, value: float):
+    def _real(self, value: float) -> Real:
         return ctypes.c_float(value) if self.single else ctypes.c_double(value)
 
     def check(self, status: int) -> None:

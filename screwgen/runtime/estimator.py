@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..algorithms.gauges import Gauge, gauges
-from ..arguments import array, real_numbers
+from ..arguments import Given, Loads, Numbers, array, real_numbers
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from .compiled import LeanProject
 from .differentiated import failure
+from .lean import LeanProject
 from .library import load
-from .memory import Block, pointer
+from .memory import Real, StructMemory, pointer
 
 if TYPE_CHECKING:
     from ..topology.chain import Chain
@@ -124,10 +124,10 @@ class CompiledEstimator:
     def __init__(
         self,
         model: RobotModel,
-        parameters=None,
-        single=False,
-        binding="runtime",
-        flags=("-O2",),
+        parameters: Given = None,
+        single: bool = False,
+        binding: str = "runtime",
+        flags: Sequence[str] = ("-O2",),
         compiler: str | None = None,
     ):
         self.model, self.real = model, np.float32 if single else np.float64
@@ -137,11 +137,13 @@ class CompiledEstimator:
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler)
         members = _members(model)
-        self._block = Block(self.library, list(members), np.dtype(self.real))
+        self._block = StructMemory(self.library, list(members), np.dtype(self.real))
         self._memory, kind = self._block.address, lambda name: ctypes.c_int if "has_" in name else None
         self._at = {name: self._block.view(name, *shape, kind=kind(name)) for name, shape in members.items()}
 
-    def start(self, q, v, deviation_q, deviation_v, noise: Noise) -> None:
+    def start(
+        self, q: Numbers, v: Numbers, deviation_q: Numbers | float, deviation_v: Numbers | float, noise: Noise
+    ) -> None:
         """Begin at a state (nq, nv) with the standard deviations of its entries (nv, nv).
 
         Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops close the tree
@@ -159,12 +161,20 @@ class CompiledEstimator:
         self._write({f"estimator.{name}_variance": np.square(getattr(noise, name)) for name in names})
         self._write({f"estimator.{name}": getattr(noise, name) for name in ("density_q", "density_v", "fibre")})
 
-    def predict(self, tau, w_ext, dt: float) -> None:
+    def predict(self, tau: Loads, w_ext: Loads, dt: float) -> None:
         """Predict the state ``dt`` seconds later, with torques (n_joints) and tip wrenches (n, 6) held."""
         self._input(tau, w_ext)
         self._check(self.library.shim_predict(self._memory, self._number(dt)))
 
-    def update(self, tau, w_ext, encoder=None, strain=None, acceleration=None, **base) -> None:
+    def update(
+        self,
+        tau: Loads,
+        w_ext: Loads,
+        encoder: Numbers | None = None,
+        strain: Numbers | None = None,
+        acceleration: Numbers | None = None,
+        **base: Numbers | None,
+    ) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         ``encoder`` (n_joints) in rad or m, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in
@@ -193,11 +203,11 @@ class CompiledEstimator:
         """After :class:`SingularError`: the link whose joint is singular, or -1 for the filter itself."""
         return self.library.shim_fault(self._memory)
 
-    def put(self, q, v, P) -> None:
+    def put(self, q: Numbers, v: Numbers, P: np.ndarray) -> None:
         """Set mean and covariance."""
         self._write({"estimator.state.q": q, "estimator.state.v": v, "estimator.P": P})
 
-    def _input(self, tau, w_ext) -> None:
+    def _input(self, tau: Loads, w_ext: Loads) -> None:
         for name, values in (("tau", tau), ("w_ext", w_ext)):
             place = self._at[f"input.{name}"]
             place[:] = array(values, name, place.shape, finite=False)
@@ -212,7 +222,7 @@ class CompiledEstimator:
                 )
             place[...] = values.reshape(place.shape) if values.ndim else values
 
-    def _number(self, value: float):
+    def _number(self, value: float) -> Real:
         return ctypes.c_float(value) if self.real is np.float32 else ctypes.c_double(value)
 
     def _check(self, status: int) -> None:

@@ -7,12 +7,14 @@ import sys
 import warnings
 from collections.abc import Sequence
 
+from ..algorithms.marker_functions import STRAINED
+from ..algorithms.robot_functions import OUTPUTS, SENSORS
 from ..backends.fmi.code import content
 from ..backends.fmi.package import archive, unit
 from ..errors import TargetWarning
 from ..integrators.method import Method
 from ..robot_model import RobotModel
-from .compiled import LeanProject
+from .lean import LeanProject
 from .library import binary, has_compiler
 
 FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
@@ -26,12 +28,27 @@ PLACES = {
 """The folders of binaries of Linux, by version and processor."""
 
 
+class UnitProject(LeanProject):
+    """The library of a unit, which knows the strains besides."""
+
+    further = (STRAINED,)
+
+
 def unit_files(
-    model: RobotModel, target: str, parameters: str = "runtime", layout: str = "auto", methods: Sequence[Method] = ()
+    model: RobotModel,
+    target: str,
+    parameters: str = "runtime",
+    layout: str = "auto",
+    methods: Sequence[Method] = (),
+    sensors: bool = False,
 ) -> dict[str, bytes]:
-    """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing."""
-    key = ("unit", parameters, layout, tuple(methods))
-    project, programs, objects = model.once(key, lambda: _common(model, parameters, layout, methods))
+    """``<robot>.fmu`` in the version of FMI of ``target``; a TargetWarning where binary or derivatives are missing.
+
+    ``sensors``: whether what sensors measure at markers is among its outputs.
+    """
+    model.chain.needs_sums("functional mock-up unit", "generate its C")
+    key = ("unit", parameters, layout, tuple(methods), sensors)
+    project, programs, objects = model.once(key, lambda: _common(model, *key[1:]))
     made = unit(project, programs, target)
     name, places = f"{made.name}.fmu", PLACES[made.version] if sys.platform == "linux" else {}
     place = places.get(platform.machine(), "")
@@ -49,9 +66,10 @@ def unit_files(
     }
 
 
-def _common(model: RobotModel, parameters: str, layout: str, methods: Sequence[Method]) -> tuple:
+def _common(model: RobotModel, parameters: str, layout: str, methods: Sequence[Method], sensors: bool) -> tuple:
     """What the units of both versions share: the library, the programs besides, and what is compiled of them."""
-    project = LeanProject(model.chain, model.version, parameters, layout, methods=methods, outputs=True)
+    told = [OUTPUTS] + [SENSORS] * sensors
+    project = UnitProject(model.chain, model.version, parameters, layout, methods=methods, outputs=told)
     return project, content(project), {}
 
 

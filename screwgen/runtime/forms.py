@@ -1,21 +1,38 @@
-"""The libraries of a compiled model: that of the joint form, and that of the DAE form, compiled when it is called."""
+"""The libraries of a compiled model: that of the joint form, and others, which are compiled when they are called."""
 
 from __future__ import annotations
 
 import ctypes
 import threading
 from collections.abc import Callable
+from typing import Any
+
+
+class Later:
+    """The functions of a library by name; it is compiled when the first is asked for.
+
+    Raises AttributeError for a name that it does not have, ScrewgenError where it does not compile.
+    """
+
+    def __init__(self, make: Callable[[], ctypes.CDLL]):
+        self._make, self._lock = make, threading.Lock()
+        self._made: ctypes.CDLL | None = None
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        with self._lock:
+            if self._made is None:
+                self._made = self._make()
+        return getattr(self._made, name)
 
 
 class Forms:
     """The functions of a robot's library by name; those of the DAE form come from a library of their own."""
 
-    def __init__(self, joint: ctypes.CDLL, dae: Callable[[], ctypes.CDLL]):
-        self._joint, self._make, self._lock = joint, dae, threading.Lock()
-        self._made: ctypes.CDLL | None = None
+    def __init__(self, joint: ctypes.CDLL, dae: Later):
+        self._joint, self._dae = joint, dae
 
-    def __getattr__(self, name: str):
-        """A function; raises AttributeError where there is none, ScrewgenError where the DAE form does not compile."""
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        """A function; raises as :class:`Later`."""
         try:
             found = getattr(self._joint, name)
         except AttributeError:
@@ -23,12 +40,5 @@ class Forms:
         setattr(self, name, found)
         return found
 
-    def __getitem__(self, name: str):
+    def __getitem__(self, name: str) -> Callable[..., Any]:
         return getattr(self, name)
-
-    @property
-    def _dae(self) -> ctypes.CDLL:
-        with self._lock:
-            if self._made is None:
-                self._made = self._make()
-            return self._made

@@ -145,9 +145,10 @@ def _run(command: list[str], folder: Path) -> None:
 
 def _run_compiler(command: Sequence[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
     """Run the compiler; its output may be in any encoding. Raises ScrewgenError if it cannot be started."""
-    said = {"capture_output": True, "text": True, "errors": "replace", "stdin": subprocess.DEVNULL}
     try:
-        return subprocess.run(command, cwd=folder, **said)
+        return subprocess.run(
+            command, cwd=folder, capture_output=True, text=True, errors="replace", stdin=subprocess.DEVNULL
+        )
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise ScrewgenError(f"the C compiler {command[0]} cannot be run: {reason}; name another one in CC") from None
@@ -217,7 +218,9 @@ def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
     return library
 
 
-def _build_and_keep(folder: Path, key: str, files, command, flags) -> ctypes.CDLL:
+def _build_and_keep(
+    folder: Path, key: str, files: Mapping[str, str], command: Sequence[str], flags: Sequence[str]
+) -> ctypes.CDLL:
     """Build in a temporary folder inside the cache, put the entry in its place and load it; raises OSError."""
     with tempfile.TemporaryDirectory(prefix="building-", dir=folder) as place:
         built = _compiled(Path(place), files, command, flags)

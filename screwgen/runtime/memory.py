@@ -6,12 +6,12 @@ import ctypes
 import math
 import threading
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from ..algorithms.robot_functions import entries, reported
-from ..arguments import array
+from ..arguments import Loads, Numbers, array
 from ..backends.c.shim import views
 from ..bodies.validity import MEASURES
 from ..errors import UsageError
@@ -21,12 +21,15 @@ CONVERTED = (ValueError, TypeError, AttributeError, NotImplementedError)
 """The errors of memoryviews for values that are not arrays of their shape and number type."""
 
 Array = np.ndarray
+Pair = tuple[Array, Array]
+Real = ctypes.c_float | ctypes.c_double
+_T = TypeVar("_T", bound=Sequence[Array])
 
 MOTION = {"rotation": (3, 3), "position": (3,), "tip_rotation": (3, 3), "tip_position": (3,), "tip_twist": (6,)}
 """The members of the motion of a robot, with their shape for one link."""
 
 
-class Motion(NamedTuple):
+class LinkMotions(NamedTuple):
     """Poses and twists of a robot with n links, in the inertial frame."""
 
     rotation: Array
@@ -41,7 +44,7 @@ class Motion(NamedTuple):
     """(n, 6): [omega; v] of tip section and tip point, rad/s and m/s."""
 
 
-class Block:
+class StructMemory:
     """Memory for a struct of a library, and its members by name."""
 
     def __init__(self, library: Any, names: Sequence[str], real: np.dtype):
@@ -66,11 +69,16 @@ class Memory:
     chain: Chain
     library: Any
     real: np.dtype
+    _q: Any
+    """A memoryview; what it refuses, it refuses by an error, so that any value may be tried."""
+    _v: Any
+    _tau: Any
+    _w_ext: Any
 
     def _place(self) -> None:
         """Allocate the memory and find the views in it."""
         self._lock = threading.Lock()
-        c, self._block = self.chain, Block(self.library, views(self.chain), self.real)
+        c, self._block = self.chain, StructMemory(self.library, views(self.chain), self.real)
         self.memory, view = self._block.address, self._block.view
         self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nv), view("output.vdot", c.nv)
         self.tau, self.w_ext = view("input.tau", c.n_tau), view("input.w_ext", c.n, 6)
@@ -81,8 +89,8 @@ class Memory:
         self._motion = [view(f"motion.{name}", c.n, *shape) for name, shape in MOTION.items()]
         self._order = _order(c)
         self._dae = view("dae", int(max(self._order)) + 1)
-        self._q, self._v, self._tau = memoryview(self.q), memoryview(self.v), memoryview(self.tau)
-        self._w_ext = memoryview(self.w_ext.reshape(-1))
+        self._q, self._v, self._tau = self.q.data, self.v.data, self.tau.data
+        self._w_ext = self.w_ext.reshape(-1).data
         self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nv, c.n_tau, 6 * c.n))
         self._w_shape = self.w_ext.shape
         self._forward, self._accelerations = self.library.shim_forward, self.library.shim_accelerations
@@ -96,7 +104,7 @@ class Memory:
     def x(self, values: Array) -> None:
         self._dae[self._order] = values
 
-    def _set(self, q, v, tau=None, w_ext=None) -> None:
+    def _set(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> None:
         """Copy values into the structs by memoryviews, which accept arrays of their type and length only."""
         try:
             self._q[:] = q
@@ -104,14 +112,14 @@ class Memory:
             self._tau[:] = self._no_tau if tau is None else tau
             if w_ext is None:
                 self._w_ext[:] = self._no_w_ext
-            elif w_ext.shape == self._w_shape:
+            elif isinstance(w_ext, np.ndarray) and w_ext.shape == self._w_shape:
                 self._w_ext[:] = w_ext.ravel()
             else:
                 self._take(q, v, tau, w_ext)
         except CONVERTED:
             self._take(q, v, tau, w_ext)
 
-    def _given(self, out: Sequence[Array], values: Sequence[Array]) -> Sequence[Array]:
+    def _given(self, out: _T, *values: Array) -> _T:
         """The caller's arrays with the values in them, if all of them can hold them."""
         real = self.real
         try:
@@ -132,17 +140,17 @@ class Memory:
             if place.shape != value.shape:
                 raise UsageError(f"out: {name} has the shape {place.shape}; it must be {value.shape}")
 
-    def _take(self, q, v, tau, w_ext) -> None:
+    def _take(self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads) -> None:
         """Convert and copy numbers of the right count into the structs; None is zero."""
         given = {"q": (q, self.q), "v": (v, self.v), "tau": (tau, self.tau), "w_ext": (w_ext, self.w_ext)}
         for name, (values, place) in given.items():
             place[...] = array(values, name, place.shape, finite=False)
 
-    def _input(self, tau, w_ext):
+    def _input(self, tau: Loads, w_ext: Loads) -> list[Array]:
         given = ((tau, "tau", (self.chain.n_tau,)), (w_ext, "w_ext", (self.chain.n, 6)))
         return [array(values, name, shape, finite=False) for values, name, shape in given]
 
-    def _in(self, values, shape: tuple[int, ...], name: str) -> Array:
+    def _in(self, values: Loads, shape: tuple[int, ...], name: str) -> Array:
         """Numbers as a new array for the C; zeros for None."""
         out = array(values, name, shape, finite=False).astype(self.real)
         return out if out.size else np.zeros(1, self.real)
@@ -150,7 +158,7 @@ class Memory:
 
 def _order(c: Chain) -> Array:
     """The places of the entries of x in ``<robot>_dae_state``: there positions follow all quaternions."""
-    sizes = (4 * c.n, 3 * c.n, c.n_inner, 6 * c.n, c.n_inner, c.n_joints)
+    sizes = (4 * c.n, 3 * c.n, c.n_inner, 6 * c.n, c.n_inner, c.n_redundant)
     starts = np.cumsum([0, *(max(size, 1) for size in sizes)])
     quaternion, position, *rest = (start + np.arange(size) for start, size in zip(starts, sizes, strict=False))
     return np.concatenate([np.hstack([quaternion.reshape(-1, 4), position.reshape(-1, 3)]).ravel(), *rest])

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from ..arguments import Given, array
+from ..arguments import Given, Numbers, array
 from ..backends.c.mpc import Fitted, MpcProject
 from ..robot_model import RobotModel
-from .compiled import LeanProject
 from .differentiated import failure
+from .lean import LeanProject
 from .library import load
-from .memory import Block, pointer
+from .memory import StructMemory, pointer
 
 OUTCOMES = ("solved", "limited", "infeasible")
 COUNTS = ("options.qp_iterations", "options.delay", "mpc.outcome", "mpc.iterations", "mpc.converged", "mpc.prepared")
@@ -78,7 +79,7 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
     return out | {f"mpc.{name}": shape for name, shape in own.items()}
 
 
-class Mpc:
+class CompiledMpc:
     """``<robot>_mpc`` of the generated C; arrays are NumPy's, in the order of ``model.q_names`` and ``tau_names``.
 
     Made by :meth:`screwgen.Model.mpc` from a file.  ``parameters``: values in the order of ``model.parameter_names`` or
@@ -96,7 +97,7 @@ class Mpc:
         model: RobotModel,
         fitted: Fitted,
         parameters: Given = None,
-        single=False,
+        single: bool = False,
         flags: Sequence[str] = ("-O3",),
         compiler: str | None = None,
         cache: bool | str | os.PathLike = True,
@@ -110,7 +111,7 @@ class Mpc:
         files = project.files() | {"shim.c": project.shim("mpc_shim.c", list(members))}
         define = [f"-D{model.robot.name.upper()}_REAL_FLOAT"] if single else []
         self.library = load(files, [*flags, *define], compiler, cache)
-        self._block = Block(self.library, list(members), self.real)
+        self._block = StructMemory(self.library, list(members), self.real)
         self._memory = self._block.address
         kind = lambda name: ctypes.c_int if name in COUNTS else None  # noqa: E731
         at = {k: self._block.view(k, *s, kind=kind(k)) for k, s in members.items() if k != "options.reference"}
@@ -132,15 +133,15 @@ class Mpc:
         self.block = content["block"]
         self.library.shim_default(self._memory)
         self.set_parameters(parameters)
-        self._due: float | None = None
-        self._last, self._held, self._next = 0.0, np.zeros(n), np.zeros(n)
+        self._due, self._last = 0.0, math.inf
+        self._held, self._next = np.zeros(n), np.zeros(n)
 
     def set_parameters(self, parameters: Given = None) -> None:
         """Other parameters from the next :meth:`prepare` on, a payload for one."""
         p = np.append(self.model.chain.parameters.vector(parameters), 0.0).astype(self.real)
         self._check(self.library.shim_parameters(self._memory, pointer(p)))
 
-    def initialise(self, q, v, acting=None) -> None:
+    def initialise(self, q: Numbers, v: Numbers, acting: Numbers | None = None) -> None:
         """A plan from a state (nq,), (nq,), near or far from the references, by iterations until it settles.
 
         ``acting`` (n_tau,): the torques that act until the next sample; those that hold the arm if left out.  Then
@@ -155,7 +156,7 @@ class Mpc:
         """Between two samples: shift the plan, linearise, condense."""
         self._check(self.library.shim_prepare(self._memory))
 
-    def feedback(self, q, v) -> np.ndarray:
+    def feedback(self, q: Numbers, v: Numbers) -> np.ndarray:
         """The torques (n_tau,) from a sample on, with the file's delay from the next one on."""
         self._state(q, v)
         self._check(self.library.shim_feedback(self._memory))
@@ -186,9 +187,9 @@ class Mpc:
         """The plan's torques (intervals, n_tau), N·m."""
         return self.inner["tau"][self.block].astype(float)
 
-    def __call__(self, t: float, q, v) -> np.ndarray:
+    def __call__(self, t: float, q: Numbers, v: Numbers) -> np.ndarray:
         """The torques at time ``t`` of a run: at a sample new ones, else the last; an earlier time begins anew."""
-        begun = self._due is not None and t >= self._last
+        begun = t >= self._last
         if begun and t < self._due - 1e-9 * max(1.0, abs(t)):
             return self._held
         q, v = (x if self.projection is None else self.projection @ x for x in (np.asarray(q), np.asarray(v)))
@@ -204,7 +205,7 @@ class Mpc:
         self._due += self.said.horizon.step
         return self._held
 
-    def _state(self, q, v) -> None:
+    def _state(self, q: Numbers, v: Numbers) -> None:
         for name, values in (("q", q), ("v", v)):
             place = self._at[f"state.{name}"]
             place[:] = array(values, name, place.shape, finite=False)

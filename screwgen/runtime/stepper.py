@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .memory import Array, Motion
+from .memory import Array, LinkMotions, Real
 
 if TYPE_CHECKING:
     from .compiled import Compiled
@@ -24,12 +24,11 @@ class Stepper:
     tau: Array
     w_ext: Array
 
-    def __init__(self, compiled: Compiled, number: int, count: int, dt):
+    def __init__(self, compiled: Compiled, number: int, count: int, dt: Real):
         self.q, self.v, self.tau, self.w_ext = compiled.q, compiled.v, compiled.tau, compiled.w_ext
         self._compiled, self._call = compiled, compiled.library.shim_step
         self._given = compiled.memory, number, count, dt
-        if compiled.chain.floating:
-            self.q[3] = 1.0
+        self.q[: compiled.chain.nq] = compiled.chain.home
 
     def __call__(self) -> None:
         """Make the steps.
@@ -40,6 +39,6 @@ class Stepper:
         if status := self._call(*self._given):
             self._compiled.check(status)
 
-    def kinematics(self) -> Motion:
+    def kinematics(self) -> LinkMotions:
         """Poses of all links and of their tips, and twists of the tips, in the state."""
         return self._compiled.motion()

@@ -9,7 +9,7 @@ import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from concurrent.futures.thread import ThreadPoolExecutor
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from ..integrators.methods import method_of
 from ..robot_model import RobotModel
 from ..runtime.batch import compiled_batch
 from ..runtime.compiled import NO_METHOD
-from .loop import added
+from .compiled_runs import added
 from .validity import Validity
 
 TRIES = 4
@@ -31,6 +31,18 @@ CHUNK = 1024
 """Scenarios of a chunk."""
 LOST = ("KilledWorker", "FutureCancelledError", "CommClosedError")
 """Exceptions of dask that say that a worker was lost."""
+
+
+class How(NamedTuple):
+    """How scenarios are rolled out: `periods` samples of `step` seconds, each of `substeps` steps of `method`."""
+
+    step: float
+    substeps: int
+    method: Method
+    threads: int
+    single: bool
+    periods: int = 0
+
 
 _kept: dict[str, Any] = {}
 """What a task that came packed needs, by its digest: that of the last one."""
@@ -102,18 +114,19 @@ def _again(error: BaseException, tries: int) -> int:
 
 
 def in_chunks(
-    run: Callable, model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: tuple, executor: Executor
+    run: Callable, model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: How, executor: Executor
 ) -> list:
-    """What ``run(model, given, count, *how)`` gives of each chunk of the scenarios, in their order."""
+    """What ``run(model, given, count, how)`` gives of each chunk of the scenarios, in their order."""
     packed = None if isinstance(executor, ThreadPoolExecutor) else pickle.dumps(model)
     digest = hashlib.sha256(packed or str(id(model)).encode()).hexdigest()
     if packed is None:
         HERE[digest] = model
 
     def call(k: int) -> Future:
-        rows = slice(k * CHUNK, min((k + 1) * CHUNK, count))
+        first, size = k * CHUNK, min(CHUNK, count - k * CHUNK)
+        rows = slice(first, first + size)
         own = {name: a[rows] if len(a) > 1 else a for name, a in given.items()}
-        return executor.submit(part, run, digest, packed, own, rows.stop - rows.start, how)
+        return executor.submit(part, run, digest, packed, own, size, how)
 
     try:
         found = dict(completed(call, range(max(1, -(-count // CHUNK))), executor))
@@ -123,13 +136,12 @@ def in_chunks(
 
 
 def part(
-    run: Callable, digest: str, packed: bytes | None, given: Mapping[str, np.ndarray], count: int, how: tuple
+    run: Callable, digest: str, packed: bytes | None, given: Mapping[str, np.ndarray], count: int, how: How
 ) -> Any:
     """A chunk of :func:`in_chunks`; runs in a worker."""
     model = unpacked(digest, packed)
-    *_, method, _, single = how
-    ready(model, single, method)
-    return run(model, given, count, *how)
+    ready(model, how.single, how.method)
+    return run(model, given, count, how)
 
 
 def merged(validities: list[Validity]) -> Validity:

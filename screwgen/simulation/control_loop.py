@@ -23,8 +23,8 @@ from .gains import Gain, Posture, gains_of, rounded_down
 from .inputs import Inputs
 from .integrate import DEFAULT
 from .linearised import Linearised
-from .linearised_loops import Shut
-from .stable_steps import Held, first_failure, shown_time
+from .linearised_loops import LinearisedWithLoops
+from .stable_steps import LinearisedMotions, first_failure, shown_time
 
 GROWN = 100.0
 """What an oscillation may be multiplied by within a run."""
@@ -73,15 +73,15 @@ class Sampled:
         except (ScrewgenError, np.linalg.LinAlgError):
             return ""
 
-    def _loop(self, at: Posture, method: Method, ended: bool) -> Loop | None:
+    def _loop(self, at: Posture, method: Method, ended: bool) -> PostureLoop | None:
         found = gains_of(self.law, self.model, self.p, at, ended)
         if not found:
             return None
-        kind = Shut if self.model.chain.closures else Linearised
+        kind = LinearisedWithLoops if self.model.chain.closures else Linearised
         motion = kind(self.model, at.q, at.v, None, None, self.given.constant_wrenches, self.p.tolist()).trimmed()
-        return Loop(motion, found, method, self.step, np.log(GROWN) / self.duration)
+        return PostureLoop(motion, found, method, self.step, np.log(GROWN) / self.duration)
 
-    def _said(self, loops: Sequence[Loop], method: Method) -> str:
+    def _said(self, loops: Sequence[PostureLoop], method: Method) -> str:
         at = f"unstable at a step of {shown_time(self.step, 3)}"
         if any(not loop.stable(0.0) for loop in loops):
             other = "" if method.name == DEFAULT else f"take {DEFAULT}; or "
@@ -93,14 +93,14 @@ class Sampled:
         named = f"loop of joint '{joints[0]}' is" if len(joints) == 1 else f"loops of joints {_listed(joints)} are"
         lower = [gain.lowered(s) for gain, s in zip(loops[0].gains, factors, strict=True) if s < 1]
         remedies = [_shorter(min(loop.longest() for loop in loops)), f"lower {_listed(lower, quote='')}"]
-        remedies += self._rotors(loops, rows)
+        remedies += self._inertias(loops, rows)
         return f"with these gains the sampled {named} {at}: {'; or '.join(remedies)}"
 
-    def _rotors(self, loops: Sequence[Loop], rows: Sequence[int]) -> list[str]:
+    def _inertias(self, loops: Sequence[PostureLoop], rows: Sequence[int]) -> list[str]:
         """What rotors would help, where the joints have none."""
         links = self.model.robot.links
-        stated = [link.joint.has_rotor(k) for link in links for k in range(len(link.joint.axes))]
-        found = np.zeros(0) if any(stated[j] for j in rows) else rotors(loops, rows)
+        stated = [link.joint.has_inertia(k) for link in links for k in range(len(link.joint.axes))]
+        found = np.zeros(0) if any(stated[j] for j in rows) else inertias(loops, rows)
         if not found.size:
             return []
         values = _listed([f"{_rounded_up(x):g}" for x in found], quote="")
@@ -109,31 +109,31 @@ class Sampled:
         return [f"state the {what} of the rotors, {values} {unit} or more (joint.armature)"]
 
 
-class Loop:
+class PostureLoop:
     """A loop about a posture, with any gains and rotors."""
 
     def __init__(self, motion: Linearised, gains: Sequence[Gain], method: Method, step: float, rate: float):
         self.motion, self.gains, self.method, self.step, self.rate = motion, gains, method, step, rate
         self.unstable = not self.stable()
 
-    def held(self, factors=1.0, rotors: np.ndarray | None = None) -> Held:
-        """The motion with gains times `factors`, one or one for each, and `rotors` (nv,) besides."""
-        motion = self.motion if rotors is None else self.motion.with_armature(rotors)
+    def held(self, factors: float | np.ndarray = 1.0, armature: np.ndarray | None = None) -> LinearisedMotions:
+        """The motion with gains times `factors`, one or one for each, and the `armature` (nv,) of rotors besides."""
+        motion = self.motion if armature is None else self.motion.with_armature(armature)
         each = np.broadcast_to(factors, len(self.gains))
-        return Held(motion.with_gains(sum((s * g.slope for s, g in zip(each, self.gains, strict=True)))))
+        return LinearisedMotions(motion.with_gains(sum((s * g.slope for s, g in zip(each, self.gains, strict=True)))))
 
-    def stable(self, factors=1.0, rotors: np.ndarray | None = None) -> bool:
+    def stable(self, factors: float | np.ndarray = 1.0, armature: np.ndarray | None = None) -> bool:
         """Whether nothing grows at the run's step."""
-        return not self.held(factors, rotors).grows(self.method, self.step, self.rate)
+        return not self.held(factors, armature).grows(self.method, self.step, self.rate)
 
-    def longest(self, factors=1.0) -> float:
+    def longest(self, factors: float | np.ndarray = 1.0) -> float:
         """The longest step, s, up to which nothing grows; 0 if there is none."""
         held = self.held(factors)
         steps = np.append(held.steps[held.steps < self.step], self.step)
         return first_failure(steps, lambda h: not held.grows(self.method, h, self.rate)) or 0.0
 
 
-def lowered(loops: Sequence[Loop]) -> np.ndarray:
+def lowered(loops: Sequence[PostureLoop]) -> np.ndarray:
     """The factors, 1 for most, by which gains must be lowered; as few of them as single trials find."""
     stable = lambda s: all(loop.stable(s) for loop in loops)  # noqa: E731
     count = len(loops[0].gains)
@@ -162,7 +162,7 @@ def largest(holds: Callable[[float], bool], low: float = 0.0) -> float:
     return low
 
 
-def rotors(loops: Sequence[Loop], rows: Sequence[int]) -> np.ndarray:
+def inertias(loops: Sequence[PostureLoop], rows: Sequence[int]) -> np.ndarray:
     """The least inertias of rotors at joints `rows` that make the loops stable; empty if none do.
 
     They are in proportion to what the gains ask for, `kd h + kp h²`.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..algorithms.transmissions import DEAD, efforts, travels
+from ..algorithms.travels import DEAD, efforts, travels
 from ..arguments import Numbers, parameters_keyword
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
@@ -48,6 +48,7 @@ class Holding:
 
     @parameters_keyword
     def __init__(self, model: RobotModel, parameters: Numbers | None = None):
+        model.chain.needs_sums("torque that holds it against gravity", "leave out gravity compensation")
         model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
         self.model, self.statics, self.count, self.chain = model, model.statics, model.n_joints, model.chain
         self.p = np.array(model.parameter_values if parameters is None else parameters, float)
@@ -57,7 +58,7 @@ class Holding:
     def __call__(self, q: Numbers) -> np.ndarray:
         """The torques (n_tau,), N·m, where they act, at the joint angles `q` (n_joints,), rad."""
         m, rows = self.count, len(self.chain.closures)
-        x, forces = self.chain.filled(np.asarray(q, float)[:m], self.p), np.zeros(rows)
+        x, forces = self.chain.with_inner(np.asarray(q, float)[:m], self.p), np.zeros(rows)
         if self.stated is None:
             self.stated = stated_joints(self.model, x, self.p)
         i = np.append(np.flatnonzero(~self.stated), np.arange(m, len(x)))
@@ -75,7 +76,7 @@ class Holding:
             settled = np.abs(moved).max(initial=0.0) <= self.TOLERANCE * np.abs(x[i]).max(initial=0.0)
             if settled and np.abs(changed).max(initial=0.0) <= self.SETTLED * np.abs(forces).max(initial=0.0):
                 break
-        torques = self.chain.at_rotors(np.where(self.stated, force[:m], 0.0), self.p)
+        torques = self.chain.at_efforts(np.where(self.stated, force[:m], 0.0), self.p)
         return efforts(self.chain, torques, x[:m], self.p)
 
     def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -149,12 +150,13 @@ class PD:
 
         Raises UsageError where the law has another number of joints than the robot.
         """
+        chain.needs_sums("PD law of its joints", "give a function of t, q and v")
         if len(self.q_des) != chain.n_tau:
             raise UsageError(f"PD: q_des has length {len(self.q_des)}; the robot has {chain.n_tau} joint coordinates")
-        ratios, ahead = 1.0 / chain.at_rotors(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
-        through = partial(_efforts, chain, p) if chain.cranked else None
-        driven = tuple(chain.driven)
-        own = partial(_ahead, chain, p) if chain.loose else None
+        ratios, ahead = 1.0 / chain.at_efforts(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
+        through = partial(_efforts, chain, p) if chain.travels else None
+        driven = tuple(chain.effort_places)
+        own = partial(_ahead, chain, p) if chain.elastic_travels else None
         return replace(
             self, driven=driven, ahead=ahead, ratios=tuple(ratios.tolist()), efforts=through, ahead_of_joints=own
         )
@@ -219,10 +221,10 @@ class PD:
 
 def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:
     """How far rotors behind elastic gears of transmissions are ahead of their joints (n_tau,) in `x`, `q` or `v`."""
-    out, lever = np.zeros(chain.n_tau), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
-    for joint, place in chain.loose.items():
+    out, slope = np.zeros(chain.n_tau), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
+    for joint, place in chain.elastic_travels.items():
         stretch = x[place + len(x) - chain.nv]
-        out[joint] = stretch / lever[joint] if abs(lever[joint]) > DEAD else 0.0
+        out[joint] = stretch / slope[joint] if abs(slope[joint]) > DEAD else 0.0
     return out
 
 
@@ -237,6 +239,7 @@ def read_pd(path: str | os.PathLike[str], model: RobotModel) -> PD:
     `{ t = …, q = […] }` with ascending times. `gravity = true` adds the torques that hold the arm at the measured joint
     angles. Raises UsageError, `<file>: <key>: <fault>; <what is allowed>`.
     """
+    model.chain.needs_sums("PD law from a file", "give a function of t, q and v in Python")
     file = one_line(os.fsdecode(path))
     data = parse(read_text(path, "a TOML file"), file, UsageError, "a gains file has no such depth")
     with refusals(file):

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
+from ..arguments import Numbers
 from ..backends.numpy.dae_step import DaeDynamics, HeldDae
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from .integrate import DEFAULT, LIMIT, DivergedError, Evaluator
+from .integrate import DEFAULT, LIMIT, CasadiEvaluator, DivergedError
 
 
-def dynamics(model: RobotModel, p: Sequence[float]) -> DaeDynamics:
+def dynamics(model: RobotModel, p: Numbers) -> DaeDynamics:
     """The DAE form with parameters ``p``, evaluated by CasADi."""
     functions, given = model.modal_functions, np.array(p, float)
 
     def at_p(name: str) -> Callable[..., list[np.ndarray]]:
-        evaluate = Evaluator(functions[name])
+        evaluate = CasadiEvaluator(functions[name])
         return lambda *values: evaluate(*values, given)
 
     properties = at_p("modal_properties")()
@@ -30,10 +31,10 @@ class DaeStepper:
 
     default = DEFAULT
 
-    def __init__(self, model: RobotModel, integrator: str | Method, p: Sequence[float]):
+    def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), dynamics(model, p)
-        self.reference, self.n_joints, self.floating = model.numpy(p), model.n_joints, model.chain.floating
-        self.p, self.place = np.array(p, float), Evaluator(model.casadi()["dae_state"])
+        self.reference, self.chain = model.numpy(p), model.chain
+        self.p, self.place = np.array(p, float), CasadiEvaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The state that satisfies the joint constraints."""
@@ -49,8 +50,7 @@ class DaeStepper:
 
     def coordinates(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """``q`` and ``v``; the joint rates follow from the twists."""
-        d, m = self.dynamics, self.n_joints
-        rates = d.rates(x, np.zeros(m), np.zeros((len(x[d.pose]) // 7, 6)))
-        q, qdot = x[len(x) - m :], rates[len(x) - m :]
-        pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.floating else (x[:0], x[:0])
+        d, qdot = self.dynamics, self.dynamics.joint_rates(x)[0]
+        pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.chain.floating else (x[:0], x[:0])
+        q = x[d.q]
         return np.concatenate([pose, q, x[d.eta]]), np.concatenate([twist, qdot, x[d.etadot]])

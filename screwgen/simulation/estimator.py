@@ -11,12 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from ..algorithms.gauges import gauges
+from ..algorithms.gauges import bending, gauges
 from ..algorithms.tip_acceleration import tip_acceleration
-from ..arguments import Given, Numbers, array
+from ..arguments import Given, Loads, Numbers, array
 from ..backends.numpy.numeric import EPSILON, function_of
 from ..errors import DivergedError, SingularError, UsageError
-from ..integrators.se3 import carried, unit
 from ..robot_model import RobotModel
 from ..runtime.estimator import Noise, check_noise, given_measurements, sensors, spread
 from .integrate import JointStepper
@@ -36,12 +35,12 @@ class Estimator:
     """
 
     def __init__(self, model: RobotModel, parameters: Given = None):
+        model.chain.needs_sums("estimator", "leave it out")
         chain, self.model = model.chain, model
         self._p = chain.parameters.vector(parameters)
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
         self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
-        lengths = [model.parameter_names.index(f"{model.robot.links[g.link].name}.length") for g in self.gauges]
-        self._lengths = np.array([self._p[k] for k in lengths])
+        self._strains = self._numeric.strain_slopes()[bending(chain)]
         self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
         self._own, self.noise, n = chain.closures, Noise(0.0), model.nv
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
@@ -55,7 +54,7 @@ class Estimator:
         )
         if chain.floating and not q[3:7].any():
             raise UsageError("q: the quaternion of the base is zero; give [1, 0, 0, 0] for no turn")
-        q, P = unit(q) if chain.floating else np.array(q, float), np.diag(sizes**2)
+        q, P = chain.unit(q), np.diag(sizes**2)
         if chain.closures:
             q, v, _ = self._shut(q, v)
             q, v, T = self._shut(q, v)  # the projection is that at closed rates
@@ -84,7 +83,7 @@ class Estimator:
 
     # ------------------------------------------------------------------------------ prediction
 
-    def predict(self, tau: Numbers, w_ext: Any, dt: float) -> None:
+    def predict(self, tau: Numbers, w_ext: Loads, dt: float) -> None:
         """Predict the state ``dt`` seconds later, with torques (n_tau,) and tip wrenches (n, 6) held."""
         tau, w_ext = self._input(tau, w_ext)
         if not (np.isfinite(dt) and dt > 0):
@@ -98,25 +97,35 @@ class Estimator:
 
     def _middle(self, q: np.ndarray, v: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """The state in the middle of a step to q and v."""
-        rate, base = (self._v + v) / 2, self.model.chain.base_q
-        half = np.append(dt / 2 * rate[: self.model.chain.base_v], (q - self._q)[base:] / 2)
+        rate, chain = (self._v + v) / 2, self.model.chain
+        half = dt / 2 * rate
+        half[chain.flat_v] = (q - self._q)[chain.flat_q] / 2
         return self._moved(self._q, half), rate
 
-    def _transition(self, q, v, tau, w_ext, h: float) -> tuple[np.ndarray, np.ndarray]:
+    def _transition(
+        self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float
+    ) -> tuple[np.ndarray, np.ndarray]:
         """The implicit midpoint rule of the motion linearised in the middle of a step, and its answer to noise."""
         by_q, by_v, _ = self._numeric.derivatives(q, v, tau, w_ext)
         n = self.model.nv
         one, none = np.eye(n), np.zeros((n, n))
         A = np.block([[none, one], [by_q, by_v]])
-        if self.model.chain.floating:
-            A[:6, :6] = carried(v[:6])
+        A[:n, :n] = self.model.chain.carried(v)
         left = np.eye(2 * n) - h / 2 * A
         solved = np.linalg.solve(left, np.hstack([np.eye(2 * n) + h / 2 * A, np.vstack([none, one])]))
         return solved[:, : 2 * n], solved[:, 2 * n :]
 
     # ------------------------------------------------------------------------------ update
 
-    def update(self, tau: Numbers, w_ext: Any, encoder=None, strain=None, acceleration=None, **base: Any) -> None:
+    def update(
+        self,
+        tau: Numbers,
+        w_ext: Loads,
+        encoder: Numbers | None = None,
+        strain: Numbers | None = None,
+        acceleration: Numbers | None = None,
+        **base: Any,
+    ) -> None:
         """Update the estimate by measurements, as of :class:`..runtime.estimator.CompiledEstimator`."""
         tau, w_ext = self._input(tau, w_ext)
         rows, left, variances = [], [], []
@@ -138,19 +147,17 @@ class Estimator:
             n = self.model.nv
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], P)
 
-    def _encoder(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
-        driven, chain = np.array(self.model.chain.driven, int), self.model.chain
+    def _encoder(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        driven, chain = np.array(self.model.chain.effort_places, int), self.model.chain
         return np.eye(2 * chain.nv)[driven], values - self._q[driven + chain.base_q - chain.base_v]
 
-    def _strain(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
-        chain = self.model.chain
-        H, fibre = np.zeros((len(self.gauges), 2 * chain.nv)), self._full(self.noise.fibre, len(self.gauges))
-        for row, gauge, d, length in zip(H, self.gauges, fibre, self._lengths, strict=True):
-            first = chain.eta_v + gauge.first
-            row[first : first + len(gauge.curvatures)] = -d * np.array(gauge.curvatures) / length**2
+    def _strain(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        chain, fibre = self.model.chain, self._full(self.noise.fibre, len(self.gauges))
+        H = np.zeros((len(self.gauges), 2 * chain.nv))
+        H[:, chain.eta_v : chain.nv] = -fibre[:, None] * self._strains
         return H, values - H[:, chain.eta_v : chain.nv] @ self._q[chain.eta_q :]
 
-    def _acceleration(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    def _acceleration(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         q, v, numeric = self._q, self._v, self._numeric
         vdot = numeric.forward_dynamics(q, v, tau, w_ext)[0]
         by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
@@ -159,12 +166,12 @@ class Estimator:
         of_q, of_v, of_vdot = (np.reshape(found[f"a_{x}"], (-1, 3)).T for x in ("q", "v", "vdot"))
         return np.hstack([of_q + of_vdot @ by_q, of_v + of_vdot @ by_v]), values - found["a"]
 
-    def _base_position(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    def _base_position(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         H = np.zeros((3, 2 * self.model.nv))
         H[:, 3:6] = self._numeric.link_pose(self._q)[0][0]
         return H, values - self._q[:3]
 
-    def _base_attitude(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    def _base_attitude(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Twice the vector part of the quaternion that leads from the estimate to what was measured."""
         if not values.any():
             raise UsageError("base_attitude is zero; give a quaternion")
@@ -172,7 +179,7 @@ class Estimator:
         part = w * np.array(x_m) - w_m * x - np.cross(x, x_m)
         return np.eye(3, 2 * self.model.nv), 2 * np.copysign(1.0, w * w_m + x @ x_m) * part
 
-    def _base_rate(self, values, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    def _base_rate(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         n = self.model.nv
         return np.eye(2 * n)[n : n + 3], values - self._v[:3]
 
@@ -226,9 +233,9 @@ class Estimator:
 
     def _moved(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
         moved = self._space.moved(q, change)
-        return unit(moved) if self.model.chain.floating else moved
+        return self.model.chain.unit(moved)
 
-    def _input(self, tau: Numbers, w_ext: Any) -> tuple[np.ndarray, np.ndarray]:
+    def _input(self, tau: Numbers, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:
         return array(tau, "tau", (self.model.n_tau,)), array(w_ext, "w_ext", (self.model.n_links, 6))
 
     @staticmethod

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -10,10 +11,10 @@ import numpy as np
 
 from ..backends.numpy.dae_step import space_of
 from ..robot_model import RobotModel
+from .captured_state import CapturedState
 from .controllers import PD
 from .inputs import Inputs
 from .linearised import DIFFERENCE, slopes_of
-from .pure import Seen
 
 BEFORE, AFTER = 0.02, 2.0
 """How long a function in Python may be asked for its gains before a run, and after one that failed, s."""
@@ -73,7 +74,7 @@ def gains_of(law: Any, model: RobotModel, p: np.ndarray, at: Posture, ended: boo
         law = replace(law, tau_max=None, gravity=None)
     given, space = Inputs(model, law, None), space_of(model.chain)
     torque = lambda q, v: given(at.t, q, v)[0]  # noqa: E731
-    seen = Seen(law)
+    seen = CapturedState(law)
     if not (plain or ended or seen.admissible):
         return []
     try:
@@ -98,7 +99,7 @@ def _stated(law: PD, model: RobotModel) -> np.ndarray:
     return G
 
 
-def _lasts(torque, at: Posture) -> float:
+def _lasts(torque: Callable[[np.ndarray, np.ndarray], object], at: Posture) -> float:
     """How long a call takes, s: the second, since a first one may prepare something."""
     torque(at.q, at.v)
     clock = time.perf_counter()

@@ -13,9 +13,8 @@ import numpy as np
 
 from ..arguments import Numbers
 from ..robot_model import RobotModel
-from ..spec.four_bar import NUMBERS, reach
+from ..spec.axis_laws import SIDES
 from ..spec.limit import Limit
-from ..spec.link_class import SIDES
 
 MOST = 8
 """Hits of one axis and side that text lists one by one."""
@@ -93,14 +92,11 @@ def bounds(model: RobotModel, p: Numbers) -> list[Bound]:
             own = {name: values.get(f"{link.name}.joint.limits[{axis}].{name}") for name in Limit.model_fields}
             push = own["stiffness"] or 0.0, own["damping"] or 0.0
             out += [Bound(first + axis, side, at, *push) for side in SIDES if (at := own[side]) is not None]
-        for axis, drive in enumerate(link.joint.drives or ()):
-            if drive.transmission and drive.transmission.four_bar:
-                linkage = f"{link.name}.joint.drives[{axis}].transmission.four_bar"
-                ends = zip(SIDES, reach(*(values[f"{linkage}.{name}"] for name in NUMBERS)), strict=True)
-                stated = {(bound.axis, bound.side) for bound in out}
-                loose = [(side, end) for side, end in ends if math.isfinite(end) and (first + axis, side) not in stated]
-                out += [Bound(first + axis, side, end, 0.0, 0.0) for side, end in loose]
         first += len(link.joint.axes)
+    stated = {(bound.axis, bound.side) for bound in out}
+    for _, axis, travel, numbers in model.chain.travel_numbers(p):
+        ends = [x for x in zip(SIDES, travel.reach(*numbers), strict=True) if (axis, x[0]) not in stated]
+        out += [Bound(axis, side, end, 0.0, 0.0) for side, end in ends if math.isfinite(end)]
     return out
 
 

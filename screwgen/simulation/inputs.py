@@ -39,15 +39,21 @@ class Inputs:
 
     def __init__(self, model: RobotModel, controller: Any, w_ext: Any):
         self.torques_vary, self.wrenches_vary = callable(controller), callable(w_ext)
+        self.shape = (model.n_links, 6)
         self.sources = (
             _source(controller, "the controller", (model.n_tau,)),
-            _source(w_ext, "w_ext", (model.n_links, 6)),
+            _source(w_ext, "w_ext", self.shape),
         )
 
     @property
     def constant_wrenches(self) -> np.ndarray | None:
         """The tip wrenches (n, 6) where they are constant; None where a function gives them."""
         return None if self.wrenches_vary else self.sources[1](0.0, None, None)
+
+    def wrenches(self, count: int) -> np.ndarray:
+        """Room for the tip wrenches (count, n, 6) at samples: filled where they are constant."""
+        held = self.constant_wrenches
+        return np.empty((count, *self.shape)) if held is None else np.broadcast_to(held, (count, *self.shape))
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         torque, wrench = self.sources

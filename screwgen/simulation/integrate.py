@@ -5,17 +5,16 @@ The torques and external wrenches are held over a step.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
+from ..arguments import Numbers
 from ..backends.numpy.dae_step import space_of
 from ..backends.numpy.own_forces import OwnForces
 from ..errors import DivergedError
 from ..integrators.method import Method, Motion
 from ..integrators.methods import method_of
-from ..integrators.se3 import unit
 from ..robot_model import RobotModel
 
 if TYPE_CHECKING:
@@ -28,7 +27,10 @@ LIMIT = 1e9
 """A coordinate or rate beyond this (m, rad, per second) means that the method diverges."""
 
 
-class Stepper(Protocol):
+_State = TypeVar("_State")
+
+
+class EquationForm(Protocol[_State]):
     """The interface of a form of the equations for runs; the type of a state is the form's own."""
 
     default: str
@@ -36,32 +38,32 @@ class Stepper(Protocol):
 
     method: Method
 
-    def initial(self, q: np.ndarray, v: np.ndarray) -> object:
+    def initial(self, q: np.ndarray, v: np.ndarray) -> _State:
         """The state at the coordinates `q` (nq,) and rates `v` (nv,)."""
 
-    def step(self, state: object, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> object:
+    def step(self, state: _State, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> _State:
         """The state `dt` seconds later under torques (n_tau,) and tip wrenches (n, 6), both held.
 
         Raises SingularError or DivergedError.
         """
 
-    def coordinates(self, state: object) -> tuple[np.ndarray, np.ndarray]:
+    def coordinates(self, state: _State) -> tuple[np.ndarray, np.ndarray]:
         """`q` (nq,) and `v` (nv,) of a state."""
 
 
-class Evaluator:
+class CasadiEvaluator:
     """A CasADi function on NumPy arrays without intermediate copies, which saves about 10 µs a call."""
 
-    def __init__(self, function):
+    def __init__(self, function: Any):
         self.inputs = [np.zeros(function.numel_in(i)) for i in range(function.n_in())]
         self.outputs = [np.zeros(function.nnz_out(i)) for i in range(function.n_out())]
         self.places = [np.array(function.sparsity_out(i).find(), int) for i in range(function.n_out())]
         self.sizes = [function.numel_out(i) for i in range(function.n_out())]
         self.buffer, self.evaluate = function.buffer()
         for i, x in enumerate(self.inputs):
-            self.buffer.set_arg(i, memoryview(x))
+            self.buffer.set_arg(i, x.data)
         for i, x in enumerate(self.outputs):
-            self.buffer.set_res(i, memoryview(x))
+            self.buffer.set_res(i, x.data)
 
     def __call__(self, *values: np.ndarray) -> list[np.ndarray]:
         """The outputs, flat (column by column), for the inputs: (n, 6) arrays stand for 6 x n."""
@@ -69,36 +71,38 @@ class Evaluator:
             x[:] = np.ravel(value)
         self.evaluate()
         out = [np.zeros(size) for size in self.sizes]
-        for x, places, values in zip(out, self.places, self.outputs, strict=True):
-            x[places] = values
+        for x, places, found in zip(out, self.places, self.outputs, strict=True):
+            x[places] = found
         return out
 
 
 class Dynamics:
     """Accelerations and joint wrenches of the joint form; methods give inertia and force of modes and sprung joints."""
 
-    def __init__(self, model: RobotModel, p: Sequence[float]):
+    def __init__(self, model: RobotModel, p: Numbers):
         functions = model.modal_functions
         self.p, self.n_links = np.array(p, float), model.n_links
-        self.evaluate = Evaluator(functions["modal_dynamics"])
-        self.own = OwnForces.of_columns(model.chain, Evaluator(functions["modal_properties"])(self.p))
+        self.evaluate = CasadiEvaluator(functions["modal_dynamics"])
+        self.own = OwnForces.of_columns(model.chain, CasadiEvaluator(functions["modal_properties"])(self.p))
 
-    def explicit(self, q, v, tau, w_ext) -> list[np.ndarray]:
+    def explicit(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         """`vdot` (nv,) and the joint wrenches (6 n,)."""
         return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
 
-    def modes(self, q, v) -> tuple[np.ndarray, np.ndarray]:
+    def modes(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
         own = self.own.acting(self.own.of(q), self.own.of(v))
         return own.M, own.force(own.of(q), own.of(v), 0.0)
 
-    def implicit(self, q, v, tau, w_ext, h: float, there: Motion) -> np.ndarray:
+    def implicit(
+        self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float, there: Motion
+    ) -> np.ndarray:
         """`vdot` (nv,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
         own = self.own.acting(self.own.of(q), self.own.of(v), h, self.own.of(there[1]))
         return self.evaluate(*there, tau, w_ext, own.inertia(h), own.force(own.of(q), own.of(v), h), self.p)[0]
 
 
-class Held(NamedTuple):
+class HeldAccelerations(NamedTuple):
     """The accelerations while torques and external wrenches are held."""
 
     dynamics: Dynamics
@@ -140,16 +144,16 @@ class JointStepper:
 
     default = DEFAULT
 
-    def __init__(self, model: RobotModel, integrator: str | Method, p: Sequence[float]):
+    def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), Dynamics(model, p)
-        self.reference, self.space, self.floating = model.numpy(p), space_of(model.chain), model.chain.floating
+        self.reference, self.space, self.chain = model.numpy(p), space_of(model.chain), model.chain
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
         return JointState(np.array(q, float), np.array(v, float))
 
     def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
-        q, v = self.method.step(Held(self.dynamics, tau, w_ext), state.q, state.v, dt, self.space)
-        new = JointState(unit(q) if self.floating else q, v)
+        q, v = self.method.step(HeldAccelerations(self.dynamics, tau, w_ext), state.q, state.v, dt, self.space)
+        new = JointState(self.chain.unit(q), v)
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():
             self.reference.forward_dynamics(state.q, state.v, tau, w_ext)
             raise diverged(self.method)

@@ -18,12 +18,12 @@ from ..backends.numpy.dae_step import space_of
 from ..errors import SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
-from ..integrators.se3 import Space
+from ..integrators.space import Space
 from ..robot_model import RobotModel
-from ..spec.parameters import turning
+from ..spec.parameters import changes, turning
 from . import mobility
 from .inputs import Inputs, coordinates, started
-from .integrate import Dynamics, Evaluator
+from .integrate import CasadiEvaluator, Dynamics
 
 Parameters = Sequence[float] | Mapping[str, float]
 Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
@@ -35,8 +35,6 @@ TOLERANCE = 1e-4
 """Growth per radian, relative to the amplitude, that counts as none."""
 DIFFERENCE = 1e-5
 """The variation of a controller's arguments, relative if they exceed 1."""
-TINY = 1e-6
-"""The change of the pose of a floating base by which its direction in q is taken."""
 
 
 def speed(model: RobotModel, v: np.ndarray) -> float:
@@ -51,7 +49,7 @@ def check_step(step: float) -> None:
         raise UsageError(f"the step is {step:g} s; it must be a finite number > 0")
 
 
-class Slopes(NamedTuple):
+class AccelerationSlopes(NamedTuple):
     """Derivatives of the accelerations (nv,) by coordinates, rates, torques and the forces of modes and joints."""
 
     q: np.ndarray
@@ -61,11 +59,11 @@ class Slopes(NamedTuple):
 
 
 class Linearised:
-    """The accelerations to first order about a state, as integration methods ask for them: see `integrate.Held`.
+    """The accelerations to first order about a state, as methods ask `integrate.HeldAccelerations` for them.
 
     `q` (nq,), `v` (nv,); `tau` (n_tau,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` its torques at
     t = 0 follow the motion instead. Motions are matrices, a column per motion, of small changes (nv,) of the
-    coordinates and of their rates; those of a floating base are in the axes of F_1. Raises UsageError where arguments
+    coordinates, by which joints move them, and of their rates. Raises UsageError where arguments
     make no sense, SingularError where the mass matrix cannot be inverted.
     """
 
@@ -89,7 +87,7 @@ class Linearised:
         self.tau, self.w_ext = self.given(0.0, self.q, self.v)
         self.numeric = model.numpy(self.p)
         self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
-        self.dynamics = Dynamics(model, self.p)  # type: ignore[arg-type]
+        self.dynamics = Dynamics(model, self.p)
         own = self.dynamics.own
         self.own = own.acting(own.of(self.q), own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))
@@ -97,7 +95,7 @@ class Linearised:
         self.gains = np.zeros((model.n_tau, 2 * model.nv)) if controller is None else self._gains()
         self.trim: np.ndarray | None = None
         self.armature = np.zeros(model.nv)
-        self._known: dict[float, Slopes] = {}
+        self._known: dict[float, AccelerationSlopes] = {}
 
     def trimmed(self) -> Linearised:
         """The same about the same state, with constant generalised forces that make the accelerations zero."""
@@ -127,7 +125,12 @@ class Linearised:
     @property
     def names(self) -> list[str]:
         """The coordinates of the motions."""
-        return self.model.q_names
+        return list(changes(self.model.robot))
+
+    @property
+    def carried(self) -> np.ndarray:
+        """The rates of the motions' changes that follow from these, as the axes of changes turn."""
+        return self.model.chain.carried(self.v)
 
     @property
     def turning(self) -> float:
@@ -142,7 +145,8 @@ class Linearised:
     @property
     def jacobian(self) -> np.ndarray:
         """`A` (2 nv, 2 nv) of `d/dt [δq; δv] = A [δq; δv]`; where loops are open it closes them."""
-        return np.vstack([self.identity[1], self.explicit(*self.identity)])
+        moved, rates = self.identity
+        return np.vstack([self.carried @ moved + rates, self.explicit(*self.identity)])
 
     def step_map(self, method: str | Method, step: float) -> np.ndarray:
         """The amplification matrix (2 nv, 2 nv) of a method over `step` seconds."""
@@ -173,7 +177,7 @@ class Linearised:
         here = (self.q, self.v)
         return self.v + h * self.dynamics.implicit(*here, self.tau, self.w_ext, h, here)
 
-    def slopes(self, h: float) -> Slopes:
+    def slopes(self, h: float) -> AccelerationSlopes:
         """The derivatives of the accelerations with modes and sprung joints implicit over `h`."""
         if h not in self._known:
             self._known = {0.0: self._known[0.0]} if 0.0 in self._known else {}
@@ -184,11 +188,11 @@ class Linearised:
         return self._known[h]
 
     @cached_property
-    def _light(self) -> Slopes:
+    def _light(self) -> AccelerationSlopes:
         """Those without implicit forces and without inertia that was added."""
         return self._derivatives(0.0)
 
-    def _heavier(self, h: float) -> Slopes:
+    def _heavier(self, h: float) -> AccelerationSlopes:
         """Where the accelerations are zero, the inertia over `h` does but divide: `M_h⁻¹ M` times the slopes.
 
         Where loops close the tree `M_h a_h − Jᵀ λ = M a` with `J a_h = J a`.
@@ -201,15 +205,15 @@ class Linearised:
             J = mobility.jacobian(self.model, self.q, self.p)
             reach = np.linalg.solve(heavy, J.T)
             factor += reach @ self.numeric.row_forces(J @ reach, J @ (np.eye(len(heavy)) - factor))
-        return Slopes(*(factor @ slope for slope in self._light))
+        return AccelerationSlopes(*(factor @ slope for slope in self._light))
 
-    def _derivatives(self, h: float) -> Slopes:
+    def _derivatives(self, h: float) -> AccelerationSlopes:
         if not self.model.nv:
-            return Slopes(*4 * [np.zeros((0, 0))])
+            return AccelerationSlopes(*4 * [np.zeros((0, 0))])
         own, chain = self.own, self.model.chain
         nv, m, n, b = chain.nv, chain.n_tau, chain.n, chain.base_v
         force, torque = own.force(own.of(self.q), own.of(self.v), h), self.tau
-        if self.trim is not None and chain.n_motors:
+        if self.trim is not None and chain.n_added:
             force = force + self.trim[b:]
         elif self.trim is not None:
             modes = np.append(np.zeros(chain.n_given - nv + b + m), self.trim[b + m :])
@@ -224,7 +228,7 @@ class Linearised:
         if not np.isfinite(columns).all():
             what = "the accelerations have no finite derivatives in this state"
             raise SingularError(f"{what}; masses or stiffnesses differ by too many orders of magnitude")
-        return Slopes(*np.split(columns.reshape(parts[-1], nv).T, parts[:-1], axis=1))
+        return AccelerationSlopes(*np.split(columns.reshape(parts[-1], nv).T, parts[:-1], axis=1))
 
     def _gains(self) -> np.ndarray:
         """The controller's derivatives by changes and rates (n_tau, 2 nv)."""
@@ -232,11 +236,12 @@ class Linearised:
 
     @cached_property
     def moving(self) -> np.ndarray:
-        """(nv, nq): how the coordinates change with small changes, a row for each: the identity but for a base's."""
-        out, first = np.zeros((self.model.nv, self.model.nq)), self.model.chain.base_v
-        out[first:, self.model.chain.base_q :] = np.eye(self.model.nv - first)
-        for k, u in enumerate(TINY * np.eye(self.model.nv)[:first]):
-            out[k] = (self.space.moved(self.q, u) - self.space.moved(self.q, -u)) / (2 * TINY)
+        """(nv, nq): how the coordinates change with small changes, a row for each: ones where they add up."""
+        chain, out = self.model.chain, np.zeros((self.model.nv, self.model.nq))
+        out[chain.flat_v, chain.flat_q] = 1.0
+        for part in chain.curved:
+            for k, unit in enumerate(np.eye(part.joint.nv), part.v.start):
+                out[k, part.q] = part.joint.coordinate_rates(self.q[part.q], unit)
         return out
 
 
@@ -249,8 +254,8 @@ def slopes_of(torque: Torque, q: np.ndarray, v: np.ndarray, space: Space, width:
     return np.reshape(sides, (2 * len(v), -1)).T
 
 
-def _directional(model: RobotModel) -> Evaluator:
+def _directional(model: RobotModel) -> CasadiEvaluator:
     """The derivatives of `modal_dynamics` in nv + nv + n_tau + n_given directions at once."""
     function, chain = model.modal_functions["modal_dynamics"], model.chain
     primal, count = list(range(function.n_in() + function.n_out())), 2 * chain.nv + chain.n_tau + chain.n_given
-    return Evaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))
+    return CasadiEvaluator(function.forward(1).map("slopes", "serial", max(1, count), primal, []))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from .linearised import Linearised
 from .mobility import motions
 
 
-class Shut(Linearised):
+class LinearisedWithLoops(Linearised):
     """The accelerations of the coordinates that the loops leave independent, to first order about a state.
 
     Motions are those of d coordinates and their rates. A method steps them as it would a robot written in these alone:
@@ -20,7 +20,7 @@ class Shut(Linearised):
     is open.
     """
 
-    def __init__(self, *given, **named):
+    def __init__(self, *given: Any, **named: Any):
         super().__init__(*given, **named)
         self.free, self.moves = motions(self.model, self.q, self.v, self.p)
         self.identity, self.gains = np.vsplit(np.eye(2 * len(self.free)), 2), self.gains @ self.moves
@@ -35,8 +35,13 @@ class Shut(Linearised):
         return N.T @ self.mass_matrix @ N
 
     @property
+    def carried(self) -> np.ndarray:
+        """As of `Linearised`, (d, d)."""
+        return super().carried[self.free] @ self.moves[: self.model.nv, : len(self.free)]
+
+    @property
     def names(self) -> list[str]:
-        return [self.model.q_names[k] for k in self.free]
+        return [super(LinearisedWithLoops, self).names[k] for k in self.free]
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
         """As of `Linearised`, of motions (d, k)."""

@@ -37,7 +37,7 @@ PAIR = ctypes.c_double * 2
 """A distance, m, and an angle, rad."""
 
 
-class Seen(ctypes.Structure):
+class LoopRecord(ctypes.Structure):
     """``shim_loops`` of the library: what a run has seen of its loops.
 
     `most`: the mismatch at which the run ends; `mismatch`, `at`, `which`: the largest so far, when, s, and of which
@@ -59,7 +59,7 @@ class LoopWatch:
         numeric = model.numpy(p)
         self.mismatch = numeric.mismatch
         self.sizes = (extent(numeric, q), 1.0) if self.names else (1.0, 1.0)
-        self.seen = Seen(most=PAIR(*(OPENED * size for size in self.sizes)), total=math.nan)
+        self.seen = LoopRecord(most=PAIR(*(OPENED * size for size in self.sizes)), total=math.nan)
 
     def __bool__(self) -> bool:
         return bool(self.names)

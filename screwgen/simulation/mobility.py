@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -58,19 +58,14 @@ def mobility(J: np.ndarray, kinds: Kinds) -> Mobility:
     return Mobility(independent, np.array(chosen, int), N)
 
 
-def by_drive(chain: Chain) -> Kinds:
+def by_effort(chain: Chain) -> Kinds:
     """Joints without a drive first, those with one (`armature` or `drives` and no spring) next, modes last.
 
     Among the joints the last of the file comes first.
     """
-    driven: list[int] = []
-    joints = [(link, j) for link in chain.robot.links for j in range(len(link.joint.axes))]
-    for k, (link, j) in enumerate(joints, chain.base_v):
-        joint = link.joint
-        drive = joint.drives[j].model_dump(exclude_none=True) if joint.drives else {}
-        moved = drive or (joint.armature and joint.armature[j])
-        if moved and not (joint.stiffness and joint.stiffness[j]):
-            driven.append(k)
+    joints = [(link.joint, j) for link in chain.robot.links for j in range(len(link.joint.axes))]
+    moved = [joint.is_moved(j) and not joint.has_spring(j) for joint, j in joints]
+    driven = [k for k, moves in enumerate(moved, chain.base_v) if moves]
     every = range(chain.base_v, chain.base_v + chain.n_joints)
     others = [k for k in every if k not in driven]
     return [[others[::-1], driven[::-1]], [range(chain.eta_v, chain.nv)]]
@@ -83,7 +78,7 @@ def by_spring(J: np.ndarray, springs: np.ndarray) -> Kinds:
     return [[np.flatnonzero(springs == 0)[::-1].tolist()], [sprung[np.argsort(-sizes, kind="stable")].tolist()]]
 
 
-def closing(model: RobotModel):
+def closing(model: RobotModel) -> Callable[..., Any]:
     """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model."""
     from ..backends.casadi.linear import closing as made
 
@@ -108,7 +103,7 @@ def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tupl
     _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
     check_closed(model.numpy(p), "q", q)
     check_staying_closed(chain, "v", J @ v)
-    own, D, N = mobility(J, by_drive(chain))
+    own, D, N = mobility(J, by_effort(chain))
     turned = np.zeros_like(N)
     turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]
     return own, np.block([[N, np.zeros_like(N)], [turned, N]])
@@ -121,7 +116,7 @@ def stated_joints(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     SingularError where rows of the loops depend on each other in this posture that do not in others.
     """
     out, J = np.ones(model.n_joints, bool), jacobian(model, q, p)
-    dependent = mobility(J, by_drive(model.chain)).dependent - model.chain.base_v
+    dependent = mobility(J, by_effort(model.chain)).dependent - model.chain.base_v
     if len(dependent) < len(J) and not model.chain.overconstrained:
         raise model.chain.singular_loops()
     out[dependent[dependent < model.n_joints]] = False
@@ -162,6 +157,6 @@ def loads_of_loops(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray |
     if not model.chain.closures:
         return None
     J, rest = jacobian(model, q, p), np.zeros(model.nv)
-    D, shares = mobility(J, by_drive(model.chain)).dependent, sharing(model, q, J, p)
+    D, shares = mobility(J, by_effort(model.chain)).dependent, sharing(model, q, J, p)
     forces = shares * np.linalg.lstsq(shares * J[:, D].T, model.numpy(p).bias(q, rest, None)[D])[0]
     return np.array(closing(model)(q, rest, forces, p)[4]).T

@@ -5,7 +5,7 @@ Every function takes the coordinates of N samples, as a run holds them: `q`, `v`
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -178,7 +178,7 @@ def _samples(model: RobotModel, x: np.ndarray, name: str) -> np.ndarray:
     return x
 
 
-def mapped(function, *rows: np.ndarray, output: int = 0) -> np.ndarray:
+def mapped(function: Any, *rows: np.ndarray, output: int = 0) -> np.ndarray:
     """An output of a CasADi function for every sample (N, …); the last argument, `p`, is the same for all."""
     *varying, p = rows
     count = len(varying[0])

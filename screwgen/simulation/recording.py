@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, TypeVar
 
 import numpy as np
 from numpy.lib import format as npy
@@ -28,10 +28,14 @@ from ..robot_model import RobotModel
 from ..spec.load import one_line
 from .hits import Hits
 from .inputs import Inputs
-from .integrate import Dynamics, Evaluator, Stepper
+from .integrate import CasadiEvaluator, Dynamics, EquationForm
 from .loop_watch import LoopWatch
-from .runs import Run, column_names, csv_header, csv_lines, suffix, unwritable
+from .runs import NAMES, Run, column_names, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
+
+_State = TypeVar("_State")
+Held = tuple[np.ndarray, np.ndarray, float]
+"""Torques, wrenches, and the seconds for which they are held."""
 
 MAX_BYTES = 4 * 2**30
 WATCH = 8
@@ -44,7 +48,7 @@ BLOCK = 4096
 
 
 @dataclass(frozen=True)
-class Task:
+class RunTask:
     """A run to make: `steps` steps of `step` seconds that end at `duration`, every `every`-th sampled, and the end.
 
     `q0`, `v0` (nq,): where it starts; `given`: what acts on the arm; `law`: the controller behind its torques;
@@ -78,7 +82,7 @@ class Task:
         return k % self.every == 0 or k == self.steps
 
 
-Walk = Callable[[Task, "Table"], None]
+Walk = Callable[[RunTask, "SampleTable"], None]
 """A way to make a run."""
 
 
@@ -95,24 +99,30 @@ def _widths(model: RobotModel) -> dict[str, int]:
     return widths | {row.name: entries(row, model.chain) for row in reported(model.chain)}
 
 
-class Table:
+class SampleTable:
     """The samples of a run, one row of numbers each: t, q, v, tau, wrench, tip_position, and what is reported."""
 
-    def __init__(self, model: RobotModel, times: np.ndarray, p: np.ndarray, q0: np.ndarray):
-        self.model, self.times, self.p = model, times, p
-        widths = _widths(model)
+    def __init__(self, model: RobotModel, times: np.ndarray, p: np.ndarray, q0: np.ndarray, given: Inputs):
+        self.model, self.times, self.p, self.given = model, times, p, given
+        self.w_ext = given.wrenches(len(times))
+        self.widths = widths = _widths(model)
         ends = np.cumsum(list(widths.values()))
         self.places = {name: slice(end - size, end) for (name, size), end in zip(widths.items(), ends, strict=True)}
         self.width = int(ends[-1])
         self.rows, self.count = np.empty((len(times), self.width)), 0
         self.watch, self.hits, self.loops = Watch(model.chain.names), Hits(model, p), LoopWatch(model, p, q0)
-        self.store: Store | None = None
+        self.store: RunFile | None = None
 
     @property
     def shapes(self) -> dict[str, tuple[int, ...]]:
         """The shape of every quantity in one sample."""
-        sizes = {name: (place.stop - place.start,) for name, place in self.places.items()}
+        sizes = {name: (size,) for name, size in self.widths.items()}
         return sizes | {"t": (), "wrench": (self.model.n_links, 6)}
+
+    def acted(self, row: int, w_ext: np.ndarray) -> None:
+        """Keep the tip wrenches of a sample, if they vary."""
+        if self.given.wrenches_vary:
+            self.w_ext[row] = w_ext
 
     def filled(self, count: int) -> None:
         """Report that the first `count` rows are filled."""
@@ -125,21 +135,23 @@ class Table:
         m, rows = self.model, self.rows[: self.count] if ended else self.rows
         arrays: dict[str, Any] = {name: rows[:, place] for name, place in self.places.items()}
         arrays |= {"t": rows[:, 0], "wrench": arrays["wrench"].reshape(len(rows), m.n_links, 6)}
-        arrays |= {f"{kind}_names": tuple(getattr(m, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-        arrays |= {"robot": m.robot, "parameters": np.array(self.p, float)}
-        return Run(m.robot.name, **arrays, validity=self.watch.validity(), hits=self.hits.all, ended=ended)
+        more: dict[str, Any] = {name: tuple(getattr(m, name)) for name in NAMES}
+        more |= {"robot": m.robot, "parameters": np.array(self.p, float), "model": m, "w_ext": self.w_ext[: len(rows)]}
+        more |= {"validity": self.watch.validity(), "hits": self.hits.all, "ended": ended}
+        return Run.of(m.robot.name, arrays, **more)
 
 
 class Recorder:
     """Samples of a motion by CasADi's functions."""
 
-    def __init__(self, table: Table):
+    def __init__(self, table: SampleTable):
         functions, self.table = table.model.casadi(), table
-        self.dynamics = Dynamics(table.model, table.p)  # type: ignore[arg-type]
+        self.dynamics = Dynamics(table.model, table.p)
         modal = table.model.modal_functions
-        self.watched, self.measures = Evaluator(modal["watched_dynamics"]), Evaluator(modal["measures"])
-        self.tip_pose = Evaluator(functions["tip_pose"])
-        self.reports = {row.name: (row.names, Evaluator(functions[row.name])) for row in reported(table.model.chain)}
+        self.watched, self.measures = CasadiEvaluator(modal["watched_dynamics"]), CasadiEvaluator(modal["measures"])
+        self.tip_pose = CasadiEvaluator(functions["tip_pose"])
+        rows = reported(table.model.chain)
+        self.reports = {row.name: (row.names, CasadiEvaluator(functions[row.name])) for row in rows}
 
     def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
         """The joint wrenches; None if a link bends by more than its length."""
@@ -155,20 +167,20 @@ class Recorder:
         self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *told])
         self.table.filled(row + 1)
 
-    def weigh(self, t: float, plant: Stepper, before: object, after: object, *held) -> None:
+    def weigh(self, t: float, plant: EquationForm[_State], before: _State, after: _State, held: Held) -> None:
         """Note the energies of the states before and after a step at `t` under held (torques, wrenches, seconds)."""
+        tau, w_ext, dt = held
 
-        def energy(state: object) -> np.ndarray:
+        def energy(state: _State) -> np.ndarray:
             return np.concatenate(self.reports["energy"][1](*plant.coordinates(state), self.table.p))
 
         def again() -> np.ndarray:
-            state, (tau, w_ext, dt) = before, held
+            state = before
             for _ in range(PARTS):
                 state = plant.step(state, tau, w_ext, dt / PARTS)
             return energy(state)
 
-        tau, _, dt = held
-        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.driven]
+        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.effort_places]
         self.table.loops.begin(lambda: energy(before))
         self.table.loops.weigh(t, energy(after), float(tau @ rates) / 2 * dt, again)
 
@@ -188,7 +200,7 @@ def part_of(path: str | os.PathLike[str]) -> Path:
 
 
 @contextmanager
-def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
+def stored(table: SampleTable, path: str | os.PathLike[str] | None) -> Iterator[None]:
     """Store the table's samples as they come; a run that ends is moved to `path`. Without a path nothing is stored.
 
     The text of an error or interruption names the file that remains.
@@ -200,7 +212,7 @@ def stored(table: Table, path: str | os.PathLike[str] | None) -> Iterator[None]:
     stream = _claimed(part, path)
     try:
         with stream:
-            table.store = Store(table, stream, suffix(path) == ".csv")
+            table.store = RunFile(table, stream, suffix(path) == ".csv")
             try:
                 yield
             finally:
@@ -234,10 +246,10 @@ def _claimed(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
         raise unwritable(path, error) from None
 
 
-class Store:
+class RunFile:
     """The file of a run that has not ended."""
 
-    def __init__(self, table: Table, stream: BinaryIO, text: bool):
+    def __init__(self, table: SampleTable, stream: BinaryIO, text: bool):
         self.table, self.stream, self.text = table, stream, text
         self.dtype = np.dtype([(name, "<f8", shape) for name, shape in table.shapes.items()])
         self.count, self.ready, self.clock = 0, 0, time.monotonic()

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..algorithms.gauges import base_strains
 from ..arguments import Given, real_numbers, seconds, whole
 from ..errors import UsageError
 from ..integrators.method import Method
@@ -19,8 +20,9 @@ from ..robot_model import RobotModel
 from ..runtime.batch import OK, SINGULAR, CompiledBatch, compiled_batch
 from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
-from .chunks import in_chunks, merged
-from .loop import added
+from .chunks import How, in_chunks, merged
+from .compiled_runs import added
+from .measured import MEASURED
 from .rollout_loops import opened
 from .rollout_samples import Source
 from .rollout_validity import watched
@@ -46,8 +48,9 @@ class Rollout:
 
     Computed when first asked for, at every sample, NaN where there is no dynamics, the last input held on at the end:
     ``wrench`` (batch, steps + 1, n, 6), joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components;
-    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; ``energy`` (.., 2), kinetic, potential, J;
-    ``drive_power`` (.., n_tau), W.
+    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; what functions report, as ``energy``
+    (.., 2), kinetic, potential, J, and ``drive_power`` (.., n_tau), W; what sensors measure at markers, as of
+    :class:`.runs.Run`.
     """
 
     t: np.ndarray
@@ -81,14 +84,17 @@ class Rollout:
 
     def __getattr__(self, name: str) -> np.ndarray:
         """What follows from the motions, by name: computed when it is first asked for, in double precision."""
-        if name not in COMPUTED or name in self.__dict__:
+        if name not in COMPUTED + MEASURED or name in self.__dict__:
             raise AttributeError(f"'Rollout' has no attribute '{name}'", name=name, obj=self)
-        return self._samples[name]
+        if name in COMPUTED:
+            return self._samples[name]
+        self.__dict__[name] = self._source.measured(name, self.q, self.v)
+        return self.__dict__[name]
 
     @cached_property
     def base_strain(self) -> np.ndarray:
         """(batch, steps + 1, strains): as the output ``base_strain`` of :meth:`screwgen.Model.linearise`, its order."""
-        return self._source.base_strain(self.q)
+        return self.strain[:, :, : base_strains(self._source.model.chain)]
 
     @cached_property
     def _samples(self) -> dict[str, np.ndarray]:
@@ -147,37 +153,39 @@ def rollout(
     A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
-    given, count, how = checked(
-        model, x0, tau, w_ext, parameters, step, steps, substeps, integrator, threads=threads, single=single
-    )
+    how = How(step, substeps, method_of(integrator, missing=NO_METHOD), threads, single)
+    given, count, how = checked(model, {"x0": x0, "tau": tau, "w_ext": w_ext, "parameters": parameters}, steps, how)
     if len(given["parameters"]) == 1:
         model.chain.parameters.check(given["parameters"])
     if executor is None:
-        run = rolled(model, given, count, *how)
+        run = rolled(model, given, count, how)
     else:
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     run.validity.warn(model, stacklevel=2)
     return run
 
 
-def checked(model, x0, tau, w_ext, parameters, step, steps, substeps, integrator, threads, single):
-    """The arguments of :func:`rollout` as :func:`rolled` takes them: arrays, the number of scenarios, and the rest."""
-    _check_numbers(step, steps, substeps, threads)
-    method = method_of(integrator, missing=NO_METHOD)
+def checked(
+    model: RobotModel, asked: Mapping[str, Any], steps: int | None, how: How
+) -> tuple[dict[str, np.ndarray], int, How]:
+    """What :func:`rolled` takes: arrays of `x0`, `tau`, `w_ext`, `parameters`, their number of scenarios, and how."""
+    _check_numbers(how.step, steps, how.substeps, how.threads)
+    tau, w_ext = asked["tau"], asked["w_ext"]
     given = {
-        "x0": _states(x0, model),
+        "x0": _states(asked["x0"], model),
         "tau": _sequence(tau, "tau", (model.n_tau,)),
         "w_ext": _sequence(w_ext, "w_ext", (model.n_links, 6)),
-        "parameters": _parameters(parameters, model),
+        "parameters": _parameters(asked["parameters"], model),
     }
     count = _common({name: len(a) for name, a in given.items()}, "scenarios")
     periods = _periods(steps, {"tau": np.shape(tau)[:-1], "w_ext": np.shape(w_ext)[:-2]})
     _check_size(count, periods, model)
-    return given, count, (periods, step, substeps, method, threads, single)
+    return given, count, how._replace(periods=periods)
 
 
-def rolled(model, given, count, periods, step, substeps, method, threads, single) -> Rollout:
+def rolled(model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: How) -> Rollout:
     """The motions of scenarios whose arguments are checked, without warnings."""
+    step, substeps, method, threads, single, periods = how
     batch = compiled_batch(model, single, added(method))
     starts = np.split(np.broadcast_to(given["x0"], (count, model.nq + model.nv)).T, [model.nq])
     path = [np.empty((periods + 1, *start.shape), batch.real) for start in starts]
@@ -186,7 +194,7 @@ def rolled(model, given, count, periods, step, substeps, method, threads, single
     p, constants, refused = _constants(model, batch, given["parameters"])
     if refused and len(p) < count:
         raise UsageError(refused[0])
-    given = given | {"parameters": p}
+    given = {**given, "parameters": p}
     tau, w_ext = (_rows(given[name], count, batch.real) for name in ("tau", "w_ext"))
     status, fault, done = batch.run(path[0], path[1], tau, w_ext, constants, step / substeps, substeps, method, threads)
     q, v = (rows.transpose(2, 0, 1) for rows in path)
@@ -228,7 +236,7 @@ def joined(runs: list[Rollout]) -> Rollout:
     return Rollout(t=runs[0].t, **stacked, links=runs[0].links, validity=validity, refused=refused)
 
 
-def _rows(values: np.ndarray, count: int, real) -> np.ndarray:
+def _rows(values: np.ndarray, count: int, real: type) -> np.ndarray:
     """A sequence (batch or 1, periods, n) with the scenarios last: (periods, n, batch)."""
     whole = np.broadcast_to(values, (count, *values.shape[1:]))
     return np.ascontiguousarray(whole.transpose(1, 2, 0), real)
@@ -268,14 +276,15 @@ def _array(values: Any, name: str, shape: tuple[int, ...], allowed: str) -> np.n
 
 def _states(values: Any, model: RobotModel) -> np.ndarray:
     """Initial states, (batch or 1, nq + nv)."""
-    count, sizes = model.nq + model.nv, "nq + nv" if model.chain.floating else "2 nq"
+    count, sizes = model.nq + model.nv, "nq + nv" if model.chain.curved else "2 nq"
     out = _array(values, "x0", (count,), f"(batch, {sizes}) or ({sizes},)")
-    if model.chain.floating:
-        length = np.linalg.norm(out[:, 3:7], axis=1, keepdims=True)
+    for part in model.chain.curved:
+        first = part.q.start + (part.joint.turn_at or 0)
+        length = np.linalg.norm(out[:, first : first + 4], axis=1, keepdims=True)
         for k in np.flatnonzero(~(np.abs(length[:, 0] - 1) <= SLACK))[:1]:
-            said = f"entries 3 to 6 (w, x, y, z) of scenario {k}"
+            said = f"entries {first} to {first + 3} (w, x, y, z) of scenario {k}"
             raise UsageError(f"x0 has a quaternion of length {length[k, 0]:.6g}, {said}; it must have length 1")
-        out = np.hstack([out[:, :3], out[:, 3:7] / length, out[:, 7:]])
+        out = np.hstack([out[:, :first], out[:, first : first + 4] / length, out[:, first + 4 :]])
     return out
 
 

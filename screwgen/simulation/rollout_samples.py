@@ -1,4 +1,4 @@
-"""What follows from the motions of a rollout, sample by sample: wrenches, tip positions, what is reported, strains."""
+"""What follows from a rollout, sample by sample: wrenches, tip positions, what is reported, and what is measured."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ..algorithms.robot_functions import entries, reported
 from ..integrators.methods import METHODS
 from ..robot_model import RobotModel
 from ..runtime.memory import pointer
-from .loop import instance
-from .motion import mapped
+from .compiled_runs import instance
+from .measured import measured
 
 
 @dataclass(frozen=True)
@@ -56,12 +56,15 @@ class Source:
         of = self.given[name][k if len(self.given[name]) > 1 else 0]
         return of[np.minimum(np.arange(samples), len(of) - 1)]
 
-    def base_strain(self, q: np.ndarray) -> np.ndarray:
-        """The strains at the base sections (batch, samples, count)."""
-        from ..backends.casadi.linear import strain_function
-
-        p = self.given["parameters"]
-        function = self.model.once("base strains", lambda: strain_function(self.model.chain))
-        if len(p) == 1:
-            return mapped(function, q.reshape(-1, q.shape[2]), p[0]).reshape(*q.shape[:2], -1)
-        return np.array([mapped(function, own, x) for own, x in zip(q, p, strict=True)])
+    def measured(self, name: str, q: np.ndarray, v: np.ndarray) -> np.ndarray | tuple[np.ndarray, ...]:
+        """What sensors measure at the samples (batch, samples, …); a tuple where a function has several results."""
+        p, samples = self.given["parameters"], q.shape[1]
+        found = []
+        for k in range(len(q)):
+            held = {
+                "tau": self._held("tau", k, samples),
+                "w_ext": self._held("w_ext", k, samples).reshape(samples, -1, 6),
+            }
+            found.append(measured(self.model, name, {"q": q[k], "v": v[k]} | held, p[k if len(p) > 1 else 0]))
+        several = isinstance(found[0], tuple)
+        return tuple(map(np.array, zip(*found, strict=True))) if several else np.array(found)

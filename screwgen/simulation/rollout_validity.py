@@ -9,7 +9,7 @@ import numpy as np
 from ..bodies.validity import MEASURES
 from ..robot_model import RobotModel
 from ..spec.reduced import reach
-from .integrate import Evaluator
+from .integrate import CasadiEvaluator
 from .validity import Validity, Watch
 
 SPREAD = 32
@@ -32,7 +32,7 @@ def watched(
     chosen.add(int(np.argmax(np.abs(v[..., : model.chain.base_v + model.n_joints]).sum(axis=2))))
     bending = [_bending(model, i, given["parameters"], q) for i in range(model.n_links)]
     chosen |= {int(np.argmax(size)) for sizes in bending for size in sizes}
-    evaluate = Evaluator(model.casadi()["validity"])
+    evaluate = CasadiEvaluator(model.casadi()["validity"])
     at = lambda name, k, j: _of(given[name], k, min(j, samples - 2))  # noqa: E731
     for k, j in sorted((divmod(c, samples) for c in chosen), key=lambda place: place[1]):
         inputs = (q[k, j], v[k, j], at("tau", k, j), at("w_ext", k, j), _of(given["parameters"], k))

@@ -4,27 +4,30 @@ from __future__ import annotations
 
 import os
 import secrets
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
 from .. import notebook
-from ..algorithms.robot_functions import FUNCTIONS, entry_names, function_named
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS, entry_names
 from ..errors import UsageError
 from ..files import Arrays, create, open_arrays
+from ..robot_model import RobotModel
 from ..spec.load import dump, one_line
 from .hits import Hit
+from .measured import MEASURED, measured
 from .validity import Validity
 
 if TYPE_CHECKING:
     from ..spec.robot import Robot
 
 OWN = ("t", "q", "v", "tau", "wrench", "tip_position")
-REPORTED = tuple(row.name for row in FUNCTIONS if row.in_c)
+REPORTED = tuple(row.name for row in FUNCTIONS if row.c_file == OUTPUTS)
 """What is reported at every sample besides, by the names of the functions that give it."""
 ARRAYS = (*OWN, *REPORTED)
 NEEDED = (*OWN, "energy")
@@ -40,8 +43,11 @@ class Run:
     `t` (N,); `q` (N, nq): coordinates, joints then modes; `v` (N, nv): their rates; `tau` (N, n_tau): the torques held
     from each sample to the next; `wrench` (N, n, 6): joint wrenches [τ; F], what link i−1 exerts on link i at
     the joint point, in F_i components; `tip_position` (N, 3): the last link's tip in the inertial frame. The names
-    belong to the columns. What functions of the robot report at every sample: `energy` (N, 2), J: kinetic, potential;
-    `drive_power` (N, n_tau), W: torque of each drive times the rate of what it turns, force times that of its travel.
+    belong to the columns. What functions of the robot report at every sample are attributes by the names of these, see
+    docs/functions.md, as `energy` (N, 2), J: kinetic, potential, and `drive_power` (N, n_tau), W.
+
+    Computed when first asked for: `accelerometer` (N, m, 3), m/s², `gyro` (N, m, 3), rad/s, and the others of
+    `MEASURED`, at the markers in the order of `model.marker_names`; `strain` (N, strains), as `model.strain_names`.
     """
 
     name: str
@@ -56,7 +62,8 @@ class Run:
     v_names: tuple[str, ...]
     tau_names: tuple[str, ...]
     wrench_names: tuple[str, ...]
-    drive_power: np.ndarray | None = None
+    told: Mapping[str, np.ndarray] = field(default_factory=dict)
+    """What functions report besides the energy, by their names: `run.drive_power` is `run.told["drive_power"]`."""
     validity: Validity | None = None
     """The validity measures of the motion; files do not store them."""
     hits: tuple[Hit, ...] = ()
@@ -67,6 +74,36 @@ class Run:
     """The values of its parameters; those of the file if None."""
     ended: str = ""
     """Why the run ended before its time; .npz files store it where it did."""
+    w_ext: np.ndarray | None = None
+    """(N, n, 6): the tip wrenches held from each sample to the next; .npz files store them where any acted."""
+    model: RobotModel | None = None
+    """The model, of a run that is not from a file."""
+
+    def __getattr__(self, name: str) -> Any:
+        """What functions report, None where a file of an earlier version lacks it; and what sensors measure at the
+        samples, computed when it is first asked for."""
+        if name in REPORTED:
+            return self.told.get(name)
+        if name not in MEASURED:
+            raise AttributeError(f"'Run' has no attribute '{name}'", name=name, obj=self)
+        if self.robot is None:
+            raise UsageError(f"this run does not know its robot, so there is no {name}; take one of simulate")
+        acted = np.zeros((len(self.t), *self.wrench.shape[1:])) if self.w_ext is None else self.w_ext
+        samples, model = {"q": self.q, "v": self.v, "tau": self.tau, "w_ext": acted}, self._model
+        self.__dict__[name] = measured(model, name, samples, model.chain.parameters.vector(self.parameters))
+        return self.__dict__[name]
+
+    @classmethod
+    def of(cls, name: str, arrays: Mapping[str, np.ndarray], **more: Any) -> Run:
+        """The run with `arrays` by the names of `ARRAYS`."""
+        told = {key: values for key, values in arrays.items() if key not in NEEDED}
+        own: dict[str, Any] = {key: arrays[key] for key in NEEDED}
+        return cls(name, **own, told=told, **more)
+
+    @cached_property
+    def _model(self) -> RobotModel:
+        assert self.robot is not None
+        return RobotModel(self.robot) if self.model is None else self.model
 
     def __repr__(self) -> str:
         joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
@@ -92,7 +129,7 @@ class Run:
     def names_of(self, array: str) -> tuple[str, ...]:
         """The names of the columns of an array, such as `tau`; raises AttributeError where the run has none of it."""
         if array in self.reports:
-            return entry_names(function_named(array), self.tau_names)
+            return entry_names(BY_NAME[array], self.tau_names)
         return getattr(self, f"{array}_names")
 
     @property
@@ -126,7 +163,7 @@ class Run:
 
 def column_names(*names: Sequence[str], reports: Iterable[str] = REPORTED) -> tuple[str, ...]:
     """The names of the columns of a table, of a run with these `NAMES`."""
-    told = (x for name in reports for x in entry_names(function_named(name), names[NAMES.index("tau_names")]))
+    told = (x for name in reports for x in entry_names(BY_NAME[name], names[NAMES.index("tau_names")]))
     return ("t", *(x for group in names for x in group), *TIP_NAMES, *told)
 
 
@@ -137,6 +174,8 @@ def write_npz(run: Run, stream: BinaryIO) -> None:
         with suppress(UsageError):
             arrays["robot"] = np.array(dump(run.robot))
         arrays["parameters"] = run.parameters
+    if run.w_ext is not None and np.any(run.w_ext):
+        arrays["w_ext"] = run.w_ext
     if run.ended:
         arrays["ended"] = np.array(run.ended)
     np.savez(stream, **arrays)

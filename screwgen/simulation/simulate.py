@@ -15,23 +15,25 @@ from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from . import hits, loop
+from . import compiled_runs, hits
 from .control_loop import Sampled
 from .controllers import PD, Controller
 from .dae import DaeStepper
-from .failing import Judge
+from .failed_runs import Judge
 from .inputs import Inputs, at_time, coordinates, started
-from .integrate import JointStepper, Stepper, left
+from .integrate import EquationForm, JointStepper, left
 from .mobility import check_closed, check_staying_closed
-from .recording import WATCH, Recorder, Table, Task, Walk, check_size, stored
+from .recording import WATCH, Recorder, RunTask, SampleTable, Walk, check_size, stored
 from .runs import FORMATS, Run, check_output
 
-MakeStepper = Callable[["RobotModel", "str | Method", Sequence[float]], Stepper]
+MakeStepper = Callable[[RobotModel, str | Method, Numbers], EquationForm]
 
-FORMS: Mapping[str, type[Stepper]] = MappingProxyType({"joint": JointStepper, "dae": DaeStepper})
+FORMS: Mapping[str, MakeStepper] = MappingProxyType({"joint": JointStepper, "dae": DaeStepper})
 """The forms of the equations: name -> stepper, made with (model, integrator, p)."""
 
-BACKENDS = ("c", "numpy")
+BACKENDS = ("c", "casadi")
+FORMER = {"numpy": "casadi"}
+"""Earlier names of back ends, which users' scripts may have."""
 RELATIVE_SLACK = 1e-9
 """The relative tolerance within which a duration counts as a multiple of the step."""
 
@@ -69,8 +71,8 @@ def simulate(
     `duration` is no multiple of `step` the last step is shorter and ends at `duration`.
 
     `backend`: "c" steps the joint form in the generated C, compiled when it is first needed and kept (`library`);
-    constants and :class:`PD` stay in it, other controllers are called from it. "numpy" steps in Python. By default
-    "c" in the joint form where there is a compiler. The numbers agree to rounding.
+    constants and :class:`PD` stay in it, other controllers are called from it. "casadi" steps in Python, on functions
+    of CasADi. By default "c" in the joint form where there is a compiler. The numbers agree to rounding.
 
     `store`: a .npz or .csv file for the run, which grows meanwhile as `run.part.npy` (`numpy.load` reads it, its
     fields are those of the run) or `run.part.csv`. A run that is stopped, fails or is killed leaves that file.
@@ -102,11 +104,11 @@ def simulate(
     if isinstance(law, PD):
         hits.warn_goals(model, p, law.set_points)
     given = Inputs(model, law, w_ext)
-    table = Table(model, time_grid(duration, step, every), p, q0)
+    table = SampleTable(model, time_grid(duration, step, every), p, q0, given)
     judge = Judge(Sampled(model, p, given, law, method_used(form, integrator), step, duration), q0, v0)
     try:
         with stored(table, store), judge.of(table):
-            walk(Task(steps, step, duration, every, q0, v0, given, law, progress), table)
+            walk(RunTask(steps, step, duration, every, q0, v0, given, law, progress), table)
             run = table.run()
             hits.warn(run.hits)
             table.loops.warn()
@@ -119,14 +121,14 @@ def simulate(
 def _in_c(backend: str | None, form: str | MakeStepper, model: RobotModel, integrator: str | Method | None) -> bool:
     """Whether a run is stepped in C."""
     if backend is not None:
-        choice(backend, BACKENDS, "backend: there is no")
+        backend = choice(FORMER.get(backend, backend), BACKENDS, "backend: there is no")
     if form != "joint":
         if backend == "c" and (callable(form) or form in FORMS):
             raise UsageError(
                 f"the backend 'c' steps the joint form, not '{form}'; leave out backend, or choose form 'joint'"
             )
         return False
-    return backend == "c" or (backend is None and loop.available(model, _method(integrator)))
+    return backend == "c" or (backend is None and compiled_runs.available(model, _method(integrator)))
 
 
 def _method(integrator: str | Method | None) -> Method:
@@ -143,15 +145,15 @@ def method_used(form: str | MakeStepper, integrator: str | Method | None) -> Met
         return None
 
 
-def _c_walk(model: RobotModel, integrator: str | Method | None, form: str, p: np.ndarray) -> Walk:
+def _c_walk(model: RobotModel, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:
     method = _method(integrator)
-    return loop.Loop(loop.instance(model, p, method), method)
+    return compiled_runs.CompiledRuns(compiled_runs.instance(model, p, method), method)
 
 
 def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | MakeStepper, p: np.ndarray) -> Walk:
     plant = stepper(model, integrator, form, p)
 
-    def walk(task: Task, table: Table) -> None:
+    def walk(task: RunTask, table: SampleTable) -> None:
         record = Recorder(table)
         _check_posture(model, p, task.given, task.q0, task.v0)
         state, often = plant.initial(task.q0, task.v0), max(1, task.steps // 200)
@@ -168,12 +170,13 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                     if joints is None:
                         raise left(plant.method, table.watch)
                     if task.sampled(k):
+                        table.acted(task.rows(k), wrench)
                         record(task.rows(k), q, v, joints, tau)
                 if k < task.steps:
                     before, held = state, (tau, wrench, task.reach(k))
                     state = plant.step(before, *held)
                     if table.loops:
-                        record.weigh(t, plant, before, state, *held)
+                        record.weigh(t, plant, before, state, held)
             if task.progress and (k % often == 0 or k == task.steps):
                 task.progress(k, task.steps)
         record.check()
@@ -186,7 +189,7 @@ def stepper(
     integrator: str | Method | None = None,
     form: str | MakeStepper = "joint",
     p: Numbers | None = None,
-) -> Stepper:
+) -> EquationForm:
     """The stepper of a form and an integrator (None: the form's own choice) at the parameters `p`.
 
     Raises UsageError on unknown names.
@@ -211,7 +214,7 @@ def step_count(duration: float, step: float) -> int:
     return nearest if whole else math.ceil(duration / step)
 
 
-def time_grid(duration: float, step: float, every=1) -> np.ndarray:
+def time_grid(duration: float, step: float, every: int = 1) -> np.ndarray:
     """The times of every `every`-th step from 0 on, and `duration`; raises UsageError."""
     return np.append(step * np.arange(0, step_count(duration, step), every), float(duration))
 

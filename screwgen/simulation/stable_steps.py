@@ -32,7 +32,7 @@ PER_DECADE = 8
 HALVINGS = 16
 
 
-class Held:
+class LinearisedMotions:
     """The linearised motions of an arm held at a state, and the methods' approximations of them."""
 
     def __init__(self, motion: Linearised):

@@ -77,7 +77,7 @@ def motion(value: Any, key: str, model: RobotModel) -> np.ndarray:
     one leaves everything at zero.
     """
     entries = array(value, "an array of numbers", at=(key,))
-    right = len(entries) in (0, model.n_joints, model.nv if key == "v" else model.nq)
+    right = len(entries) in (0, *((model.n_joints, model.nv) if key == "v" else (model.chain.n_redundant, model.nq)))
     numbers = [within(key)(x, at=(key, i)) for i, x in enumerate(entries)] if right else [0.0] * len(entries)
     found = model.chain.complete(np.array(numbers, float), model.parameter_values, rates=key == "v")
     if isinstance(found, str):

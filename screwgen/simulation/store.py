@@ -14,7 +14,7 @@ from ..files import create, mapped_array, open_regular
 from .zarr_rows import Zarr
 
 
-class Rows(Protocol):
+class RowStore(Protocol):
     """How a format keeps two tables with a row per scenario, values and statuses; `paths` are what it makes."""
 
     paths: tuple[Path, ...]
@@ -85,7 +85,7 @@ class Npy:
         return values, statuses
 
 
-FORMATS: dict[str, type[Rows]] = {".npy": Npy, ".zarr": Zarr}
+FORMATS: dict[str, type[RowStore]] = {".npy": Npy, ".zarr": Zarr}
 
 
 class Store:

@@ -24,9 +24,11 @@ import numpy as np
 from ..arguments import whole
 from ..errors import UsageError
 from ..integrators.method import Method
+from ..integrators.methods import method_of
 from ..robot_model import RobotModel
+from ..runtime.differentiated import NO_METHOD
 from ..version import __version__ as VERSION
-from .chunks import CHUNK, HERE, completed, merged, ready, unpacked
+from .chunks import CHUNK, HERE, How, completed, merged, ready, unpacked
 from .rollout import Rollout, checked, rolled
 from .store import Store
 from .validity import Validity
@@ -105,7 +107,7 @@ def sweep(
         "single": single,
     }
     packed = None if isinstance(executor, ThreadPoolExecutor | None) else _packed(model, draw, keep, options)
-    task = Task(_digest(model, draw, keep, options, count, chunk, seed), count, chunk, seed, packed)
+    task = SweepTask(_digest(model, draw, keep, options, count, chunk, seed), count, chunk, seed, packed)
     if packed is None:
         HERE[task.digest] = (model, draw, keep, options)
     target = Store(Path(store), task.digest, count, chunk)
@@ -124,7 +126,7 @@ def sweep(
 
 
 @dataclass(frozen=True)
-class Task:
+class SweepTask:
     """What a worker is told: `packed` holds the model and the functions, unless it shares the memory."""
 
     digest: str
@@ -175,7 +177,7 @@ def _said(what: Any) -> str:
         return f"{what.__module__}.{what.__qualname__}{inner}"
 
 
-def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
+def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
     """Values, statuses and validity of chunk `k`; runs in a worker."""
     model, draw, keep, options = unpacked(task.digest, task.packed)
     ready(model, options["single"], options["integrator"])
@@ -183,8 +185,9 @@ def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
     given = dict(draw(rng, n))
     if wrong := given.keys() - set(ARGUMENTS) or {"x0"} - given.keys():
         raise UsageError(f"draw: wrong or missing is '{min(wrong)}'; it gives x0, and may {', '.join(ARGUMENTS[1:])}")
-    given, count, how = checked(model, **(dict.fromkeys(ARGUMENTS) | given), **options)
-    run = rolled(model, given, count, *how)
+    method = method_of(options["integrator"], missing=NO_METHOD)
+    how = How(options["step"], options["substeps"], method, options["threads"], options["single"])
+    run = rolled(model, *checked(model, dict.fromkeys(ARGUMENTS) | given, options["steps"], how))
     values = np.asarray(keep(run))
     if values.dtype.char not in NUMBERS:
         raise UsageError(f"keep gave {values.dtype}; it must give booleans, or numbers of double precision at most")
@@ -194,7 +197,7 @@ def work(task: Task, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
 
 
 def _run(
-    executor: Executor, task: Task, target: Store, progress: Callable[[int, int], object] | None
+    executor: Executor, task: SweepTask, target: Store, progress: Callable[[int, int], object] | None
 ) -> list[Validity]:
     """Store what the workers find; the measures of all scenarios, if there were any."""
     validities: list[Validity] = []

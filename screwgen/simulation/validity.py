@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..arguments import Given, Loads, Numbers
 from ..bodies.validity import BOUNDS as BOUND
 from ..bodies.validity import MEASURES
 from ..errors import DivergedError
@@ -273,7 +274,7 @@ class Watch:
     first: np.ndarray = field(init=False)
     at: np.ndarray = field(init=False)
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         shape = (len(self.links), len(MEASURES))
         self.values, self.at, self.first = np.zeros(shape), np.zeros(shape), np.full(shape, np.nan)
 
@@ -308,11 +309,18 @@ class Watch:
 # ------------------------------------------------------------------------------ of a model
 
 
-def validity(model: RobotModel, q, v=None, tau=None, w_ext=None, parameters=None) -> Validity:
+def validity(
+    model: RobotModel,
+    q: Numbers,
+    v: Numbers | None = None,
+    tau: Loads = None,
+    w_ext: Loads = None,
+    parameters: Given = None,
+) -> Validity:
     """The implementation of :meth:`screwgen.Model.validity`."""
     return Validity(tuple(model.chain.names), model.numpy(parameters).validity(q, v, tau, w_ext))
 
 
-def validity_at_rest(model: RobotModel, q, w_ext=None, parameters=None) -> Validity:
+def validity_at_rest(model: RobotModel, q: Numbers, w_ext: Loads = None, parameters: Given = None) -> Validity:
     """The implementation of :meth:`screwgen.Model.validity_at_rest`."""
     return Validity(tuple(model.chain.names), model.numpy(parameters).validity_at_rest(q, w_ext))

@@ -8,9 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from ..joints.ball import BALL
+from ..joints.kind import JointKind
+from ..joints.screw import Screw, Vector
 from .messages import unknown
 from .ranges import within
-from .screw import Screw, Vector
 from .values import Path, array, numbers, refuse, shown
 
 LETTERS: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -23,9 +25,36 @@ UNIT = 4 * 2.0**-52  # a vector this near to unit length stays as it is, so that
 GENERIC = (0.7, -1.1, 0.4)  # coordinates of no special posture
 
 
+class AxesOfKind(tuple[Screw, ...]):
+    """The axes of a joint that is no product of screws: along each there is a rate and a torque, but no coordinate."""
+
+    kind: JointKind
+
+    def __new__(cls, kind: JointKind) -> AxesOfKind:
+        out = super().__new__(cls, kind.along)
+        out.kind = kind
+        return out
+
+    def __getnewargs__(self) -> tuple[JointKind]:
+        return (self.kind,)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, AxesOfKind) and self.kind == other.kind
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(self.kind)
+
+
 def axes(value: Any) -> tuple[Vector | Screw, ...]:
-    """At most three unit vectors or screws, each of which adds a motion to those before it."""
-    stated = array(value, 'an array of axes, as ["y", "z"]')
+    """At most three unit vectors or screws, each of which adds a motion to those before it; "ball"; or a kind."""
+    if isinstance(value, AxesOfKind):
+        return value
+    if isinstance(value, JointKind) or value == BALL.name:
+        return AxesOfKind(value if isinstance(value, JointKind) else BALL)
+    stated = array(value, 'an array of axes, as ["y", "z"], or "ball"')
     if len(stated) > MAX_AXES:
         raise refuse(f"has {len(stated)} axes; at most {MAX_AXES} are allowed")
     units = tuple(axis(entry, at=(i,)) for i, entry in enumerate(stated))
@@ -97,8 +126,10 @@ def checked(screw: Screw, at: Path) -> Vector | Screw:
     return Screw(along, screw.turn, _nonzero(screw.travel, at))
 
 
-def written(axes: Sequence[Vector | Screw]) -> list[Vector | dict[str, Any]]:
+def written(axes: Sequence[Vector | Screw]) -> list[Vector | dict[str, Any]] | str:
     """The axes as a file states them."""
+    if isinstance(axes, AxesOfKind):
+        return axes.kind.name
     return [_table(axis) if isinstance(axis, Screw) else axis for axis in axes]
 
 

@@ -14,6 +14,9 @@ FIXED, FLOATING = "fixed", "floating"
 POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 """The coordinates of a floating base: the origin of F_1 in the inertial frame, and its unit quaternion."""
 POSE_UNITS = ("m", "m", "m", "1", "1", "1", "1")
+CHANGE = tuple(f"{what}_{axis}" for what in ("rotation", "displacement") for axis in "xyz")
+"""Changes of the pose along the twist, rad and m: the rotation vector and the displacement, in axes of F_1."""
+CHANGE_UNITS = ("rad", "rad", "rad", "m", "m", "m")
 TWIST = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
 """Its rates: the twist of F_1 in axes of F_1."""
 HOME = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)

@@ -100,8 +100,6 @@ def refuse_couplings(links: Sequence[Link], couplings: Sequence[Coupling]) -> No
             raise refuse("couples an axis with itself; name two axes", (*at, "of"))
         for key in ("axis", "of"):
             link, number = coupled_axis(links, getattr(coupling, key), (*at, key))
-            drives = links[link].joint.drives
-            if drives and (drives[number].elastic or drives[number].transmission):
-                what = "an elastic gear" if drives[number].elastic else "a transmission"
-                what = f"is driven through {what}, whose effort does not act on the axis"
+            if between := links[link].joint.between(number):
+                what = f"is driven through {between}, whose effort does not act on the axis"
                 raise refuse(f"{what}; drive and couple another one", (*at, key))

@@ -1,15 +1,17 @@
 """The drive of a joint axis: gear, rotor, elasticity and friction."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import inf
 from typing import Annotated, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
+from ..elements import Added, Travel
+from ..elements.gear import added_by
+from ..joints.screw import Screw
 from .limit import Limit
 from .part import Part
 from .ranges import within
-from .screw import Screw
 from .transmission import Transmission
 from .values import refuse, shown
 
@@ -83,15 +85,36 @@ class Drive(Part):
         return self.stiffness is not None
 
     @property
-    def linked(self) -> bool:
-        """Whether a four-bar linkage drives the axis."""
-        return self.transmission is not None and self.transmission.four_bar is not None
+    def travel(self) -> Travel | None:
+        """The kind of its transmission, if its ratio depends on the posture."""
+        return self.transmission.kind if self.transmission else None
+
+    @property
+    def added(self) -> Added | None:
+        """The coordinate that an elastic gear adds."""
+        return added_by(self.travel) if self.elastic else None
+
+    @property
+    def numbers(self) -> Iterator[tuple[str, float | None]]:
+        """Its runtime parameters, by their keys below this table."""
+        friction = self.friction or NO_FRICTION
+        yield from ((name, getattr(self, name)) for name in ("ratio", "rotor_inertia", "stiffness", "damping"))
+        yield from ((f"friction.{name}", getattr(friction, name)) for name in Friction.model_fields)
+        if self.transmission:
+            yield from ((f"transmission.{name}", value) for name, value in self.transmission.numbers)
+
+    def effort(self, screw: Screw) -> tuple[str, str]:
+        """What the input of its axis is called, and its unit."""
+        if self.travel:
+            return self.travel.EFFORT_NAME, self.travel.EFFORT_UNIT
+        return ("torque", "N·m") if self.elastic or screw.turn else ("force", "N")
 
     @property
     def reach(self) -> tuple[float, float]:
-        """The coordinates of the axis between which its linkage reaches, rad; infinite without a linkage."""
-        four_bar = self.transmission.four_bar if self.transmission else None
-        return four_bar.reach if four_bar else (-inf, inf)
+        """The coordinates of the axis between which its transmission reaches the link, rad; infinite without an end."""
+        if self.transmission is None:
+            return -inf, inf
+        return self.transmission.kind.reach(*(value for _, value in self.transmission.numbers))
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -112,8 +135,9 @@ def check(drives: Sequence[Drive], screws: Sequence[Screw], armature: Sequence[f
         raise refuse(what, at=("drives",))
     for k, (drive, screw) in enumerate(zip(drives, screws, strict=True)):
         if drive.transmission is not None and screw.slides:
-            part = "linkage" if drive.transmission.four_bar else "cylinder"
-            what = f"is stated of an axis along which the link slides, and a {part} turns a link"
+            what = (
+                f"is stated of an axis along which the link slides, and a {drive.transmission.kind.SHORT} turns a link"
+            )
             raise refuse(
                 f"{what}; leave it out, for the force of a slide acts along it", at=("drives", k, "transmission")
             )

@@ -1,40 +1,17 @@
-"""The four-bar linkage between a motor's crank and a joint: its geometry, and how far it reaches."""
+"""The four-bar linkage between a motor's crank and a joint: its keys in a robot file."""
 
-from math import acos, cos, hypot, inf, pi, remainder, sin
+from math import cos, hypot, sin
 from typing import Annotated, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
+from ..elements import FourBarLinkage
 from .part import Part
-from .ranges import within
+from .travel_keys import Length, Turn, stated
 from .values import choice, refuse, shown
 
-LENGTHS = ("ground", "crank", "coupler", "rocker")
-NUMBERS = (*LENGTHS, "angle")
-"""The keys that are runtime parameters."""
 FLAT = 1e-6
 """|sin| of an angle that counts as none, or as a straight one."""
-ROUND = 1e-9
-"""A cosine so near to ±1 counts as that: the linkage folds flat there."""
-
-
-def reach(ground: float, crank: float, coupler: float, rocker: float, angle: float) -> tuple[float, float]:
-    """The coordinates q, rad, between which crank and coupler reach the link from its posture at q = 0.
-
-    Ends are dead centres, in which crank and coupler are in line; infinite where the link can go round. Empty, with the
-    upper end below the lower, where they do not reach it at q = 0.
-    """
-    start = remainder(angle, 2 * pi)
-    cosine = lambda apart: (ground**2 + rocker**2 - apart**2) / (2 * ground * rocker)  # noqa: E731
-    near, far = cosine(abs(crank - coupler)), cosine(crank + coupler)
-    least = acos(min(max(near, -1.0), 1.0)) if near < 1 + ROUND else -inf
-    most = acos(max(min(far, 1.0), -1.0)) if far > -1 - ROUND else inf
-    if not least < abs(start) < most:
-        return inf, -inf
-    if least < 0:
-        return -most - start, most - start
-    outer = 2 * pi - least if most == inf else most
-    return (least - start, outer - start) if start > 0 else (-outer - start, -least - start)
 
 
 class FourBar(Part):
@@ -45,21 +22,11 @@ class FourBar(Part):
     sense. The input of the axis is the torque at the crank, N·m.
     """
 
-    ground: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="distance of the crank's pivot on the carrier from the joint axis, m, > 0"
-    )
-    crank: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="length of the crank, which the motor turns about its pivot, m, > 0"
-    )
-    coupler: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="length of the rod between the pins of crank and link, m, > 0"
-    )
-    rocker: Annotated[float, PlainValidator(within("length"))] = Field(
-        description="distance of the coupler's pin on the link from the joint axis, m, > 0"
-    )
-    angle: Annotated[float, PlainValidator(within("turn"))] = Field(
-        description="angle from the ground line to the rocker at q = 0, rad, about the joint axis"
-    )
+    ground: Length = stated(FourBarLinkage.KEYS["ground"])
+    crank: Length = stated(FourBarLinkage.KEYS["crank"])
+    coupler: Length = stated(FourBarLinkage.KEYS["coupler"])
+    rocker: Length = stated(FourBarLinkage.KEYS["rocker"])
+    angle: Turn = stated(FourBarLinkage.KEYS["angle"], ", about the joint axis")
     branch: Annotated[str, PlainValidator(choice("open", "crossed"))] = Field(
         description='how the linkage is assembled, "open" or "crossed"'
     )
@@ -74,9 +41,14 @@ class FourBar(Part):
         return (self.branch == "crossed") == (sin(self.angle) > 0.0)
 
     @property
+    def kind(self) -> FourBarLinkage:
+        """The way in which it is assembled."""
+        return FourBarLinkage(1 if self.left else -1)
+
+    @property
     def reach(self) -> tuple[float, float]:
-        """The coordinates q, rad, between which crank and coupler reach the link; see :func:`reach`."""
-        return reach(self.ground, self.crank, self.coupler, self.rocker, self.angle)
+        """The coordinates q, rad, between which crank and coupler reach the link."""
+        return self.kind.reach(*(getattr(self, name) for name in FourBarLinkage.KEYS))
 
     @model_validator(mode="after")
     def _assembled(self) -> Self:

@@ -1,25 +1,30 @@
 """The joint that carries a link, and its mount: keys of a robot file."""
 
+from collections.abc import Iterator
 from numbers import Real
 from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..elements import AxisElement
-from .axes import axes, screw_of, written
+from ..joints.kind import JointKind
+from ..joints.product import product
+from ..joints.screw import Screw, Vector
+from .axes import AxesOfKind, axes, screw_of, written
 from .axis_elements import OfAxis, axis_elements, stated
 from .drive import Drive, check, check_reach
 from .limit import Limit
 from .limit import check as check_limits
 from .part import Part
 from .ranges import several
-from .screw import Screw, Vector
 from .values import refuse
 
 Position = Annotated[Vector, PlainValidator(several("position", 3))]
 Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes), PlainSerializer(written)]
 PerAxis = tuple[float, ...]
 
+MOVED_BY = ("armature", "drives")
+"""The keys that say what drives an axis."""
 PER_AXIS = ("armature", "damping", "stiffness")
 
 
@@ -45,7 +50,9 @@ class Joint(Part):
     `elements`: those of :mod:`screwgen.elements`, of each axis.
     """
 
-    axes: Axes = Field(description='the axes in order, as ["y", { slide = "x" }]; [] welds the link')
+    axes: Axes = Field(
+        description='the axes in order, as ["y", { slide = "x" }]; [] welds the link, "ball" is a ball joint'
+    )
     mount: Mount | None = Field(None, description="where the joint sits; without it at the tip point, axes aligned")
     armature: Annotated[PerAxis, PlainValidator(several("armature"))] | None = Field(
         None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared; of a slide in kg)"
@@ -80,15 +87,58 @@ class Joint(Part):
         tables = {k: [given[k]] for k in ("drives", "limits", "elements") if isinstance(given.get(k), one)}
         return given | alone | tables
 
-    def has_rotor(self, axis: int) -> bool:
-        """Whether the inertia of the rotor of an axis is stated."""
-        drive = self.drives[axis] if self.drives else None
-        return bool((self.armature and self.armature[axis]) or (drive and drive.rotor_inertia))
+    @property
+    def driven(self) -> tuple[Drive, ...]:
+        """The drive of each axis, one that states nothing where the file has none."""
+        return self.drives or (Drive(),) * len(self.axes)
+
+    @property
+    def numbers(self) -> Iterator[tuple[int, str, float | None]]:
+        """The runtime parameters of drives and limits: axis, key as in `joint.limits.lower`, value."""
+        for axis, drive in enumerate(self.drives or ()):
+            yield from ((axis, f"joint.drives.{name}", value) for name, value in drive.numbers)
+        for axis, limit in enumerate(self.limits or ()):
+            yield from ((axis, f"joint.limits.{name}", getattr(limit, name)) for name in Limit.model_fields)
+
+    def has_inertia(self, axis: int) -> bool:
+        """Whether the inertia of what drives an axis is stated."""
+        return bool((self.armature and self.armature[axis]) or self.driven[axis].rotor_inertia)
+
+    def is_moved(self, axis: int) -> bool:
+        """Whether something drives an axis, see `MOVED_BY`."""
+        return bool((self.armature and self.armature[axis]) or self.driven[axis] != Drive())
+
+    def between(self, axis: int) -> str:
+        """What stands between the effort of a drive and its axis, which it then does not act on; empty if nothing."""
+        drive = self.driven[axis]
+        return "an elastic gear" if drive.elastic else "a transmission" if drive.travel else ""
+
+    def has_spring(self, axis: int) -> bool:
+        """Whether a spring holds an axis."""
+        return bool(self.stiffness and self.stiffness[axis])
+
+    def rigid(self) -> Self:
+        """The joint with rigid gears in place of elastic ones."""
+        rigid = tuple(x.model_copy(update={"stiffness": None, "damping": None}) for x in self.drives or ())
+        return self.model_copy(update={"drives": rigid} if rigid else {})
+
+    @property
+    def kind(self) -> JointKind:
+        """How the joint moves its link."""
+        return self.axes.kind if isinstance(self.axes, AxesOfKind) else product(self.screws)
 
     @property
     def screws(self) -> tuple[Screw, ...]:
         """The degrees of freedom in order."""
         return tuple(map(screw_of, self.axes))
+
+    @model_validator(mode="after")
+    def _a_joint_without_axes_has_damping_alone(self) -> Self:
+        for name in ("armature", "stiffness", "drives", "limits", "elements") if self.kind.curved else ():
+            if getattr(self, name) is not None:
+                said = f"is stated of a {self.kind.name} joint, which has no axes; leave it out, damping aside"
+                raise refuse(said, at=(name,))
+        return self
 
     @model_validator(mode="after")
     def _one_number_per_axis(self) -> Self:

@@ -6,16 +6,20 @@ from collections.abc import Hashable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from ..bases import Basis, shapes
-from ..elements import AxisElement
+from ..bases import Basis, Shapes, shapes
+from ..elements import AxisElement, Travel, gear
+from ..joints.free import FREE
+from ..joints.kind import JointKind
+from ..joints.product import WELD as WELDED
+from ..joints.screw import Screw
 from ..reduction.invariants import Invariants
+from .axis_laws import SIDES, Acting, laws
 from .drive import NO_FRICTION
 from .joint import Joint
 from .markers import TIP
 from .modes import DIRECTIONS, SHEARED
 from .reduced import damped, directions, elastic
 from .robot import Link
-from .screw import Screw
 
 WELD = Joint(axes=())
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2, "shear_y": 1, "shear_z": 2}
@@ -43,14 +47,21 @@ class DriveClass:
     damping: bool = False
     coulomb: bool = False
     viscous: bool = False
-    transmission: str = ""
-    """The kind of its transmission, if its ratio depends on the posture."""
+    travel: Travel | None = None
+    """Its transmission, if its ratio depends on the posture."""
+
+    @property
+    def elastic(self) -> bool:
+        """Whether its gear is, which then adds a coordinate."""
+        return self.stiffness
+
+    def stated(self, name: str) -> float:
+        """1 for a key that it states, and for the ratio, else 0: what formulas are of these is there or not."""
+        return float(getattr(self, name) or name == "ratio")
 
 
 Stop = tuple[int, str]
 """A compliant stop: the axis, and the limit at which it acts, "lower" or "upper"."""
-SIDES = {"lower": -1, "upper": 1}
-"""The sign of a coordinate beyond each limit."""
 
 
 @dataclass(frozen=True)
@@ -61,8 +72,8 @@ class LinkClass:
     """The basis of each direction that has modes."""
     counts: tuple[int, ...]
     """The numbers of modes in the order of `DIRECTIONS`; without shear the first four."""
-    screws: tuple[Screw, ...]
-    """The degrees of freedom of the joint, in order."""
+    joint: JointKind
+    """The kind of the joint: how the link moves relative to its carrier."""
     mount_xyz: bool
     mount_rpy: bool
     armature: bool
@@ -106,8 +117,6 @@ class LinkClass:
     """The elements of the axes by their kind, each with its axis."""
     light: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
-    free: bool = False
-    """Whether the link is a floating base: its pose and twist are state, and its motion subspace is the identity."""
     stations_at: tuple[float, ...] = ()
     """The places s in [0, 1) along the link, or along its segment, at which it carries others, besides its tip."""
     section_at: float = TIP
@@ -143,71 +152,85 @@ class LinkClass:
         return any(self.counts[1:3]) and self.order == 1
 
     @property
-    def joints(self) -> int:
-        """The number of joint coordinates."""
-        return len(self.screws)
+    def screws(self) -> tuple[Screw, ...]:
+        """The screws of the joint, in order; none of a joint of another kind."""
+        return self.joint.screws
 
     @property
-    def freedoms(self) -> int:
-        """The number of columns of the motion subspace."""
-        return 6 if self.free else self.joints
+    def joints(self) -> int:
+        """The number of joint rates: the columns of the motion subspace."""
+        return self.joint.nv
+
+    @property
+    def torques(self) -> int:
+        """The number of the joint's torques."""
+        return self.joint.torques
+
+    @property
+    def floats(self) -> bool:
+        """Whether the link is a floating base, which nothing carries."""
+        return self.joint.in_space
 
     @property
     def slides(self) -> bool:
         """Whether the joint moves its link along an axis."""
-        return any(screw.slides for screw in self.screws)
+        return self.joint.slides
 
     @property
-    def motors(self) -> tuple[int, ...]:
-        """The axes whose rotors have a coordinate of their own, or with a transmission their gears."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.stiffness)
+    def added_axes(self) -> tuple[int, ...]:
+        """The axis of each coordinate that an elastic gear adds: of its rotor, or of the stretch of a transmission."""
+        return tuple(k for k, drive in enumerate(self.drives) if drive.elastic)
+
+    @cached_property
+    def travels(self) -> dict[int, Travel]:
+        """The axes whose drives have a transmission, and what it is."""
+        return {k: drive.travel for k, drive in enumerate(self.drives) if drive.travel}
 
     @property
-    def rubbed(self) -> tuple[int, ...]:
-        """The axes with dry friction on a coordinate."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.coulomb and not drive.transmission)
-
-    def axes_with(self, kind: type[AxisElement]) -> list[int]:
-        """The axes that have an element of a kind."""
-        return [axis for own, axis in self.elements if own is kind]
+    def elastic_travels(self) -> tuple[int, ...]:
+        """The axes whose drives have a transmission with an elastic gear."""
+        return tuple(k for k in self.travels if self.drives[k].elastic)
 
     @property
-    def cranked(self) -> tuple[int, ...]:
-        """The axes whose drives have a transmission."""
-        return tuple(k for k, drive in enumerate(self.drives) if drive.transmission)
+    def ends(self) -> list[str]:
+        """Where the transmissions of its axes end, for messages."""
+        said = (travel.limit(self.drives[axis].elastic) for axis, travel in self.travels.items())
+        return list(dict.fromkeys(filter(None, said)))
+
+    @cached_property
+    def laws(self) -> tuple[Acting, ...]:
+        """The forces that are not linear on the coordinates of the joint: friction, stops, elements of axes."""
+        return tuple(laws(self))
 
     @property
-    def loose(self) -> tuple[int, ...]:
-        """Those of them whose gear is elastic."""
-        return tuple(k for k in self.cranked if self.drives[k].stiffness)
-
-    @property
-    def weighted(self) -> bool:
+    def has_constant_inertia(self) -> bool:
         """Whether the joint's coordinates have an inertia of their own, the same in every posture."""
-        return self.armature or any(d.rotor_inertia and not (d.stiffness or d.transmission) for d in self.drives)
+        return self.armature or self._gears_add("inertia")
 
     @property
-    def swung(self) -> bool:
+    def has_travelling_inertia(self) -> bool:
         """Whether they have one that depends on the posture."""
-        return any(self.drives[axis].rotor_inertia for axis in self.cranked)
+        return any(gear.travelling(self.drives[axis].stated) for axis in self.travels)
 
     @property
-    def braced(self) -> bool:
-        """Whether springs act on the joint's axes."""
-        return self.stiffness or len(self.motors) > len(self.loose)
+    def has_springs(self) -> bool:
+        """Whether springs act on the joint's axes, those of gears among them."""
+        return self.stiffness or self._gears_add("stiffness")
 
     @property
-    def damped(self) -> bool:
+    def has_dampers(self) -> bool:
         """Whether viscous dampers act on the joint's axes."""
-        return self.joint_damping or any(
-            not d.transmission and (d.damping if d.stiffness else d.viscous) for d in self.drives
-        )
+        return self.joint_damping or self._gears_add("damping")
+
+    def _gears_add(self, term: str) -> bool:
+        """Whether gears add one of the :class:`..elements.Terms` to an axis."""
+        return any(getattr(gear.linear(drive).axis, term)(drive.stated) for drive in self.drives)
 
     @property
-    def sprung(self) -> bool:
+    def has_axis_forces(self) -> bool:
         """Whether springs, dampers, friction, stops or other elements act on the joint's axes."""
-        dry = any(not self.drives[axis].stiffness for axis in self.rubbed)
-        return self.damped or self.braced or dry or bool(self.stops or self.loose or self.elements)
+        acts = any(one.part == "q" for one in self.laws)
+        return self.has_dampers or self.has_springs or acts or bool(self.elastic_travels)
 
     @cached_property
     def directions(self) -> tuple[tuple[str, int], ...]:
@@ -232,7 +255,7 @@ class LinkClass:
             return AXIS.get(first) == AXIS.get(second)
         return bool(self.stations) or (first in TURN and TURN[first][0] in self.rotary)
 
-    def shapes(self, direction: str):
+    def shapes(self, direction: str) -> Shapes:
         """The mode shapes of a direction."""
         k = DIRECTIONS.index(direction)
         return shapes(self.bases[k], direction, self.counts[k])
@@ -244,7 +267,7 @@ class LinkClass:
 MARKER = LinkClass(
     bases=("",) * 4,
     counts=(0,) * 4,
-    screws=(),
+    joint=WELDED,
     mount_xyz=False,
     mount_rpy=False,
     armature=False,
@@ -268,7 +291,7 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
         friction = drive.friction or NO_FRICTION
         stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
         stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous")}
-        out.append(DriveClass(**stated, transmission=drive.transmission.kind if drive.transmission else ""))
+        out.append(DriveClass(**stated, travel=drive.travel))
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()
 
 
@@ -291,7 +314,7 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=False)),
         counts=counts,
-        screws=joint.screws,
+        joint=FREE if free else joint.kind,
         mount_xyz=mount is not None and mount.xyz is not None,
         mount_rpy=mount is not None and mount.rpy is not None,
         armature=bool(joint.armature),
@@ -318,5 +341,4 @@ def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int 
         segment=segment if stations else 0,
         rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
         light=any(modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()),
-        free=free,
     )

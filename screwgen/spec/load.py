@@ -11,7 +11,8 @@ from pydantic import ValidationError
 
 from ..errors import RobotFileError, ScrewgenError, UsageError, one_line
 from ..files import NotRegularError, open_regular
-from .axes import LETTERS
+from ..joints.ball import BALL
+from .axes import LETTERS, AxesOfKind
 from .axis_elements import known_to_files
 from .messages import explain, first_error, key_path, link_label, reason
 from .reduced import FOLDER, Reduced
@@ -120,6 +121,7 @@ def dump(robot: Robot) -> str:
             "modes.basis": callable(link.modes.basis),
             "body": not isinstance(link.body, Reduced | None),
             "joint.elements": not known_to_files(link.joint.elements),
+            "joint.axes": isinstance(link.joint.axes, AxesOfKind) and link.joint.kind != BALL,
         }
         if made := next((key for key, is_object in own.items() if is_object), None):
             raise UsageError(f"link '{link.name}': {made} holds an object made in Python; a robot file cannot state it")

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field, PlainValidator
 
+from ..joints.screw import Screw
 from .joint import PER_AXIS, Joint
 from .markers import TIP, named, reached, split
 from .parents import WORLD
 from .part import Part
 from .ranges import within
-from .screw import Screw
 from .values import Path, array, quoted, refuse, shown
 
 if TYPE_CHECKING:

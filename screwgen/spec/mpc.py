@@ -113,7 +113,7 @@ class Between(Part):
     upper: Any_ = Field(description="the largest value")
 
 
-class Strain(Part):
+class StrainLimit(Part):
     """The largest strain at the bases of the links."""
 
     limit: Positive = Field(description="the largest strain, either sign")
@@ -137,7 +137,7 @@ class Bounds(Part):
     torque_rates: Positive | None = Field(None, description="the largest rates of the torques, N·m/s")
     joints: Between | None = Field(None, description="bounds of the joint coordinates, rad")
     joint_rates: Positive | None = Field(None, description="the largest joint rates, rad/s")
-    strains: Strain | None = Field(None, description="the largest strain at the bases of the links")
+    strains: StrainLimit | None = Field(None, description="the largest strain at the bases of the links")
     wrenches: tuple[Wrench, ...] = Field((), description="components of joint wrenches")
     penalty: Annotated[float, PlainValidator(positive)] = Field(1e3, description="what a violation costs")
 

@@ -5,12 +5,11 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import NamedTuple
 
+from ..elements import Added, Travel
 from .axis_elements import numbers_of
-from .axis_units import CRANKED, LINKED, SLIDING
-from .base import POSE, POSE_UNITS, TWIST
-from .drive import NO_FRICTION, Drive
+from .base import CHANGE, CHANGE_UNITS, POSE, POSE_UNITS, TWIST
+from .fields import FIELDS, SLIDING, of_axis
 from .joint import Joint
-from .limit import Limit
 from .reduced import of_link as directions
 from .robot import Body, Link, Robot
 from .section import Section
@@ -40,90 +39,6 @@ class Parameter:
     sign: str = ""
 
 
-class Field(NamedTuple):
-    """A kind of parameter: the pattern of its names below the link's, unit, meaning, names of components."""
-
-    pattern: str
-    unit: str
-    description: str
-    components: tuple[str, ...] = ()
-
-
-XYZ = ("x", "y", "z")
-RPY = ("roll", "pitch", "yaw")
-TENSOR = ("xx", "yy", "zz", "xy", "xz", "yz")
-MEASURED = "natural frequency of the bare link clamped at its base:"
-
-FIELDS = {
-    "gravity": Field("gravity[{}]", "m/s²", "acceleration of free fall, inertial frame", XYZ),
-    "length": Field("length", "m", "length of the undeformed centreline"),
-    "frame_at": Field("frame_at", "m", "distance from the link's base to its frame's origin"),
-    "rhoA": Field("rhoA", "kg/m", "mass per length"),
-    "EA": Field("EA", "N", "axial stiffness"),
-    "EIy": Field("EIy", "N·m²", "bending stiffness about y"),
-    "EIz": Field("EIz", "N·m²", "bending stiffness about z"),
-    "GJ": Field("GJ", "N·m²", "torsional stiffness"),
-    "rhoIp": Field("rhoIp", "kg·m", "spin inertia per length about the centreline"),
-    "GAy": Field("GAy", "N", "shear stiffness along y"),
-    "GAz": Field("GAz", "N", "shear stiffness along z"),
-    "rhoIy": Field("rhoIy", "kg·m", "rotary inertia per length about y"),
-    "rhoIz": Field("rhoIz", "kg·m", "rotary inertia per length about z"),
-    "frequencies.axial": Field("frequencies.axial[{}]", "Hz", f"{MEASURED} axial mode"),
-    "frequencies.bending_y": Field("frequencies.bending_y[{}]", "Hz", f"{MEASURED} bending in y"),
-    "frequencies.bending_z": Field("frequencies.bending_z[{}]", "Hz", f"{MEASURED} bending in z"),
-    "frequencies.torsion": Field("frequencies.torsion[{}]", "Hz", f"{MEASURED} torsion"),
-    "damping.ratio": Field("damping.ratio", "1", "damping ratio of each mode"),
-    "joint.mount.xyz": Field("joint.mount.xyz[{}]", "m", "joint point from the parent's tip, tip frame", XYZ),
-    "joint.mount.rpy": Field("joint.mount.rpy[{}]", "rad", "turn of the joint, Rz(y) Ry(p) Rx(r)", RPY),
-    "joint.armature": Field("joint.armature[{}]", "kg·m²", "rotor inertia seen at the joint axis"),
-    "joint.damping": Field("joint.damping[{}]", "N·m·s/rad", "viscous damping about the joint axis"),
-    "joint.stiffness": Field("joint.stiffness[{}]", "N·m/rad", "stiffness about the joint axis"),
-    "joint.drives.ratio": Field("joint.drives[{}].ratio", "1", "turns of the rotor per turn of the joint"),
-    "joint.drives.rotor_inertia": Field("joint.drives[{}].rotor_inertia", "kg·m²", "inertia of the rotor"),
-    "joint.drives.stiffness": Field("joint.drives[{}].stiffness", "N·m/rad", "stiffness of the gear at the joint"),
-    "joint.drives.damping": Field("joint.drives[{}].damping", "N·m·s/rad", "damping of the gear at the joint"),
-    "joint.drives.friction.coulomb": Field("joint.drives[{}].friction.coulomb", "N·m", "dry friction"),
-    "joint.drives.friction.viscous": Field("joint.drives[{}].friction.viscous", "N·m·s/rad", "viscous friction"),
-    "joint.drives.friction.velocity": Field(
-        "joint.drives[{}].friction.velocity", "rad/s", "rate over which dry friction changes its sign"
-    ),
-    "joint.limits.lower": Field("joint.limits[{}].lower", "rad", "least coordinate of the joint"),
-    "joint.limits.upper": Field("joint.limits[{}].upper", "rad", "largest coordinate of the joint"),
-    "joint.limits.stiffness": Field("joint.limits[{}].stiffness", "N·m/rad", "stiffness of the stops at the limits"),
-    "joint.limits.damping": Field("joint.limits[{}].damping", "N·m·s/rad", "damping of the stops at the limits"),
-    "joint.drives.transmission.crank": Field(
-        "joint.drives[{}].transmission.crank", "m", "distance of the cylinder's eye on the link from the joint axis"
-    ),
-    "joint.drives.transmission.base": Field(
-        "joint.drives[{}].transmission.base", "m", "distance of the cylinder's eye on the carrier from the joint axis"
-    ),
-    "joint.drives.transmission.angle": Field(
-        "joint.drives[{}].transmission.angle", "rad", "angle between the eyes of the cylinder at q = 0"
-    ),
-    **{
-        f"joint.drives.transmission.four_bar.{name}": Field(
-            f"joint.drives[{{}}].transmission.four_bar.{name}", unit, description
-        )
-        for name, unit, description in (
-            ("ground", "m", "distance of the crank's pivot from the joint axis"),
-            ("crank", "m", "length of the crank"),
-            ("coupler", "m", "length of the rod between crank and link"),
-            ("rocker", "m", "distance of the coupler's pin on the link from the joint axis"),
-            ("angle", "rad", "angle from the ground line to the rocker at q = 0"),
-        )
-    },
-    "bodies.mass": Field("bodies[{}].mass", "kg", "mass of the body"),
-    "bodies.com": Field("bodies[{}].com[{}]", "m", "centre of mass", XYZ),
-    "bodies.inertia": Field("bodies[{}].inertia[{}]", "kg·m²", "inertia about the centre of mass", TENSOR),
-}
-
-FIELDS |= {  # of a section that is stated at stations
-    f"section.{name}": FIELDS[name]._replace(
-        pattern=f"section[{{}}].{name}", description=f"{FIELDS[name].description}, at a station"
-    )
-    for name in Section.model_fields
-}
-
 BODY_FRAMES = {"base": ("F_i axes", "from the joint point"), "tip": ("tip-frame axes", "from the tip point")}
 """The axes of a body's numbers, and the point from which its centre of mass is meant."""
 
@@ -138,12 +53,10 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
     """The parameters of `link`, which is number `i`."""
     for field, value in (*shape(link), *joint(link.joint)):
         for parameter in spread(field, value, i, link.name):
-            yield _sliding(parameter, link.joint)
-    tables = [[*map(driven, link.joint.drives or ())], [*map(limited, link.joint.limits or ())]]
-    for axis, fields in chain.from_iterable(map(enumerate, tables)):
-        for field, value in fields:
-            for parameter in spread(field, value, i, link.name, (axis,)):
-                yield _sliding(parameter, link.joint)
+            yield _of_axis(parameter, link.joint)
+    for axis, field, value in link.joint.numbers:
+        for parameter in spread(field, value, i, link.name, (axis,)):
+            yield _of_axis(parameter, link.joint)
     for axis, element, name, key, value in numbers_of(link.joint.elements):
         unit = key.unit if link.joint.screws[axis].turn else key.sliding
         own = f"{link.name}.joint.elements[{axis}].{element.KIND}.{name}"
@@ -155,37 +68,11 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
             yield from spread(field, value, i, link.name, (b,), frame)
 
 
-def _sliding(parameter: Parameter, joint: Joint) -> Parameter:
-    """A parameter of a joint's axis with unit and meaning of a slide, if it is one."""
-    if parameter.field not in SLIDING:
+def _of_axis(parameter: Parameter, joint: Joint) -> Parameter:
+    """A parameter of a joint with unit and meaning of its axis, if it has one."""
+    if parameter.field not in SLIDING or not (other := of_axis(parameter.field, joint, parameter.index[0])):
         return parameter
-    drive = joint.drives[parameter.index[0]] if joint.drives else None
-    units = {} if joint.screws[parameter.index[0]].turn else SLIDING
-    if drive and drive.transmission:
-        units = LINKED if drive.transmission.four_bar else CRANKED
-    on_rotor = drive and drive.elastic and not drive.transmission
-    rotor = parameter.field.endswith(".rotor_inertia")
-    turning = on_rotor or (rotor and drive and drive.ratio is not None)
-    if parameter.field not in units or (turning and (rotor or ".friction." in parameter.field)):
-        return parameter
-    unit, description = units[parameter.field]
-    return replace(parameter, unit=unit, description=description)
-
-
-def driven(drive: Drive) -> Iterator[tuple[str, Value]]:
-    """The fields of a drive."""
-    for name in ("ratio", "rotor_inertia", "stiffness", "damping"):
-        yield f"joint.drives.{name}", getattr(drive, name)
-    for name in ("coulomb", "viscous", "velocity"):
-        yield f"joint.drives.friction.{name}", getattr(drive.friction or NO_FRICTION, name)
-    for name, value in drive.transmission.numbers if drive.transmission else ():
-        yield f"joint.drives.transmission.{name}", value
-
-
-def limited(limit: Limit) -> Iterator[tuple[str, Value]]:
-    """The fields of the limits of an axis."""
-    for name in Limit.model_fields:
-        yield f"joint.limits.{name}", getattr(limit, name)
+    return replace(parameter, unit=other[0], description=other[1])
 
 
 def shape(link: Link) -> Iterator[tuple[str, Value]]:
@@ -261,24 +148,24 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
     drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N); of one
     that a four-bar linkage drives `boom.torque[0]` (N·m), at the crank.
-    wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
+    Of a ball joint q: `hand.joint.qw` … `hand.joint.qz`. wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
     Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
     """
     return CoordinateNames(
         q=(
             *per_base(robot, POSE),
-            *per_axis(robot, "joint", "slide"),
-            *per_rotor(robot, "theta"),
+            *per_coordinate(robot),
+            *per_added(robot),
             *per_mode(robot, "eta"),
         ),
         v=(
             *per_base(robot, TWIST),
             *per_axis(robot, "joint_rate", "slide_rate"),
-            *per_rotor(robot, "theta_rate"),
+            *per_added(robot, "_rate"),
             *per_mode(robot, "eta_rate"),
         ),
-        tau=tuple(f"{link.name}.{'torque' if turns else 'force'}[{j}]" for link, j, turns in _driven(robot)),
+        tau=tuple(f"{link.name}.{name}[{j}]" for link, j, name, _ in efforts(robot)),
         wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
     )
 
@@ -286,10 +173,25 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
 def coordinate_units(robot: Robot) -> list[str]:
     """The units of q (nq)."""
     modal = ["rad" if ".torsion[" in name else "m" for name in per_mode(robot, "eta")]
-    drives = (drive for link in robot.links for drive in link.joint.drives or () if drive.elastic)
-    axes = ("rad" if turns else "m" for turns in turning(robot))
-    rotors = ["m" if drive.transmission and not drive.linked else "rad" for drive in drives]
-    return [*POSE_UNITS * robot.floating, *axes, *rotors, *modal]
+    axes = ("m" if ".slide[" in x else "rad" if x.endswith("]") else "1" for x in per_coordinate(robot))
+    return [*POSE_UNITS * robot.floating, *axes, *(one.unit for _, _, one in added(robot)), *modal]
+
+
+def changes(robot: Robot) -> dict[str, str]:
+    """The names of small changes of q along the entries of v (nv), with their units.
+
+    Those of the coordinates, but of a floating base `base.rotation_x` … `base.displacement_z`, and of a ball joint the
+    turns about the axes of its link, `hand.joint[0]` (rad).
+    """
+    base = dict(zip(per_base(robot, CHANGE), CHANGE_UNITS, strict=False))
+    axes = {name: "m" if ".slide[" in name else "rad" for name in per_axis(robot, "joint", "slide")}
+    own = dict(zip(coordinate_names(robot).q, coordinate_units(robot), strict=True))
+    return base | axes | {name: own[name] for name in (*per_added(robot), *per_mode(robot, "eta"))}
+
+
+def rate_units(robot: Robot) -> list[str]:
+    """The units of v (nv)."""
+    return [f"{unit}/s" for unit in changes(robot).values()]
 
 
 def turning(robot: Robot) -> list[bool]:
@@ -299,32 +201,44 @@ def turning(robot: Robot) -> list[bool]:
 
 def force_units(robot: Robot) -> list[str]:
     """The units of tau: N·m for axes that turn and for rotors, N for axes that slide and for cylinders."""
-    return ["N·m" if turns else "N" for _, _, turns in _driven(robot)]
+    return [unit for *_, unit in efforts(robot)]
 
 
-def _driven(robot: Robot) -> Iterator[tuple[Link, int, bool]]:
-    """Link and number of every axis, and whether what its torque acts on turns: the axis, its rotor, or a crank."""
+def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:
+    """Link and number of every axis, and what its input is called, with its unit: that of the axis, or of its drive."""
     for link in robot.links:
-        drives = link.joint.drives or [Drive()] * len(link.joint.axes)
-        for j, (screw, drive) in enumerate(zip(link.joint.screws, drives, strict=True)):
-            pushed = drive.transmission is not None and drive.transmission.four_bar is None
-            yield link, j, not pushed and (drive.elastic or screw.turn)
+        for j, (screw, own) in enumerate(zip(link.joint.screws, link.joint.driven, strict=True)):
+            yield link, j, *own.effort(screw)
 
 
-def per_rotor(robot: Robot, quantity: str) -> tuple[str, ...]:
-    """One name for each rotor with a coordinate of its own, link by link, with the number of its axis.
+def travels(robot: Robot) -> list[Travel]:
+    """The transmissions of all drives."""
+    return [own.travel for link in robot.links for own in link.joint.driven if own.travel]
 
-    The elastic gear of a transmission is called `stretch` (of a cylinder, m) or `gear` (rad) in the place of `theta`.
-    """
-    drives = ((link.name, j, drive) for link in robot.links for j, drive in enumerate(link.joint.drives or ()))
-    kind = lambda drive: "theta" if drive.transmission is None else "gear" if drive.linked else "stretch"  # noqa: E731
-    called = ((f"{name}.{quantity.replace('theta', kind(drive))}[{j}]", drive) for name, j, drive in drives)
-    return tuple(name for name, drive in called if drive.elastic)
+
+def added(robot: Robot) -> Iterator[tuple[Link, int, Added]]:
+    """The coordinates that drives add, link by link, each with the number of its axis."""
+    for link in robot.links:
+        for j, own in enumerate(link.joint.driven):
+            if own.added:
+                yield link, j, own.added
+
+
+def per_added(robot: Robot, rate: str = "") -> tuple[str, ...]:
+    """One name for each of them; ``rate``: what is put behind its word."""
+    return tuple(f"{link.name}.{one.name}{rate}[{j}]" for link, j, one in added(robot))
 
 
 def per_base(robot: Robot, names: Sequence[str]) -> tuple[str, ...]:
     """The names of a floating base's coordinates or rates, none where the base is fixed."""
     return tuple(f"base.{name}" for name in names if robot.floating)
+
+
+def per_coordinate(robot: Robot) -> tuple[str, ...]:
+    """One name for each joint coordinate, link by link: of an axis, or an entry of a ball joint's quaternion."""
+    named, turns = iter(per_axis(robot, "joint", "slide")), [f"joint.{q}" for q in POSE[3:]]
+    own = ((link, [next(named) for _ in link.joint.axes]) for link in robot.links)
+    return tuple(x for i, axes in own for x in ([f"{i.name}.{q}" for q in turns] if i.joint.kind.curved else axes))
 
 
 def per_axis(robot: Robot, turning: str, sliding: str) -> tuple[str, ...]:

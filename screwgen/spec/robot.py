@@ -10,6 +10,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..errors import UsageError
+from ..joints.screw import Vector
 from .base import FIXED, FLOATING, check_floating
 from .couplings import Coupling, refuse_couplings
 from .frequencies import Frequencies
@@ -25,7 +26,6 @@ from .physics import inertia
 from .profile import profiled
 from .ranges import several, within
 from .reduced import link_body, of_link, refuse_axes, refuse_rod
-from .screw import Vector
 from .segments import distinct_names
 from .stations import AnySection
 from .values import boolean, choice, refuse, shape_order
@@ -219,6 +219,7 @@ class Robot(Part):
         if self.floating:
             check_floating(self.links)
         refuse_axes(self)
+        refuse_beside_balls(self)
         refuse_loops(self.links, self.loops)
         refuse_couplings(self.links, self.couplings)
         distinct_names(self)
@@ -237,6 +238,22 @@ class Robot(Part):
                 if link.section and link.modes.alike(direction) > (carries and self.section_rotation):
                     require(link.section, needed, direction, ("links", i))
         return self
+
+
+def refuse_beside_balls(robot: Robot) -> None:
+    """Refuses what is not known in one robot with ball joints."""
+    ball = next((link for link in robot.links if link.joint.kind.curved), None)
+    if ball is None:
+        return
+    joint = f"a {ball.joint.kind.name} joint, that of link '{ball.name}'"
+    beside = f"is stated of a robot with {joint}, beside which it is not known yet; leave it out"
+    for name in ("loops", "couplings"):
+        if getattr(robot, name):
+            raise refuse(beside, at=(name,))
+    for i, link in enumerate(robot.links):
+        for name in ("drives", "limits", "elements"):
+            if getattr(link.joint, name) is not None:
+                raise refuse(beside, at=("links", i, "joint", name))
 
 
 def without(modes: Modes, directions: tuple[str, ...]) -> Modes:

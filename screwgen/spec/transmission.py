@@ -1,13 +1,14 @@
 """The transmission of a drive whose ratio depends on the posture: the geometry of a cylinder, or a four-bar linkage."""
 
 from collections.abc import Iterator
-from typing import Annotated, Self
+from typing import Self
 
-from pydantic import Field, PlainValidator, model_validator
+from pydantic import Field, model_validator
 
+from ..elements import CYLINDER, Travel
 from .four_bar import FourBar
 from .part import Part
-from .ranges import within
+from .travel_keys import Length, Turn, stated
 from .values import refuse, shown
 
 
@@ -19,41 +20,32 @@ class Transmission(Part):
     positive where it extends it. With `four_bar` in place of these keys a linkage drives the link.
     """
 
-    crank: Annotated[float, PlainValidator(within("length"))] | None = Field(
-        None, description="distance of the rod's eye on the link from the joint axis, m, > 0"
-    )
-    base: Annotated[float, PlainValidator(within("length"))] | None = Field(
-        None, description="distance of the cylinder's eye on the carrier from the joint axis, m, > 0, other than crank"
-    )
-    angle: Annotated[float, PlainValidator(within("turn"))] | None = Field(
-        None, description="angle from the eye on the carrier to the eye on the link at q = 0, rad, about the joint axis"
-    )
-
+    crank: Length | None = stated(CYLINDER.KEYS["crank"], default=None)
+    base: Length | None = stated(CYLINDER.KEYS["base"], ", other than crank", default=None)
+    angle: Turn | None = stated(CYLINDER.KEYS["angle"], ", about the joint axis", default=None)
     four_bar: FourBar | None = Field(
         None,
         description="of a four-bar linkage in place of a cylinder, as { ground = …, crank = …, …, branch = … }",
     )
 
     @property
-    def kind(self) -> str:
-        """The name of the relation, a key of `algorithms.transmissions.KINDS`."""
-        return "cylinder" if self.four_bar is None else f"four_bar_{'left' if self.four_bar.left else 'right'}"
+    def kind(self) -> Travel:
+        """What it is."""
+        return CYLINDER if self.four_bar is None else self.four_bar.kind
 
     @property
     def numbers(self) -> Iterator[tuple[str, float]]:
         """Its runtime parameters, by their keys below this table."""
-        part, above = (self, "") if self.four_bar is None else (self.four_bar, "four_bar.")
-        for name in type(part).model_fields:
-            if isinstance(value := getattr(part, name), float):
-                yield f"{above}{name}", value
+        part = self if self.four_bar is None else self.four_bar
+        return ((f"{self.kind.TABLE}{name}", getattr(part, name)) for name in self.kind.KEYS)
 
     @model_validator(mode="after")
     def _one_kind(self) -> Self:
         if self.four_bar is not None:
-            if other := next((name for name in CYLINDER if getattr(self, name) is not None), None):
+            if other := next((name for name in CYLINDER.KEYS if getattr(self, name) is not None), None):
                 raise refuse("is stated beside four_bar, which drives the joint by itself; leave one out", at=(other,))
             return self
-        if missing := next((name for name in CYLINDER if getattr(self, name) is None), None):
+        if missing := next((name for name in CYLINDER.KEYS if getattr(self, name) is None), None):
             what = type(self).model_fields[missing].description
             raise refuse(f"is missing; state {what}, or four_bar alone", at=(missing,))
         assert self.crank is not None and self.base is not None
@@ -61,7 +53,3 @@ class Transmission(Part):
             what = f"is {shown(self.crank)}, as long as base, so that the cylinder's length may be zero"
             raise refuse(f"{what}; state two different distances", at=("crank",))
         return self
-
-
-CYLINDER = ("crank", "base", "angle")
-"""The keys of a cylinder."""

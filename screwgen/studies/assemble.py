@@ -37,6 +37,7 @@ def assemble(
     loops close with other ones alone; gears are without load. A floating base stays as well. `parameters`: their
     values. Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
     """
+    model.chain.needs_sums("assembly", "state its coordinates")
     if not model.chain.junctions:
         said = f"robot '{model.robot.name}' has neither loops nor couplings"
         raise UsageError(f"{said}; state [[loops]] or [[couplings]] tables, or leave this out")
@@ -45,4 +46,4 @@ def assemble(
     held, p = [name in hold for name in model.q_names], model.chain.parameters.vector(parameters)
     found, chain = closed_softly(model.numpy(p), posture(model, q, p), held), model.chain
     base, joints, _ = np.split(found, [chain.base_q, chain.base_q + chain.n_joints])
-    return np.concatenate([base, chain.relaxed(joints, p), found[chain.eta_q :]])
+    return np.concatenate([base, chain.with_added(joints, p), found[chain.eta_q :]])

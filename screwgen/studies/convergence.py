@@ -21,7 +21,6 @@ from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .hanging import about
 from .modes import (
     closed_posture,
     following,
@@ -33,7 +32,8 @@ from .modes import (
     without_rigid_motion,
 )
 from .steady import Steady, steady
-from .stiffness import on_gears, pressed, relative, stiffness_matrix
+from .stiffness import from_travels, pressed, relative, stiffness_matrix
+from .vibrations_with_loops import about
 
 NOTHING = 5e-5
 """A relative change of a frequency below this is none."""
@@ -80,13 +80,13 @@ def convergence(
     if loaded or rates is not None:
         loads = loaded_motion(model, q, rates, loaded, own, moving)
         motion = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
-        T = np.eye(rich.nv) if free else on_gears(rich, motion.q, np.array(values))
+        T = np.eye(rich.nv) if free else from_travels(rich, motion.q, np.array(values))
         ritz = lambda basis: loaded_shapes(rich, motion, T @ basis, free)[0].omega  # noqa: E731
     else:
         at = _enriched(model, rich, q)
         T, K = relative(rich, values) if free else np.eye(rich.nv), stiffness_matrix(rich, values, relative=free)
-        if rich.chain.loose and not free:
-            T = on_gears(rich, at, np.array(values))
+        if rich.chain.elastic_travels and not free:
+            T = from_travels(rich, at, np.array(values))
             K = T.T @ K @ T
         K = K + np.diag(pressed(rich, at, values))
         M = T.T @ rich.numpy(values).mass_matrix(at) @ T

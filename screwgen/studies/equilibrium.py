@@ -10,7 +10,7 @@ import numpy as np
 import scipy.linalg
 
 from .. import notebook
-from ..algorithms.transmissions import efforts
+from ..algorithms.travels import efforts
 from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
@@ -19,10 +19,10 @@ from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity, validity_at_rest
 from ..spec.robot import Robot
-from .afloat import equilibrium_afloat
+from .equilibrium_of_floating_bases import floating_equilibrium
 from .linear import checked
-from .shut import Shut
 from .statics import Balance, NoEquilibriumError, Statics, search
+from .statics_with_loops import StaticsWithLoops
 from .steady import wound
 from .stiffness import stiffness
 
@@ -112,17 +112,18 @@ def equilibrium(
     bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
     NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
+    model.chain.needs_sums("equilibrium", "simulate it with dampers")
     if not isinstance(hold, bool):
         choice(hold, ("all",), "hold: True, False or 'all'; there is no")
     if hold and tau is not None:
         raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
     if model.chain.floating:
-        return equilibrium_afloat(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(parameters))
+        return floating_equilibrium(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(parameters))
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
     alone = q is not None and np.size(q) == m != model.nq
-    start = model.chain.filled(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
+    start = model.chain.with_inner(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
     values, torques = model.chain.parameters.vector(parameters), checked(tau, "tau", m)
     springs = stiffness(model, values)[:m] > 0
     start, stated = closed_start(model, values, start, bool(hold))
@@ -138,7 +139,7 @@ def rest(
     model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
 ) -> tuple[Statics, Balance]:
     """The forces, and the rest in which the search from `start` (nq,) ends, the joints in `held` (n_joints,) locked."""
-    return (_rested if model.chain.n_motors else _balanced)(model, p, tau, w_ext, held, start)
+    return (_rested if model.chain.n_added else _balanced)(model, p, tau, w_ext, held, start)
 
 
 def closed_start(model: RobotModel, p: np.ndarray, start: np.ndarray, hold: bool) -> tuple[np.ndarray, np.ndarray]:
@@ -153,56 +154,56 @@ def closed_start(model: RobotModel, p: np.ndarray, start: np.ndarray, hold: bool
     if hold:
         fixed[:m], near[:m] = stated, np.where(stated, start[:m], near[:m])
         near = closed_softly(numeric, near, fixed)
-    return np.append(chain.relaxed(near[:m], p), near[chain.eta_q :]), stated
+    return np.append(chain.with_added(near[:m], p), near[chain.eta_q :]), stated
 
 
 def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
     """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
-    load[model.chain.actuated], still[model.chain.actuated] = tau, held
-    return (Shut if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
+    load[model.chain.held_places], still[model.chain.held_places] = tau, held
+    return (StaticsWithLoops if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
-def _balanced(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _balanced(
+    model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+) -> tuple[Statics, Balance]:
     """The equilibrium that the search from `start` (nq,) ends in."""
     statics = _statics(model, p, tau, w_ext, held)
     return statics, search(statics, start)
 
 
-def _rested(model: RobotModel, p, tau, w_ext, held, start: np.ndarray) -> tuple[Statics, Balance]:
+def _rested(
+    model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray, start: np.ndarray
+) -> tuple[Statics, Balance]:
     """The same with elastic drives: at rest a gear passes on its torque, so the arm rests as one with rigid gears does.
 
     The rotors are turned until their gears pass on the torques at the joints.
     """
     chain, stiff = model.chain, model.once("rigid gears", lambda: RobotModel(rigid(model.robot)))
     values = dict(zip(model.parameter_names, p, strict=True))
-    own, rotors = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
-    at_joints = tau / chain.at_rotors(np.ones(chain.n_tau), p)
-    _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, rotors))
+    own, added = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
+    at_joints = tau / chain.at_efforts(np.ones(chain.n_tau), p)
+    _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, added))
     holding = efforts(chain, np.where(held, b.force[: chain.n_tau], 0.0), b.q[: chain.n_joints], p)
     torques = np.where(held, holding, at_joints)
-    q = np.concatenate([chain.relaxed(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])
+    q = np.concatenate([chain.with_added(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])
     statics = _statics(model, p, np.where(held, 0.0, tau), w_ext, held)
     return statics, statics.at(wound(model, q, torques, p))
 
 
 def rigid(robot: Robot) -> Robot:
     """The robot with rigid gears in place of elastic ones."""
-    links = []
-    for link in robot.links:
-        drives = [x.model_copy(update={"stiffness": None, "damping": None}) for x in link.joint.drives or ()]
-        joint = link.joint.model_copy(update={"drives": tuple(drives)} if drives else {})
-        links.append(link.model_copy(update={"joint": joint}))
-    return robot.model_copy(update={"links": tuple(links)})
+    links = tuple(link.model_copy(update={"joint": link.joint.rigid()}) for link in robot.links)
+    return robot.model_copy(update={"links": links})
 
 
 def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: np.ndarray) -> Equilibrium:
-    model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.actuated
+    model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.held_places
     straight = np.append(b.q[:m], np.zeros(model.nq - m))
     with suppress(OpenLoopError):
         straight = closed_start(model, statics.p, straight, True)[0]
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
-    holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p, actuated=True)
+    holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p, held=True)
     stability, eigenvalues, loose = _stability(statics, b)
     return Equilibrium(
         q=b.q,

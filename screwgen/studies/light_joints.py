@@ -40,6 +40,7 @@ def light_joints(model: RobotModel) -> list[str]:
 
 def steps_borne(model: RobotModel) -> dict[str, float]:
     """For each joint without a rotor in front of modes the longest step, s, of a loop of 1 Hz."""
+    model.chain.needs_sums("limit of steps", "try steps")
     chain, rng = model.chain, np.random.default_rng(0)
     if not chain.n_modes:
         return {}
@@ -60,5 +61,5 @@ def _bare(model: RobotModel, q: np.ndarray) -> list[int]:
     """The joints that a drive may move, without rotors and springs."""
     joints = [(link, k) for link in model.robot.links for k in range(len(link.joint.axes))]
     stated = stated_joints(model, q, model.parameter_values)
-    sprung = [bool(link.joint.stiffness and link.joint.stiffness[k]) for link, k in joints]
-    return [j for j, (link, k) in enumerate(joints) if stated[j] and not (link.joint.has_rotor(k) or sprung[j])]
+    light = [not (link.joint.has_inertia(k) or link.joint.has_spring(k)) for link, k in joints]
+    return [j for j, is_light in enumerate(light) if stated[j] and is_light]

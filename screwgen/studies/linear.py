@@ -9,28 +9,21 @@ from typing import Any
 import numpy as np
 
 from .. import notebook
-from ..arguments import Given, Numbers, array, choice, nearest
+from ..algorithms.gauges import base_strains, strain_names
+from ..algorithms.linear_model import OUTPUTS as OUTPUT_PARTS
+from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
-from ..bodies.markers import strains
 from ..errors import UnknownNameError, UsageError
-from ..integrators import se3
 from ..robot_model import RobotModel
 from ..simulation.mobility import motions
 from ..spec.load import one_line
-from ..spec.modes import DIRECTIONS
-from ..spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units
+from ..spec.parameters import WRENCH, changes, coordinate_names, coordinate_units, force_units, rate_units
 from ..topology.chain import Chain
-
-CHANGES = {"rotation": "rad", "displacement": "m"}
-"""What changes of the pose of a floating base are, with their units."""
-CHANGES_RATES = ("rad", "rad", "rad", "m", "m", "m")
-
 
 OUTPUTS = ("joint_angles", "tip_position")
 INPUTS = ("torques",)
 TIP_UNITS = {"position": "m", "velocity": "m/s", "acceleration": "m/s²"}
 WRENCH_UNITS = tuple((part, "N" if part.startswith("F") else "N·m") for part in WRENCH)
-STRAIN_UNITS = dict.fromkeys(DIRECTIONS, "1") | {"bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -39,7 +32,8 @@ class LinearModel:
 
     The state is x = [q; v], the joints' and modes' coordinates and their rates, d of each: of a robot with loops those
     that the loops leave independent. A floating base has six in place of its pose: the rotation vector and the
-    displacement from where it would be, in axes of F_1, zero at the state linearised at. Unpacks as `A, B, C, D`, as in
+    displacement from where it would be, in axes of F_1, zero at the state linearised at; a ball joint has the rotation
+    vector in axes of its link. Unpacks as `A, B, C, D`, as in
     `control.ss(*linear)`, and `linear[0]` is A; `linear[outputs, inputs]` is the model of some outputs and inputs
     alone, by names, numbers or slices. SI units, radians.
     """
@@ -159,16 +153,14 @@ def linearise(
     model: RobotModel,
     q: Numbers,
     v: Numbers | None = None,
-    tau: Numbers | None = None,
-    w_ext: Any = None,
+    tau: Loads = None,
+    w_ext: Loads = None,
     parameters: Given = None,
     outputs: Sequence[str] | str = OUTPUTS,
     inputs: Sequence[str] | str = INPUTS,
 ) -> LinearModel:
     """What `Model.linearise` does."""
-    from ..backends.casadi.linear import linearisation
-
-    chain, derivatives = model.chain, model.once("linearisation", lambda: linearisation(model.chain))
+    chain = model.chain
     numbers = Numeric(chain, chain.parameters.vector(parameters))
     q, v, tau = whole(chain, q, numbers.p), checked(v, "v", chain.nv), checked(tau, "tau", chain.n_tau)
     w_ext = chain.tip_wrenches(w_ext, "w_ext:")
@@ -176,11 +168,12 @@ def linearise(
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
     own, T = motions(model, q, v, numbers.p)
     numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
-    vdot, y, vdot_x, vdot_u, y_x, y_u = (np.array(x) + 0.0 for x in derivatives(q, v, tau, w_ext.T, numbers.p))
+    vdot, y, vdot_x, y_x = _changes(model, q, v, tau, w_ext.T, numbers.p)
+    (vdot_x, vdot_u), (y_x, y_u) = (np.split(slopes, [2 * chain.nv], axis=1) for slopes in (vdot_x, y_x))
     i, j = list(rows.values()), list(columns.values())
     states = state_names(chain)
     both = [*own, *(chain.nv + own)]
-    A = np.vstack([np.hstack([carried(chain, v), np.eye(chain.nv)]), vdot_x])[both] @ T
+    A = np.vstack([np.hstack([chain.carried(v), np.eye(chain.nv)]), vdot_x])[both] @ T
     return LinearModel(
         A=A,
         B=np.vstack([np.zeros_like(vdot_u), vdot_u])[np.ix_(both, j)],
@@ -192,14 +185,26 @@ def linearise(
         state_units=tuple(list(states.values())[k] for k in both),
         input_units=tuple(entries(givers)[name] for name in columns),
         output_units=tuple(entries(takers)[name] for name in rows),
-        x=np.concatenate([np.zeros(chain.base_v), q[chain.base_q :], v])[both],
+        x=np.concatenate([chain.flat(q), v])[both],
         u=np.concatenate([tau, w_ext.ravel()])[j],
-        y=y[i, 0],
+        y=y[i],
         tau=tau,
         w_ext=w_ext,
-        vdot=vdot[:, 0],
+        vdot=vdot,
         parameters=np.array(numbers.p),
     )
+
+
+def _changes(model: RobotModel, *point: Numbers) -> tuple[np.ndarray, ...]:
+    """vdot (nv,), y, and the derivatives of both with [δ; v; tau; w_ext], at `(q, v, tau, w_ext, p)`."""
+    from ..backends.casadi.linear import linear_model
+
+    function = model.once("linear_model", lambda: linear_model(model.chain))
+    sizes = [model.nv, *(np.size(x) for x in point[1:-1])]
+    directions = np.split(np.eye(sum(sizes)), np.cumsum(sizes)[:-1])
+    found = dict(zip(function.name_out(), map(np.array, function(*point, *directions)), strict=True))
+    y, slopes = (np.vstack([found[name + end] for name in OUTPUT_PARTS]) for end in ("", "_along"))
+    return found["vdot"][:, 0], y[:, 0] + 0.0, found["vdot_along"] + 0.0, slopes + 0.0
 
 
 def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
@@ -213,29 +218,17 @@ def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
     return found
 
 
-def carried(chain: Chain, v: np.ndarray) -> np.ndarray:
-    """(nv, nv): how changes of the posture change at constant rates: those of a floating base turn with its axes."""
-    out = np.zeros((chain.nv, chain.nv))
-    if chain.floating:
-        out[:6, :6] = se3.carried(v[:6])
-    return out
-
-
 # ------------------------------------------------------------------------------ names
 
 
 def state_names(chain: Chain) -> dict[str, str]:
     """The names of the entries of [δ; v], with their units."""
-    names, first = coordinate_names(chain.robot), chain.base_q
-    pose = {f"base.{what}_{axis}": unit for what, unit in CHANGES.items() for axis in "xyz" if chain.floating}
-    q = pose | dict(zip(names.q[first:], coordinate_units(chain.robot)[first:], strict=True))
-    return q | rates(chain)
+    return changes(chain.robot) | rates(chain)
 
 
 def rates(chain: Chain) -> dict[str, str]:
     """The names of the entries of v, with their units."""
-    units = [*CHANGES_RATES * chain.floating, *coordinate_units(chain.robot)[chain.base_q :]]
-    return {name: f"{unit}/s" for name, unit in zip(coordinate_names(chain.robot).v, units, strict=True)}
+    return dict(zip(coordinate_names(chain.robot).v, rate_units(chain.robot), strict=True))
 
 
 Groups = dict[str, dict[str, str]]
@@ -251,13 +244,13 @@ def input_groups(chain: Chain) -> Groups:
 
 def output_groups(chain: Chain) -> Groups:
     """The outputs in the order of y."""
-    names, m = coordinate_names(chain.robot), chain.n_joints
+    names, m, n = coordinate_names(chain.robot), chain.n_joints, chain.n_redundant
     q = [*zip(names.q, coordinate_units(chain.robot), strict=True)]
     v, a, b = [*rates(chain).items()], chain.base_q, chain.base_v
     parts = {
         "base_pose": q[:a],
-        "joint_angles": q[a : a + m],
-        "rotor_angles": q[a + m : chain.eta_q],
+        "joint_angles": q[a : a + n],
+        "rotor_angles": q[a + n : chain.eta_q],
         "modes": q[chain.eta_q :],
         "base_twist": v[:b],
         "joint_rates": v[b : b + m],
@@ -267,12 +260,9 @@ def output_groups(chain: Chain) -> Groups:
     named = {name: dict(own) for name, own in parts.items() if own or not name.startswith(("rotor", "base"))}
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
     wrenches = dict(zip(names.wrench, [unit for _, unit in WRENCH_UNITS] * chain.n, strict=True))
-    gauged = {
-        f"{chain.segments[i].owner}.base_strain.{strain.direction}": STRAIN_UNITS[strain.direction]
-        for i in chain.firsts
-        for strain in strains(chain.keys[i], 0.0)
-    }
-    return {**named, **tip, "wrenches": wrenches, "base_strain": gauged}
+    gauged = strain_names(chain)
+    at_bases = dict([*gauged.items()][: base_strains(chain)])
+    return {**named, **tip, "wrenches": wrenches, "base_strain": at_bases, "strain": gauged}
 
 
 def entries(groups: Groups) -> dict[str, str]:

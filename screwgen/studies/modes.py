@@ -13,10 +13,10 @@ from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch, validity_at_rest
-from .hanging import hanging
 from .linear import whole
 from .steady import Oscillations, Steady, oscillations, steady
-from .stiffness import on_gears, pressed, relative, stiffness_matrix
+from .stiffness import from_travels, pressed, relative, stiffness_matrix
+from .vibrations_with_loops import hanging
 
 JOINTS = ("locked", "free")
 
@@ -96,7 +96,7 @@ def mode_shapes(
     if loaded or rates is not None:
         about = loaded_motion(model, q, rates, loaded, p, moving)
         free = len(moving) == model.nv
-        T = np.eye(model.nv) if free else on_gears(model, about.q, p)
+        T = np.eye(model.nv) if free else from_travels(model, about.q, p)
         found, basis = loaded_shapes(model, about, T[:, moving], free)
         frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
         return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
@@ -112,10 +112,10 @@ def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray
     Where rotors move, their coordinates are those relative to their joints, so that the stiffness of gears is theirs.
     """
     T, K = np.eye(model.nv), stiffness_matrix(model, p)
-    if len(moving) == model.nv and model.chain.n_motors:
+    if len(moving) == model.nv and model.chain.n_added:
         T, K = relative(model, p), stiffness_matrix(model, p, relative=True)
-    elif model.chain.loose:
-        T = on_gears(model, q, p)
+    elif model.chain.elastic_travels:
+        T = from_travels(model, q, p)
         K = T.T @ K @ T
     K += np.diag(pressed(model, q, p))
     M, K = (x[np.ix_(moving, moving)] for x in (T.T @ model.numpy(p).mass_matrix(q) @ T, K))
@@ -142,6 +142,7 @@ def loaded_motion(
     model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
+    model.chain.needs_sums("modes under load", "take model.numpy().derivatives")
     model.chain.needs_fixed(*LOADED)
     if not model.chain.closures:
         return steady(model, q, rates, loaded, p, moving)
@@ -182,7 +183,7 @@ def closed_posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarr
         return at
     if q is None:
         near, first = closed_softly(model.numpy(p), at, np.zeros(chain.nq, bool)), chain.base_q
-        joints = chain.relaxed(near[first : first + chain.n_joints], p)
+        joints = chain.with_added(near[first : first + chain.n_joints], p)
         at = np.concatenate([near[:first], joints, near[chain.eta_q :]])
     check_closed(model.numpy(p), "q", at)
     stated_joints(model, at, p)
@@ -193,9 +194,9 @@ def movable(model: RobotModel, joints: str, q: np.ndarray, p: Numbers) -> np.nda
     """The coordinates that may move: all, or those that no drive acts on and joints that follow loops."""
     if choice(joints, JOINTS, "joints: there is no") == "free":
         return np.arange(model.nv)
-    chain, driven = model.chain, np.array(model.chain.actuated, int)
-    rotors = driven >= chain.eta_v - chain.n_motors
-    return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | rotors])
+    chain, driven = model.chain, np.array(model.chain.held_places, int)
+    added = driven >= chain.eta_v - chain.n_added
+    return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | added])
 
 
 def following(J: np.ndarray, springs: np.ndarray) -> np.ndarray | None:

@@ -11,7 +11,7 @@ from ..backends.c.mpc import Fitted, MpcProject, Rest
 from ..backends.c.project import CProject
 from ..progress import busy
 from ..robot_model import RobotModel
-from ..runtime.mpc import Mpc
+from ..runtime.mpc import CompiledMpc
 from ..spec.load import one_line
 from ..spec.mpc import load_mpc
 from .equilibrium import equilibrium
@@ -41,12 +41,12 @@ def project(model: RobotModel, file: str | os.PathLike[str] | None, *said: Any, 
     return MpcProject(fitted(model, file), model.version, *said, **options)
 
 
-def controller(model: RobotModel, file: str | os.PathLike[str], **options: Any) -> Mpc:
+def controller(model: RobotModel, file: str | os.PathLike[str], **options: Any) -> CompiledMpc:
     """The implementation of :meth:`screwgen.Model.mpc`; a terminal is told of the minutes that it may take."""
     with busy("linearising at the controller's goal", quiet=False):
         fit = fitted(model, file)
     with busy("generating and compiling the predictive controller, minutes for the first time", quiet=False):
-        return Mpc(model, fit, **options)
+        return CompiledMpc(model, fit, **options)
 
 
 def cost_to_go(model: RobotModel, f: Fitted) -> np.ndarray:

@@ -8,12 +8,12 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import least_squares
 
-from ..algorithms.transmissions import travels
+from ..algorithms.travels import travels
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
-from .stiffness import on_gears, stiffness, stiffness_matrix
+from .stiffness import from_travels, stiffness, stiffness_matrix
 
 RESIDUAL = 1e-10
 """What no residual of an equilibrium exceeds."""
@@ -79,7 +79,7 @@ class Statics:
         energy, force, slope, weight, wrench, tip = self._functions(q, self.w_ext)
         work, load, softening = self.driven(q)
         force, scale = force[:, 0], self.scales(q, force[:, 0], weight, load)
-        force, slope = self._on_gears(q, force, slope) if self.model.chain.loose else (force, slope)
+        force, slope = self._from_travels(q, force, slope) if self.model.chain.elastic_travels else (force, slope)
         places = {"wrench": wrench.T, "tip": tip[:, 0], "moving": self.moving}
         return Balance(q, energy.item() - work, force - load, slope - softening, scale, **places)
 
@@ -87,26 +87,26 @@ class Statics:
         """The work of the torques up to `q`, their generalised forces (nq,), and the derivative of these with q.
 
         The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
-        Behind an elastic gear it acts on the rotor's travel, see :meth:`_on_gears`.
+        Behind an elastic gear it acts on the rotor's travel, see :meth:`_from_travels`.
         """
         chain, m = self.model.chain, self.model.n_joints
-        if not chain.cranked:
+        if not chain.travels:
             return self.load @ q, self.load, 0.0
         along, load, slope = q.copy(), self.load.copy(), np.zeros(len(q))
-        along[:m], lever, slope[:m] = travels(chain, q[:m], self.p)
-        along[list(chain.loose.values())] += along[list(chain.loose)]
-        load[:m] *= lever
+        along[:m], ratio, slope[:m] = travels(chain, q[:m], self.p)
+        along[list(chain.elastic_travels.values())] += along[list(chain.elastic_travels)]
+        load[:m] *= ratio
         return self.load @ along, load, np.diag(self.load * slope)
 
-    def _on_gears(self, q: np.ndarray, force: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _from_travels(self, q: np.ndarray, force: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Forces and stiffness with the travels of rotors in the place of how far these are ahead of transmissions.
 
         So a drive that is held leaves its joint to move on the gear: `e = s - l(q)` with the travel s of the rotor.
         """
-        chain, T = self.model.chain, on_gears(self.model, q, self.p)
-        own, bend = list(chain.loose), travels(chain, q[: self.model.n_joints], self.p)[2]
+        chain, T = self.model.chain, from_travels(self.model, q, self.p)
+        own, bend = list(chain.elastic_travels), travels(chain, q[: self.model.n_joints], self.p)[2]
         turned = T.T @ K @ T
-        turned[own, own] -= bend[own] * force[list(chain.loose.values())]
+        turned[own, own] -= bend[own] * force[list(chain.elastic_travels.values())]
         return T.T @ force, turned
 
     def _functions(self, q: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
@@ -147,10 +147,10 @@ class Statics:
     def units(self) -> np.ndarray:
         """(nq,): D, such that D q has stiffnesses about one: by springs, and by the weight at a joint."""
         weight = self.weights(self._functions(np.zeros(self.model.nq), self.w_ext)[3])
-        joint, gears = np.arange(self.model.nq) < self.model.n_joints, np.zeros(self.model.nq)
-        if self.model.chain.n_motors:
-            gears = np.diag(stiffness_matrix(self.model, self.p)) - self.springs
-        own = self.springs + gears + np.where(joint, weight, 0.0)
+        joint, added = np.arange(self.model.nq) < self.model.n_joints, np.zeros(self.model.nq)
+        if self.model.chain.n_added:
+            added = np.diag(stiffness_matrix(self.model, self.p)) - self.springs
+        own = self.springs + added + np.where(joint, weight, 0.0)
         return np.sqrt(np.where(own > 0, own, 1.0))
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:
@@ -301,8 +301,9 @@ def unbalanced(statics: Statics, b: Balance, start: np.ndarray) -> NoEquilibrium
     away = statics.wandered(b.q - start)
     k = int(away[0]) if away.size else int(np.argmax(b.shares))
     joint = k < statics.model.chain.eta_q
-    pushed = k < statics.model.n_joints and k in statics.model.chain.pushed
-    kind, unit = ("torque", "N·m") if statics.turning[k] and not pushed else ("force", "N")
+    travel = statics.model.chain.travels.get(k) if k < statics.model.n_joints else None
+    kind, unit = ("torque", "N·m") if statics.turning[k] else ("force", "N")
+    kind, unit = (travel.EFFORT_NAME, travel.EFFORT_UNIT) if travel else (kind, unit)
     what = f"its {kind} of {statics.load[k]:.6g} {unit}" if joint and statics.load[k] else "its load"
     what += ", with the wrenches on the tips" if statics.w_ext.any() else ""
     return NoEquilibriumError(

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import scipy.linalg
 
-from ..algorithms.transmissions import efforts
+from ..algorithms.travels import efforts
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
 from ..simulation import validity as valid
 from ..simulation.validity import Validity
 from .linear import checked
-from .stiffness import gear_stiffness
+from .stiffness import added_stiffness
 
 if TYPE_CHECKING:
     from ..topology.loops import Closure
@@ -73,7 +73,7 @@ def steady(
     loaded: bool,
     p: np.ndarray,
     moving: np.ndarray,
-    settle=True,
+    settle: bool = True,
 ) -> Steady:
     """Small motions about the steady motion of the joints at `rates` (n_joints,) from `q` (nq,).
 
@@ -81,8 +81,9 @@ def steady(
     carry the joints. The coordinates `moving` may move. Raises UsageError where there is no such deflection, and where
     the loads on them change as joints turn.
     """
+    model.chain.needs_sums("steady motion", "simulate it")
     chain = model.chain
-    v = chain.filled(checked(rates, "rates", model.n_joints), p)
+    v = chain.with_inner(checked(rates, "rates", model.n_joints), p)
     p = np.array(p, float) if loaded else np.r_[np.zeros(3), p[3:]]
     q = deflected(model, q, v, p) if settle else q
     numeric, m = model.numpy(p), chain.eta_v
@@ -90,14 +91,14 @@ def steady(
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
-    tau = efforts(chain, force[chain.actuated], q[: chain.n_joints], p, actuated=True)
-    if chain.cranked:
+    tau = efforts(chain, force[chain.held_places], q[: chain.n_joints], p, held=True)
+    if chain.travels:
         M, K, C = numeric.slopes(q, v, None, None, tau)
     if v.any():
         further = q + FURTHER / np.max(np.abs(v)) * v
         _unchanged(force, numeric.inverse_dynamics(further, v, None, None), np.max(np.abs(K @ q)), moving)
         _unchanged(M, numeric.mass_matrix(further), np.max(np.abs(M)), moving)
-    rigid = unresisted(K[:, :m], force[chain.actuated], K[:, m:] @ q[m:])
+    rigid = unresisted(K[:, :m], force[chain.held_places], K[:, m:] @ q[m:])
     return Steady(q, v, M, (C - C.T) / 2, (K + K.T) / 2, tau, p, rigid, np.zeros((0, model.nv)), {})
 
 
@@ -115,7 +116,7 @@ def deflected(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) ->
     """
     chain = model.chain
     numeric, modes = model.numpy(p), slice(chain.eta_v, model.nv)
-    q = np.append(chain.relaxed(q[: model.n_joints], p), q[chain.eta_q :])
+    q = np.append(chain.with_added(q[: model.n_joints], p), q[chain.eta_q :])
     for _ in range(ITERATIONS):
         K = numeric.slopes(q, v, None, None)[1][modes, modes]
         step = np.linalg.lstsq(K, numeric.inverse_dynamics(q, v, None, None)[modes])[0]
@@ -125,7 +126,7 @@ def deflected(model: RobotModel, q: np.ndarray, v: np.ndarray, p: np.ndarray) ->
         if np.max(np.abs(step), initial=0.0) <= SETTLED * np.max(np.abs(q[modes]), initial=0.0):
             joints = slice(chain.base_v, chain.base_v + chain.n_joints)
             force = numeric.inverse_dynamics(q, v, None, None)[joints]
-            return wound(model, q, efforts(chain, force, q[: chain.n_joints], p) if chain.loose else force, p)
+            return wound(model, q, efforts(chain, force, q[: chain.n_joints], p) if chain.elastic_travels else force, p)
     raise UsageError("the links find no steady deflection under these rates and loads")
 
 
@@ -135,10 +136,10 @@ def wound(model: RobotModel, q: np.ndarray, force: np.ndarray, p: np.ndarray) ->
     That is the torque at the joint, or the effort of its transmission.
     """
     chain, out = model.chain, q.copy()
-    gears = np.array(gear_stiffness(model, p), float)
-    rotors = slice(chain.eta_q - chain.n_motors, chain.eta_q)
+    springs = np.array(added_stiffness(model, p), float)
+    added = slice(chain.eta_q - chain.n_added, chain.eta_q)
     ratios = np.array([ratio or 1.0 for ratio in chain.ratios(p)], float)
-    out[rotors] = out[rotors] + force[chain.geared] / (gears * ratios)
+    out[added] = out[added] + force[chain.added_joints] / (springs * ratios)
     return out
 
 

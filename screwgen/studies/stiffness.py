@@ -7,7 +7,7 @@ import numpy as np
 from ..algorithms.axis_laws import of_robot
 from ..algorithms.columns import columns
 from ..algorithms.law_programs import forces, on_arrays
-from ..algorithms.transmissions import travels
+from ..algorithms.travels import travels
 from ..arguments import Numbers
 from ..ir.replay import run
 from ..robot_model import RobotModel
@@ -26,10 +26,10 @@ def stiffness(model: RobotModel, p: Numbers | None = None) -> np.ndarray:
     ]
     modal = (k for constants in model.numpy(p).constants for k in constants["K"])
     chain = model.chain
-    return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_motors, *modal], float)
+    return np.array([*[0.0] * chain.base_v, *springs, *[0.0] * chain.n_added, *modal], float)
 
 
-def gear_stiffness(model: RobotModel, p: Numbers | None = None) -> list[float]:
+def added_stiffness(model: RobotModel, p: Numbers | None = None) -> list[float]:
     """The stiffness of each elastic gear at its joint, N·m/rad, of slides N/m."""
     return [k for constants in model.numpy(p).constants for k in constants.get("K_theta", ())]
 
@@ -39,15 +39,15 @@ def stiffness_matrix(model: RobotModel, p: Numbers | None = None, relative: bool
 
     `relative`: in coordinates in which gears act on rotors alone, see the function of that name.
     """
-    K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_motors
-    gears = gear_stiffness(model, p)
+    K, first = np.diag(stiffness(model, p)), model.chain.eta_v - model.chain.n_added
+    springs = added_stiffness(model, p)
     ratios = model.chain.ratios(model.parameter_values if p is None else p)
-    joints = (model.chain.base_v + joint for joint in model.chain.geared)
-    for rotor, (joint, k, ratio) in enumerate(zip(joints, gears, ratios, strict=True), first):
-        K[rotor, rotor] = k
+    joints = (model.chain.base_v + joint for joint in model.chain.added_joints)
+    for place, (joint, k, ratio) in enumerate(zip(joints, springs, ratios, strict=True), first):
+        K[place, place] = k
         if not relative:
             K[joint, joint] += ratio**2 * k
-            K[rotor, joint] = K[joint, rotor] = -ratio * k
+            K[place, joint] = K[joint, place] = -ratio * k
     for i, key in enumerate(model.chain.keys):
         first = model.chain.eta_v + model.chain.eta_offset[i]
         for (a, b), k in zip(key.coupled, model.numpy(p).constants[i].get("K_below", ()), strict=True):
@@ -58,21 +58,21 @@ def stiffness_matrix(model: RobotModel, p: Numbers | None = None, relative: bool
 def relative(model: RobotModel, p: Numbers) -> np.ndarray:
     """T (nq, nq): the coordinates from those with rotors relative to where their joints would turn them."""
     chain, T = model.chain, np.eye(model.nv)
-    rotors, joints = chain.eta_v - chain.n_motors + np.arange(chain.n_motors), np.array(chain.geared, int)
-    T[rotors, chain.base_v + joints] = chain.ratios(p)
+    added, joints = chain.eta_v - chain.n_added + np.arange(chain.n_added), np.array(chain.added_joints, int)
+    T[added, chain.base_v + joints] = chain.ratios(p)
     return T
 
 
-def on_gears(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
+def from_travels(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """T (nv, nv): rates at `q` (nq,) from those with the travels of rotors behind elastic gears of transmissions.
 
     These stand in the place of how far the rotor is ahead, so a joint moves on its gear where they are zero.
     """
     chain, T = model.chain, np.eye(model.nv)
-    if chain.loose:
-        levers = travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
-        for joint, place in chain.loose.items():
-            T[place, chain.base_v + joint] = -levers[joint]
+    if chain.elastic_travels:
+        slopes = travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
+        for joint, place in chain.elastic_travels.items():
+            T[place, chain.base_v + joint] = -slopes[joint]
     return T
 
 

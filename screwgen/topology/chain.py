@@ -5,24 +5,28 @@ A link that is split into segments stands here as so many links; see :mod:`..spe
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from ..arguments import Numbers, Parameters, array
 from ..errors import SingularError, UsageError
 from ..joints.constraints import Ratio
-from ..spec.drive import Drive
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
+from ..spec.markers import TIP as END
 from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
 from .loops import Closure, Junction, closures, junctions
+from .markers import PlacedMarker, markers
 from .parameters import labels
 from .stations import mounted
+from .tree import TIP
 
 
 class Chain(Coordinates):
@@ -49,6 +53,38 @@ class Chain(Coordinates):
         """The rows that no motion changes: parameters alone can open them."""
         self.overconstrained = False
         """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
+
+    @cached_property
+    def markers(self) -> tuple[PlacedMarker, ...]:
+        """The sections at which functions measure: the tip of every link, and the markers that it declares."""
+        return markers(self.robot, self.segments)
+
+    @cached_property
+    def seen(self) -> Chain:
+        """The same chain with a node for every marker: a tip, or a station behind those that carry links.
+
+        So phases that run over tips and stations run over markers, and all else is as in the chain itself.
+        """
+        further: list[tuple[float, ...]] = [()] * self.n
+        for marker in self.markers:
+            i, known = marker.segment, (END, *self.keys[marker.segment].stations_at)
+            if marker.at not in (*known, *further[i]):
+                further[i] = (*further[i], marker.at)
+        if not any(further):
+            return self
+        out, pairs = copy(self), zip(self.keys, further, strict=True)
+        out.keys = [replace(key, stations_at=(*key.stations_at, *more)) if more else key for key, more in pairs]
+        out.classes = list(dict.fromkeys(out.keys))
+        counts = tuple(len(key.stations_at) for key in out.keys)
+        out.tree = replace(self.tree, carried_at=self.tree.carried_at or (TIP,) * self.n, stations=counts)
+        return out
+
+    def node(self, marker: PlacedMarker) -> int:
+        """The node of a marker in :attr:`seen`."""
+        i, seen = marker.segment, self.seen
+        if marker.at == END:
+            return seen.tree.tip(i)
+        return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
 
     @property
     def couplings(self) -> list[Closure]:
@@ -81,6 +117,15 @@ class Chain(Coordinates):
         if self.closures:
             raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 
+    def needs_sums(self, what: str, instead: str) -> None:
+        """The same where a joint behind the base has coordinates that do not add up: a ball joint."""
+        for part in self.curved:
+            if not part.joint.in_space:
+                said = (
+                    f"robot '{self.robot.name}' has a {part.joint.name} joint, that of link '{self.names[part.link]}',"
+                )
+                raise UsageError(f"{said} for which there is no {what} yet; {instead}")
+
     def needs_independent_rows(self, what: str, instead: str) -> None:
         """The same where rows of the loops depend on each other in every posture."""
         if self.overconstrained:
@@ -89,14 +134,11 @@ class Chain(Coordinates):
 
     def singular(self, link: int) -> SingularError:
         """The error of a link that cannot be solved for."""
-        if self.keys[link].free:
+        if self.keys[link].floats:
             said = f"the floating base has no inertia about some axis in this posture{self.caution}"
             return SingularError(f"{said}; give link '{self.names[link]}' a body with mass and inertia")
         said = f"the joint of link '{self.names[link]}' is singular in this posture"
-        if any(self.q_offset[link] + axis in self.linked for axis in self.keys[link].cranked):
-            said += ", or out of the reach of its four-bar linkage, which ends where crank and coupler are in line"
-            said += ", with an elastic gear 0.05 rad before that" * bool(self.keys[link].loose)
-        return SingularError(said + self.caution)
+        return SingularError("".join((said, *(f", or {end}" for end in self.keys[link].ends), self.caution)))
 
     def singular_loops(self) -> SingularError:
         """The error of loops whose rows depend on each other in a posture."""
@@ -126,9 +168,8 @@ class Chain(Coordinates):
     @cached_property
     def reach(self) -> np.ndarray:
         """(n_joints, 2): the coordinates between which four-bar linkages of the file reach, infinite without one."""
-        joints = (link.joint for link in self.robot.links)
-        drives = [drive for joint in joints for drive in joint.drives or (Drive(),) * len(joint.axes)]
-        return np.array([drive.reach for drive in drives], float).reshape(-1, 2)
+        ends = [own.reach for link in self.robot.links for own in link.joint.driven]
+        return np.array(ends, float).reshape(-1, 2)
 
     def reached(self, q: Numbers, most: float) -> list[float]:
         """Joint coordinates between -most and most, those of linkages brought into four fifths of their reach."""
@@ -145,7 +186,7 @@ class Chain(Coordinates):
         """The names of the links in code; of segments `boom_2`."""
         return [s.identifier for s in self.segments]
 
-    def tip_wrenches(self, given, name: str) -> np.ndarray:
+    def tip_wrenches(self, given: Any, name: str) -> np.ndarray:
         """Wrenches on the tips (n, 6) from those given, of all segments or on the tips of the robot's links alone."""
         links = len(self.robot.links)
         if links == self.n or not (hasattr(given, "__len__") and len(given) == links):

@@ -2,44 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..elements import AxisElement
-from ..elements.axis_element import PREFIX
-from ..spec.base import HOME, POSE, TWIST
-from ..spec.link_class import SIDES, LinkClass
+from ..elements import FRICTION, STOP, TRAVELS, Law, Travel
+from ..spec.link_class import LinkClass
+from .joint_coordinates import JointCoordinates
 
 SLACK = 1e-3
 """How far the length of a stated quaternion may be from one."""
 
-FREE: dict[str, dict[str, int]] = {
-    "q": {"position": 3, "quaternion": 4},
-    "qdot": {"twist": 6},
-    "qddot": {"Vdot": 6},
-    "force": {"base_force": 6},
-}
-"""The signals of a floating base that precede those of the joints, with their sizes."""
-ROTOR = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
-"""The signal of a link's rotors by that of its joint."""
+ADDED = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
+"""The signal of what elements add to a link's coordinates by that of its joint."""
 
 
-class Coordinates:
+class Acted(NamedTuple):
+    """Where a law acts: the link, the coordinate as its number among the last ``n_given``, the side there."""
+
+    link: int
+    coordinate: int
+    side: int
+
+
+class Coordinates(JointCoordinates):
     """The coordinates of links of given classes, `q` (nq) and `v` (nv), and their offsets by link.
+
+    Both hold the joints link by link, then rotors, then modes. What moves coordinates by rates asks the joints.
 
     ``parameter_labels``: for every link, the label of each of its parameters and its place in the parameter vector.
     """
 
     def __init__(self, keys: Sequence[LinkClass], parameter_labels: Sequence[Mapping[str, int]]):
-        self.keys, self.parameter_labels = list(keys), list(parameter_labels)
+        super().__init__(keys)
+        self.parameter_labels = list(parameter_labels)
         offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
-        self.q_offset, self.eta_offset = offsets(lambda k: k.joints), offsets(lambda k: k.modes)
-        self.theta_offset, self.dry_offset = offsets(lambda k: len(k.motors)), offsets(lambda k: len(k.rubbed))
-        self.stop_offset = offsets(lambda k: len(k.stops))
+        self.eta_offset, self.theta_offset = offsets(lambda k: k.modes), offsets(lambda k: len(k.added_axes))
         self.below_offset = offsets(lambda k: len(k.coupled))
 
     @property
@@ -48,28 +49,28 @@ class Coordinates:
 
     @property
     def n_joints(self) -> int:
-        """The number of joint coordinates, the first of `q`, or those behind the pose of a floating base."""
-        return self.q_offset[-1]
+        """The number of joint rates with a torque, the first of `v`, or those behind the twist of a floating base."""
+        return self.tau_offset[-1]
 
     @property
     def floating(self) -> bool:
         """Whether the first link moves freely: its pose precedes the joint coordinates, its twist their rates."""
-        return self.keys[0].free
+        return self.keys[0].floats
 
     @property
     def base_q(self) -> int:
-        """The number of coordinates of a floating base, which is the index of the first joint coordinate in `q`."""
-        return len(POSE) if self.floating else 0
+        """The number of coordinates of a floating base, which is the index of the first other one in `q`."""
+        return self.q_offset[1] if self.floating else 0
 
     @property
     def base_v(self) -> int:
-        """The number of their rates, which is the index of the first joint rate in `v`."""
-        return len(TWIST) if self.floating else 0
+        """The number of their rates, which is the index of the first rate in `v` with a torque."""
+        return self.v_offset[-1] - self.n_joints
 
     @property
-    def home(self) -> list[float]:
-        """The coordinates (nq) with joints and modes at zero, and a floating base at the inertial frame."""
-        return [*HOME[: self.base_q], *[0.0] * (self.nq - self.base_q)]
+    def n_redundant(self) -> int:
+        """The number of joint coordinates beside poses in the DAE form: of all joints but a floating base."""
+        return self.q_offset[-1] - self.base_q
 
     @property
     def n_tau(self) -> int:
@@ -81,24 +82,14 @@ class Coordinates:
         return self.eta_offset[-1]
 
     @property
-    def n_motors(self) -> int:
-        """The number of rotors with a coordinate of their own, those of elastic drives."""
+    def n_added(self) -> int:
+        """The number of coordinates that elastic gears add."""
         return self.theta_offset[-1]
 
     @property
     def n_inner(self) -> int:
         """The number of coordinates behind those of the joints: rotors and modes."""
-        return self.n_motors + self.n_modes
-
-    @property
-    def nq(self) -> int:
-        """The number of coordinates: of a floating base, joints, rotors, modes."""
-        return self.base_q + self.n_joints + self.n_inner
-
-    @property
-    def nv(self) -> int:
-        """The number of their rates."""
-        return self.nq - self.base_q + self.base_v
+        return self.n_added + self.n_modes
 
     @property
     def eta_q(self) -> int:
@@ -120,118 +111,137 @@ class Coordinates:
         out = np.zeros(self.nv) if rates else np.array(self.home)
         if len(given) == len(out):
             out[:] = given
-        elif len(given) in (0, self.n_joints):
-            first, joints = self.base_v if rates else self.base_q, self.relaxed(given, p) if len(given) else given
+        elif len(given) in (0, count := self.n_joints if rates else self.n_redundant):
+            first = self.base_v if rates else self.base_q
+            joints = self.with_added(given, p) if len(given) and self.n_added else given
             out[first : first + len(joints)] = joints
         else:
-            allowed = f"{len(out)} numbers, or the {self.n_joints} of the joints alone"
+            allowed = f"{len(out)} numbers, or the {count} of the joints alone"
             return f"has length {len(given)}; it must have {allowed}"
-        if self.floating and not rates:
-            size = float(np.linalg.norm(out[3:7]))
+        return out if rates else self._checked(out)
+
+    def _checked(self, q: np.ndarray) -> np.ndarray | str:
+        """The coordinates with quaternions of length one; those of another length are refused as a text."""
+        for part in self.curved:
+            first = part.q.start + (part.joint.turn_at or 0)
+            size = float(np.linalg.norm(q[first : first + 4]))
             if not abs(size - 1) <= SLACK:
-                return f"has a quaternion of length {size:.6g}, entries 3 to 6 (w, x, y, z); it must have length 1"
-            out[3:7] /= size
-        return out
+                where = f"entries {first} to {first + 3} (w, x, y, z)"
+                return f"has a quaternion of length {size:.6g}, {where}; it must have length 1"
+        return self.unit(q)
 
     @cached_property
-    def sprung(self) -> bool:
+    def has_axis_forces(self) -> bool:
         """Whether springs, dampers, friction, stops or other elements act in any joint."""
-        return any(key.sprung for key in self.keys)
+        return any(key.has_axis_forces for key in self.keys)
 
     @cached_property
-    def geared(self) -> list[int]:
-        """The joint coordinate, as its number among those, that each rotor drives."""
-        return [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.motors]
+    def added_joints(self) -> list[int]:
+        """The joint coordinate, as its number among those, of the axis of each added coordinate."""
+        return [self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.added_axes]
 
     @cached_property
-    def driven(self) -> list[int]:
+    def effort_places(self) -> list[int]:
         """The coordinate, as an index in `v`, on which each torque acts: the joint's, or that of its rotor.
 
-        The effort of a transmission acts on the joint, times its lever, and besides on an elastic gear (`loose`).
+        The effort of a transmission acts on the joint, times its lever, and besides on an elastic gear.
         """
-        return [self.base_v + k if k in self.loose else place for k, place in enumerate(self.actuated)]
+        return [self.base_v + k if k in self.elastic_travels else place for k, place in enumerate(self.held_places)]
 
     @cached_property
-    def actuated(self) -> list[int]:
+    def held_places(self) -> list[int]:
         """The coordinate, as an index in `v`, that each drive holds if its joint is to move on its gear alone.
 
-        That of the rotor, or of the gear where a transmission drives the joint; else the joint's.
+        That which its gear adds, of its rotor or along a transmission; else the joint's.
         """
-        out, first = [self.base_v + k for k in range(self.n_joints)], self.eta_v - self.n_motors
-        for k, joint in enumerate(self.geared):
+        out, first = [self.base_v + k for k in range(self.n_joints)], self.eta_v - self.n_added
+        for k, joint in enumerate(self.added_joints):
             out[joint] = first + k
         return out
 
     @cached_property
-    def loose(self) -> dict[int, int]:
+    def elastic_travels(self) -> dict[int, int]:
         """The joint coordinates, as their numbers, that elastic gears of transmissions drive: the place of each gear's
         coordinate in `v`."""
-        there = {self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.loose}
-        return {joint: place for joint, place in enumerate(self.actuated) if joint in there}
+        there = {self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.elastic_travels}
+        return {joint: place for joint, place in enumerate(self.held_places) if joint in there}
 
     def ratios(self, p: Any) -> list:
         """The ratio of each rotor's gear out of the parameters `p`, numbers or symbols; of transmissions 0."""
-        axes = [(i, axis) for i, key in enumerate(self.keys) for axis in key.motors]
+        axes = [(i, axis) for i, key in enumerate(self.keys) for axis in key.added_axes]
         places = [self.parameter_labels[i].get(f"drive_ratio_{axis + 1}") for i, axis in axes]
         stated = [1.0 if place is None else p[place] for place in places]
-        return [0.0 if axis in self.keys[i].loose else x for (i, axis), x in zip(axes, stated, strict=True)]
+        return [0.0 if axis in self.keys[i].elastic_travels else x for (i, axis), x in zip(axes, stated, strict=True)]
 
-    def relaxed(self, q: Any, p: Any) -> np.ndarray:
-        """Joint coordinates or rates (n_joints, ...), and those of the rotors that leave their gears without load."""
+    def with_added(self, q: Any, p: Any) -> np.ndarray:
+        """Joint coordinates or rates (n_joints, ...), and the added ones that leave their gears without load."""
         q = np.asarray(q, float)
-        shape = (self.n_motors, *(1 for _ in q.shape[1:]))
-        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.geared]])
+        shape = (self.n_added, *(1 for _ in q.shape[1:]))
+        return np.concatenate([q, np.reshape(self.ratios(p), shape) * q[self.added_joints]])
 
-    def filled(self, joints: Any, p: Any) -> np.ndarray:
+    def with_inner(self, joints: Any, p: Any) -> np.ndarray:
         """All coordinates or rates (nq,) out of those of the joints: gears without load, modes zero."""
-        return np.append(self.relaxed(joints, p), np.zeros(self.n_modes))
+        return np.append(self.with_added(joints, p), np.zeros(self.n_modes))
 
     def of_joints(self, x: Any, rates: bool = False) -> Any:
         """The entries (n_joints,) of the joint axes of all coordinates (nq,), or of all rates (nv,)."""
         first = self.base_v if rates else self.base_q
-        return x[first : first + self.n_joints]
+        if rates or self.n_redundant == self.n_joints:
+            return x[first : first + self.n_joints]
+        return [x[place] for place in self.axis_places]
 
-    def at_rotors(self, tau: Any, p: Any) -> np.ndarray:
+    @cached_property
+    def axis_places(self) -> list[int]:
+        """Where in `q` the coordinate along each torque stands; of a ball joint those of its quaternion's vector."""
+        ahead = [0 if key.joint.turn_at is None else key.joint.turn_at + 1 for key in self.keys]
+        return [self.q_offset[i] + ahead[i] + k for i, key in enumerate(self.keys) for k in range(key.torques)]
+
+    @cached_property
+    def given_places(self) -> list[int]:
+        """Where in `q` the coordinates stand whose inertia and force an integrator gives (n_given)."""
+        if not self.has_axis_forces:
+            return list(range(self.eta_q, self.nq))
+        return [*self.axis_places, *range(self.q_offset[-1], self.nq)]
+
+    def at_efforts(self, tau: Any, p: Any) -> np.ndarray:
         """Torques (n_tau,) where they act, of those at the joints: on rotors they are less by the ratio."""
         out = np.array(tau, float)
-        out[self.geared] /= np.array([ratio or 1.0 for ratio in self.ratios(p)])
+        out[self.added_joints] /= np.array([ratio or 1.0 for ratio in self.ratios(p)])
         return out
 
     @cached_property
-    def dry(self) -> list[int]:
-        """The coordinates with dry friction, as their numbers among those with forces of their own (``n_given``)."""
-        places = [self.q_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.rubbed]
-        return [self.driven[place] - self.base_v for place in places]
-
-    @cached_property
-    def stops(self) -> list[tuple[int, int]]:
-        """The joint coordinate, as its number among those, of every stop, and the sign of those beyond it."""
-        return [(self.q_offset[i] + axis, SIDES[side]) for i, key in enumerate(self.keys) for axis, side in key.stops]
-
-    @cached_property
-    def elements(self) -> dict[type[AxisElement], list[int]]:
-        """The joint coordinates, as their numbers, that have an element of each kind, link by link."""
-        out: dict[type[AxisElement], list[int]] = {}
+    def laws(self) -> dict[Law, list[Acted]]:
+        """The laws of all joints, each with the coordinates on which it acts, link by link."""
+        found: dict[Law, list[Acted]] = {FRICTION: [], STOP: []}
+        places = {"q": 0, "theta": self.nv - self.base_v - self.n_inner}
+        offsets = {"q": self.tau_offset, "theta": self.theta_offset}
         for i, key in enumerate(self.keys):
-            for kind, axis in key.elements:
-                out.setdefault(kind, []).append(self.q_offset[i] + axis)
-        return out
+            for law, part, place, side, _ in key.laws:
+                found.setdefault(law, []).append(Acted(i, places[part] + offsets[part][i] + place, side))
+        return {law: acted for law, acted in found.items() if acted}
+
+    def acted(self, law: Law) -> list[Acted]:
+        """Where a law acts, nowhere if it is not among them."""
+        return self.laws.get(law, [])
 
     @cached_property
-    def cranked(self) -> dict[int, str]:
-        """The joint coordinates, as their numbers, whose drives have a transmission, and of which kind it is."""
-        own = ((self.q_offset[i] + axis, key.drives[axis]) for i, key in enumerate(self.keys) for axis in key.cranked)
-        return {place: drive.transmission for place, drive in own}
+    def travels(self) -> dict[int, Travel]:
+        """The joint coordinates, as their numbers, whose drives have a transmission, and what it is."""
+        pairs = enumerate(self.keys)
+        return {self.tau_offset[i] + axis: travel for i, key in pairs for axis, travel in key.travels.items()}
+
+    def travel_numbers(self, p: Any) -> Iterator[tuple[int, int, Travel, list[float]]]:
+        """Of every transmission its link, its joint coordinate, what it is, and its numbers out of the parameters."""
+        for i, key in enumerate(self.keys):
+            for axis, travel in key.travels.items():
+                places = (self.parameter_labels[i][f"drive_{name}_{axis + 1}"] for name in travel.KEYS)
+                yield i, self.tau_offset[i] + axis, travel, [float(p[place]) for place in places]
 
     @property
-    def pushed(self) -> list[int]:
-        """Those that cylinders drive."""
-        return [place for place, kind in self.cranked.items() if kind == "cylinder"]
-
-    @property
-    def linked(self) -> list[int]:
-        """Those that cranks drive through four-bar linkages."""
-        return [place for place, kind in self.cranked.items() if kind != "cylinder"]
+    def travel_kinds(self) -> list[Travel]:
+        """One transmission of each kind that there is."""
+        there = {type(one) for one in self.travels.values()}
+        return [one for one in {type(one): one for one in TRAVELS}.values() if type(one) in there]
 
     @property
     def slides(self) -> bool:
@@ -241,46 +251,53 @@ class Coordinates:
     @cached_property
     def n_given(self) -> int:
         """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
-        return self.nv - self.base_v if self.sprung else self.n_modes
+        return self.nv - self.base_v if self.has_axis_forces else self.n_modes
 
-    def given(self, i: int) -> dict[str, slice]:
-        """The slices of these coordinates that hold ``eta`` and, if the robot is sprung, ``q`` and ``theta`` of a link.
+    def own_spans(self, i: int) -> dict[str | Law, slice]:
+        """The slices of these coordinates that hold ``eta`` and, where axes have forces, ``q`` and ``theta`` of a link.
 
-        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``gear``: of
-        those, behind them, that couple rotors and joints; ``dry``: the link's part of the axes with dry friction;
-        ``stop``: of the stops; ``element_spring``: of the elements of a kind.
+        ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``between``: of
+        those, behind them, that couple added coordinates and joints. By each law: the link's part of where it acts.
         """
         before, key = self.n_given - self.n_modes, self.keys[i]
         part = lambda first, offsets: slice(*(first + e for e in offsets[i : i + 2]))  # noqa: E731
-        parts = {"eta": part(before, self.eta_offset)}
+        parts: dict[str | Law, slice] = {"eta": part(before, self.eta_offset)}
         if key.coupled:
             parts["below"] = part(self.n_given, self.below_offset)
-        if key.sprung:
-            parts["q"] = part(0, self.q_offset)
-        if key.motors:
-            parts["theta"] = part(before - self.n_motors, self.theta_offset)
-            parts["gear"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
-        laws = {"dry": (key.rubbed, self.dry_offset), "stop": (key.stops, self.stop_offset)}
-        parts |= {name: part(0, offsets) for name, (there, offsets) in laws.items() if there}
-        for kind in dict.fromkeys(kind for kind, _ in key.elements):
-            before = sum(len(other.axes_with(kind)) for other in self.keys[:i])
-            parts[f"{PREFIX}{kind.KIND}"] = slice(before, before + len(key.axes_with(kind)))
+        if key.has_axis_forces:
+            parts["q"] = part(0, self.tau_offset)
+        if key.added_axes:
+            parts["theta"] = part(before - self.n_added, self.theta_offset)
+            parts["between"] = part(self.n_given + self.below_offset[-1], self.theta_offset)
+        for law in dict.fromkeys(one.law for one in key.laws):
+            links = [acted.link for acted in self.laws[law]]
+            parts[law] = slice(links.index(i), links.index(i) + links.count(i))
         return parts
 
     @cached_property
     def coupled(self) -> list[tuple[int, int]]:
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
-        first = [self.given(i)["eta"].start for i in range(self.n)]
+        first = [self.own_spans(i)["eta"].start for i in range(self.n)]
         modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
-        rotors = self.n_given - self.n_inner
-        return modes + [(rotors + k, joint) for k, joint in enumerate(self.geared)]
+        first_added = self.n_given - self.n_inner
+        return modes + [(first_added + k, joint) for k, joint in enumerate(self.added_joints)]
+
+    @cached_property
+    def springs(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Every spring and damper of these coordinates: on which it acts, whose motion it feels, its entry among
+        ``n_inertia``. One between two coordinates is there twice."""
+        pairs = [
+            (row, column, k) for k, (i, j) in enumerate(self.coupled, self.n_given) for row, column in ((i, j), (j, i))
+        ]
+        table = np.array([*((k, k, k) for k in range(self.n_given)), *pairs], int).reshape(-1, 3)
+        return table[:, 0], table[:, 1], table[:, 2]
 
     @property
     def n_inertia(self) -> int:
         """The number of entries of their inertia, stiffness or damping: the diagonal, then those below it."""
-        return self.n_given + self.below_offset[-1] + self.n_motors
+        return self.n_given + self.below_offset[-1] + self.n_added
 
-    def modal_product(self, A, x):
+    def modal_product(self, A: Any, x: Any) -> Any:
         """A symmetric matrix of these coordinates, by its entries (n_inertia, ...), times ``x`` (n_given, ...)."""
         out = A[: self.n_given] * x
         for k, (i, j) in enumerate(self.coupled, self.n_given):
@@ -291,22 +308,16 @@ class Coordinates:
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
         """``[joint coordinates; rotors; modal coordinates]`` as one mapping per link.
 
-        The first has those of a floating base. ``joint`` and ``modal`` are the names of their signals, ``joint`` one of
-        ``FREE``.
+        ``joint`` and ``modal`` are the names of their signals, ``joint`` one of ``ROTOR``.
         """
-        parts, count = {}, 0
-        for name, size in FREE[joint].items() if self.floating else ():
-            parts[name], count = list(q[count : count + size]), count + size
         m, es, ts = len(q) - self.n_modes, self.eta_offset, self.theta_offset
-        qs, t = [count + k for k in self.q_offset], m - self.n_motors
+        qs, t = self.q_offset if joint == "q" else self.v_offset, m - self.n_added
         links = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
-        for i, link in enumerate(links) if self.n_motors else ():
-            link[ROTOR[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
-        links[0] |= parts
+        for i, link in enumerate(links) if self.n_added else ():
+            link[ADDED[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
         return links
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
         """The inverse of :meth:`split`."""
-        free = [x for name in FREE[joint] for x in links[0][name]] if self.floating else []
-        parts = [joint, *([ROTOR[joint]] if self.n_motors else []), modal]
-        return free + [x for part in parts for link in links for x in link.get(part, ())]
+        parts = [joint, *([ADDED[joint]] if self.n_added else []), modal]
+        return [x for part in parts for link in links for x in link.get(part, ())]

@@ -92,5 +92,6 @@ def closures(robot: Robot, junctions: Sequence[Junction]) -> tuple[Closure, ...]
         Closure(j.loop, j.first, j.second, row, coupling.stabilisation, j.name)
         for j, coupling in zip(junctions[len(robot.loops) :], robot.couplings, strict=True)
         for row in j.demands
+        if isinstance(row, Ratio)
     )
     return (*loops, *couplings)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..spec.axis_laws import element_label
 from ..spec.parameters import Parameter, parameters
 from ..spec.robot import Robot
 
@@ -20,13 +21,12 @@ def label(parameter: Parameter) -> str:
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
         case "joint.damping" | "joint.stiffness":
             return f"{parameter.field.replace('.', '_')}_{index[0] + 1}"
-        case field if field.startswith("joint.drives."):
-            return f"drive_{field.rpartition('.')[2]}_{index[0] + 1}"
-        case field if field.startswith("joint.limits."):
-            return f"limit_{field.rpartition('.')[2]}_{index[0] + 1}"
         case field if field.startswith("joint.elements."):
             kind, key = field.split(".")[2:]
             return element_label(kind, key, index[0])
+        case field if field.startswith("joint."):
+            table, *_, key = field.split(".")[1:]
+            return f"{table.removesuffix('s')}_{key}_{index[0] + 1}"
         case "bodies.mass":
             return f"body{index[0]}_mass"
         case "bodies.com":
@@ -36,11 +36,6 @@ def label(parameter: Parameter) -> str:
         case field if field.startswith("section."):
             return f"{field.replace('.', '_')}_{index[0] + 1}"
     return parameter.field
-
-
-def element_label(kind: str, name: str, axis: int) -> str:
-    """The label of a key of an element of an axis."""
-    return f"axis_{kind}_{name}_{axis + 1}"
 
 
 def _component(parameter: Parameter) -> str:

@@ -24,7 +24,7 @@ class Tree:
     carried_at: tuple[int, ...] = ()
     stations: tuple[int, ...] = ()
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if any(not BASE <= parent < i for i, parent in enumerate(self.parents)):
             raise ValueError(f"parents {self.parents}: a link must come after the one that carries it")
 

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..model import Model
-from ..plotting.stage import Polygons, Stage, rgb
+from ..plotting.canvas import Canvas, Polygons, rgb
 from ..simulation.runs import Run
 from ..spec.load import one_line
 from .meshes import Looks, placed
@@ -78,8 +78,7 @@ class Actor:
     def at(self, times: np.ndarray) -> np.ndarray:
         """The coordinates (N, nq) at some times, on straight lines between samples."""
         q = np.column_stack([np.interp(times, self.run.t, x) for x in self.run.q.T])
-        if self.model.chain.base_q:
-            q[:, 3:7] /= np.linalg.norm(q[:, 3:7], axis=1, keepdims=True)
+        q = np.array([self.model.chain.unit(x) for x in q]).reshape(q.shape)
         q[:, self.model.chain.eta_q :] *= self.magnified
         return q
 
@@ -127,21 +126,21 @@ class Film:
 
     def _prepare(self, runs: Sequence[tuple[Run, Model, str]], magnified: float) -> None:
         """The picture, with what does not move."""
-        self.stage = Stage(self.size, PAPER)
+        self.canvas = Canvas(self.size, PAPER)
         cell = self._floor()
-        self.shadow = self.stage.polygons(1, SHADOW)
+        self.shadow = self.canvas.polygons(1, SHADOW)
         style = dict(color=INK, linewidth=1.4)
         flat = [self.camera.project(path) for path in self.paths]
         for path in flat:
-            self.stage.line(path, alpha=0.4, **style)
-        self.trails = [self.stage.line(path, alpha=0.45 if k else 0.95, **style) for k, path in enumerate(flat)]
-        self.bodies = [self.stage.polygons(4 - k) for k in range(len(self.actors))]
+            self.canvas.line(path, alpha=0.4, **style)
+        self.trails = [self.canvas.line(path, alpha=0.45 if k else 0.95, **style) for k, path in enumerate(flat)]
+        self.bodies = [self.canvas.polygons(4 - k) for k in range(len(self.actors))]
         labels = " · ghost: ".join(one_line(label) for *_, label in runs)
         notes = [f"a cell of the floor is {cell:g} m"] + [f"bending × {magnified:g}"] * (magnified != 1)
-        self.stage.write(14, 12, one_line(runs[0][1].robot.name), INK, size=12, weight="bold")
-        self.stage.write(14, 33, labels, SOFT)
-        self.stage.write(14, -10, " · ".join(notes), SOFT)
-        self.clock = self.stage.write(-14, 12, "", INK, size=12)
+        self.canvas.write(14, 12, one_line(runs[0][1].robot.name), INK, size=12, weight="bold")
+        self.canvas.write(14, 33, labels, SOFT)
+        self.canvas.write(14, -10, " · ".join(notes), SOFT)
+        self.clock = self.canvas.write(-14, 12, "", INK, size=12)
 
     def _floor(self) -> float:
         """Lines on the floor, which fade away; the distance between them, m."""
@@ -161,7 +160,7 @@ class Film:
         places = np.dstack([steps * cell + middle, np.full(steps.shape[:2], self.ground)])
         share = np.clip(1 - (np.linalg.norm(steps.mean(axis=1), axis=1) / count) ** 1.6, 0.0, 1.0)[:, None]
         colors = share * rgb(GRID) + (1 - share) * rgb(PAPER)
-        self.stage.lines(self.camera.flat(places)[0], colors, 0.9)
+        self.canvas.lines(self.camera.flat(places)[0], colors, 0.9)
         return cell
 
     def picture(self, time: float) -> np.ndarray:
@@ -175,7 +174,7 @@ class Film:
             gone = np.append(path[self.times < time], [_between(self.times, path, time)], axis=0)
             done.set_data(*self.camera.project(gone).T)
         self.clock.set_text(f"{time:.3f} s")
-        return self.stage.picture()
+        return self.canvas.picture()
 
     def shades(self) -> np.ndarray:
         """The colours of the run's solids in some lights, (N, 3) bytes."""

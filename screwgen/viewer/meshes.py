@@ -35,7 +35,7 @@ LONGEST = 0.08
 MOST_TRIANGLES = 3_000_000
 
 
-class Part(NamedTuple):
+class ColouredSurface(NamedTuple):
     """A surface in one colour in the frame of a link of the URDF: vertices (V, 3), m, and triangles (F, 3)."""
 
     link: str
@@ -50,7 +50,7 @@ class Looks:
 
     file: str
     urdf: Urdf
-    parts: list[Part] = field(default_factory=list)
+    parts: list[ColouredSurface] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     count: int = 0
     """How many visuals were read."""
@@ -72,7 +72,7 @@ def read_looks(path: str | os.PathLike[str]) -> Looks:
     for visual in visuals(looks.urdf):
         before = len(looks.parts)
         for points, triangles, color in _surfaces(trimesh, visual, os.fsdecode(path), looks.notes):
-            looks.parts.append(Part(visual.link, visual.at.p + points @ visual.at.R.T, triangles, color))
+            looks.parts.append(ColouredSurface(visual.link, visual.at.p + points @ visual.at.R.T, triangles, color))
         looks.count += len(looks.parts) > before
         if looks.triangles > MOST_TRIANGLES:
             raise UsageError(f"{file}: its visuals have more than {MOST_TRIANGLES} triangles; simplify the meshes")
@@ -81,7 +81,9 @@ def read_looks(path: str | os.PathLike[str]) -> Looks:
     return looks
 
 
-def _surfaces(trimesh, visual: Visual, file: str, notes: list[str]) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
+def _surfaces(
+    trimesh: Any, visual: Visual, file: str, notes: list[str]
+) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
     """The surfaces of a visual, cut along their creases, with their colours."""
     for mesh, color in _meshes(trimesh, visual, file, notes):
         plain = trimesh.Trimesh(mesh.vertices, mesh.faces)  # equal vertices are one, whatever their textures
@@ -93,7 +95,7 @@ def _surfaces(trimesh, visual: Visual, file: str, notes: list[str]) -> Iterator[
         yield points, triangles.reshape(-1, 3), visual.color or color
 
 
-def _meshes(trimesh, visual: Visual, file: str, notes: list[str]) -> list[tuple[Any, str]]:
+def _meshes(trimesh: Any, visual: Visual, file: str, notes: list[str]) -> list[tuple[Any, str]]:
     shape = visual.shape
     if shape.tag != "mesh":
         make, keys = {
@@ -143,7 +145,7 @@ def _where(name: str) -> str:
     return f"; set ROS_PACKAGE_PATH to the folder that holds the folder '{package}'"
 
 
-def _color(mesh) -> str:
+def _color(mesh: Any) -> str:
     """The colour that a mesh brings along."""
     material = getattr(mesh.visual, "material", None)
     if material is None and not mesh.visual.defined:
@@ -218,7 +220,7 @@ def _cut(points: np.ndarray, triangles: np.ndarray, longest: float, shown: str) 
 
 
 def _segments(
-    points, triangles, model: Model, link: int, scene: dict, poses: tuple
+    points: np.ndarray, triangles: np.ndarray, model: Model, link: int, scene: dict, poses: tuple
 ) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
     """The points and triangles of each segment of a link, by where along it the triangles' middles are."""
     first, last = model.chain.firsts[link], model.chain.lasts[link]

@@ -7,14 +7,16 @@ the model's own poses at zero coordinates, with the parameters of the run.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..model import Model
+from ..spec.link_class import LinkClass
 from ..spec.robot import Body, Link
+from ..spec.segments import Segment
 from .pack import floats
 from .shapes import sections
 
@@ -42,7 +44,6 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
         own, parent, reach = robot.links[segment.link], chain.tree.parents[i], tips[i] - bases[i]
         places = _places(key, own.pieces)
         table = sections(key, float(np.linalg.norm(reach)) or 1.0, places)
-        joint = own.joint if segment.first and not key.free else None
         at, carried = _carried(model, i)
         mount = _between(carried, (R, r), i, parent, R_tip, r_tip, tips, np.array(bases))
         links.append(
@@ -52,12 +53,10 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
                 "parent": parent,
                 "place": at,
                 "mount": mount,
-                "free": bool(key.free),
-                "joint": chain.base_q + chain.q_offset[i],
-                "force": chain.q_offset[i],
-                "screws": [
-                    {"axis": s.axis, "turn": s.turn, "travel": s.travel} for s in (joint.screws if joint else ())
-                ],
+                "moves": key.joint.name,
+                "joint": chain.q_offset[i],
+                "force": chain.tau_offset[i],
+                "screws": [{"axis": s.axis, "turn": s.turn, "travel": s.travel} for s in key.screws],
                 "welded": not segment.first or segment.marker is not None,
                 "eta": chain.eta_q + chain.eta_offset[i],
                 "modes": key.modes,
@@ -76,7 +75,7 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
     return {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "links": links}
 
 
-def _places(key, pieces: int) -> np.ndarray:
+def _places(key: LinkClass, pieces: int) -> np.ndarray:
     """Where along a link or segment its sections are known: evenly, and where it carries others; the tip is last."""
     count = max(ROWS // pieces, 5) if key.modes else 2
     return np.unique([*np.linspace(0.0, 1.0, count), *key.stations_at])
@@ -93,7 +92,16 @@ def _carried(model: Model, i: int) -> tuple[int, float]:
     return int(np.argmin(np.abs(places - s))), s
 
 
-def _between(carried, frames, i: int, parent: int, R_tip, r_tip, tips, bases) -> dict[str, list[float]]:
+def _between(
+    carried: float,
+    frames: tuple[np.ndarray, np.ndarray],
+    i: int,
+    parent: int,
+    R_tip: np.ndarray,
+    r_tip: np.ndarray,
+    tips: np.ndarray,
+    bases: np.ndarray,
+) -> dict[str, list[float]]:
     """The pose of a link's joint point, with its joint at zero, in the section that carries it."""
     R, r = frames
     if parent < 0:
@@ -105,13 +113,13 @@ def _between(carried, frames, i: int, parent: int, R_tip, r_tip, tips, bases) ->
     return {"at": (Rp.T @ (r[i] + R[i] @ bases[i] - rp)).tolist(), "turn": _quaternion(Rp.T @ R[i])}
 
 
-def _base(segment, link: Link, values: dict[str, float]) -> tuple[float, float, float]:
+def _base(segment: Segment, link: Link, values: dict[str, float]) -> tuple[float, float, float]:
     """The base of a link's centreline in F_i, m."""
     first = segment.number == 0 and segment.marker is None
     return (-values.get(f"{link.name}.frame_at", 0.0) if first else 0.0, 0.0, 0.0)
 
 
-def _size(parents, tips: np.ndarray, bases: np.ndarray, r: np.ndarray) -> float:
+def _size(parents: Sequence[int], tips: np.ndarray, bases: np.ndarray, r: np.ndarray) -> float:
     """The reach of the longest branch from the world, m, or how far the frames are apart."""
     reach: list[float] = []
     for i, parent in enumerate(parents):
@@ -134,7 +142,7 @@ def _radius(link: Link, values: dict[str, float], size: float) -> float:
     return float(np.clip(radius, SLENDER * size, STOUT * size))
 
 
-def _bodies(link: Link, segment) -> Iterator[dict[str, Any]]:
+def _bodies(link: Link, segment: Segment) -> Iterator[dict[str, Any]]:
     """The rigid bodies on a segment: where, and a sphere or the box of the same inertia."""
     for body in link.bodies:
         here = segment.first if body.at == "base" else segment.last

@@ -65,7 +65,7 @@ def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:
         turn = _along(link["screws"][0 if slide else -1]["axis"])
         shape = _box(np.array([3.0, 2.2, 2.2]) * radius) if slide else _ring(radius, radius, 3.2 * radius)
         yield _hull(base + shape @ turn.T, DARK_METAL)
-    if link["parent"] < 0 and not link["free"]:
+    if link["parent"] < 0 and link["moves"] != "free":
         radius, up = 0.035 * size, -np.array(scene["gravity"])
         turn = _along(up if up.any() else np.array([0.0, 0.0, 1.0]))
         cone = _ring(1.25 * radius, 0.8 * radius, 0.9 * radius) - [0.45 * radius + 1.2 * thin, 0, 0]

@@ -101,14 +101,14 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         arrays: dict[str, Any] = {name: stored.numbers(name) for name in ARRAYS if name in stored or name in NEEDED}
         names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
         text = "".join(stored.texts("robot")) if "robot" in stored else None
-        parameters = stored.numbers("parameters") if "parameters" in stored else None
+        more: dict[str, Any] = {name: stored.numbers(name) for name in ("parameters", "w_ext") if name in stored}
     if robot is None and text is not None:
         try:
             robot = loads(text, shown, os.path.dirname(os.fspath(path)))
         except RobotFileError as error:
             raise UsageError(f"{error}; name the robot's file by --robot") from None
     name = robot.name if robot is not None else ""
-    return Run(name, **arrays, **names, robot=robot, parameters=parameters)
+    return Run.of(name, arrays, **names, robot=robot, **more)
 
 
 def view_modes(model: Model, q: np.ndarray, found: ModeShapes) -> View:

@@ -148,7 +148,7 @@ class Robot {
     [this.scene, this.palette, this.ghost, this.group, this.paints] = [scene, palette, ghost, new THREE.Group(), []];
     this.thin = Math.max(0.006 * scene.size, Math.min(...scene.links.map((x) => x.radius || Infinity)));
     this.parts = scene.links.map((link) => this.part(link));
-    this.feet = scene.links.filter((x) => x.parent < 0 && !x.free).map((link) => this.foot(link));
+    this.feet = scene.links.filter((x) => x.parent < 0 && x.moves !== "free").map((link) => this.foot(link));
     [this.plain, this.worn] = [new Set(), new Set()]; // what meshes stand for, and the parts that have some
     this.skins = (scene.meshes || []).map((mesh) => this.skin(mesh));
     this.repaint();

@@ -95,7 +95,9 @@ function poses(scene, q, magnified = 1) {
     const from = parent ? behind(parent.frame, carrier) : ORIGIN;
     const joint = behind(from, pose(link.mount.at, link.mount.turn));
     let frame = joint;
-    if (link.free) frame = pose([q[0], q[1], q[2]], unit([q[4], q[5], q[6], q[3]]));
+    const turned_by = (k) => unit([q[k + 1], q[k + 2], q[k + 3], q[k]]);
+    if (link.moves === "free") frame = pose(q.slice(link.joint, link.joint + 3), turned_by(link.joint + 3));
+    if (link.moves === "ball") frame = behind(joint, pose(ORIGIN.at, turned_by(link.joint)));
     const axes = [];
     link.screws.forEach((screw, k) => {
       const x = q[link.joint + k];
@@ -103,7 +105,7 @@ function poses(scene, q, magnified = 1) {
       const turn = screw.turn ? exponential(times(x, screw.axis)) : ORIGIN.turn;
       frame = behind(frame, pose(times(screw.travel * x, screw.axis), turn));
     });
-    if (!link.free) frame = behind(frame, pose(times(-1, link.base), ORIGIN.turn));
+    if (link.moves !== "free") frame = behind(frame, pose(times(-1, link.base), ORIGIN.turn));
     const coordinates = modal(link, q, magnified);
     const tip = behind(frame, section(link, link.rows - 1, coordinates));
     out.push({ frame, coordinates, joint, axes, tip });

@@ -7,7 +7,7 @@ from helpers import model_of
 from mpmath import mpf
 
 from screwgen import natural_frequencies
-from screwgen.bases.functions import polynomial_form
+from screwgen.bases.closed_form import polynomial_form
 from screwgen.bases.shapes import Family, Shapes, tabulate, working_digits
 
 

@@ -19,7 +19,7 @@ class Buffer(AxisElement):
 
     KIND = "buffer"
     WORDS = "rubber buffers"
-    FORMULA = r"k\\,d^2 + c\\,d\\,\\dot q"
+    FORMULA = r"k\,d^2 + c\,d\,\dot q"
 
     stiffness: float = key("N·m/rad²", "N/m²", "stiffness of the buffer", "k", sign="positive")
     damping: float = key("N·m·s/rad²", "N·s/m²", "damping of the buffer", "c", sign="non-negative")
@@ -40,11 +40,11 @@ BUFFER = Buffer(stiffness=900.0, damping=30.0, at=0.2)
 SOFT = {"modes": {"bending_y": 1, "bending_z": 1}, "section": {"EIy": 300.0, "EIz": 200.0}}
 
 
-def dressed(element=BUFFER, floating=False):
+def dressed(element=BUFFER):
     """A link of two axes and one that slides; the element on the second axis and on the slide."""
     first = link("upper", 0.7, ("z", "y"), joint={"elements": [{}, element], "damping": [0.3, 0.2]}, **SOFT)
     slide = link("fore", 0.4, [{"slide": "x"}], joint={"elements": element, "drives": {"rotor_inertia": 0.1}}, **SOFT)
-    return model_of(arm(first, slide, gravity=(0.0, 0.0, -2.0), **({"base": "free"} if floating else {})))
+    return model_of(arm(first, slide, gravity=(0.0, 0.0, -2.0)))
 
 
 def state(model):

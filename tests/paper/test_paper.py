@@ -6,11 +6,11 @@ import pytest
 import screwgen
 from screwgen.algebra.expression import Negative, Sum, add
 from screwgen.algebra.rewrite import substitute
-from screwgen.paper.equation import SEEDS, TOLERANCE, Relation, Standing
+from screwgen.paper.equation import SEEDS, TOLERANCE, Equality, Standing
 from screwgen.paper.erratum import WRONG
 from screwgen.paper.evaluate import evaluate
-from screwgen.paper.motion import instant
 from screwgen.paper.quantities import QUANTITIES
+from screwgen.paper.random_motion import instant
 from screwgen.paper.register import SECTIONS, equations, errata
 
 LABELS = """
@@ -28,7 +28,7 @@ B1 B2 B3
 """Every label of the paper's displayed equations."""
 
 ALL = equations()
-JUDGED = [e for e in ALL if all(isinstance(s, Relation) for s in (*e.printed, *e.derived)) and not e.judge]
+JUDGED = [e for e in ALL if all(isinstance(s, Equality) for s in (*e.printed, *e.derived)) and not e.judge]
 ids = lambda e: getattr(e, "label", None) or e.number  # noqa: E731
 
 
@@ -82,7 +82,7 @@ def test_the_judge_sees_a_wrong_sign(e):
         s = s.read(e.reading).read(e.where)
         for wrong in flipped(s.right):
             if np.abs(evaluate(s.right, motion) - evaluate(wrong, motion)).max() > 1e-9:
-                assert Relation(s.left, wrong).misfit(motion) > 1e-4
+                assert Equality(s.left, wrong).misfit(motion) > 1e-4
 
 
 def flipped(e):

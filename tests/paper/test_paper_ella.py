@@ -11,7 +11,7 @@ from screwgen.paper.ella_judges import euler_growth, loop_work, root, symplectic
 from screwgen.paper.equation import TOLERANCE
 from screwgen.paper.errata_ella import arm
 from screwgen.paper.frame_elements import ELEMENTS, Bar, arm_bars, arm_frequencies, frequencies
-from screwgen.paper.motion import Motion
+from screwgen.paper.random_motion import RandomMotion
 
 CLAMPED_FREE = [1.8751040687119611, 4.694091132974175, 7.854757438237613]
 WITH_TIP_MASS = {1.0: [1.557298, 16.250085], 0.1: [2.967838, 19.355801]}
@@ -67,7 +67,7 @@ def test_the_locked_arm_is_the_arm_in_the_posture_of_the_set_points():
 
 @pytest.mark.parametrize("seed", [1, 2, 3, 4, 5])
 def test_the_completed_system_gives_the_motion_and_the_printed_one_does_not(seed):
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     M = motion.values["M_sys:all"]
     assert np.linalg.matrix_rank(M, tol=1e-9 * np.linalg.norm(M)) == len(M) - 4  # two links, two axes each
     printed, completed = solution_misfits(motion.values, motion.links)
@@ -76,7 +76,7 @@ def test_the_completed_system_gives_the_motion_and_the_printed_one_does_not(seed
 
 @pytest.mark.parametrize("name", ["Zdot_star", "etaddot_star", "etadot", "Z"])
 def test_a_wrong_rate_shows_in_a_step(name):
-    motion = Motion(2)
+    motion = RandomMotion(2)
     assert step_defects(motion.values, motion.links)[1] <= TOLERANCE
     wrong = motion.values[f"{name}:all"].copy()
     wrong[0] *= 1.01
@@ -86,7 +86,7 @@ def test_a_wrong_rate_shows_in_a_step(name):
 
 def test_rates_by_extrapolation():
     assert abs(rate(np.sin) - 1) < 1e-13
-    states = measured_states(Motion(1).links)
+    states = measured_states(RandomMotion(1).links)
     assert states.shape == (2 * 24, 1)
 
 

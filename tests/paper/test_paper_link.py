@@ -7,13 +7,13 @@ from numpy.polynomial.legendre import leggauss
 
 from screwgen.algebra.expression import Negative, Sum, add
 from screwgen.paper.beam_at_rest import BeamAtRest
-from screwgen.paper.equation import SEEDS, TOLERANCE, Relation
+from screwgen.paper.equation import SEEDS, TOLERANCE, Equality
 from screwgen.paper.erratum import WRONG
 from screwgen.paper.evaluate import evaluate
 from screwgen.paper.jets import Jet, constant, turn
 from screwgen.paper.link import DEFORMATION, DERIVED_D, DERIVED_H_STAR, M_STAR, L
 from screwgen.paper.link_ends import DERIVED_H, ENDS, SECTIONS
-from screwgen.paper.motion import Motion
+from screwgen.paper.random_motion import RandomMotion
 from screwgen.paper.single_link import RHO_A, TO_MASS_CENTRE, SingleLink, shaped
 
 every_seed = pytest.mark.parametrize("seed", SEEDS)
@@ -76,13 +76,13 @@ def test_the_beam_at_rest_sees_a_wrong_sign(e):
         assert wrong.misfit(beam) > WRONG
 
 
-def flipped(line: Relation):
+def flipped(line: Equality):
     for side in ("left", "right"):
         e = getattr(line, side)
         terms = e.terms if isinstance(e, Sum) else (e,)
         for k in range(len(terms)):
             changed = add(*(Negative(t) if i == k else t for i, t in enumerate(terms)))
-            yield Relation(changed, line.right) if side == "left" else Relation(line.left, changed)
+            yield Equality(changed, line.right) if side == "left" else Equality(line.left, changed)
 
 
 def test_the_derived_wrench_of_a_flying_link_is_nothing():
@@ -123,7 +123,7 @@ def test_the_momentum_of_a_single_link_changes_by_its_wrench():
 @every_seed
 def test_the_shapes_of_the_judge_carry_momentum(seed):
     """Else no motion would tell whether the deformation's inertia is in a formula."""
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     phi, w = motion.values["phi:i"], motion.weights["i"]
     moments = [np.tensordot(w, motion.values["xi:i"] ** k * phi, 1) for k in (0, 1)]
     assert all((np.abs(m).sum(0) > 1e-2).any() for m in moments)

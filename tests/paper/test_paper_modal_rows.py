@@ -7,9 +7,9 @@ import pytest
 
 from screwgen.paper.function_spaces import Cubic
 from screwgen.paper.jets import Jet, skew
-from screwgen.paper.modal_rows import Accelerated, Rows, coordinate_rates, potential, section_twist, stress
-from screwgen.paper.motion import Motion
+from screwgen.paper.modal_rows import Accelerated, ModalRows, coordinate_rates, potential, section_twist, stress
 from screwgen.paper.moving_link import exponential_coordinates
+from screwgen.paper.random_motion import RandomMotion
 
 SEEDS = (4, 5)
 
@@ -20,7 +20,7 @@ def close(a, b, within=1e-11):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_link_with_its_own_accelerations_is_the_link(seed):
-    for link in Motion(seed).links:
+    for link in RandomMotion(seed).links:
         again = Accelerated(link, link.values["Zdot"], link.eta.second).values
         for name in ("dd_r_ob", "Vdot", "dV_B", "dV_T", "total", "D_star", "Vdot_xi_c"):
             close(again[name], link.values[name])
@@ -29,7 +29,7 @@ def test_a_link_with_its_own_accelerations_is_the_link(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_inertia_is_the_second_derivative_of_the_kinetic_energy(seed):
     """In the velocities V and etadot, whose rates the columns belong to once they are taken from Z to V."""
-    link = Motion(seed).links[0]
+    link = RandomMotion(seed).links[0]
     v = link.values
     N = np.concatenate([-skew(v["r_ib"]), np.broadcast_to(np.eye(3), (len(link.xi), 3, 3)), v["phi"]], -1)
     hessian = link.rhoA * link.sum(np.swapaxes(N, -1, -2) @ N)
@@ -41,15 +41,15 @@ def test_inertia_is_the_second_derivative_of_the_kinetic_energy(seed):
 
 
 def test_rows_are_affine():
-    motion = Motion(4)
-    rows, random = Rows(motion.links), np.random.default_rng(0)
+    motion = RandomMotion(4)
+    rows, random = ModalRows(motion.links), np.random.default_rng(0)
     x = random.normal(size=(36, 1))
     close(rows(x)[0], motion.values["M_sys:all"] @ x + motion.values["H_sys:all"])
     close(rows(x)[1], (rows(2 * x)[1] + rows(0 * x)[1]) / 2)
 
 
 def test_stress_is_the_gradient_of_the_potential():
-    link = Motion(4).links[0]
+    link = RandomMotion(4).links[0]
     d = np.random.default_rng(0).normal(size=(6, 1))
     h = 1e-6
     rise = (potential(link, link.eta.value + h * d) - potential(link, link.eta.value - h * d)) / (2 * h)
@@ -59,7 +59,7 @@ def test_stress_is_the_gradient_of_the_potential():
 @pytest.mark.parametrize("end", ["a", "c"])
 def test_section_twist_moves_the_section_and_keeps_it_normal(end):
     """At small deflections: the twist carries the section's centre by phi, and its normal along the centreline."""
-    link = copy(Motion(4).links[0])
+    link = copy(RandomMotion(4).links[0])
     place = getattr(link, end)
     link.eta = Jet(*(0 * x for x in (link.eta.value, link.eta.rate, link.eta.second)))
     turn, velocity = np.split(section_twist(link, place), 2)
@@ -70,7 +70,7 @@ def test_section_twist_moves_the_section_and_keeps_it_normal(end):
 
 
 def test_coordinate_rates_are_those_of_a_turned_link():
-    link = Motion(4).links[1]
+    link = RandomMotion(4).links[1]
     R, omega, h = link.R.value, np.array([[0.3], [-0.8], [0.5]]), 1e-6
     turned = lambda t: exponential_coordinates(R @ (np.eye(3) + t * skew(omega)))  # noqa: E731
     rate = (turned(h) - turned(-h)) / (2 * h)

@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 from screwgen.paper.equation import SEEDS
 from screwgen.paper.evaluate import evaluate
 from screwgen.paper.jets import skew
-from screwgen.paper.motion import Motion
-from screwgen.paper.quantities import Link, indexed
+from screwgen.paper.quantities import LinkLetters, indexed
+from screwgen.paper.random_motion import RandomMotion
 from screwgen.paper.synthesis import BEFORE, EQUATIONS, L, joint_bias
 
 
@@ -73,7 +73,7 @@ def test_projectors_alone_leave_one_zero_singular_value_per_joint_axis(seed):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_adjoint_adds_the_lever_of_each_frame(seed):
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     v = motion.values
     lever = lambda k: skew(v[f"r_o:{k}"]) @ v[f"R:{k}"] @ v[f"omega:{k}"]  # noqa: E731
     gap = evaluate(equation("45").printed[0].left, motion)
@@ -84,7 +84,7 @@ def test_the_adjoint_adds_the_lever_of_each_frame(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("which", ["printed", "derived"])
 def test_the_projector_leaves_the_bias_as_it_is(seed, which):
-    motion = Motion(seed)
+    motion = RandomMotion(seed)
     H_p = evaluate(getattr(equation("accconst5"), which)[0].right, motion)
     assert np.abs(H_p).max() > 0.1
     assert np.allclose(motion.values["P:i"] @ H_p, H_p, rtol=0, atol=1e-12 * np.abs(H_p).max())
@@ -92,7 +92,7 @@ def test_the_projector_leaves_the_bias_as_it_is(seed, which):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_bias_of_the_first_joint_has_no_link_before(seed):
-    one, motion = Link("1"), Motion(seed)
+    one, motion = LinkLetters("1"), RandomMotion(seed)
     assert np.allclose(evaluate(joint_bias(one), motion), motion.values["H_p:1"], atol=1e-11)
 
 

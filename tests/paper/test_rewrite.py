@@ -7,12 +7,12 @@ from screwgen.algebra.expression import Inverse, Negative, Product, Sum, block, 
 from screwgen.algebra.rewrite import difference, expand, rebuild, substitute, symbols
 from screwgen.paper.equation import rank
 from screwgen.paper.evaluate import evaluate
-from screwgen.paper.motion import Motion
 from screwgen.paper.plain import WIDTH, boxed, letters, plain, relation, shown
-from screwgen.paper.quantities import Link
+from screwgen.paper.quantities import LinkLetters
+from screwgen.paper.random_motion import RandomMotion
 
-L = Link("i")
-MOTION = Motion(1)
+L = LinkLetters("i")
+MOTION = RandomMotion(1)
 VECTORS = [L.omega, L.v, L.r, L.omegadot, L.rdot]
 FIELDS = [L.r_b, L.r_xi, L.rdot_xi]
 

@@ -7,6 +7,7 @@ from ...ir.program import Node, Program
 from ...ir.split import KEPT
 from ...topology.chain import Chain
 from .code import ATOM, Place, Writer
+from .curved import lanes, turns
 from .pieces import bodies, piece_place
 
 FILES = ("lanes.h", "batch.h", "batch.c")
@@ -19,10 +20,14 @@ LONGEST = 6000
 """A program of more operations is cut into several C functions."""
 
 
-class LaneWriter(Writer):
-    """A program over lanes: guards are collected, sine and cosine of an angle come from one call."""
+class FunctionOfLanes(Writer):
+    """A program over lanes as a function of its own."""
 
     paired, prefix = False, "$_lanes"
+
+
+class LaneWriter(FunctionOfLanes):
+    """A program over lanes: guards are collected, sine and cosine of an angle come from one call."""
 
     def _guard(self, node: Node, text: str) -> str:
         return f"bad = {self.prefix}_blame(bad, {text}, {self._guards[node.id]});"
@@ -50,13 +55,17 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
     placed = piece_place(chain, KEPT, {"m_eta": lambda k: f"work->m_eta[{k}]"}, place)
     found = bodies(lambda piece: LaneWriter(piece, placed, None, {*pointers, "bad"}, True), program, pointers, LONGEST)
     angles = sorted({angle for node in program.nodes if (angle := _angle(node)) is not None})
-    return found | {"angles": angles, "stack": _stack(chain, constants, states, found["kept"])}
+    return (
+        found
+        | {"angles": angles, "stack": _stack(chain, constants, states, found["kept"])}
+        | {"moves_of": lanes(chain, FunctionOfLanes)}
+    )
 
 
 def _stack(chain: Chain, constants: int, states: int, kept: int) -> int:
     """The size in bytes of a group of scenarios, for the widest lanes."""
     given, inertia = max(chain.n_given, 1), max(chain.n_inertia, 1)
-    state, joints = max(chain.nq, 1) + max(chain.nv, 1) + chain.base_v, max(chain.base_q + chain.n_tau, 1)
+    state, joints = max(chain.nq, 1) + max(chain.nv, 1) + turns(chain), max(chain.q_offset[-1], 1)
     group = 3 + chain.n * constants + 4 * inertia + given + states * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints)
 

@@ -76,7 +76,7 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     larger = any(float(more[name]) > float(tolerance[name]) for name in USUAL)
     lost = percent(needed["single"]) if needed["single"] > LOOSEST else ""
     extent = max((x for state in states for x in state.case["extent"]), default=1.0)
-    found = {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost}
+    found: dict[str, object] = {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost}
     return found | {"extent": repr(float(f"{extent:.6g}"))}
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from itertools import count
 from typing import ClassVar
 
-from ...ir.program import Node, Program, live
+from ...ir.program import Node, Program, Value, live
 from ...ir.replay import BINARY
 from ...ir.signs import signed
 
@@ -114,7 +114,7 @@ class Writer:
         outer = {c: needs[c].union(*(needs[d] for d in needs if self.within.get(d) == c)) for c in needs}
         times = Counter(i for c, ids in outer.items() if self.within.get(c) not in needs for i in ids)
         common |= {i for i, count in times.items() if count > 1}
-        needs = {c: ids - needs.get(self.within.get(c), set()) - common for c, ids in needs.items()}
+        needs = {c: ids - needs.get(self.within.get(c, ""), set()) - common for c, ids in needs.items()}
         groups = {c: [n for n in p.nodes if n.id in needs[c]] for c in conditions}
         return [n for n in p.nodes if n.id in common], groups
 
@@ -228,15 +228,17 @@ class Writer:
         left, right = self._operand(node.args[0], own), self._operand(node.args[1], own + 1)
         return f"{left} {SYMBOL[node.op]} {right}", own
 
-    def _operand(self, value, precedence: int) -> str:
+    def _operand(self, value: Value, precedence: int) -> str:
         text, own = self._value(value)
         return f"({text})" if own < precedence else text
 
-    def _value(self, value) -> tuple[str, int]:
+    def _value(self, value: Value) -> tuple[str, int]:
         if not isinstance(value, Node):
             return literal(value), ATOM if value >= 0 else 3
         if value.op == "input":
-            return self.place(*value.args), ATOM
+            text = self.place(*value.args)
+            assert text is not None, f"{self.program.name} reads {value.args}"
+            return text, ATOM
         if value.op == "epsilon":
             return f"{self.prefix.replace('$', '$$').upper()}_REAL_EPSILON", ATOM
         return self._pending[value.id] if value.id in self._pending else (self._names[value.id], ATOM)
@@ -250,6 +252,18 @@ class Writer:
             placed, assign = ((self.place(name, k), v) for k, v in left), self._assign(name)
             out += [f"{place} {assign} {self._value(v)[0]};" for place, v in placed if place is not None]
         return ["", "/* outputs */", *out] if out else []
+
+
+def entries(array: str, *sizes: int) -> Callable[[int], str]:
+    """The C expressions of the entries of an array by their numbers, row by row; its ``sizes`` but for the first."""
+
+    def text(k: int) -> str:
+        places = ""
+        for size in reversed(sizes):
+            k, places = k // size, f"[{k % size}]{places}"
+        return f"{array}[{k}]{places}"
+
+    return text
 
 
 def trimmed(lines: list[str]) -> list[str]:

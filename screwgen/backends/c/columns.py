@@ -42,10 +42,10 @@ def folded(text: str) -> str:
             out += _code(line)
         else:
             *whole, rest = _comment(line)
-            goes_on = inside and rest[-1] not in ".:" and (ahead := CONTINUED.match(lines[number + 1]))
-            if goes_on:
+            ahead = CONTINUED.match(lines[number + 1]) if inside and rest[-1] not in ".:" else None
+            if ahead:
                 lines[number + 1] = f"{rest} {lines[number + 1][ahead.end() :]}"
-            out += whole if goes_on else [*whole, rest]
+            out += whole if ahead else [*whole, rest]
     return "\n".join(out)
 
 

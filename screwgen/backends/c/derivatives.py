@@ -12,7 +12,7 @@ from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from . import step_derivatives
-from .code import Place, literal, singular
+from .code import Place, entries, literal, singular
 from .pieces import piece_place, pieces
 
 FILES = ("derivatives.h", "derivatives.c", "wrench_derivatives.c")
@@ -36,14 +36,14 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
     say_time(chain, "derivatives", program.operation_count)
     nv, rows = chain.nv, len(chain.closures)
     own = {
-        "vdot": lambda k: f"out->vdot[{k}]",
-        "m_eta": lambda k: f"work->m_eta[{k}]",
+        "vdot": entries("out->vdot"),
+        "m_eta": entries("work->m_eta"),
         "M": lambda k: "work->M[{}][{}]".format(*_triangle(k)),
-        "f_q": lambda k: f"out->vdot_q[{k // nv}][{k % nv}]",
-        "f_v": lambda k: f"out->vdot_v[{k // nv}][{k % nv}]",
+        "f_q": entries("out->vdot_q", nv),
+        "f_v": entries("out->vdot_v", nv),
     }
     of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
-    own |= {name: lambda k, to=to: f"work->{to}[{k // nv}][{k % nv}]" for name, to in of_rows.items()}
+    own |= {name: entries(f"work->{to}", nv) for name, to in of_rows.items()}
     placed = piece_place(chain, "work->kept", own, place)
     solve = (
         nv**3 // 3
@@ -57,7 +57,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "rows": rows,
         "sharing": _sharing() if chain.overconstrained else None,
         "closing": chain.closures[-1].second if rows else None,
-        "stumpff": chain.floating or bool(SLOPES_OF_STUMPFF & program.operations.keys()),
+        "stumpff": bool(chain.curved) or bool(SLOPES_OF_STUMPFF & program.operations.keys()),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
         "wrenches": _wrenches(chain, baked, place),
@@ -78,13 +78,12 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     product = 12 * chain.n * nv * (2 * nv + chain.n_tau)
     say_time(chain, "derivatives of wrenches", count)
     own = {
-        "vdot": lambda k: f"at->vdot[{k}]",
-        "wrench": lambda k: f"out->wrench[{k // 6}][{k % 6}]",
-        "wrench_vdot": lambda k: f"work->by_vdot[{k // nv}][{k % nv}]",
+        "vdot": entries("at->vdot"),
+        "wrench": entries("out->wrench", 6),
+        "wrench_vdot": entries("work->by_vdot", nv),
+        "wrench_q": entries("out->wrench_q", 6, nv),
+        "wrench_v": entries("out->wrench_v", 6, nv),
     }
-    for x in "qv":
-        name = f"wrench_{x}"
-        own[name] = lambda k, name=name: f"out->{name}[{k // (6 * nv)}][{k // nv % 6}][{k % nv}]"
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"))
     stumpff = bool(SLOPES_OF_STUMPFF & program.operations.keys())
@@ -109,6 +108,5 @@ def _triangle(k: int) -> tuple[int, int]:
 
 def _owners(chain: Chain) -> list[int]:
     """The link of every rate."""
-    parts = (lambda key: key.joints, lambda key: len(key.motors), lambda key: key.modes)
-    owners = [i for count in parts for i, key in enumerate(chain.keys) for _ in range(count(key))]
-    return [0] * chain.base_v + owners or [0]
+    parts = (lambda key: key.joints, lambda key: len(key.added_axes), lambda key: key.modes)
+    return [i for count in parts for i, key in enumerate(chain.keys) for _ in range(count(key))] or [0]

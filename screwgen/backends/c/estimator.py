@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from ...algorithms import fused
-from ...algorithms.gauges import gauges
+from ...algorithms.gauges import Gauge, gauges
 from ...algorithms.tip_acceleration import tip_acceleration
 from ...topology.chain import Chain
-from .code import Place, literal, singular
+from .code import Place, entries, literal, singular
 from .derivatives import say_time
 from .pieces import piece_place, pieces
 
@@ -20,12 +22,11 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     """The templates' context; ``place`` is that of the fused function."""
     program = tip_acceleration(chain, "baked" if baked else "constants")
     say_time(chain, "accelerations of the tip", program.operation_count)
-    plain = not (chain.closures or chain.floating)
-    own = {slope: lambda k, slope=slope: f"work->{slope}[{k % 3}][{k // 3}]" for slope in SLOPES}
-    own |= {"a": lambda k: f"work->a[{k}]", "vdot": lambda k: f"work->derivatives.vdot[{k}]"}
+    own = {slope: _by_columns(slope) for slope in SLOPES}
+    own |= {"a": entries("work->a"), "vdot": entries("work->derivatives.vdot")}
     return pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work")) | {
         "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
-        "per_prediction": (11 if plain else 17) * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
+        "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
         "per_entry": 6 * chain.nv**2,
         "gauges": [_gauge(chain, g) for g in gauges(chain)],
         "curvatures": _curvatures(chain),
@@ -34,16 +35,22 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     }
 
 
+def _by_columns(slope: str) -> Callable[[int], str]:
+    """The C expressions of the entries of a matrix with three rows, numbered column by column."""
+    return lambda k: f"work->{slope}[{k % 3}][{k // 3}]"
+
+
 def _gaps(chain: Chain, baked: bool, place: Place) -> list:
     """The functions that find the gaps of the loops, in one piece as they are short."""
-    placed = piece_place(chain, "work->kept", {"gap": lambda k: f"work->gap[{k}]"}, place)
+    placed = piece_place(chain, "work->kept", {"gap": entries("work->gap")}, place)
     body = lambda f, x: {"gap": f.gaps(x["q"], [0.0] * chain.nv)[0]}  # noqa: E731
     program = fused.fuse(chain, "gaps", {"q": chain.nq}, body, "baked" if baked else "constants")
     return pieces(program, placed, ("c", "state", "work"), program.operation_count, fail=singular)["pieces"]
 
 
-def _gauge(chain: Chain, gauge) -> dict:
+def _gauge(chain: Chain, gauge: Gauge) -> dict:
     link = chain.robot.links[gauge.link]
+    assert link.length is not None, "a link that bends has a length"
     return {
         "link": gauge.link,
         "first": gauge.first,

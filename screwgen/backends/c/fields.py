@@ -5,25 +5,28 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from types import MappingProxyType
 
-from ...algorithms.columns import link_columns, robot_columns
+from ...algorithms.columns import link_columns, robot_columns, width
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
-from ...ir.block import Signal as Constant
+from ...elements import STOP
+from ...ir.block import NamedSignal as Constant
 from ...ir.program import Program
 from ...spec.link_class import LinkClass
 from ...spec.markers import TIP, carried_at
 from ...spec.parents import parents
 from ...topology.chain import Chain
-from .code import literal
+from .code import entries, literal
+from .curved import turns
 
 SLIDING = {"rad": "m", "rad/s": "m/s", "rad/s^2": "m/s^2", "N*m": "N"}
 """The units of joint coordinates and their forces: of an axis that turns, of one that slides."""
 
 
 @dataclass(frozen=True)
-class Field:
+class StructMember:
     """One member of a struct; a scalar has no dimensions. Sizes of the robot are named as in the header."""
 
     name: str
@@ -44,29 +47,35 @@ def length(n: int | str) -> str:
     return {"NLINKS": "$$_NLINKS"}.get(n, f"$$_LENGTH($$_{n})") if isinstance(n, str) else str(n)
 
 
-def structs(chain: Chain) -> dict[str, list[Field]]:
+def structs(chain: Chain) -> dict[str, list[StructMember]]:
     """The members of the structs that hold the robot's signals.
 
     Without coupled coordinates NINERTIA is NGIVEN. In the DAE form the rotors of elastic drives stand before the modes.
     """
     inertia = "NINERTIA" if chain.coupled else "NGIVEN"
-    inner = "NINNER" if chain.n_motors else "NMODES"
+    inner = "NINNER" if chain.n_added else "NMODES"
 
-    def field(struct: str, name: str, s: Signal) -> Field:
-        sizes = {"NINERTIA": inertia} | ({"NMODES": inner} if struct.startswith("dae") else {})
+    def field(struct: str, name: str, s: Signal) -> StructMember:
+        sizes: dict[int | str, str] = {"NINERTIA": inertia}
+        sizes |= {} if chain.base_v else {"NRATES": "NTAU"}
+        sizes |= {} if chain.n_redundant != chain.n_joints else {"NREDUNDANT": "NTAU"}
+        sizes |= {"NMODES": inner} if struct.startswith("dae") else {}
         comment = joint_comment(s, chain.sliding) + effort(chain) * (name == "tau")
         shape = tuple(sizes.get(n, n) for n in s.shape)
-        return Field(name, shape, ROTORS[name] if "NINNER" in shape else comment)
+        return StructMember(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
-    own = ROBOT | {"dae_work": ROBOT["dae_work"] | ({"start_rate": START_RATE} if drives(chain) else {})}
+    more = {"start_rate": START_RATE} if has_axis_terms(chain) else {}
+    more |= {"qrate": COORDINATE_RATE} if chain.n_redundant != chain.n_joints else {}
+    own = ROBOT | {"dae_work": ROBOT["dae_work"] | more}
     return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
 
 
-def drives(chain: Chain) -> bool:
-    """Whether the forces of gears, dry friction, stops or other elements act in the robot."""
-    return bool(chain.n_motors or chain.dry or chain.stops or chain.elements)
+def has_axis_terms(chain: Chain) -> bool:
+    """Whether there are forces of axes besides springs and dampers: of gears and laws."""
+    return bool(chain.n_added or chain.laws)
 
 
+COORDINATE_RATE = Signal(("NREDUNDANT",), "rad/s, 1/s", "-", "rates of the joint coordinates")
 START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
 ROTORS = {
     "eta": "rad, m: coordinates of the rotors or their gears, then modal ones",
@@ -79,7 +88,7 @@ ROTORS = {
 def joint_comment(signal: Signal, sliding: bool) -> str:
     """The comment of a signal; one of joint coordinates names the units of slides, if the robot has any."""
     unit = SLIDING.get(signal.unit)
-    if not sliding or unit is None or not {"m", *JOINTS} & set(signal.shape):
+    if not sliding or unit is None or not {"q", "m", "a", "NRATES", "NREDUNDANT", *JOINTS} & set(signal.shape):
         return signal.comment
     slides = signal._replace(unit=f"{signal.unit}, of slides {unit}").comment
     return slides.replace("torque about each joint axis", "torque about, or force along, each joint axis")
@@ -87,8 +96,7 @@ def joint_comment(signal: Signal, sliding: bool) -> str:
 
 def effort(chain: Chain) -> str:
     """What is added to the comment of torques where drives have transmissions."""
-    force = "; N where a cylinder drives it" if chain.pushed else ""
-    return force + ("; at the crank where a linkage drives it" if chain.linked else "")
+    return "".join(kind.EFFORT_NOTE for kind in chain.travel_kinds)
 
 
 def fused_place(name: str, k: int) -> str:
@@ -99,16 +107,14 @@ def fused_place(name: str, k: int) -> str:
     struct = next((struct for struct, own in ROBOT.items() if name in own and name != "m_eta"), "")
     if not struct:
         return f"{name}[{k}]"
-    entry = ""
-    for n in reversed(ROBOT[struct][name].shape[1:]):
-        k, entry = k // int(n), f"[{k % int(n)}]{entry}"
-    return f"{'c' if struct == 'constants' else struct}->{name}[{k}]{entry}"
+    sizes = map(int, ROBOT[struct][name].shape[1:])
+    return entries(f"{'c' if struct == 'constants' else struct}->{name}", *sizes)(k)
 
 
-def constant_fields(chain: Chain, labels: Iterable[str]) -> list[Field]:
+def constant_fields(chain: Chain, labels: Iterable[str]) -> list[StructMember]:
     """The members of ``ella_link_constants``, documented by the steps that define them."""
     signals = _signals_of_labels(chain.classes)
-    return [Field(name, (), _comment(signals, name)) for name in sorted(labels)]
+    return [StructMember(name, (), _comment(signals, name)) for name in sorted(labels)]
 
 
 def _comment(signals: Mapping[str, Constant], label: str) -> str:
@@ -142,10 +148,10 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     ``text`` of a column's name, of the robot's column that holds it, and of its place there.
     """
     out = ""
-    for part, span in chain.given(i).items():
-        pairs = zip(link_columns(chain, part), robot_columns(chain, part), strict=True)
+    for part, span in chain.own_spans(i).items():
+        pairs = zip(link_columns(part), robot_columns(part), strict=True)
         arguments = [text(own, name, span.start) for own, name in pairs]
-        if span.stop > span.start:
+        if width(span):
             out += (",\n        " if part == "q" else ", ") + ", ".join(arguments)
     return out
 
@@ -154,14 +160,14 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     """Sizes and places of the coordinates whose inertia and force an integrator gives, for the templates.
 
     ``inertia``: the number of entries of their inertia; ``coupled``: row and column, among all modes, of those below
-    the diagonal of the modes' matrices; ``geared``: the joint coordinate of each rotor; ``dry``: the coordinates with
-    dry friction; ``stops``: coordinate and side of each stop, ``ranges``: lower and upper stop of axes with both;
-    ``loose``: joint, number among the rotors and place in ``v`` of the elastic gears of transmissions;
+    the diagonal of the modes' matrices; ``added_joints``: the joint coordinate of each that a gear adds;
+    ``ranges``: lower and upper stop of axes with both;
+    ``elastic_travels``: joint, number among those added and place in ``v`` of the elastic gears of transmissions;
     ``laws``: whether forces depend on the rates at a stage; ``inner``: the number of rotors and modes.
     """
-    modes = zip(chain.eta_offset, chain.keys, strict=False)
+    modes, ends = zip(chain.eta_offset, chain.keys, strict=False), chain.acted(STOP)
     coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
-    parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.geared)) if there]
+    parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.n_added)) if there]
     return {
         "n_given": chain.n_given,
         "n_inertia": chain.n_inertia,
@@ -169,16 +175,16 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
         "coupled": coupled,
         "below": f"; at the end the entries below the diagonal, {' and '.join(parts)}" if parts else "",
         "below_offset": chain.below_offset[:-1],
-        "n_motors": chain.n_motors,
-        "inner": "$$_NINNER" if chain.n_motors else "$$_NMODES",
-        "geared": chain.geared,
-        "driven": chain.driven,
-        "loose": [(joint, chain.geared.index(joint), place) for joint, place in chain.loose.items()],
-        "dry": chain.dry,
-        "stops": chain.stops,
-        "ranges": [(k, k + 1) for k in range(len(chain.stops) - 1) if chain.stops[k][0] == chain.stops[k + 1][0]],
-        "laws": bool(chain.dry or chain.stops or chain.elements),
-        "drives": drives(chain),
+        "n_added": chain.n_added,
+        "inner": "$$_NINNER" if chain.n_added else "$$_NMODES",
+        "added_joints": chain.added_joints,
+        "driven": chain.effort_places,
+        "elastic_travels": [
+            (joint, chain.added_joints.index(joint), place) for joint, place in chain.elastic_travels.items()
+        ],
+        "ranges": [(k, k + 1) for k, (a, b) in enumerate(pairwise(ends)) if a.coordinate == b.coordinate],
+        "laws": bool(chain.laws),
+        "axis_terms": has_axis_terms(chain),
         "theta_offset": chain.theta_offset[:-1],
     }
 
@@ -192,7 +198,7 @@ def floating_base(chain: Chain) -> dict[str, object]:
         "first_v": chain.base_v,
         "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
         "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
-        "rotor": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
+        "added": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
         "ends": {"own": "$$_NGIVEN" if first else "$$_NV"},
     }
 
@@ -220,23 +226,25 @@ def topology(chain: Chain) -> dict[str, object]:
     return {**floating_base(chain), **last_tip(chain), **more}
 
 
-def node_fields(programs: Iterable[Program]) -> list[Field]:
+def node_fields(programs: Iterable[Program]) -> list[StructMember]:
     """The members of a node that the programs read or write."""
-    return [Field(n, (s,), NODE[n].comment) for n, s in _signals(programs, is_node).items()]
+    return [StructMember(n, (s,), NODE[n].comment) for n, s in _signals(programs, is_node).items()]
 
 
-def store_fields(programs: Iterable[Program], chain: Chain) -> list[Field]:
+def store_fields(programs: Iterable[Program], chain: Chain) -> list[StructMember]:
     """The members of a link's store."""
     found = _signals(programs, lambda where: where == "w")
-    return [Field(n, (s,), _travelling(chain, n, STORE[plain(n)]) + _where(n)) for n, s in found.items()]
+    return [StructMember(n, (s,), _travelling(chain, n, STORE[plain(n)]) + _where(n)) for n, s in found.items()]
 
 
 def _travelling(chain: Chain, name: str, signal: Signal) -> str:
-    """The comment of a member, which names the cranks of linkages if the robot has any."""
+    """The comment of a member, which names what drives move along travels."""
     comment = joint_comment(signal, chain.sliding)
-    if not (chain.linked and name.startswith("crank_")):
+    if not (chain.travel_kinds and name.startswith("crank_")):
         return comment
-    unit, part = ("m, of linkages 1", "cylinder or crank") if chain.pushed else ("1", "crank")
+    first, *others = chain.travel_kinds
+    unit = first.LEVER_UNIT + "".join(f", of {kind.SHORT}s {kind.LEVER_UNIT}" for kind in others)
+    part = " or ".join(kind.PART for kind in chain.travel_kinds)
     return comment.replace("m:", f"{unit}:", name == "crank_slope").replace("cylinder", part)
 
 
@@ -257,24 +265,24 @@ def _signals(programs: Iterable[Program], there: Callable[[str], bool]) -> dict[
 
 
 def scratch(
-    c: Chain, node: Sequence[Field], store: Sequence[Field], states: int, modular: bool, kept: int | None
+    c: Chain, node: Sequence[StructMember], store: Sequence[StructMember], states: int, modular: bool, kept: int | None
 ) -> dict[str, int]:
     """The sizes in bytes of the scratch of both forms in double precision.
 
     `states`: those that a step keeps; `kept`: the numbers that programs of loops hand on, None without loops.
     """
     sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
-    sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner}
+    sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner, "NRATES": c.v_offset[-1], "NREDUNDANT": c.n_redundant}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
     own = {name: total(fields) for name, fields in structs(c).items()}
     chain = c.tree.size * total(node) + c.n * total(store)
     loops = 0 if kept is None else 1 + own["input"] + 2 * own["state"] + kept
-    work = own["work"] + states * (own["state"] + c.base_v) + own["output"] + chain * modular + loops
+    work = own["work"] + states * (own["state"] + turns(c)) + own["output"] + chain * modular + loops
     dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain + loops
     return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
 
-def stumpff_terms(order: int, count=14) -> list[str]:
+def stumpff_terms(order: int, count: int = 14) -> list[str]:
     """The coefficients ``1 / (order + 2 j)!`` of a Stumpff function."""
     return [literal(1 / math.factorial(order + 2 * j)) for j in range(count)]
 

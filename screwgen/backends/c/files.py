@@ -1,10 +1,11 @@
 """The files of the generated C and the templates that they are made from."""
 
+from collections.abc import Sequence
+
 from .batch import FILES as BATCH
 from .derivatives import FILES as DERIVATIVES
 from .estimator import FILES as ESTIMATOR
 from .loops import FILES as LOOPS
-from .outputs import FILES as OUTPUTS
 
 LIBRARY = (
     "real.h",
@@ -25,8 +26,11 @@ BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
 """The files besides the library, under these names."""
 
 
-def library(name: str, loops: bool, derivatives: bool, estimator: bool, batch: bool, outputs: bool) -> dict[str, str]:
-    """The files of a robot's library, with the template of each."""
-    options = ((loops, LOOPS), (derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH), (outputs, OUTPUTS))
+def library(
+    name: str, loops: bool, derivatives: bool, estimator: bool, batch: bool, reports: Sequence[str]
+) -> dict[str, str]:
+    """The files of a robot's library, with the template of each; ``reports``: the files of what it reports."""
+    options = ((loops, LOOPS), (derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH))
     files = [*LIBRARY, *(file for asked, more in options if asked for file in more)]
+    files += [f"{part}.{end}" for part in reports for end in "hc"]
     return {f"{name}.h": "model.h"} | {f"{name}_{file}": file for file in files}

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
 
 from ...algorithms.axis_laws import OfRobot, of_robot
-from ...algorithms.law_programs import STAGE, stage, stage_slopes
-from ...elements.axis_element import OfElement
+from ...algorithms.law_programs import STAGE, spring_slopes, spring_stage, stage, stage_slopes
+from ...elements import Key
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .batch import LaneWriter
@@ -29,9 +33,10 @@ TAKEN = frozenset("c k i m f q qdot theta thetadot rotor rotors s dt vdot by_q b
 def content(chain: Chain) -> list[dict]:
     """The laws for the templates.
 
-    ``at``, ``side``: coordinates and sides; ``on_rotors``: whether some are those of rotors; ``terms`` and
+    ``at``, ``side``: coordinates and sides; ``on_added``: whether some are those that gears add; ``terms`` and
     ``lane_terms``: the body of the loop that adds force and inertia, of numbers and of lanes; ``slopes``: of that which
-    adds the derivatives; ``reads``: which of the stage's inputs they need.
+    adds the derivatives; ``reads``: which of the stage's inputs they need; ``columns``: the members of the constants,
+    each with its comment; ``refused``: what their entries may not be.
     """
     return [_law(chain, one) for one in of_robot(chain)]
 
@@ -43,34 +48,81 @@ def _law(chain: Chain, one: OfRobot) -> dict:
         "words": one.law.words,
         "at": one.coordinates,
         "side": one.sides,
-        "on_rotors": any(k >= chain.n_joints for k in one.coordinates),
+        "on_added": any(k >= chain.n_joints for k in one.coordinates),
         "terms": _body(Writer, terms),
         "lane_terms": _body(LaneWriter, terms),
         "slopes": _body(Writer, slopes),
         "reads": {name: _reads(terms, name) for name in STAGE},
         "slopes_read": {name: _reads(slopes, name) for name in STAGE},
         "switches": "on" in terms.operations,
-        "columns": _columns(chain, one.law) if isinstance(one.law, OfElement) else [],
+        "columns": {name: _comment(chain, key) for name, key in one.law.table.items()},
+        "refused": [
+            test.format(f"c->{name}[k]")
+            for sign, test in TESTS.items()
+            for name, key in one.law.table.items()
+            if key.sign == sign
+        ],
+        "notes": one.law.notes,
     }
 
 
-def _columns(chain: Chain, law: OfElement) -> list[dict]:
-    """The members of the constants that hold the keys of a kind of element, and the condition that refuses an entry."""
-    tests = {"positive": "!({} > 0)", "non-negative": "!({} >= 0)", "any": ""}
-    return [
-        {
-            "name": name,
-            "comment": ascii_unit(f"{key.unit}{f', of slides {key.sliding}' * chain.sliding}: {key.meaning}"),
-            "refused": tests[key.sign].format(f"c->{name}[k]"),
-        }
-        for name, key in zip(law.constants, law.kind.table().values(), strict=True)
-    ]
+TESTS = {"positive": "!({} > 0)", "non-negative": "!({} >= 0)"}
+"""The conditions that refuse an entry of a column, by its sign."""
 
 
-def _body(writer: type[Writer], program: Program) -> list[str]:
+def _comment(chain: Chain, key: Key) -> str:
+    return ascii_unit(f"{key.unit}{f', of slides {key.sliding}' * chain.sliding}: {key.meaning}")
+
+
+def spring(motion: tuple[str, str], entry: str, force: str, inertia: str = "", **more: Any) -> list[str]:
+    """The statements of a spring and a damper: their force at a coordinate and rate, and the inertia over a step.
+
+    ``entry``: of the constants' columns. ``more`` may hold ``c``: what stands before the columns, else `c->`; ``h``:
+    the step, else `dt`, or 0; ``own``: whether the inertia of the coordinate itself is added; ``adds``: whether the
+    results are added to what is there.
+    """
+    c, h = more.get("c", "c->"), more.get("h", "dt")
+    given = dict(zip("xw", motion, strict=True)) | {name: f"{c}{name}[{entry}]" for name in "KD"}
+    given |= {"M": f"{c}M_eta[{entry}]", "h": h, "force": force, "inertia": inertia}
+    program = spring_stage(h != "0", more.get("own", False))
+    if not inertia:
+        program = replace(program, outputs={"force": program.outputs["force"]})
+    adding = frozenset(RESULTS) if more.get("adds") else frozenset[str]()
+    return _inlined(_body(Writer, program, lambda name, _: given[name], adding, {}))
+
+
+def _inlined(lines: list[str]) -> list[str]:
+    """The statements without names for values that are at once assigned."""
+    found = (re.fullmatch(r"const \$_real (\w+) = (.*);", line) for line in lines)
+    named = {match[1]: match[2] for match in found if match}
+    used = [re.fullmatch(r"(.* \+?= )(\w+);", line) for line in lines if not line.startswith("const ")]
+    return [f"{match[1]}{named[match[2]]};" for match in used if match]
+
+
+def springs(entry: str, *at: str) -> list[str]:
+    """The statements that add the derivatives of a spring and a damper at places of the matrices of ``own_slopes``.
+
+    ``entry``: the entry of the constants' columns.
+    """
+
+    def place(name: str, k: int) -> str | None:
+        given = {"K": f"c->K[{entry}]", "D": f"c->D[{entry}]", "h": "dt"}
+        return {"by_x": f"by_q[{at[k]}]", "by_w": f"by_v[{at[k]}]"}.get(name, given.get(name))
+
+    return _body(Writer, spring_slopes(len(at)), place)
+
+
+def _body(
+    writer: type[Writer],
+    program: Program,
+    place: Place | None = None,
+    adding: frozenset[str] = frozenset(RESULTS),
+    optional: Mapping[str, str] = MappingProxyType({"inertia": "m"}),
+) -> list[str]:
     """The statements for one coordinate."""
     names = TAKEN | set(LOCAL.values())
-    lines = writer(program, _place(program), None, set(names), optional={"inertia": "m"}, adding=frozenset(RESULTS))
+    placed = place or _place(program)
+    lines = writer(program, placed, None, set(names), optional=optional, adding=adding)
     return [line for line in trimmed(lines.lines()) if line.strip() not in ("", "/* outputs */")]
 
 

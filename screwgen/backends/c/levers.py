@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ...algorithms import fused
+from ...algorithms.robot_programs import levers
+from ...elements import TRAVELS
 from ...topology.chain import Chain
 from .code import Place
 from .pieces import piece_place, pieces
@@ -10,13 +11,14 @@ from .pieces import piece_place, pieces
 
 def content(chain: Chain, baked: bool, place: Place) -> dict | None:
     """The templates' context; ``place`` is that of the fused function. None where no drive has a transmission."""
-    if not chain.cranked:
+    if not chain.travels:
         return None
-    program = fused.levers(chain, "baked" if baked else "constants")
+    program = levers(chain, "baked" if baked else "constants")
     made = pieces(program, piece_place(chain, "kept", {}, place), ("c", "state", "levers"), fail=_beyond)
-    return made | {"cylinders": bool(chain.pushed), "linkages": bool(chain.linked)}
+    there = {kind.SHORT for kind in chain.travel_kinds}
+    return made | {f"{kind.SHORT}s": kind.SHORT in there for kind in TRAVELS}
 
 
 def _beyond(test: str, _: int) -> str:
-    """The statement of a guard: a linkage does not reach its link."""
+    """The statement of a guard: a transmission does not reach its link."""
     return f"if ({test}) {{ return $$_SINGULAR; }}"

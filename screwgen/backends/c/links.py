@@ -6,6 +6,7 @@ import math
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places, edge_places
@@ -15,6 +16,7 @@ from ...algorithms.structure import Applied, Passage, passages, specialised_phas
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed
+from .curved import offset
 
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
@@ -23,7 +25,7 @@ WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
 
 
 @dataclass(frozen=True)
-class Run:
+class CFunction:
     """An algorithm that is a C function, and its results."""
 
     algorithm: Algorithm
@@ -43,15 +45,22 @@ class Run:
     """Whether results at nodes are those of every tip, not of the last alone."""
 
 
-def _run(algorithm: Algorithm, comment: str, results: str, apart=False, skipped=None, **more) -> Run:
-    return Run(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
+def _run(
+    algorithm: Algorithm,
+    comment: str,
+    results: str,
+    apart: bool = False,
+    skipped: Mapping[str, str] | None = None,
+    **more: Any,
+) -> CFunction:
+    return CFunction(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
 
 
-RUNS: dict[str, Run] = {
+RUNS: dict[str, CFunction] = {
     "joint_dynamics": _run(
         (*alg.FORWARD, alg.POSES),
         "Joint form: accelerations, wrenches and poses by block elimination.",
-        "qddot Vdot thetaddot etaddot wrench motion tip.R tip.r",
+        "qddot thetaddot etaddot wrench motion tip.R tip.r",
         apart=True,
         skipped={"poses": "call->tip_pose"},
     ),
@@ -73,14 +82,12 @@ RUNS: dict[str, Run] = {
         "new_quaternion new_position new_twist tip.R tip.r",
     ),
     "inverse": _run(
-        alg.INVERSE,
-        "Joint form: inverse dynamics, with joint wrenches.",
-        "force base_force force_theta force_eta wrench",
+        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_theta force_eta wrench"
     ),
-    "inertia": Run(
+    "inertia": CFunction(
         alg.INVERSE,
         "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
-        frozenset({"force", "base_force", "force_theta", "force_eta"}),
+        frozenset({"force", "force_theta", "force_eta"}),
         False,
         zero=frozenset("qdot twist thetadot etadot w_ext f_q f_theta f_eta gravity".split()),
         parts=(("inertia_posture", 1), ("inertia_column", 2)),
@@ -121,7 +128,7 @@ class Links:
     _written: dict[tuple, Function] = field(default_factory=dict)
 
     @property
-    def runs(self) -> dict[str, Run]:
+    def runs(self) -> dict[str, CFunction]:
         return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:
@@ -155,9 +162,9 @@ class Links:
     def parts(self, run: str) -> list[dict]:
         """The C functions of a run: name, comment, phases, and whether they set the acceleration of the base."""
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
-        out = []
+        out: list[dict] = []
         shares = (
-            ((self.chain.sprung or self.chain.closures) and RUNS[run].parts_if_sprung)
+            ((self.chain.has_axis_forces or self.chain.closures) and RUNS[run].parts_if_sprung)
             or RUNS[run].parts
             or ((run, len(phases)),)
         )
@@ -172,7 +179,7 @@ class Links:
     def edges(self, run: str) -> list[dict]:
         """The functions of a run that compute the blocks of a carried link besides the last one of its node."""
         algorithm, found = RUNS[run].algorithm, [p for p in self.passages(run) if p.edge is not None]
-        edges = list(dict.fromkeys(p.edge for p in found))
+        edges = list(dict.fromkeys(p.edge for p in found if p.edge is not None))
         return [
             {
                 "child": self.chain.identifiers[edge],
@@ -228,7 +235,7 @@ class Places:
     entries: tuple[tuple[str, int], ...] = ()
     matrix: dict[tuple[str, int], int] = field(init=False)
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         self.matrix = {place: k for k, place in enumerate(self.entries)}
 
     @property
@@ -256,7 +263,7 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE", "STATION"}
+        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "V_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE", "STATION"}
         nodes = self.links.chain.tree.places(self.passage.link)
         return signals | tables | {"c", "link", "place", "M", *nodes}
 
@@ -296,8 +303,8 @@ class Places:
         if CALL[name].at:
             return f"call->{CALL[name].at}"
         match CALL[name].shape:
-            case ("m",):
-                place = f"call->{member} + q"
+            case (("q" | "m" | "a") as size,):
+                place = f"call->{member} + {offset(self.links.chain, self.run, name, size)}"
             case ("r",):
                 place = f"call->{member} + e"
             case ("t",):

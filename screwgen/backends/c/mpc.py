@@ -8,13 +8,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...algorithms.gauges import gauges
+from ...algorithms.gauges import Gauge, gauges
 from ...algorithms.tip_terms import tip_terms
+from ...arguments import Numbers
 from ...errors import UsageError
 from ...spec.mpc import VARIABLES, Between, Mpc
 from ...topology.chain import Chain
 from ..templates import folder
-from .code import literal
+from .code import entries, literal
 from .columns import rendered
 from .derivatives import say_time
 from .fields import fused_place
@@ -67,9 +68,10 @@ class Fitted:
         for asked, what in (
             (bool(chain.robot.loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
-            (chain.keys[0].free, "a floating base"),
-            (bool(chain.n_motors), "elastic drives"),
-            (bool(chain.cranked), "transmissions"),
+            (chain.floating, "a floating base"),
+            (bool(chain.curved), "a ball joint"),
+            (bool(chain.n_added), "elastic drives"),
+            (bool(chain.travels), "transmissions"),
         ):
             if asked:
                 raise UsageError(
@@ -243,22 +245,23 @@ def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
     program = tip_terms(chain, out["turning"], out["moving"], "baked" if baked else "constants")
     say_time(chain, "terms of the tip", program.operation_count)
     own = {
-        "r": lambda k: f"m->r[{k}]",
-        "r_q": lambda k: f"m->r_q[{k // 3}][{k % 3}]",
-        "R": lambda k: f"m->R_tip[{k}]",
-        "R_q": lambda k: f"m->R_q[{k // 9}][{k % 9}]",
-        "u": lambda k: f"m->u[{k}]",
-        "u_q": lambda k: f"m->u_q[{k // 3}][{k % 3}]",
+        "r": entries("m->r"),
+        "r_q": entries("m->r_q", 3),
+        "R": entries("m->R_tip"),
+        "R_q": entries("m->R_q", 9),
+        "u": entries("m->u"),
+        "u_q": entries("m->u_q", 3),
     }
     written = pieces(program, piece_place(chain, "m->kept", own, fused_place), ("c", "state", "m"))
     return out | {"tip": written, "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys())}
 
 
-def _curvatures(chain, found: Sequence) -> list[str]:
+def _curvatures(chain: Chain, found: Sequence[Gauge]) -> list[str]:
     """The curvature at the base of a link per unit of each mode that strains a gauge, 1/m², else 0."""
     out = [0.0] * max(chain.n_modes, 1)
     for gauge in found:
         length = chain.robot.links[gauge.link].length
+        assert length is not None, "a link that bends has a length"
         out[gauge.first : gauge.first + len(gauge.curvatures)] = [x / length**2 for x in gauge.curvatures]
     return [literal(x) for x in out]
 
@@ -266,8 +269,8 @@ def _curvatures(chain, found: Sequence) -> list[str]:
 def _tables(fitted: Fitted) -> dict[str, Any]:
     """The numbers of the file: constant arrays, and the members that start with them."""
     q, tau, r, R = fitted.rest
-    tables = {"GOAL_Q": q, "GOAL_TAU": tau, "GOAL_PLACE": r, "GOAL_ROTATION": R.ravel()}
-    members = {f"o->{name}": w for name, w in (fitted.weights | fitted.bounds).items() if len(w)}
+    tables: dict[str, Numbers] = {"GOAL_Q": q, "GOAL_TAU": tau, "GOAL_PLACE": r, "GOAL_ROTATION": R.ravel()}
+    members: dict[str, Numbers] = {f"o->{name}": w for name, w in (fitted.weights | fitted.bounds).items() if len(w)}
     if fitted.said.cost.terminal.riccati:
         members["&o->terminal[0][0]"] = fitted.terminal.ravel()
     defaults = []

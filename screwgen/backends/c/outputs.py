@@ -1,25 +1,37 @@
-"""The functions of a robot that its C has besides the dynamics, in ``<robot>_outputs.c``: energies, power of drives."""
+"""The functions of a robot that its C has besides the dynamics, in two files that hold functions of the same kind.
+
+``<robot>_outputs.c`` has what runs report at every sample, such as energies; ``<robot>_sensors.c`` what is measured at
+markers, for those who ask.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import prod
 
-from ...algorithms.robot_functions import RobotFunction, reported, shape
+from ...algorithms.gauges import strain_names
+from ...algorithms.robot_functions import RobotFunction, in_file, shape
 from ...algorithms.signals import Signal
 from ...topology.chain import Chain
 from .code import Place
 from .pieces import piece_place, pieces
 
-FILES = ("outputs.h", "outputs.c")
-"""The files that outputs add, without the robot's name; their templates have the same names."""
 INPUTS = {"state": ("q", "v"), "input": ("tau", "w_ext")}
 """The structs that hold the arguments of functions."""
 
 
-def content(chain: Chain, baked: bool, place: Place) -> dict:
-    """The templates' context; ``place`` is that of the fused function."""
-    made = [_function(row, chain, baked, place) for row in reported(chain)]
-    return {"functions": made, "kept": max(part["kept"] for part in made)}
+def content(part: str, chain: Chain, baked: bool, place: Place) -> dict:
+    """The context of the templates of a file, ``part``; ``place`` is that of the fused function."""
+    made = [_function(row, chain, baked, place) for row in in_file(part, chain)]
+    return {"part": part, "functions": made, "kept": max(one["kept"] for one in made)}
+
+
+def sensor_names(chain: Chain) -> dict:
+    """What stands in the head of ``<robot>_sensors.h``: the names of markers and of strains, with their units."""
+    return {
+        "markers": [m.name for m in chain.markers],
+        "strains": [f"{x} ({u})" for x, u in strain_names(chain).items()],
+    }
 
 
 def _function(row: RobotFunction, chain: Chain, baked: bool, place: Place) -> dict:
@@ -38,7 +50,7 @@ def _function(row: RobotFunction, chain: Chain, baked: bool, place: Place) -> di
     return made | shown | {"pointers": pointers}
 
 
-def _result(name: str, signal: Signal):
+def _result(name: str, signal: Signal) -> Callable[[int], str]:
     return (lambda k: f"{name}[{k}]") if signal.shape else (lambda k: f"*{name}")
 
 

@@ -6,13 +6,13 @@ from collections import defaultdict
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...spec.axis_units import SLIDING
-from ...spec.parameters import BODY_FRAMES, FIELDS, Parameter, parameters
+from ...spec.fields import FIELDS, SLIDING
+from ...spec.parameters import BODY_FRAMES, Parameter, parameters, travels
 from ...spec.robot import Robot
 from ...spec.section import Section
 from ...topology.parameters import label
 from .code import literal
-from .fields import Field
+from .fields import StructMember
 
 FEW = 6
 """The largest number of links that a comment names one by one."""
@@ -57,7 +57,7 @@ def defaults(robot: Robot) -> list[str]:
     return [f"{place(p)} = {literal(p.value)};" for p in parameters(robot)]
 
 
-def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str, list[Field]]:
+def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str, list[StructMember]]:
     """The members of the link, joint and body structs: the parameters that any link of the robot states.
 
     ``read`` has, for every link, the labels of the parameters that its constants depend on. Members that no link's
@@ -65,10 +65,9 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     """
     own = [(p.link, p) for p in parameters(robot) if p.link is not None]
     live = {member(p)[:2] for link, p in own if label(p) in read[link]}
-    drives = [drive for link in robot.links for drive in link.joint.drives or ()]
-    cylinders = any(drive.transmission and not drive.linked for drive in drives)
-    travels = "slides and cylinders" if cylinders else "slides"
-    structs: dict[str, dict[str, Field]] = {"link": {}, "joint": {}, "body": {}}
+    along = dict.fromkeys(kind.PLURAL for kind in travels(robot) if kind.ADDED.unit == "m")
+    sliding = " and ".join(["slides", *along])
+    structs: dict[str, dict[str, StructMember]] = {"link": {}, "joint": {}, "body": {}}
     meanings: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
     for _, p in own:
         struct, name, _, entry = member(p)
@@ -77,8 +76,8 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
         unused = "" if (struct, name) in live else "; this model does not use it"
         meanings[struct, name][p.unit] = _general(p)
         units = sorted(meanings[struct, name], key=SLIDING_UNITS.count)
-        comment = ascii_unit(f"{f', of {travels} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
-        structs[struct][name] = Field(name, max(shape, known.shape) if known else shape, comment)
+        comment = ascii_unit(f"{f', of {sliding} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
+        structs[struct][name] = StructMember(name, max(shape, known.shape) if known else shape, comment)
     return {struct: list(fields.values()) for struct, fields in structs.items()}
 
 
@@ -95,7 +94,7 @@ def changing_parameter(robot: Robot) -> dict[str, str]:
 
 def ascii_unit(text: str) -> str:
     """A unit in ASCII."""
-    return text.replace("·", "*").replace("²", "^2").replace("−", "-")
+    return text.translate({ord(a): b for a, b in (("·", "*"), ("²", "^2"), ("³", "^3"), ("⁴", "^4"), ("−", "-"))})
 
 
 def _general(p: Parameter) -> str:
@@ -124,7 +123,8 @@ def bodies(robot: Robot) -> dict[str, object]:
 def limits(robot: Robot) -> list[str]:
     """Conditions on which a link's parameters are refused; members that no link states have none."""
     sections = [link.section if isinstance(link.section, Section) else None for link in robot.links]
-    stated = {"length": [link.length for link in robot.links], "rhoA": [s and s.rhoA for s in sections]}
+    lengths, masses = [link.length for link in robot.links], [s.rhoA if s else None for s in sections]
+    stated: dict[str, Sequence[float | None]] = {"length": lengths, "rhoA": masses}
     tests = [_limit(name, values) for name, values in stated.items() if any(v is not None for v in values)]
     inertias = ("rhoIp", "rhoIy", "rhoIz")
     return tests + [f"link->{name} < 0" for name in inertias if any(s and s.states(name) for s in sections)]

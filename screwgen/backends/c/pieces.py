@@ -15,7 +15,9 @@ PIECE = 4000
 """Operations of a C function: compilers take more than twice as long for twice as many."""
 
 
-def pieces(program: Program, place: Place, pointers: tuple[str, ...], longest=PIECE, fail: Fail | None = None) -> dict:
+def pieces(
+    program: Program, place: Place, pointers: tuple[str, ...], longest: int = PIECE, fail: Fail | None = None
+) -> dict:
     """A program as the templates print it: ``operations``, the bodies of its functions, and how many values are kept.
 
     ``pointers`` are the functions' parameters, ``longest`` the most operations of a program in one piece.
@@ -23,7 +25,9 @@ def pieces(program: Program, place: Place, pointers: tuple[str, ...], longest=PI
     return bodies(lambda piece: Writer(piece, place, fail, {*pointers, KEPT}, apart=True), program, pointers, longest)
 
 
-def bodies(writer: Callable[[Program], Writer], program: Program, pointers: tuple[str, ...], longest=PIECE) -> dict:
+def bodies(
+    writer: Callable[[Program], Writer], program: Program, pointers: tuple[str, ...], longest: int = PIECE
+) -> dict:
     """The same with a writer of one's own."""
     count = program.operation_count
     parts, kept = split(program, -(-count // PIECE) if count > longest else 1)
@@ -40,10 +44,10 @@ def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]]
         owner, _, what = signal.partition(":")
         if owner == KEPT:
             return f"{kept}[{int(what or 0) + k}]"
-        for part, span in chain.given(int(owner)).items() if is_column(what) else ():
-            names = link_columns(chain, part)
+        for part, span in chain.own_spans(int(owner)).items() if is_column(what) else ():
+            names = link_columns(part)
             if what in names:
-                return f"c->{robot_columns(chain, part)[names.index(what)]}[{span.start + k}]"
+                return f"c->{robot_columns(part)[names.index(what)]}[{span.start + k}]"
         return own[signal](k) if signal in own else place(signal, k)
 
     return placed

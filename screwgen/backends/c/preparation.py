@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algorithms import fused
-from ...algorithms.schedule import COLUMNS, is_column
+from ...algorithms.schedule import BUILT_IN, COLUMNS, is_column
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed, with_unused
@@ -14,7 +14,7 @@ from .parameters import members
 
 NONE: dict[str, list] = {"prepare": [], "prepare_calls": []}
 """The templates' context where constants are numbers of the code."""
-STATIC = tuple(name for names in COLUMNS.values() for name in names)
+STATIC = tuple(name for names in (*COLUMNS.values(), *BUILT_IN) for name in names)
 Labels = Sequence[tuple[str, ...]]
 """The constants that the code of every link reads."""
 

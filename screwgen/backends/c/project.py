@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import cached_property
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
-from ...algorithms.robot_functions import reported
-from ...algorithms.schedule import constant_labels
+from ...algorithms.robot_functions import OUTPUTS, SENSORS, in_file
+from ...algorithms.schedule import Algorithm, constant_labels, seen_by
 from ...bodies.validity import BOUNDS
 from ...errors import UsageError
 from ...integrators.method import Method
@@ -18,11 +18,12 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import batch, check, derivatives, estimator, files, laws, levers, loops, outputs, preparation, steps
+from . import batch, check, curved, derivatives, estimator, files, laws, levers, loops, outputs, preparation, steps
+from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
 from .fields import (
-    Field,
+    StructMember,
     constant_fields,
     fused_place,
     given_coordinates,
@@ -37,6 +38,9 @@ from .fields import (
 )
 from .links import RUNS, WATCHED, WITHIN, Links, sparsity
 from .parameters import bodies, changing_parameter, defaults, limits, parameter_structs, place
+
+PARTS = (OUTPUTS, SENSORS)
+"""The files of functions that report something, with the option of that name."""
 
 FUSED_BEST = 2600
 """Up to this many operations ``auto`` writes the joint form in one piece: at about 11 bytes each they stay in a
@@ -58,21 +62,26 @@ MASK_BITS = 32
 class CProject:
     """The files of a robot's C, as a mapping from name to text."""
 
+    further: tuple[Algorithm, ...] = ()
+    """Algorithms beside those of the C itself for which its constants are prepared."""
+
     def __init__(
         self,
         chain: Chain,
         version: str,
-        binding="runtime",
-        layout="auto",
-        batch=False,
-        derivatives=False,
-        estimator=False,
+        binding: str = "runtime",
+        layout: str = "auto",
+        batch: bool = False,
+        derivatives: bool = False,
+        estimator: bool = False,
         methods: Sequence[Method] = (),
-        outputs=False,
+        outputs: bool | Collection[str] = False,
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
-        self.with_outputs = outputs
+        self.reports = PARTS if outputs is True else tuple(outputs or ())
+        if estimator:
+            chain.needs_sums("estimator", "leave it out")
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
@@ -95,13 +104,17 @@ class CProject:
     def files(self) -> dict[str, str]:
         """Every file of the folder."""
         sources = self.library | {file: file for file in files.BESIDE}
-        return {file: rendered(template, **self.context) for file, template in sources.items()}
+        return {file: self.text(template) for file, template in sources.items()}
+
+    def text(self, template: str, **more: object) -> str:
+        """The text of a file of the library; what sensors measure is derived where it is asked for."""
+        return rendered(template, **self.context | (self.sensors if template.startswith(SENSORS) else {}), **more)
 
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        options = self.with_derivatives, self.with_estimator, self.with_batch, self.with_outputs
-        return files.library(self.name, bool(self.chain.closures), *options)
+        options = self.with_derivatives, self.with_estimator, self.with_batch
+        return files.library(self.name, bool(self.chain.closures), *options, self.reports)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -124,9 +137,12 @@ class CProject:
             "layout": self.layout,
             "binding": self.binding,
             **{name: getattr(chain, name) for name in ("n", "n_modes", "nq", "nv", "n_tau")},
-            **{name: getattr(chain, name) for name in ("sprung", "slides", "sliding")},
+            **{name: getattr(chain, name) for name in ("slides", "sliding")},
+            "axis_forces": chain.has_axis_forces,
             **given_coordinates(chain),
             "acting": laws.content(chain),
+            "spring": laws.spring,
+            "springs": laws.springs,
             "nx": state_size(chain),
             "nz": unknown_size(chain),
             "nnz": len(m_row),
@@ -155,10 +171,11 @@ class CProject:
             "frequencies": [f for f in self.parameters["link"] if f.name.startswith(("frequencies_", "section_"))],
             "defaults": defaults(robot),
             "places": [place(p) for p in parameters(robot)],
-            **(preparation.content(chain, self.labels) if self.baked is None else preparation.NONE),
+            **(preparation.content(self.seen, self.labels) if self.baked is None else preparation.NONE),
             "baked": self.baked_tables,
             **topology(chain),
             "q_offset": chain.q_offset[:-1],
+            **curved.content(chain),
             "eta_offset": chain.eta_offset[:-1],
             "programs": list(self.links.functions.values()),
             "phases": self._phases,
@@ -173,10 +190,19 @@ class CProject:
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             **loops.rows(chain, fused_place) | {"loops": self._loops},
-            "outputs": outputs.content(chain, self.baked is not None, fused_place) if self.with_outputs else None,
+            "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
+            "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
         }
+
+    @cached_property
+    def sensors(self) -> dict:
+        """What the templates of sensors need besides."""
+        return {"sensors": self._told(SENSORS), "sensor_names": outputs.sensor_names(self.chain)}
+
+    def _told(self, part: str) -> dict:
+        return outputs.content(part, self.chain, self.baked is not None, fused_place)
 
     # programs ---------------------------------------------------------------------------------
 
@@ -252,23 +278,31 @@ class CProject:
     @cached_property
     def labels(self) -> list[tuple[str, ...]]:
         """The constants that the code of every link reads."""
-        algorithms = tuple(run.algorithm for run in RUNS.values())
-        if self.with_outputs:
-            algorithms += tuple(algorithm for row in reported(self.chain) for algorithm in row.algorithms)
-        return [constant_labels(key, algorithms) for key in self.chain.keys]
-
-    @property
-    def constants(self):
-        if self.baked is not None:
-            return []
-        fields = constant_fields(self.chain, {x for labels in self.labels for x in labels})
-        return fields or [Field("none", (), "no constant depends on parameters")]
+        return [constant_labels(self.chain, i, self._run) for i in range(self.chain.n)]
 
     @cached_property
-    def parameters(self) -> dict[str, list[Field]]:
+    def _run(self) -> tuple[Algorithm, ...]:
+        """The algorithms that the C runs."""
+        told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
+        return *(run.algorithm for run in RUNS.values()), *told, *self.further
+
+    @property
+    def seen(self) -> Chain:
+        """The chain whose constants are prepared."""
+        return seen_by(self.chain, *self._run)
+
+    @property
+    def constants(self) -> list[StructMember]:
+        if self.baked is not None:
+            return []
+        fields = constant_fields(self.seen, {x for labels in self.labels for x in labels})
+        return fields or [StructMember("none", (), "no constant depends on parameters")]
+
+    @cached_property
+    def parameters(self) -> dict[str, list[StructMember]]:
         """The members of the parameters' structs."""
         names: list[set[str]] = [set() for _ in self.chain.robot.links]
-        for segment, key, labels in zip(self.chain.segments, self.chain.keys, self.labels, strict=True):
+        for segment, key, labels in zip(self.chain.segments, self.seen.keys, self.labels, strict=True):
             names[segment.link] |= {n[2:] for n in fused.preparation(key, labels).inputs}
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
 
@@ -297,7 +331,7 @@ class CProject:
         return check.content(self.chain, self._recorded)
 
     @cached_property
-    def _recorded(self) -> Sequence[check.Recorded]:
+    def _recorded(self) -> Sequence[Recorded]:
         return check.recorded(self.chain)
 
     @property

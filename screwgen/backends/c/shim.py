@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .project import CProject
 
 FILES = ("shim.h", "shim.c", "run_shim.c", "dae_shim.c")
+SENSING = "sensors_shim.c"
 VIEWS = (
     *(f"state.{name}" for name in ROBOT["state"]),
     *(f"input.{name}" for name in ROBOT["input"]),

@@ -7,13 +7,17 @@ from fractions import Fraction
 
 from ...integrators.method import Method
 from ...integrators.plan import Evaluate, Operation
-from ...integrators.pose_slopes import pose_slopes
+from ...integrators.pose_slopes import move_slopes, pose_slopes, rate_slopes
+from ...ir.program import Program
+from ...joints.kind import JointKind
 from ...topology.chain import Chain
-from .code import Writer, literal, trimmed
+from ...topology.joint_coordinates import JointPlace
+from .code import Writer, literal, trimmed, with_unused
+from .curved import kinds, plus, stem, turns
 from .steps import LONGEST, Steps
 
 
-class Slopes(Steps):
+class StepSlopes(Steps):
     """The operations of a method, and of every move the terms that its change consists of."""
 
     def evaluated(self, op: Operation) -> int:
@@ -60,7 +64,7 @@ def _part(part: Fraction, step: str) -> str:
 
 def content(chain: Chain, methods: Mapping[str, Method], per_stage: int) -> dict:
     """The templates' context; ``per_stage``: the operations of an acceleration's derivatives, the solver's included."""
-    steps = [Slopes(method) for method in methods.values()]
+    steps = [StepSlopes(method) for method in methods.values()]
     product = 2 * chain.nv**2 * (2 * chain.nv + chain.n_tau)
     count = lambda m: len(m.method.stages) * per_stage + m.products * product  # noqa: E731
     return {
@@ -68,7 +72,52 @@ def content(chain: Chain, methods: Mapping[str, Method], per_stage: int) -> dict
         "stages": max(len(m.method.stages) for m in steps),
         "coupled": chain.coupled,
         "pose": _pose() if chain.floating else [],
+    } | _moved(chain)
+
+
+def _moved(chain: Chain) -> dict[str, object]:
+    """Joints whose coordinates do not add up: their rows, which are those of v, their kinds, and the sizes of both."""
+    sizes = list(dict.fromkeys(part.joint.nv for part in chain.curved))
+    of_size = {n: "" if n == POSE else f"_{n}" for n in sizes}
+    rows = [k for part in chain.curved for k in range(part.v.start, part.v.stop)]
+    return {
+        "moved": [int(k in rows) for k in range(chain.nv)],
+        "turning": turns(chain),
+        "sizes": [(n, f"turn_rows{end}", f"add_turned{end}") for n, end in of_size.items()],
+        "curved": [_place(chain, part, of_size[part.joint.nv]) for part in chain.curved],
+        "kinds": [_kind(joint, of_size[joint.nv]) for joint in kinds(chain)],
     }
+
+
+POSE = 6
+"""The rates of a pose."""
+
+
+def _place(chain: Chain, part: JointPlace, end: str) -> dict[str, object]:
+    """One of them as the templates print it."""
+    joint, first = part.joint, part.v.start
+    names = {"name": joint.name, "stem": stem(joint), "link": chain.names[part.link], "product": f"add_turned{end}"}
+    places = {"first": first, "end": part.v.stop, "count": joint.nv, "q": plus(part.q.start), "v": plus(first)}
+    return names | places | {"base": joint.in_space}
+
+
+def _kind(joint: JointKind, end: str) -> dict[str, object]:
+    """The functions of a kind."""
+    move, rate = _body(move_slopes(joint), joint.nv), _body(rate_slopes(joint), joint.nv)
+    return {
+        "name": joint.name,
+        "stem": stem(joint),
+        "nv": joint.nv,
+        "rows": f"turn_rows{end}",
+        "move": move,
+        "rate": rate,
+    }
+
+
+def _body(program: Program, size: int) -> list[str]:
+    """The body of a function of vectors that finds matrices of ``size`` columns."""
+    own = lambda name, k: f"{name}[{k}]" if name in program.inputs else f"{name}[{k // size}][{k % size}]"  # noqa: E731
+    return with_unused(program.inputs, trimmed(Writer(program, own, None, {*program.inputs, *program.outputs}).lines()))
 
 
 def _pose() -> list[str]:

@@ -5,7 +5,7 @@ acados itself is not needed: the export holds CasADi expressions on SX, and :met
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -67,9 +67,10 @@ class AcadosExport:
 
 
 def acados(
-    chain: Chain, functions: Mapping[str, Any], form="joint", binding="runtime", w_ext: bool = False
+    chain: Chain, functions: Mapping[str, Any], form: str = "joint", binding: str = "runtime", w_ext: bool = False
 ) -> AcadosExport:
     """The export of a chain from its CasADi functions; see :meth:`screwgen.Model.acados`."""
+    chain.needs_sums("acados model", "take the CasADi functions")
     _check("form", form, FORMS)
     _check("binding of the parameters", binding, BINDINGS)
     tau = ca.SX.sym("tau", chain.n_tau)
@@ -89,7 +90,9 @@ def _check(what: str, given: object, allowed: tuple[str, ...]) -> None:
         raise UsageError(f"there is no {what} '{given}'; choose {' or '.join(allowed)}")
 
 
-def _parameters(chain: Chain, binding: str, w_ext: bool):
+def _parameters(
+    chain: Chain, binding: str, w_ext: bool
+) -> tuple[ca.SX, ca.SX, ca.SX, tuple[str, ...], tuple[float, ...]]:
     """The column p, the robot's parameters and the tip wrenches (6 x n) in it, names and values of its entries."""
     own = parameters(chain.robot)
     values, names = [p.value for p in own], [p.name for p in own]
@@ -119,8 +122,8 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     rows, torques, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closures else (ca.SX(0, 1), 0, 0)
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
-    driven[chain.driven] = tau * functions["levers"](q, p) if chain.cranked else tau
-    for joint, place in chain.loose.items():
+    driven[chain.effort_places] = tau * functions["levers"](q, p) if chain.travels else tau
+    for joint, place in chain.elastic_travels.items():
         driven[place] = tau[joint]
     if chain.couplings:
         driven[chain.base_v : chain.base_v + chain.n_joints] += torques
@@ -146,7 +149,7 @@ def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca
     """The rows of the loops at given accelerations, and what their forces exert: on axes, and on tips (6 x n)."""
     given = {"q": q, "v": v, "forces": forces, "p": p}
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         gap, loads = f.loops_at(x["q"], x["forces"])
         return {"gap": gap, "rate": f.gaps(x["q"], x["v"])[1], "torque": loads.tau, "wrench": loads.w_ext}
 

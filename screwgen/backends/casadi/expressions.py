@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache, partial
+from math import factorial
 
 import casadi as ca
 
@@ -32,7 +33,7 @@ def unary(op: str, x: ca.SX) -> ca.SX:
         return -x
     if op == "on":
         return x > 0
-    if op in ("c4", "c5"):
+    if op in ("c4", "c5", "c6", "c7"):
         return _stumpff(int(op[1]), x)
     return getattr(ca, op)(x)
 
@@ -42,9 +43,12 @@ def _stumpff(order: int, x: ca.SX) -> ca.SX:
     large = x >= LIMIT
     far = ca.if_else(large, x, LIMIT)
     s = ca.sqrt(far)
-    closed = (ca.cos(s) - 1 + far / 2) / far**2 if order == 4 else (ca.sin(s) - s + s * far / 6) / (far**2 * s)
+    if order > 5:
+        closed = (1 / factorial(order - 2) - _stumpff(order - 2, far)) / far
+    else:
+        closed = (ca.cos(s) - 1 + far / 2) / far**2 if order == 4 else (ca.sin(s) - s + s * far / 6) / (far**2 * s)
     near = ca.if_else(large, 0, x)
     series = ca.SX(1)
     for j in reversed(range(1, TERMS)):
         series = 1 - near / ((order + 2 * j - 1) * (order + 2 * j)) * series
-    return ca.if_else(large, closed, series / (24 if order == 4 else 120))
+    return ca.if_else(large, closed, series / factorial(order))

@@ -24,7 +24,7 @@ from ...algorithms.signals import Signal
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
-from ...spec.parameters import parameters, turning
+from ...spec.parameters import parameters, travels, turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ..templates import render
@@ -43,7 +43,7 @@ class Made(Mapping):
         """These values, which are not made again, and others."""
         return Made({name: partial(self.__getitem__, name) for name in self} | dict(makers))
 
-    def __getitem__(self, name: str):
+    def __getitem__(self, name: str) -> Any:
         if name not in self._made:
             choice(name, self._makers, "there is no function")
             self._made[name] = self._makers[name]()
@@ -84,7 +84,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
         return {name: shaped(found[name], signal, chain) for name, signal in row.results.items()}
 
     def mass_matrix() -> dict[str, ca.SX]:
-        if chain.floating:
+        if chain.curved:
             return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], given["vdot"])}
         lower = ca.SX(ca.Sparsity.lower(chain.nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
@@ -94,15 +94,15 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
 
 
 def shaped(values: ca.SX, signal: Signal, chain: Chain) -> ca.SX:
-    """A result as CasADi's matrices have it: a column per link, rotations (stored row by row) side by side."""
+    """A result as CasADi's matrices have it: a column per link, matrices (stored row by row) side by side."""
     whole = shape(signal, chain)
-    if signal.shape[-2:] == ROTATION:
-        return rotations(values, 1 if len(whole) == 2 else whole[0])
+    if signal.shape == ROTATION or len(whole) == 3:
+        return side_by_side(values, *whole[-2:])
     return ca.reshape(values, whole[1], whole[0]) if len(whole) == 2 else values
 
 
 @fused.program("q", "mass_matrix")
-def _inertia(f: Functions, q):
+def _inertia(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (lower)``: the lower triangle of the mass matrix, row by row."""
     rest, nothing = [0.0] * f.chain.nv, [0.0] * 6 * f.chain.n
     M = slopes(f, q, rest, rest, nothing, [0.0] * f.chain.n_tau).M
@@ -151,11 +151,11 @@ def modal_functions(chain: Chain) -> Made:
     given = symbols(chain, "q v tau w_ext m_eta f_eta x wrench motion p")
 
     @cache
-    def found(program) -> dict[str, ca.SX]:
+    def found(program: fused.Maker) -> dict[str, ca.SX]:
         out = expressions(program(chain), given)
         return out | ({"wrench": ca.reshape(out["wrench"], 6, chain.n)} if "wrench" in out else {})
 
-    def making(name: str, inputs: str, program, *results: str) -> Callable[[], ca.Function]:
+    def making(name: str, inputs: str, program: fused.Maker, *results: str) -> Callable[[], ca.Function]:
         taken = {k: given[k] for k in inputs.split()}
         return lambda: function(name, taken, **{k: x for k, x in found(program).items() if k in results or not results})
 
@@ -187,13 +187,15 @@ def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
 
 
 def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
-    """``dq/dt``, which is v but for the pose of a floating base."""
-    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.floating else v
+    """``dq/dt``, which is v but for joints whose coordinates do not add up."""
+    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.curved else v
 
 
-def rotations(rows: ca.SX, n: int) -> ca.SX:
-    """Rotations stored row by row, side by side as 3 x 3n."""
-    return ca.horzcat(*(ca.reshape(rows[9 * i : 9 * i + 9], 3, 3).T for i in range(n)))
+def side_by_side(entries: ca.SX, rows: int, columns: int) -> ca.SX:
+    """Matrices stored one after the other, row by row, side by side."""
+    size = rows * columns
+    parts = [entries[k : k + size] for k in range(0, entries.numel() if size else 0, size)]
+    return ca.horzcat(ca.SX(rows, 0), *(ca.reshape(part, columns, rows).T for part in parts))
 
 
 # ------------------------------------------------------------------------------------ the CasADi target
@@ -248,8 +250,9 @@ def casadi_files(
         others=[name for name in functions if name not in saved | missing],
         parameters=parameter_names,
         sliding=not all(turning(robot)),
-        linked=any(drive.linked for link in robot.links for drive in link.joint.drives or ()),
+        efforts=list(dict.fromkeys(kind.EFFORTS for kind in travels(robot))),
         floating=robot.floating,
+        balls=[link.name for link in robot.links if link.joint.kind.curved],
         split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],
         **patterns,
@@ -273,7 +276,7 @@ def there(functions: Mapping, asked: Sequence[str] | str | None) -> tuple[dict[s
     return saved, missing
 
 
-def as_function(name: str, value) -> ca.Function:
+def as_function(name: str, value: Any) -> ca.Function:
     """A function as it is; a dictionary for ``casadi.integrator`` as the function of its expressions."""
     if isinstance(value, ca.Function):
         return value

@@ -5,10 +5,13 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
+from ...arguments import Numbers
 from ...spec.mpc import Horizon
 
 
-def interval_slopes(step: ca.Function, horizon: Horizon, p, q, tau) -> tuple[np.ndarray, np.ndarray]:
+def interval_slopes(
+    step: ca.Function, horizon: Horizon, p: Numbers, q: Numbers, tau: Numbers
+) -> tuple[np.ndarray, np.ndarray]:
     """With the state (2 nq, 2 nq) and with the torques (2 nq, n_tau), at rest at ``q`` in equilibrium.
 
     ``step (q, v, tau, w_ext, p, dt) -> (q_next, v_next)`` is the function of the horizon's method.

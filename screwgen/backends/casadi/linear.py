@@ -1,39 +1,24 @@
-"""Exact first derivatives by CasADi: of the dynamics with its measurable outputs, and of the statics."""
+"""Exact first derivatives: of the dynamics with its measurable outputs, of loops and of the statics."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
 
 import casadi as ca
 
 from ...algorithms import fused
+from ...algorithms import linear_model as linear_models
 from ...algorithms.functions import Functions
-from ...bodies.markers import strains
-from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .expressions import expressions
 from .functions import coordinate_rates, function, symbols
 
 
-def linearisation(chain: Chain) -> ca.Function:
-    """``(q, v, tau, w_ext, p) -> (vdot, y, vdot_x, vdot_u, y_x, y_u)`` with x = [δ; v], u = [tau; vec(w_ext)].
-
-    δ (nv) are small changes of q: those of its entries, but of a floating base the rotation vector and the displacement
-    in axes of F_1. y stacks q, v, the last tip's position, velocity and acceleration in the inertial frame (m, m/s,
-    m/s²), the joint wrenches link by link (6 n) and the strains of :func:`base_strains`.
-    """
-    given = symbols(chain, "q v tau w_ext p")
-    q, v, p = given["q"], given["v"], given["p"]
-    qdot = coordinate_rates(chain, q, v, p)
-    dynamics = expressions(fused.forward_dynamics(chain), given)
-    vdot, position = dynamics["vdot"], expressions(fused.poses(chain), given)["tip_position"][-3:]
-    velocity = along(position, q, qdot)
-    acceleration = along(velocity, q, qdot) + along(velocity, v, vdot)
-    y = ca.vertcat(q, v, position, velocity, acceleration, dynamics["wrench"], base_strains(chain, q, p))
-    u, moving = ca.vertcat(given["tau"], ca.vec(given["w_ext"])), ca.jacobian(qdot, v)
-    slopes = {}
-    for name, f in (("vdot", vdot), ("y", y)):
-        slopes[f"{name}_x"] = ca.horzcat(ca.jacobian(f, q) @ moving, ca.jacobian(f, v))
-        slopes[f"{name}_u"] = ca.jacobian(f, u)
-    return function("linearisation", given, vdot=vdot, y=y, **slopes)
+def linear_model(chain: Chain) -> ca.Function:
+    """The program :func:`..algorithms.linear_model.changes`; where directions have columns the results have them."""
+    program = linear_models.changes(chain)
+    given = symbols(chain, "q v tau w_ext p") | {n: ca.SX.sym(n, k) for n, k in program.inputs.items() if n[:2] == "d_"}
+    return function("linear_model", given, **expressions(program, given))
 
 
 def closing(chain: Chain) -> ca.Function:
@@ -45,7 +30,7 @@ def closing(chain: Chain) -> ca.Function:
     rows = len(chain.closures)
     given = symbols(chain, "q v") | {"forces": ca.SX.sym("forces", rows)} | symbols(chain, "p")
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         gap, loads = f.loops_at(x["q"], x["forces"])
         return {"gap": gap, "wrench": loads.w_ext}
 
@@ -76,9 +61,10 @@ def statics(chain: Chain) -> ca.Function:
     derivative with q; ``weight`` (nq x 3) its derivative with gravity; ``wrench`` the joint wrenches (6 x n);
     ``tip`` the last tip's position (3). Of a robot with loops all but ``tip`` is that of the open tree.
     """
+    chain.needs_sums("statics", "simulate it with dampers")
     chain.needs_fixed("equilibrium", "simulate it with dampers, or with PD control")
 
-    def body(f: Functions, x):
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
         rest = [0.0] * chain.nv
         force, wrench = f.statics(x["q"], x["w_ext"])
         energy, tip = f.energy(x["q"], rest)[1], f.poses(x["q"])[1][chain.last][1]
@@ -96,26 +82,3 @@ def statics(chain: Chain) -> ca.Function:
         wrench=ca.reshape(found["wrench"], 6, chain.n),
         tip=found["tip"],
     )
-
-
-def strain_function(chain: Chain) -> ca.Function:
-    """The CasADi function ``(q, p) -> (strain)`` of :func:`base_strains`."""
-    q, p = ca.SX.sym("q", chain.nq), ca.SX.sym("p", len(parameters(chain.robot)))
-    return ca.Function("base_strains", [q, p], [base_strains(chain, q, p)], ["q", "p"], ["strain"])
-
-
-def base_strains(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
-    """The strains of the beam at the base section of every link, one for each of its directions that has modes.
-
-    Axial: u_x' (1); bending: the curvatures u_y'' and u_z'' (1/m); torsion: the twist θ_x' (rad/m);
-    shear: γ_y and γ_z (1).
-    """
-    names = [x.name for x in parameters(chain.robot)]
-    rows = []
-    for i in chain.firsts:
-        segment, first = chain.segments[i], chain.eta_q + chain.eta_offset[i]
-        for strain in strains(chain.keys[i], 0.0):
-            length = p[names.index(f"{segment.owner}.length")] / segment.count
-            eta = q[[first + k for k in strain.modes]]
-            rows.append(ca.dot(ca.DM(strain.weights), eta) / length**strain.order)
-    return ca.vertcat(ca.SX(0, 1), *rows)

@@ -7,8 +7,8 @@ from typing import Any
 
 import casadi as ca
 
-from ...spec.base import POSE
-from ...spec.parameters import coordinate_names, per_rotor
+from ...spec.base import POSE, TWIST
+from ...spec.parameters import coordinate_names, per_added
 from ...spec.robot import Robot
 from ...spec.segments import segments
 
@@ -45,14 +45,15 @@ def structures(robot: Robot, functions: Mapping[str, ca.Function]) -> list[dict[
     A row holds the name of the part of the right-hand side and the nonzeros of its Jacobian, column by column.
     """
     names = coordinate_names(robot)
-    n, m, t = len(segments(robot)), len(names.tau), len(per_rotor(robot, "theta"))
+    n, m, t = len(segments(robot)), len(names.tau), len(per_added(robot))
     q, v = len(names.q), len(names.v)
-    r = q - m - t - len(POSE) * robot.floating
+    r = v - m - t - len(TWIST) * robot.floating
+    redundant = q - t - r - len(POSE) * robot.floating
     forces = {"u": _stacked({"`tau`": m, "`w_ext`": 6 * n})}
     state = {"x": _stacked({"`q`": q, "`v`": v})}
     ode_rows = {"ode": _stacked({"dq/dt": q, "dv/dt": v})}
     inner, rates_of_inner = {"rotors' angles": t, "`eta`": r}, {"rotors' rates": t, "dη/dt": r}
-    pose = {"poses": 7 * n, **inner, "twists": 6 * n, **rates_of_inner, "`q`": m}
+    pose = {"poses": 7 * n, **inner, "twists": 6 * n, **rates_of_inner, "`q`": redundant}
     dae_state = {"x": _stacked(pose), "z": _by_link(n, r, ("wrenches", "twists' rates", "d²η/dt²"))}
     rates = _stacked({f"rate of {name}": size for name, size in pose.items()})
     dae_rows = {"ode": rates, "alg": _by_link(n, r, ("rows of joints", "rows of links", "rows of modes"))}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from ...algorithms import response
+from ...algorithms.response import POINT, Response
+from ...algorithms.robot_functions import SENSED, SENSORS
 from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
@@ -42,7 +43,7 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
             "token": TOKEN,
             "first": first_references(variables),
             "count": len(variables),
-            "groups": GROUPS,
+            "groups": [name for name in GROUPS if name not in SENSED or name in programs["answers"].rows],
             "default_step": repr(STEP),
             "default_method": list(project.methods).index(METHOD) + 1,
             "start": [repr(x.start) for x in variables if x.group == "q"],
@@ -65,47 +66,44 @@ def _opened(chain: Chain) -> tuple[str, str]:
 
 
 def content(project: CProject) -> dict:
-    """The programs of :mod:`...algorithms.response` as the templates print them, of a project with outputs.
+    """The programs of :class:`...algorithms.response.Response` as the templates print them, of a project with outputs.
 
     Without derivatives, in ``derived``, where they would take too long to compile.
     """
     constants = "baked" if project.baked is not None else "constants"
-    makers = response.observation, response.tangent, response.adjoint
-    programs = {make.__name__: make(project.chain, constants) for make in makers}
+    answers = Response(project.chain, SENSORS in project.reports)
+    programs = {name: getattr(answers, name)(constants) for name in ("observation", "tangent", "adjoint")}
     derived = max(program.operation_count for program in programs.values()) <= LIMIT
     programs = programs if derived else {"observation": programs["observation"]}
-    printed = {name: _printed(project, program) for name, program in programs.items()}
+    printed = {name: _printed(project, answers, program) for name, program in programs.items()}
     return {
         "derived": derived,
         "programs": printed,
-        "response": response.sizes(project.chain),
-        "reports": response.REPORTS,
+        "answers": answers,
+        "response": answers.sizes,
+        "reports": answers.reports,
         "tips": project.chain.lasts,
         "slopes_of_stumpff": any({"c6", "c7"} & program.operations.keys() for program in programs.values()),
     }
 
 
-def _printed(project: CProject, program: Program) -> dict:
+def _printed(project: CProject, answers: Response, program: Program) -> dict:
     fail = lambda test, link: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
-    return pieces(program, piece_place(project.chain, "kept", _own(project), fused_place), POINTERS, fail=fail)
+    return pieces(program, piece_place(project.chain, "kept", _own(answers), fused_place), POINTERS, fail=fail)
 
 
-def _own(project: CProject) -> dict[str, Callable[[int], str]]:
+def _own(answers: Response) -> dict[str, Callable[[int], str]]:
     """The places of directions and answers: their entries one after the other."""
-    size, segments = response.sizes(project.chain), project.chain.segments
-    own: dict[str, Callable[[int], str]] = {
-        "gravity": lambda k: f"c->gravity[{k}]",
-        "length": lambda k: f"p->links[{segments[k].link}].length",
-    }
+    own: dict[str, Callable[[int], str]] = {"gravity": lambda k: f"c->gravity[{k}]"}
     parts = {"q": "state", "v": "state", "tau": "input", "w_ext": "input"}
-    for names, along, against in ((response.POINT, "x", "y"), (response.ANSWERS, "y", "x")):
+    for names, along, against in ((POINT, "x", "y"), (answers.answers, "y", "x")):
         first = 0
         for name in names:
             own[f"d_{name}"] = partial(_entry, along, first)
             own[f"b_{name}"] = partial(_entry, against, first)
             if name not in parts:
                 own[name] = partial(_entry, "y", first)
-            first += size[name]
+            first += answers.sizes[name]
     return own
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from ...algorithms import response
+from ...algorithms.response import Response
 from ...topology.chain import Chain
 from .units import exponents, spelled
 from .variables import STEP, Variable, first_references
@@ -18,7 +18,7 @@ METHODS = "solver.methods"
 
 
 def model_description(
-    chain: Chain,
+    answers: Response,
     version: int,
     variables: Sequence[Variable],
     token: str,
@@ -27,7 +27,7 @@ def model_description(
     derived: bool,
 ) -> bytes:
     """``modelDescription.xml``; ``files`` are the C sources, ``derived`` tells whether there are derivatives."""
-    name = chain.robot.name
+    name = answers.chain.robot.name
     root = Element("fmiModelDescription", fmiVersion=VERSIONS[version], modelName=name)
     root.set("guid" if version == 2 else "instantiationToken", token)
     root.set("description", f"dynamics of the flexible arm '{name}'")
@@ -52,7 +52,7 @@ def model_description(
         if version == 2 and variable.causality == "independent":
             continue  # optional there, and importers of FMI 2.0 want a start value of it, which the standard forbids
         (_scalar if version == 2 else _typed)(listed, k, variable)
-    _structure(SubElement(root, "ModelStructure"), chain, version, variables)
+    _structure(SubElement(root, "ModelStructure"), answers, version, variables)
     return _text(root)
 
 
@@ -123,9 +123,9 @@ def _typed(parent: Element, reference: int, x: Variable) -> None:
 # ------------------------------------------------------------------------------ structure
 
 
-def _structure(parent: Element, chain: Chain, version: int, variables: Sequence[Variable]) -> None:
+def _structure(parent: Element, answers: Response, version: int, variables: Sequence[Variable]) -> None:
     """Outputs, rates of states, and what is unknown at the beginning, with what each depends on."""
-    first, depends = first_references(variables), _dependencies(chain, variables)
+    chain, first, depends = answers.chain, first_references(variables), _dependencies(answers, variables)
     outputs = [k for k, x in enumerate(variables) if x.causality == "output"]
     rates = list(range(first["qdot"], first["qdot"] + chain.nq + chain.nv))
     unknown = sorted([k for k in outputs if variables[k].initial == "calculated"] + rates)
@@ -145,9 +145,9 @@ def _kind(variables: Sequence[Variable], k: int) -> str:
     return "constant" if variables[k].causality == "output" and variables[k].initial == "exact" else "dependent"
 
 
-def _dependencies(chain: Chain, variables: Sequence[Variable]) -> dict[int, list[int]]:
+def _dependencies(answers: Response, variables: Sequence[Variable]) -> dict[int, list[int]]:
     """The value references of states and inputs on which each rate and output depends."""
-    first, found = first_references(variables), response.sparsity(chain)
+    first, found = first_references(variables), answers.sparsity()
     out = {k: [k] for k in range(first["q"], first["tau"])}
     for group, rows in found.items():
         out |= {first[group] + k: [first["q"] + n for n in row] for k, row in enumerate(rows)}

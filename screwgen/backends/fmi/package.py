@@ -41,14 +41,15 @@ def unit(project: CProject, programs: dict, target: str) -> Unit:
     chain, version = project.chain, VERSIONS[target]
     if not chain.nv:
         raise UsageError(f"robot '{project.name}' has no coordinates, so there is nothing to simulate; give it a joint")
-    found = variables(chain, list(project.methods), project.baked is not None)
+    answers = programs["answers"]
+    found = variables(answers, list(project.methods), project.baked is not None)
     plain = sources(project, version, found, programs)
     token = _token(plain)
     files = {name: text.replace(TOKEN, token) for name, text in plain.items()}
     listed = sorted(name for name in files if name.endswith(".c"))
     derived = programs["derived"]
     tool = f"screwgen {project.version}"
-    model = description.model_description(chain, version, found, token, tool, listed, derived)
+    model = description.model_description(answers, version, found, token, tool, listed, derived)
     descriptions = {"modelDescription.xml": model}
     if version == 3:
         descriptions["sources/buildDescription.xml"] = description.build_description(project.name, listed)

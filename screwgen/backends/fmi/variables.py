@@ -11,14 +11,13 @@ from math import prod
 
 import numpy as np
 
-from ...algorithms import response
-from ...algorithms.robot_functions import entry_names, entry_units, reported, shape
-from ...bodies.markers import strains
+from ...algorithms.gauges import strain_names
+from ...algorithms.response import OWN, REPORTED, Response
+from ...algorithms.robot_functions import SENSED, entry_names, entry_units, shape
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
-from ...spec.modes import DIRECTIONS
-from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units, parameters
+from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units, parameters, rate_units
 from ...topology.chain import Chain
 
 STEP, METHOD = 1e-3, "modal_implicit"
@@ -27,12 +26,10 @@ STEP, METHOD = 1e-3, "modal_implicit"
 MODE_NOMINAL, RATE_NOMINAL = 1e-2, 1e-1
 """Nominal values of modal coordinates (m, torsion: rad) and of their rates; those of all other states are 1."""
 
-GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *response.ANSWERS, "measures")
+GROUPS = ("time", "solver", "parameters", "q", "v", "tau", "w_ext", *OWN, *REPORTED, *SENSED, "measures")
 """The groups of variables, in the order of their value references."""
 
-STRAIN_UNITS = dict.fromkeys(DIRECTIONS, "1") | {"bending_y": "1/m", "bending_z": "1/m", "torsion": "rad/m"}
 WRENCH_UNITS = {part: "N" if part.startswith("F") else "N·m" for part in WRENCH}
-TWIST_UNITS = ("rad", "rad", "rad", "m", "m", "m")
 MEASURE_UNITS = {"slope": "rad"}
 AXES = ("x", "y", "z")
 
@@ -55,8 +52,9 @@ class Variable:
     """The values of an enumeration, which are numbered from 1."""
 
 
-def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variable]:
+def variables(answers: Response, methods: Sequence[str], baked: bool) -> list[Variable]:
     """All variables, group by group; parameters that are folded into the code are none."""
+    chain = answers.chain
     tunable = ("parameter", "tunable", "exact")
     start, names = list(methods).index(METHOD) + 1, tuple(methods)
     out: list[Variable] = [
@@ -70,7 +68,7 @@ def variables(chain: Chain, methods: Sequence[str], baked: bool) -> list[Variabl
     out += _states(chain)
     out += _inputs(chain)
     out += _rates(out[first : first + chain.nq + chain.nv], first, chain.nq)
-    out += _outputs(chain)
+    out += _outputs(answers)
     twice = {x.name for x in out if sum(y.name == x.name for y in out) > 1}
     if twice:
         raise UsageError(f"robot '{chain.robot.name}': two variables would be called '{min(twice)}'; rename the link")
@@ -94,7 +92,7 @@ def _states(chain: Chain) -> Iterator[Variable]:
         yield Variable(
             "q", name, unit, _pose(name) or meaning, "output", initial="exact", start=float(start[k]), nominal=nominal
         )
-    for k, (name, unit) in enumerate(zip(names.v, _rate_units(chain), strict=True)):
+    for k, (name, unit) in enumerate(zip(names.v, rate_units(chain.robot), strict=True)):
         nominal = RATE_NOMINAL if k >= chain.eta_v else None
         meaning = "twist of the base, in its own axes" if k < chain.base_v else "rate of the coordinate"
         yield Variable("v", name, unit, meaning, "output", initial="exact", start=0.0, nominal=nominal)
@@ -105,11 +103,6 @@ def _pose(name: str) -> str:
     if not name.startswith("base.") or name.removeprefix("base.") not in POSE:
         return ""
     return "unit quaternion of the base" if name.startswith("base.q") else "position of the base, inertial frame"
-
-
-def _rate_units(chain: Chain) -> list[str]:
-    units = [*TWIST_UNITS * chain.floating, *coordinate_units(chain.robot)[chain.base_q :]]
-    return [f"{unit}/s" for unit in units]
 
 
 def _inputs(chain: Chain) -> Iterator[Variable]:
@@ -137,8 +130,9 @@ def _rates(states: Sequence[Variable], first: int, nq: int) -> Iterator[Variable
         )
 
 
-def _outputs(chain: Chain) -> Iterator[Variable]:
-    """What is calculated, in the order of ``response.ANSWERS``, then the measures of the model's validity."""
+def _outputs(answers: Response) -> Iterator[Variable]:
+    """What is calculated, in the order of the answers, then the measures of the model's validity."""
+    chain = answers.chain
 
     def of(group: str, name: str, unit: str, description: str) -> Variable:
         return Variable(group, name, unit, description, "output", initial="calculated")
@@ -154,14 +148,12 @@ def _outputs(chain: Chain) -> Iterator[Variable]:
                 yield of("rotation", name, "1", "rotation of the tip frame, in the inertial frame")
     for k, name in enumerate(coordinate_names(chain.robot).wrench):
         yield of("wrench", name, WRENCH_UNITS[WRENCH[k % 6]], "of the joint on the link, at the joint point, in F_i")
-    for i in chain.firsts:
-        for strain in strains(chain.keys[i], 0.0):
-            name = f"{chain.segments[i].owner}.base_strain.{strain.direction}"
-            yield of("strain", name, STRAIN_UNITS[strain.direction], "strain of the centreline at the link's base")
-    drives = coordinate_names(chain.robot).tau
-    for told in reported(chain):
+    for name, unit in strain_names(chain).items():
+        yield of("strain", name, unit, "strain of the centreline at the link's base, or at its marker")
+    efforts, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
+    for told in answers.rows.values():
         meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        for entry in zip(entry_names(told, drives), entry_units(told, chain), meanings, strict=True):
+        for entry in zip(entry_names(told, efforts, markers), entry_units(told, chain), meanings, strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

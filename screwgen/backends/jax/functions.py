@@ -18,19 +18,19 @@ import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.axis_laws import of_robot
-from ...algorithms.law_programs import replayed, stage
-from ...algorithms.robot_functions import RobotFunction, function_named, offered, shape
+from ...algorithms.law_programs import replayed, spring_stage, stage
+from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...errors import UsageError
+from ...integrators import space
 from ...integrators.method import Method, Motion
 from ...integrators.methods import with_built_in
-from ...integrators.se3 import FLAT, programs
 from ...ir.adjoint import only
 from ...ir.program import Program
 from ...topology.chain import Chain
 from ..casadi.functions import Made
-from .programs import Evaluator, Values, straight
+from .programs import JaxProgram, Values, straight
 
 PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
 STEP = "modal_midpoint"
@@ -43,7 +43,7 @@ def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterabl
     if precision == "double" and not jax.config.read("jax_enable_x64"):
         said = "call jax.config.update('jax_enable_x64', True) first, or give precision='single'"
         raise UsageError(f"JAX is set to single precision; {said}")
-    own = Own(chain, PRECISIONS[precision], straight if forward_mode else Evaluator)
+    own = Own(chain, PRECISIONS[precision], straight if forward_mode else JaxProgram)
     found = with_built_in(methods)
     steps: dict[str, Callable] = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
     return Made({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
@@ -53,7 +53,7 @@ def old_order_too(step: Callable) -> Callable:
     """`step` (q, v, tau, w_ext, p, dt), which takes its arguments as (…, h, p) as well, with a DeprecationWarning."""
 
     @wraps(step)
-    def call(*args, **named):
+    def call(*args: Any, **named: Any) -> Any:
         swapped = len(args) == 6 and not np.ndim(args[4]) and np.ndim(args[5])
         if swapped or "h" in named:
             warnings.warn("steps take (q, v, tau, w_ext, p, dt), no longer (…, h, p)", DeprecationWarning, stacklevel=2)
@@ -83,7 +83,7 @@ class Own:
         def evaluator(maker: Callable[[Chain], Program], outputs: tuple[str, ...]) -> Callable:
             return evaluated(only(maker(chain), outputs))
 
-        self._evaluator = evaluator
+        self._evaluator, self._evaluated = evaluator, evaluated
 
     def run(self, maker: Callable[[Chain], Program], outputs: str, given: Values) -> list:
         """Outputs of a program; NaN, gradients included, where one of its guards is not > 0."""
@@ -93,11 +93,15 @@ class Own:
         fine = jnp.where(jnp.all(guards > 0), 1, jnp.nan).astype(self.real)
         return [found[name] * fine for name in names]
 
+    def replay(self, program: Program, given: Values) -> dict[str, Any]:
+        """The outputs of a program without guards."""
+        return self._evaluated(program)(given)[0]
+
     def function(self, inputs: str, body: Callable[..., Any]) -> Callable:
         """``body`` of the named inputs, converted and checked."""
         names = inputs.split()
 
-        def call(*args, **named):
+        def call(*args: Any, **named: Any) -> Any:
             given = dict(zip(names, args, strict=False)) | named
             if len(args) > len(names) or given.keys() != set(names) or len(given) != len(args) + len(named):
                 raise UsageError(f"the arguments are ({', '.join(names)})")
@@ -107,7 +111,7 @@ class Own:
         call.__doc__ = f"``({', '.join(names)})``"
         return call
 
-    def _array(self, name: str, value: Any):
+    def _array(self, name: str, value: Any) -> jax.Array:
         try:
             out = jnp.asarray(value, self.real)
         except (TypeError, ValueError):
@@ -129,22 +133,22 @@ class Own:
         own += [(row.name, f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)]
         return {name: partial(self.function, inputs, body) for name, inputs, body in own}
 
-    def _results(self, row: RobotFunction, x: Values):
+    def _results(self, row: RobotFunction, x: Values) -> Any:
         """The results of a function of the robot, a tuple where they are several."""
         found = self.run(row.program, " ".join(row.results), x)
         shaped = [y.reshape(shape(of, self.chain)) for y, of in zip(found, row.results.values(), strict=True)]
         return tuple(shaped) if len(shaped) > 1 else shaped[0]
 
-    def _mass_matrix(self, x: Values):
+    def _mass_matrix(self, x: Values) -> jax.Array:
         force = lambda vdot: self.run(fused.inertial_force, "force", {**x, "vdot": vdot})[0]  # noqa: E731
         return jax.jacrev(force)(jnp.zeros(self.chain.nv, self.real))
 
-    def _coordinate_rates(self, x: Values):
-        return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.floating else x["v"]
+    def _coordinate_rates(self, x: Values) -> jax.Array:
+        return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.curved else x["v"]
 
-    def _tip_jacobian(self, x: Values):
+    def _tip_jacobian(self, x: Values) -> jax.Array:
         """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
-        tip_pose = partial(self._results, function_named("tip_pose"))
+        tip_pose = partial(self._results, BY_NAME["tip_pose"])
         pose = lambda q: (tip_pose({**x, "q": q}),) * 2  # noqa: E731
         (turning, moving), (R, _) = jax.jacrev(pose, has_aux=True)(x["q"])
         units = jnp.eye(self.chain.nv, dtype=self.real)
@@ -155,15 +159,15 @@ class Own:
     def step(self, method: Method) -> Callable:
         """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds."""
 
-        def body(x: Values):
-            space = Curved(self) if self.chain.floating else FLAT
-            q, v = method.step(Held(self, x), x["q"], x["v"], x["dt"], space)
+        def body(x: Values) -> tuple[jax.Array, jax.Array]:
+            moves = space.replayed(self.chain, self.replay)
+            q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], moves)
             return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 
         return old_order_too(self.function("q v tau w_ext p dt", body))
 
 
-class Held:
+class JaxAccelerations:
     """Accelerations at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
 
     def __init__(self, own: Own, x: Values):
@@ -179,9 +183,13 @@ class Held:
 
     def implicit(self, q: Any, v: Any, h: Any, there: Motion | None = None) -> Any:
         q_there, v_there = there or (q, v)
-        x, rate, later = (values[len(values) - self.chain.n_given :] for values in (q, v, v_there))
+        x = q[jnp.array(self.chain.given_places, int)]
+        rate, later = (values[len(values) - self.chain.n_given :] for values in (v, v_there))
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
-        inertia, force = M + h * D + h**2 * K, self._product(K, x + h * rate) + self._product(D, rate)
+        rows, felt, entries = self.chain.springs
+        inertia = M + replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": K, "D": D}, _unary)["inertia"]
+        springs = {"x": x[felt], "w": rate[felt], "h": h, "K": K[entries], "D": D[entries]}
+        force = jnp.zeros_like(x).at[rows].add(replayed(spring_stage(), springs, _unary)["force"])
         for law, coordinates, sides in self.laws:
             at, side = jnp.array(coordinates), jnp.array(sides, self.own.real)
             state = {"side": side, "x": x[at], "w": rate[at], "there": later[at], "h": h}
@@ -189,34 +197,6 @@ class Held:
             inertia, force = inertia.at[at].add(found["inertia"]), force.at[at].add(found["force"])
         given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
         return self.own.run(fused.modal_dynamics, "vdot", given)[0]
-
-    def _product(self, A: Any, x: Any) -> Any:
-        """:meth:`Chain.modal_product` on arrays that cannot be written to."""
-        out = A[: self.chain.n_given] * x
-        for k, (i, j) in enumerate(self.chain.coupled, self.chain.n_given):
-            out = out.at[i].add(A[k] * x[j]).at[j].add(A[k] * x[i])
-        return out
-
-
-class Curved:
-    """The coordinates behind a floating base: a :class:`~screwgen.integrators.se3.Space`."""
-
-    def __init__(self, own: Own):
-        self.own = own
-
-    def moved(self, q: Any, u: Any) -> Any:
-        return self.own.run(_moved, "q", {"q": q, "u": u})[0]
-
-    def rate(self, u: Any, v: Any) -> Any:
-        return self.own.run(_rate, "rate", {"u": u, "v": v})[0]
-
-
-def _moved(chain: Chain) -> Program:
-    return programs(chain.nq, chain.nv)[0]
-
-
-def _rate(chain: Chain) -> Program:
-    return programs(chain.nq, chain.nv)[1]
 
 
 def _unary(op: str, x: Any) -> Any:

@@ -8,7 +8,7 @@ program becomes a table (:mod:`...ir.levels`) that one loop of XLA runs on a fil
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -30,9 +30,11 @@ LANES = 64
 """The largest number of scenarios side by side."""
 
 Values = Mapping[str, Any]
+Kept = tuple[dict[str, Any], dict[str, tuple[()]]]
+"""Inputs, and as keys of a tree without leaves the names of those that are differentiated."""
 
 
-class Evaluator:
+class JaxProgram:
     """A program on JAX arrays: ``(inputs) -> (outputs, guards)``, vectors by name, all of one floating-point type.
 
     It works below ``jit``, ``vmap``, ``scan`` and ``grad``, of any order; forward mode is refused by JAX.
@@ -40,7 +42,7 @@ class Evaluator:
 
     def __init__(self, program: Program):
         self.program = program
-        self._adjoints: dict[tuple[str, ...], Evaluator] = {}
+        self._adjoints: dict[tuple[str, ...], JaxProgram] = {}
         self._tables: dict[Any, Callable] = {}
         self._differentiable = jax.custom_vjp(self._plain)
         self._differentiable.defvjp(self._forward, self._backward, symbolic_zeros=True)
@@ -55,13 +57,12 @@ class Evaluator:
         *outputs, guards = self._tables[real](*(inputs[name].astype(real) for name in self.program.inputs))
         return dict(zip(self.program.outputs, outputs, strict=True)), guards
 
-    def _forward(self, inputs: Values):
-        """The inputs, and the names of those that are differentiated as the keys of a tree without leaves."""
+    def _forward(self, inputs: Values) -> tuple[tuple[dict[str, Any], Any], Kept]:
         values = {name: x.value for name, x in inputs.items()}
-        moving = {name: () for name, x in inputs.items() if x.perturbed}
+        moving: dict[str, tuple[()]] = {name: () for name, x in inputs.items() if x.perturbed}
         return self(values), (values, moving)  # what an outer derivative differentiates
 
-    def _backward(self, kept, seeds) -> tuple[dict[str, Any]]:
+    def _backward(self, kept: Kept, seeds: tuple[Values, Any]) -> tuple[dict[str, Any]]:
         values, moving = kept
         found = {name: jnp.zeros_like(x) for name, x in values.items()}
         given = {name: x for name, x in seeds[0].items() if not _is_zero(x)}
@@ -71,10 +72,10 @@ class Evaluator:
             found |= {name: outputs[GRADIENT + name] for name in moving}
         return (found,)
 
-    def _adjoint(self, wanted: tuple[str, ...], outputs: tuple[str, ...]) -> Evaluator:
+    def _adjoint(self, wanted: tuple[str, ...], outputs: tuple[str, ...]) -> JaxProgram:
         key = (*wanted, "", *outputs)
         if key not in self._adjoints:
-            self._adjoints[key] = Evaluator(adjoint(self.program, wanted, outputs))
+            self._adjoints[key] = JaxProgram(adjoint(self.program, wanted, outputs))
         return self._adjoints[key]
 
 
@@ -86,12 +87,12 @@ def table_runner(table: Levels, real: Any) -> Callable:
     """What runs a table: vectors in the order of its inputs -> its outputs and the guards."""
 
     @custom_vmap
-    def evaluate(*inputs):
+    def evaluate(*inputs: jax.Array) -> list[jax.Array]:
         found = _run(table, real, [x[:, None] for x in inputs])
         return [x[:, 0] for x in found]
 
     @evaluate.def_vmap
-    def batched(size, are_batched, *inputs):
+    def batched(size: int, are_batched: Sequence[bool], *inputs: jax.Array) -> tuple[list[jax.Array], list[bool]]:
         columns = [
             x.T if own else jnp.broadcast_to(x[:, None], (*x.shape, size))
             for x, own in zip(inputs, are_batched, strict=True)
@@ -100,12 +101,12 @@ def table_runner(table: Levels, real: Any) -> Callable:
         return [x.T for x in found], [True] * len(found)
 
     @custom_vmap
-    def wide(*inputs):
+    def wide(*inputs: jax.Array) -> list[jax.Array]:
         """The same for columns (n, scenarios)."""
         return _in_blocks(table, real, inputs)
 
     @wide.def_vmap
-    def wider(size, are_batched, *inputs):
+    def wider(size: int, are_batched: Sequence[bool], *inputs: jax.Array) -> tuple[list[jax.Array], list[bool]]:
         spread = [
             x if own else jnp.broadcast_to(x[None], (size, *x.shape))
             for x, own in zip(inputs, are_batched, strict=True)
@@ -117,7 +118,7 @@ def table_runner(table: Levels, real: Any) -> Callable:
     return evaluate
 
 
-def _in_blocks(table: Levels, real: Any, inputs) -> list:
+def _in_blocks(table: Levels, real: Any, inputs: Sequence[jax.Array]) -> list:
     """The same as :func:`_run` for as many scenarios at a time as leave the registers in a cache."""
     scenarios = inputs[0].shape[1]
     count = -(-scenarios // LANES)
@@ -130,7 +131,7 @@ def _in_blocks(table: Levels, real: Any, inputs) -> list:
     return [x.swapaxes(0, 1).reshape(x.shape[1], count * size)[:, :scenarios] for x in found]
 
 
-def _run(table: Levels, real: Any, inputs) -> list:
+def _run(table: Levels, real: Any, inputs: Sequence[jax.Array]) -> list:
     """Columns (n, scenarios) of the outputs and guards from those of the inputs."""
     scenarios = inputs[0].shape[1]
     literals = jnp.broadcast_to(jnp.asarray(table.literals, real)[:, None], (len(table.literals), scenarios))
@@ -139,7 +140,7 @@ def _run(table: Levels, real: Any, inputs) -> list:
     registers = jnp.concatenate([literals, *inputs, results])
     branches = [partial(_row, kind, count, table.width) for kind, count in zip(table.kinds, table.count, strict=True)]
 
-    def row(registers, given):
+    def row(registers: jax.Array, given: tuple[Any, ...]) -> tuple[jax.Array, None]:
         k, kind, op, a, b = given
         new = lax.switch(kind, branches, registers, op, a, b)
         return lax.dynamic_update_slice_in_dim(registers, new, first + k * table.width, 0), None
@@ -151,7 +152,9 @@ def _run(table: Levels, real: Any, inputs) -> list:
     return [*(pick(places) for places in table.outputs.values()), pick(table.guards)]
 
 
-def _row(kind: str, count: int, width: int, registers, op, a, b):
+def _row(
+    kind: str, count: int, width: int, registers: jax.Array, op: jax.Array, a: jax.Array, b: jax.Array
+) -> jax.Array:
     """The results (width, scenarios) of a row; what stands behind its operations is of no meaning."""
     take = lambda places: registers.at[places[:count]].get(mode="promise_in_bounds")  # noqa: E731
     x = take(a)
@@ -163,7 +166,7 @@ def _row(kind: str, count: int, width: int, registers, op, a, b):
     return jnp.concatenate([out, jnp.zeros((width - count, out.shape[1]), out.dtype)]) if count < width else out
 
 
-def unary(op: str, x):
+def unary(op: str, x: jax.Array) -> jax.Array:
     """The unary primitives on arrays."""
     if op == "neg":
         return -x
@@ -174,7 +177,7 @@ def unary(op: str, x):
     return getattr(jnp, op)(x)
 
 
-def _stumpff(order: int, x):
+def _stumpff(order: int, x: jax.Array) -> jax.Array:
     """The series below the limit; sine and cosine above, and the recurrence ``c_k = (1/(k-2)! - c_(k-2)) / x``."""
     large = x >= LIMIT
     near = jnp.where(large, 0, x)

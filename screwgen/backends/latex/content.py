@@ -39,7 +39,7 @@ class Heading:
 
 
 @dataclass(frozen=True)
-class Equation:
+class StepEquation:
     """A step of a derivation."""
 
     kind: ClassVar[str] = "equation"
@@ -50,7 +50,7 @@ class Equation:
 
 
 @dataclass(frozen=True)
-class Table:
+class DocumentTable:
     """Cells are text; ``widths`` are the columns' shares of the page."""
 
     kind: ClassVar[str] = "table"
@@ -59,11 +59,11 @@ class Table:
     rows: tuple[tuple[str, ...], ...]
 
 
-Item = Paragraph | Display | Heading | Equation | Table
+Item = Paragraph | Display | Heading | StepEquation | DocumentTable
 
 
 @dataclass
-class Section:
+class DocumentSection:
     """A numbered part of a document."""
 
     title: str
@@ -78,7 +78,7 @@ Named = tuple[str, str, str, str, str, Binding | None]
 class Chapter:
     """What a plug-in adds to a document: sections, the blocks that they show, and the symbols of their text."""
 
-    sections: tuple[Section, ...]
+    sections: tuple[DocumentSection, ...]
     views: tuple[tuple[Block, BlockView], ...] = ()
     symbols: tuple[Named, ...] = ()
 
@@ -87,7 +87,7 @@ class Chapter:
 class Document:
     name: str
     version: str
-    sections: tuple[Section, ...]
+    sections: tuple[DocumentSection, ...]
     title: str = ""
 
     @property
@@ -175,5 +175,5 @@ def frame(text: str) -> str:
     return "" if text == "-" else words(text)
 
 
-def equation(step: StepView) -> Equation:
-    return Equation(step, words(step.meaning), unit(step.unit), frame(step.frame))
+def equation(step: StepView) -> StepEquation:
+    return StepEquation(step, words(step.meaning), unit(step.unit), frame(step.frame))

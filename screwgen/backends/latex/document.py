@@ -22,12 +22,12 @@ from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ...version import __version__
 from ..templates import folder, render
-from . import tables, text
-from .content import CITATION, Document, Item, Paragraph, Section, parse
+from . import elements, tables, text
+from .content import CITATION, Document, DocumentSection, Item, Paragraph, parse
 from .link_class import class_section, ordered
 from .pattern import pattern
 from .steps import BlockView, block_view
-from .symbols import CRANKED, DRIVEN, LINKED, LOOSE, SLIDING, STOPPED, entries
+from .symbols import SLIDING, entries
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """What a notebook shows of a link: the blocks by which the paper calls them."""
@@ -110,7 +110,7 @@ def _run(program: str, folder: str) -> None:
 def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
     """The document of a robot, independent of the output format."""
     chain = Chain(robot)
-    plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_motors)]
+    plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_added)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
     views = {key: class_views(key, blocks[key]) for key in chain.classes}
@@ -121,16 +121,14 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
         sections.append(class_section(number, key, members, views[key], printed))
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
-    driven = [*(DRIVEN if any(key.drives for key in chain.keys) else ()), *(CRANKED if chain.pushed else ())]
-    driven += [*(LINKED if chain.linked else ()), *(LOOSE if chain.loose else ()), *(STOPPED if chain.stops else ())]
     named = [
         *(SLIDING if chain.slides else ()),
-        *driven,
+        *elements.symbols(chain),
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     sections += [
-        Section("Symbols", [tables.symbols(entries(known, named))]),
-        Section("Parameters", [tables.parameters(parameters(robot))]),
+        DocumentSection("Symbols", [tables.symbols(entries(known, named))]),
+        DocumentSection("Parameters", [tables.parameters(parameters(robot))]),
     ]
     return Document(robot.name, __version__, tuple(sections))
 
@@ -155,22 +153,22 @@ def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
     return {"R_rel": joint["R_rel"], "Phi_c": tip["Phi_c"]} | {n: tip.get(n, v) for n, v in still.items()} | bare
 
 
-def _robot(robot: Robot, chain: Chain) -> Section:
+def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
     pieces = sum(link.pieces for link in robot.links)
     links += f" of {pieces} segments" if pieces > len(robot.links) else ""
     links += f", {chain.n - pieces} markers that loops join" if chain.n > pieces else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
-    joints += f", {chain.n_motors} of rotors" if chain.n_motors else ""
+    joints += f", {chain.n_added} of rotors" if chain.n_added else ""
     count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal"
     items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         tables.links(robot, chain.keys, chain.classes),
     ]
-    return Section("The robot", items)
+    return DocumentSection("The robot", items)
 
 
-def _theory(robot: Robot, chain: Chain) -> list[Section]:
+def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
     free_fall = rf"[{gravity}]^{{\top}}".replace(", ", r",\ ")
     first = all(key.order == 1 for key in chain.keys)
@@ -189,16 +187,9 @@ def _theory(robot: Robot, chain: Chain) -> list[Section]:
         couplings=bool(robot.couplings),
         markers=any(segment.marker is not None for segment in chain.segments),
         floating=chain.floating,
-        drives=any(key.drives for key in chain.keys),
-        cranked=bool(chain.pushed),
-        linked=bool(chain.linked),
-        loose=bool(chain.loose),
-        travel="l" if chain.pushed else r"\psi",
-        applied="F" if chain.pushed else r"\tau_c",
-        pushed_and_linked=bool(chain.pushed and chain.linked),
-        stops=bool(chain.stops),
-        elements=list(chain.elements),
+        elements=elements.equations(chain),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )
-    return [Section("Conventions", parse(conventions)), Section("Equations of motion", parse(equations))]
+    pages = {"Conventions": conventions, "Equations of motion": equations}
+    return [DocumentSection(title, parse(text)) for title, text in pages.items()]

@@ -10,7 +10,7 @@ from ...ir.block import Binding, Block
 from ...reduction.invariants import Invariants
 from ...spec.link_class import AXIS, LinkClass
 from ..templates import render
-from .content import Display, Heading, Item, Paragraph, Section, equation, parse
+from .content import Display, DocumentSection, Heading, Item, Paragraph, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
 from .steps import BlockView
@@ -37,7 +37,7 @@ Part = tuple[str, tuple[Item, ...]]
 
 def class_section(
     number: int, key: LinkClass, members: Sequence[str], views: Sequence[BlockView], printed: dict[Part, int]
-) -> Section:
+) -> DocumentSection:
     """The section of a class; parts that an earlier class has ``printed`` are only named."""
     names = ", ".join(f"`{name}`" for name in members)
     items: list[Item] = [Paragraph(f"Links of this class: {names}.")]
@@ -49,7 +49,7 @@ def class_section(
         if (title, below) not in printed:
             printed[title, below] = number
             items += [Heading(title), *below]
-    return Section(f"Link class {number}", items)
+    return DocumentSection(f"Link class {number}", items)
 
 
 def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:

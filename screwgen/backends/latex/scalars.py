@@ -9,9 +9,9 @@ from functools import lru_cache
 
 import sympy as sp
 
-from ...algebra.functions import stumpff
 from ...algebra.notation import number, symbol
-from ...ir.block import Binding, Block, Signal
+from ...algebra.stumpff import stumpff
+from ...ir.block import Binding, Block, NamedSignal
 
 ELLIPSIS_ABOVE = 16
 """A sum of more terms shows its first and last ones."""
@@ -22,7 +22,7 @@ OWN_LINK = re.compile(r",?\s*(\(i-1\))?i")
 """The index of the link itself: entries are written without it."""
 
 
-def entry(signal: Signal, index: tuple[int, int]) -> str:
+def entry(signal: NamedSignal, index: tuple[int, int]) -> str:
     """The LaTeX of one entry of a signal: its letter, not bold, with the entry's place below."""
     place = ",".join(signal.suffix(index).strip("_").split("_"))
     return subscripted(symbol(signal.display), place)

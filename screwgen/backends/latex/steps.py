@@ -12,7 +12,7 @@ from ...algebra import expression as ex
 from ...algebra.components import Array
 from ...algebra.notation import axis_latex, latex, terms, tilde
 from ...algebra.rewrite import symbols
-from ...ir.block import Binding, Block, Signal, Step
+from ...ir.block import Binding, Block, NamedSignal, Step
 from .layout import PAGE, Formula, abridged, columns, dots, equation, matrix, width
 from .scalars import Scalars, entry, scalars
 from .tidy import has_integral, is_elementwise, is_symbols_product, tidy
@@ -44,7 +44,7 @@ class BlockView:
     title: str
     steps: tuple[StepView, ...]
     used: tuple[ex.Symbol, ...]
-    defined: tuple[Signal, ...]
+    defined: tuple[NamedSignal, ...]
 
 
 MANY = 36
@@ -140,7 +140,7 @@ def _worth_showing(block: Block, step: Step, right: ex.Expression, entries: np.n
         return False
     if entries.shape == (1, 1):
         return not _says_it_all(right)
-    assembled = isinstance(right, ex.Block) and len(right.rows) > 1
+    assembled = isinstance(right, ex.BlockMatrix) and len(right.rows) > 1
     return not assembled and (entries.shape[1] > 1 or all(_is_plain(e, write) for e in entries.flat))
 
 

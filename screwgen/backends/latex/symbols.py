@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ...algebra.expression import Symbol
 from ...algebra.notation import latex
-from ...ir.block import Binding, Block, Signal
+from ...ir.block import Binding, Block, NamedSignal
 from .content import Named, frame, unit, words
 from .steps import BlockView
 
@@ -58,47 +58,6 @@ SLIDING: tuple[Named, ...] = (
 )
 """Symbols of robots whose joints slide, in place of those above."""
 
-DRIVEN: tuple[Named, ...] = (
-    (r"\vartheta", "angle of the rotor of an elastic drive", "rad", "1", "-", STATE),
-    (r"\tau_J", "torque that the gear passes on, of slides a force", "N*m", "1", "-", STATE),
-    (r"N", "ratio of the gear, of slides in rad/m", "-", "1", "-", PARAMETER),
-    (r"J_r", "inertia of the rotor", "kg*m^2", "1", "-", PARAMETER),
-    (r"k, d", "stiffness and damping of the gear at the joint", "N*m/rad, N*m*s/rad", "1", "-", PARAMETER),
-    (r"b, c", "viscous and dry friction", "N*m*s/rad, N*m", "1", "-", PARAMETER),
-    (r"v_f", "rate over which dry friction changes its sign", "rad/s", "1", "-", PARAMETER),
-    (r"\tau_f", "friction at the rate w of what the torque acts on", "N*m", "1", "-", STATE),
-)
-"""Symbols of robots with drives."""
-
-CRANKED: tuple[Named, ...] = (
-    (r"l", "length of the cylinder that drives an axis; primes are derivatives with q", "m", "1", "-", STATE),
-    (r"F", "force of the cylinder, positive where it extends it", "N", "1", "-", STATE),
-    (r"b_0, c_0", "distances of the cylinder's eyes on carrier and link from the joint axis", "m", "1", "-", PARAMETER),
-    (r"\alpha_0", "angle between the eyes at q = 0", "rad", "1", "-", PARAMETER),
-)
-"""Symbols of robots with cylinders that drive joints."""
-
-LINKED: tuple[Named, ...] = (
-    (r"\psi", "angle of the crank that drives an axis; primes are derivatives with q", "rad", "1", "-", STATE),
-    (r"\tau_c", "torque at the crank", "N*m", "1", "-", STATE),
-    (r"g_0, a_0, k_0, r_0", "lengths of ground, crank, coupler, rocker of its linkage", "m", "1", "-", PARAMETER),
-    (r"\beta_0", "angle from the ground line to the rocker at q = 0", "rad", "1", "-", PARAMETER),
-)
-"""Symbols of robots with four-bar linkages that drive joints."""
-
-LOOSE: tuple[Named, ...] = (
-    (r"e", "travel by which a rotor behind an elastic gear is ahead, of linkages in rad", "m", "1", "-", STATE),
-    (r"F_g", "force of the gear along it, of linkages a torque; so are its k and d", "N", "1", "-", STATE),
-)
-"""Symbols of robots with transmissions whose gears are elastic."""
-
-STOPPED: tuple[Named, ...] = (
-    (r"q_s", "limit of a joint axis, of slides in m", "rad", "1", "-", PARAMETER),
-    (r"k_s, d_s", "stiffness and damping of its stop", "N*m/rad, N*m*s/rad", "1", "-", PARAMETER),
-    (r"p, \tau_s", "penetration of a stop, and its torque, of slides in m and N", "rad, N*m", "1", "-", STATE),
-)
-"""Symbols of robots whose joints have stops."""
-
 TIMES = r"\times"
 
 
@@ -119,7 +78,7 @@ def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = 
 
     A symbol that is ``named`` replaces that of the text.
     """
-    found: dict[str, list[tuple[str, Signal]]] = {}
+    found: dict[str, list[tuple[str, NamedSignal]]] = {}
     for block, view in blocks:
         for signal in _signals(block, view):
             found.setdefault(written(signal), []).append((block.name, signal))
@@ -129,7 +88,7 @@ def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = 
     return [*(e for e in _text(text.values()) if e.display not in found), *steps]
 
 
-def written(signal: Signal) -> str:
+def written(signal: NamedSignal) -> str:
     """A signal as the formulas have it."""
     return latex(Symbol(signal.name, signal.shape, signal.display))
 
@@ -139,7 +98,7 @@ def _text(symbols: Iterable[Named]) -> Iterator[Entry]:
         yield Entry(display, words(meaning), unit(unit_), frame(frame_), _shape_text(shape), binding)
 
 
-def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
+def _signals(block: Block, view: BlockView) -> Iterator[NamedSignal]:
     """The signals that the shown steps define or use."""
     defined = {s.name for s in view.defined}
     yield from (s for s in view.defined if not s.display.startswith("-"))
@@ -150,7 +109,7 @@ def _signals(block: Block, view: BlockView) -> Iterator[Signal]:
             yield block.along[used.name]
 
 
-def _entry(display: str, signals: list[Signal]) -> Entry:
+def _entry(display: str, signals: list[NamedSignal]) -> Entry:
     first = signals[0]
     shape = _shape([s.shape for s in signals], first.name)
     binding = max(s.binding for s in signals)

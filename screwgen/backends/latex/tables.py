@@ -10,14 +10,15 @@ import sympy as sp
 from ...algebra.notation import number
 from ...bases import Basis, Shapes
 from ...ir.block import Binding
+from ...joints.screw import Screw
 from ...spec.link_class import LinkClass
 from ...spec.markers import Place
 from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
-from ...spec.screw import Screw
 from ...spec.segments import segments
-from .content import Table
+from . import elements
+from .content import DocumentTable
 from .symbols import Entry
 
 DIRECTION = {direction: direction.replace("_", " in ") for direction in DIRECTIONS}
@@ -32,7 +33,7 @@ def decimal(value: float) -> str:
     return f"${number(sp.Float(value) if value != int(value) or abs(value) > 1e6 else sp.Integer(int(value)))}$"
 
 
-def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> Table:
+def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> DocumentTable:
     """One row per link: its class, joint, shapes and bodies."""
     kinds = "x, y, z, torsion" + ", shear" * any(len(key.counts) > 4 for key in keys)
     head = ("link", "name", "class", "length", "joint axes", f"modes: {kinds}", "bodies, remarks")
@@ -42,7 +43,7 @@ def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass])
         numbers = dict.fromkeys(f"{classes.index(key) + 1}" for key in own)
         place = f"{first + 1}" if len(own) == 1 else f"{first + 1}–{first + len(own)}"
         rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(link, own[0])))
-    return Table(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
+    return DocumentTable(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
 
 
 def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
@@ -57,7 +58,7 @@ def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
 
 
 def _axes(key: LinkClass) -> str:
-    return ", ".join(map(_screw, key.screws)) or ("free" if key.free else "welded")
+    return ", ".join(map(_screw, key.screws)) or key.joint.name or "welded"
 
 
 def _screw(screw: Screw) -> str:
@@ -89,13 +90,7 @@ def _remarks(link: Link, key: LinkClass) -> str:
     stated = {
         "mount": key.mount_xyz or key.mount_rpy,
         "armature": key.armature,
-        "elastic drives": key.motors,
-        "rigid gears": any(drive.rotor_inertia and not drive.stiffness for drive in key.drives),
-        "cylinders": any(drive.transmission == "cylinder" for drive in key.drives),
-        "four-bar linkages": any(drive.transmission.startswith("four_bar") for drive in key.drives),
-        "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
-        "stops": key.stops,
-        **{kind.WORDS: True for kind, _ in key.elements},
+        **elements.remarks(key),
         "joint damping": key.joint_damping,
         "joint stiffness": key.stiffness,
         "modal damping": key.damping,
@@ -114,17 +109,17 @@ def _place(link: Link) -> str:
     return rf"$s = {link.at.s:.6g}$" if isinstance(link.at, Place) else f"`{link.at}`"
 
 
-def stations(key: LinkClass) -> Table:
+def stations(key: LinkClass) -> DocumentTable:
     """The values and slopes of the mode shapes at the sections where a link carries others, besides its tip."""
     head = ("shape", *(rf"${x}({s:.4g})$" for s in key.stations_at for x in (r"\psi", r"\psi'")))
     rows = []
     for k, (direction, i) in enumerate(key.directions):
         at = [key.shapes(direction).evaluate(key.stations_at, derivative)[i] for derivative in (0, 1)]
         rows.append((rf"$\varphi_{{{k + 1}}}$", *(decimal(x) for pair in zip(*at, strict=True) for x in pair)))
-    return Table(head, (0.1, *[0.9 / (len(head) - 1)] * (len(head) - 1)), tuple(rows))
+    return DocumentTable(head, (0.1, *[0.9 / (len(head) - 1)] * (len(head) - 1)), tuple(rows))
 
 
-def modes(key: LinkClass) -> Table:
+def modes(key: LinkClass) -> DocumentTable:
     """The constants of every mode shape, dimensionless."""
     head = (
         "shape",
@@ -141,7 +136,7 @@ def modes(key: LinkClass) -> Table:
         (rf"$\varphi_{{{k + 1}}}$", DIRECTION[direction], f"{i + 1}", *_constants(key.shapes(direction), i))
         for k, (direction, i) in enumerate(key.directions)
     )
-    return Table(head, (0.07, 0.15, 0.06, 0.13, 0.12, 0.13, 0.13, 0.1, 0.11), tuple(rows))
+    return DocumentTable(head, (0.07, 0.15, 0.06, 0.13, 0.12, 0.13, 0.13, 0.1, 0.11), tuple(rows))
 
 
 def _constants(shapes: Shapes, i: int) -> Iterable[str]:
@@ -149,10 +144,10 @@ def _constants(shapes: Shapes, i: int) -> Iterable[str]:
     return (decimal(column[i]) for column in columns)
 
 
-def parameters(items: Sequence[Parameter]) -> Table:
+def parameters(items: Sequence[Parameter]) -> DocumentTable:
     """The numbers of the robot file."""
     rows = ((f"`{p.name}`", decimal(p.value), plain_unit(p.unit), p.description) for p in items)
-    return Table(("parameter", "value", "unit", "meaning"), (0.35, 0.17, 0.12, 0.36), tuple(rows))
+    return DocumentTable(("parameter", "value", "unit", "meaning"), (0.35, 0.17, 0.12, 0.36), tuple(rows))
 
 
 def plain_unit(text: str) -> str:
@@ -161,8 +156,9 @@ def plain_unit(text: str) -> str:
     return rf"$\mathrm{{{replaced}}}$" if text not in ("", "1") else ""
 
 
-def symbols(entries: Iterable[Entry]) -> Table:
+def symbols(entries: Iterable[Entry]) -> DocumentTable:
     """Every symbol with its meaning and binding time."""
     head = ("symbol", "meaning", "unit", "frame", "shape", "follows from")
     rows = ((f"${e.display}$", e.meaning, e.unit, e.frame, e.shape, KNOWN.get(e.binding, "")) for e in entries)
-    return Table(head, (0.13, 0.31, 0.15, 0.12, 0.16, 0.13), tuple(tuple(c or NONE for c in row) for row in rows))
+    widths = (0.13, 0.31, 0.15, 0.12, 0.16, 0.13)
+    return DocumentTable(head, widths, tuple(tuple(c or NONE for c in row) for row in rows))

@@ -24,7 +24,7 @@ def tidy(e: Expression, values: Mapping[str, Array], scalar: Callable[[sp.Expr],
             return _negative(inner(e.arg))
         case ex.Hat():
             return _hat(inner(e.arg))
-        case ex.Block():
+        case ex.BlockMatrix():
             return _block([[inner(x) for x in row] for row in e.rows])
     return e.map(inner)
 
@@ -40,7 +40,7 @@ def _symbol(e: ex.Symbol, values: Array, scalar: Callable[[sp.Expr], str]) -> Ex
 
 def _product(left: Expression, right: Expression) -> Expression:
     """A row of blocks times a column of blocks is written out."""
-    if isinstance(left, ex.Block) and isinstance(right, ex.Block) and len(left.rows) == 1:
+    if isinstance(left, ex.BlockMatrix) and isinstance(right, ex.BlockMatrix) and len(left.rows) == 1:
         row, column = left.rows[0], [r[0] for r in right.rows if len(r) == 1]
         if [x.shape[1] for x in row] == [y.shape[0] for y in column]:
             return ex.add(*(_pair(x, y) for x, y in zip(row, column, strict=True)))
@@ -87,7 +87,7 @@ def has_integral(e: Expression) -> bool:
 def is_elementwise(e: Expression) -> bool:
     """Whether every entry of ``e`` is an entry of one of its symbols, or a sum of such."""
     match e:
-        case ex.Sum() | ex.Block() | ex.Negative() | ex.Transpose() | ex.Hat():
+        case ex.Sum() | ex.BlockMatrix() | ex.Negative() | ex.Transpose() | ex.Hat():
             return all(map(is_elementwise, e.children))
         case ex.Product():
             return (1, 1) in (e.left.shape, e.right.shape) and all(map(is_elementwise, e.children))

@@ -48,7 +48,9 @@ def jacobian(numeric: Numeric, q: np.ndarray) -> np.ndarray:
     return out
 
 
-def closed(numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None, hasty=False) -> np.ndarray:
+def closed(
+    numeric: Numeric, q: Numbers, held: Sequence[bool] | np.ndarray | None = None, hasty: bool = False
+) -> np.ndarray:
     """The posture near `q` (nq,) in which the loops are closed; `held` coordinates stay, and so does a floating base.
 
     Raises OpenLoopError. Where the search ends with open loops, as in a singular posture or with frames half a turn

@@ -7,14 +7,13 @@ from the same block elimination as the joint form's.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
 
-from ...algorithms.exponential import Series, exponential
 from ...integrators.method import Method, Move, Stage, times, weighted
-from ...integrators.se3 import FLAT, Floating, Space, algebra_rate
+from ...integrators.space import FLAT, Curved, Space
+from ...joints.exponential import Series, algebra_rate, exponential
 from ...topology.chain import Chain
 from .own_forces import OwnForces
 from .python import c4, c5
@@ -25,7 +24,7 @@ SERIES = Series(c4, c5)
 
 def space_of(chain: Chain) -> Space:
     """How the coordinates of the joint form move."""
-    return Floating(SERIES) if chain.floating else FLAT
+    return Curved(chain, SERIES) if chain.curved else FLAT
 
 
 Function = Callable[..., Sequence]
@@ -43,16 +42,26 @@ class DaeDynamics:
     ):
         n, r = chain.n, chain.n_inner
         self.forces = OwnForces.of_columns(chain, properties)
-        self.solve, self.projection, self.sprung, self.joint_rates = solve, projection, chain.sprung, joint_rates
+        self.solve, self.projection, self.sprung, self.joint_rates = (
+            solve,
+            projection,
+            chain.has_axis_forces,
+            joint_rates,
+        )
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
+        self.chain, self.axes = chain, np.array(chain.axis_places, int) - chain.base_q
         self.joints = slice(chain.base_v, chain.base_v + chain.n_joints)
         self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
 
-    def rates(self, x: np.ndarray, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> np.ndarray:
+    def rates(
+        self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float = 0.0, start: np.ndarray | None = None
+    ) -> np.ndarray:
         """The ``xdot`` of :meth:`solution`."""
         return self.solution(x, tau, w_ext, h, start)[0]
 
-    def solution(self, x, tau, w_ext, h: float = 0.0, start: np.ndarray | None = None) -> Sequence[np.ndarray]:
+    def solution(
+        self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float = 0.0, start: np.ndarray | None = None
+    ) -> Sequence[np.ndarray]:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         here = self.own(x)
         own, rate = here if start is None or start is x else self.own(start)
@@ -64,7 +73,7 @@ class DaeDynamics:
         eta, etadot = x[self.eta], x[self.etadot]
         if not self.sprung:
             return eta, etadot
-        return np.append(x[self.q], eta), np.append(self.joint_rates(x)[0], etadot)
+        return np.append(x[self.q][self.axes], eta), np.append(self.joint_rates(x)[0], etadot)
 
     def project(self, x: np.ndarray) -> np.ndarray:
         return self.projection(x)[0]
@@ -76,6 +85,17 @@ class DaeDynamics:
             [exponential(*row, SERIES) for row in zip(x[self.pose].reshape(-1, 7), u, strict=True)]
         )
         return new
+
+    def redundant(self, q: np.ndarray, rates: np.ndarray, more: np.ndarray) -> np.ndarray:
+        """The rates of the joint coordinates beside the poses, with ``more`` of the joints' rates."""
+        chain, at, v = self.chain, self.chain.base_q, self.chain.base_v
+        out = rates.copy()
+        adding, by = (k[k < end] for k, end in ((chain.flat_q, chain.q_offset[-1]), (chain.flat_v, chain.v_offset[-1])))
+        out[adding - at] += more[by - v]
+        for part in (part for part in chain.curved if not part.joint.in_space):
+            own = slice(part.q.start - at, part.q.stop - at)
+            out[own] += part.joint.coordinate_rates(q[own], more[part.v.start - v : part.v.stop - v])
+        return out
 
     def twists(self, x: np.ndarray) -> np.ndarray:
         return x[self.twist].reshape(-1, 6)
@@ -110,7 +130,7 @@ class HeldDae:
         """Find the rates of the next stage."""
         there, u = self.moved(stage)
         start = self.x if stage.implicit else None
-        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, Fraction(stage.implicit)), start)
+        rates, vdot, _ = self.d.solution(there, *self.input, times(self.h, stage.part), start)
         turn, reach = algebra_rate(u, self.d.twists(there)), times(self.h, stage.reach)
         self.found.append(Evaluated(rates, vdot, turn, reach))
 
@@ -131,6 +151,6 @@ class HeldDae:
         by, kick = times(self.h, move.reach), times(self.h, move.kick)
         change = rates.copy()
         change[d.eta] = x[d.etadot] + kick * rates[d.etadot]
-        change[d.q] += (kick - reach) * vdot[d.joints]
+        change[d.q] = d.redundant(x[d.q], change[d.q], (kick - reach) * vdot[d.joints])
         u = by * (d.twists(x) + kick * d.twists(rates))
         return d.move(x, u, by * change), u

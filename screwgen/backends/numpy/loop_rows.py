@@ -72,7 +72,7 @@ def choose_rows(chain: Chain) -> None:
 def _starts(chain: Chain, rng: np.random.Generator) -> np.ndarray:
     """Postures (SEEDS, nq) of straight links: that at home, and others without pattern."""
     out, joints = np.tile(np.array(chain.home), (SEEDS, 1)), slice(chain.base_q, chain.eta_q)
-    out[1:, joints] = SPREAD * rng.standard_normal((SEEDS, joints.stop - joints.start))[1:]
+    out[1:, joints] = SPREAD * rng.standard_normal((SEEDS, chain.eta_q - chain.base_q))[1:]
     return out
 
 

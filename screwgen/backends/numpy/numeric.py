@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from functools import cached_property, partial
+from typing import Any
 
 import numpy as np
 
@@ -24,24 +25,26 @@ from ...algorithms.functions import (
     SENSITIVITY,
     Functions,
 )
+from ...algorithms.gauges import strain_names
 from ...algorithms.linearise import closed_slopes, slopes
+from ...algorithms.marker_functions import STRAINED
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, results
 from ...algorithms.schedule import Algorithm
-from ...arguments import Numbers, array
+from ...arguments import Loads, Numbers, array
 from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from .python import compiled
+from .python import Function, compiled
 from .rates import Rates
 
 EPSILON = float(np.finfo(float).eps)
 SPRINGS = ("K", "K_q", "K_below", "K_theta", "K_gear", "stop_K")
 """Constants of springs: their forces are no part of the mass matrix and would swamp it."""
 
-_COMPILED: dict[int, tuple] = {}
+_COMPILED: dict[int, tuple[Program, Function]] = {}
 
 
-def function_of(program: Program):
+def function_of(program: Program) -> Function:
     """The Python function of a program, compiled once."""
     if id(program) not in _COMPILED:
         _COMPILED[id(program)] = (program, compiled(program))
@@ -75,7 +78,9 @@ class Numeric:
             self._made[algorithms] = DaeFunctions(self.chain, self._prepared(algorithms), self.p[:3], self._apply)
         return self._made[algorithms]
 
-    def _apply(self, link: int, _: int, program: Program, inputs) -> dict[str, list[float]]:
+    def _apply(
+        self, link: int, _: int, program: Program, inputs: Mapping[str, Sequence[float]]
+    ) -> dict[str, list[float]]:
         try:
             outputs, guards = function_of(program)(inputs, EPSILON)
         except (ZeroDivisionError, ValueError):  # a quotient, a root
@@ -98,7 +103,7 @@ class Numeric:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *BY_NAME]
 
-    def _results(self, row: RobotFunction, *given, **more):
+    def _results(self, row: RobotFunction, *given: Loads, **more: Loads) -> Any:
         """The results of a function of the robot: arrays, numbers, a tuple where they are several."""
         arguments = dict(zip(row.names, given, strict=False)) | more
         values = dict(zip(row.names, self._rows(**{x: arguments.pop(x, None) for x in row.names}), strict=True))
@@ -108,32 +113,38 @@ class Numeric:
         found = row.program.body(self._functions(*row.algorithms, *closing), **values)
         return results(row, self.chain, np.array([x for name in row.results for x in found[name]], float))
 
-    def gaps(self, q, v) -> tuple[np.ndarray, np.ndarray]:
+    def strain_slopes(self) -> np.ndarray:
+        """(strains, n_modes): the strains per unit of each modal coordinate, in which they are linear."""
+        units = np.eye(self.chain.nq)[self.chain.eta_q :]
+        found = [self._functions(STRAINED).strains(unit) for unit in units.tolist()]
+        return np.array(found, float).reshape(len(units), len(strain_names(self.chain))).T
+
+    def gaps(self, q: Numbers, v: Numbers | None) -> tuple[np.ndarray, np.ndarray]:
         """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""
         gap, rate = self._functions(MOTION).gaps(*self._rows(q=q, v=v))
         return np.array(gap, float), np.array(rate, float)
 
-    def gap_slopes(self, q) -> np.ndarray:
+    def gap_slopes(self, q: Numbers) -> np.ndarray:
         """(rows, nv): the rates of the gaps per unit of each entry of v."""
         return self._by_rates(lambda functions, q, v: functions.gaps(q, v)[1], q)
 
-    def offsets(self, q) -> np.ndarray:
+    def offsets(self, q: Numbers) -> np.ndarray:
         """Differences of points, m, and of directions that vanish where all loops are closed, and only there."""
         found = self._functions(MOTION).offsets(*self._rows(q=q, v=None))
         return np.array([x for loop in found for x in (*loop.places, *loop.turns)], float)
 
-    def offset_slopes(self, q) -> np.ndarray:
+    def offset_slopes(self, q: Numbers) -> np.ndarray:
         """(offsets, nv): the rates of :meth:`offsets` per unit of each entry of v."""
         rates = lambda found: [x for loop in found for x in (*loop.place_rates, *loop.turn_rates)]  # noqa: E731
         return self._by_rates(lambda functions, q, v: rates(functions.offsets(q, v)), q)
 
-    def mismatch(self, q) -> np.ndarray:
+    def mismatch(self, q: Numbers) -> np.ndarray:
         """(loops, 2): how far the frames of each loop are apart where its joint does not let them, in m, and how far
         turned, in rad; of an angle θ it is 2 sin(θ/2)."""
         found = self._functions(MOTION).offsets(*self._rows(q=q, v=None))
-        return np.array([[np.linalg.norm(x) for x in loop[:2]] for loop in found]).reshape(-1, 2)
+        return np.array([[np.linalg.norm(np.array(x, float)) for x in loop[:2]] for loop in found]).reshape(-1, 2)
 
-    def _by_rates(self, rates: Callable, q) -> np.ndarray:
+    def _by_rates(self, rates: Callable, q: Numbers) -> np.ndarray:
         """Rates that are linear in v, by one pass with units of all its entries."""
         (values,) = self._rows(q=q)
         units = [Rates(unit) for unit in np.eye(self.chain.nv)]
@@ -142,35 +153,39 @@ class Numeric:
         found = rates(functions, values, units)
         return np.array([x.entries if isinstance(x, Rates) else [0.0] * len(units) for x in found])
 
-    def validity_at_rest(self, q, w_ext=None) -> np.ndarray:
+    def validity_at_rest(self, q: Numbers, w_ext: Loads = None) -> np.ndarray:
         """The measures (n, 4) with joints and modes held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""
         functions = self._functions(INVERSE, MEASURING)
         return np.array(functions.measures_at_rest(*self._rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
 
-    def mass_matrix(self, q) -> np.ndarray:
+    def mass_matrix(self, q: Numbers) -> np.ndarray:
         """``M`` (nv, nv), column by column from the inverse dynamics."""
         nv, (q, rest, w_ext) = self.chain.nv, self._rows(q=q, v=None, w_ext=None)
         stiff = self._functions(INVERSE).constants
-        soft = [c | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
+        soft = [dict(c) | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
         still = Functions(self.chain, soft, [0.0] * 3, self._apply)
         offset = np.array(still.inverse_dynamics(q, rest, rest, w_ext))
         columns = [still.inverse_dynamics(q, rest, e, w_ext) - offset for e in np.eye(nv).tolist()]
         return np.array(columns).reshape(nv, nv).T
 
-    def derivatives(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def derivatives(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); with the pose by ``pose exp(δ)``."""
-        given = np.eye(self.chain.nv)[:, self.chain.driven] * self.levers(q)
-        given[list(self.chain.loose.values()), list(self.chain.loose)] = 1.0
+        given = np.eye(self.chain.nv)[:, self.chain.effort_places] * self.levers(q)
+        given[list(self.chain.elastic_travels.values()), list(self.chain.elastic_travels)] = 1.0
         if self.chain.closures:
             return self._closed_derivatives(given, *self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
-    def _closed_derivatives(self, given: np.ndarray, *state) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def _closed_derivatives(
+        self, given: np.ndarray, q: Sequence[float], v: Sequence[float], tau: Sequence[float], w_ext: Sequence[float]
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The same where loops close the tree: ``M dvdot - Jᵀ dλ = given dτ - df`` and ``J dvdot = -d(J vdot)``."""
         functions = self._functions(FORWARD, MOTION, INVERSE, SENSITIVITY)
-        _, f, rows = closed_slopes(functions, *state, functions.section)
+        _, f, rows = closed_slopes(functions, q, v, tau, w_ext)
         M, J = np.tril(f.M.astype(float)), rows.J.astype(float)
         inertia, drifts = M + np.tril(M, -1).T, [rows.by_q, rows.by_v, np.zeros((len(J), given.shape[1]))]
         free = np.linalg.solve(inertia, np.hstack([-f.f_q.astype(float), -f.f_v.astype(float), given]))
@@ -186,17 +201,19 @@ class Numeric:
         """
         return np.array(self._functions(MOTION).solve_rows(A, b.T.tolist()), float).reshape(-1, len(A)).T
 
-    def slopes(self, q, v, vdot, w_ext, tau=None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def slopes(
+        self, q: Numbers, v: Numbers, vdot: Numbers | None, w_ext: Loads, tau: Loads = None
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nv, nv) each.
 
         ``tau`` counts where drives have transmissions: what their efforts do changes with the posture.
         """
-        given = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
-        found = slopes(self._functions(INVERSE, SENSITIVITY), *given)
+        q, v, vdot, w_ext, tau = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
+        found = slopes(self._functions(INVERSE, SENSITIVITY), q, v, vdot, w_ext, tau)
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         return np.tril(M) + np.tril(M, -1).T, f_q, f_v
 
-    def tip_poses(self, q) -> tuple[np.ndarray, np.ndarray]:
+    def tip_poses(self, q: Numbers) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
         return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[1])
 
@@ -207,39 +224,38 @@ class Numeric:
         """The functions of the DAE form's rates."""
         return self._functions(DAE_FORWARD, DAE_RATES, *self._closing)
 
-    def dae_state(self, q, v) -> np.ndarray:
+    def dae_state(self, q: Numbers, v: Numbers) -> np.ndarray:
         """The state ``x`` of the DAE form on the joints."""
         return np.array(self._functions(PLACEMENT).place(*self._rows(q=q, v=v)))
 
-    def dae_rates(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    def dae_rates(self, x: Numbers, tau: Loads, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:
         """``xdot`` and the joint wrenches (n, 6), by block elimination."""
         xdot, _, wrench = self.dae_functions.rates(*self._rows(x=x, tau=tau, w_ext=w_ext))
         return np.array(xdot), np.array(wrench).reshape(self.chain.n, 6)
 
-    def project(self, x) -> np.ndarray:
+    def project(self, x: Numbers) -> np.ndarray:
         """``x`` taken back onto the joints."""
         return np.array(self._functions(PROJECTION, *self._closing).project(*self._rows(x=x)))
 
-    def assemble(self, x, tau, w_ext) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def assemble(self, x: Numbers, tau: Loads, w_ext: Loads) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
         entries, H, W = self._functions(ASSEMBLY, *self._closing).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
         M = np.zeros((unknown_size(self.chain),) * 2)
-        for place, value in entries.items():
-            M[place] = value
+        M[tuple(np.array(list(entries)).T)] = np.array(list(entries.values()), float)
         return M, np.array(H), np.array(W)
 
-    def dae_forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
+    def dae_forward_dynamics(self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` and the joint wrenches (n, 6) through the DAE form."""
         q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
         _, vdot, wrench = self.dae_functions.rates(self._functions(PLACEMENT).place(q, v), tau, w_ext)
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
-    def _rows(self, **given) -> list[list[float]]:
+    def _rows(self, **given: Loads) -> list[list[float]]:
         """Arrays of the right shapes, flat; zeros for None."""
         sizes = _sizes(self.chain)
         return [array(x, name, sizes[name], finite=False).ravel().tolist() for name, x in given.items()]
 
-    def _stacked(self, places) -> tuple[np.ndarray, np.ndarray]:
+    def _stacked(self, places: Sequence[tuple[Sequence[float], Sequence[float]]]) -> tuple[np.ndarray, np.ndarray]:
         return np.array([R for R, _ in places]).reshape(-1, 3, 3), np.array([r for _, r in places])
 
 

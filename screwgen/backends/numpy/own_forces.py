@@ -9,12 +9,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ...algorithms.axis_laws import OfRobot, of_robot
-from ...algorithms.law_programs import replayed, secants, stage_slopes
+from ...algorithms.law_programs import replayed, secants, spring_stage, stage_slopes
 from ...elements.law import Secant
 from ...topology.chain import Chain
 
 
-class Acting(NamedTuple):
+class ActingLaw(NamedTuple):
     """A law on its coordinates, with its constants by name; over a step the linear force of ``held``."""
 
     law: OfRobot
@@ -40,17 +40,19 @@ class OwnForces:
     M: np.ndarray
     K: np.ndarray
     D: np.ndarray
-    laws: Sequence[Acting] = ()
+    laws: Sequence[ActingLaw] = ()
 
     @classmethod
     def of_columns(cls, chain: Chain, columns: Sequence[np.ndarray]) -> OwnForces:
         """Out of the robot's columns, in the order of :func:`...algorithms.columns.columns`."""
         M, K, D, *rest = columns
         own, laws = iter(rest), of_robot(chain)
-        return cls(chain, M, K, D, [Acting(one, {name: next(own) for name in one.law.constants}) for one in laws])
+        return cls(chain, M, K, D, [ActingLaw(one, {name: next(own) for name in one.law.constants}) for one in laws])
 
     def of(self, x: np.ndarray) -> np.ndarray:
         """The part of ``q`` or ``v`` (nq, ...) that belongs to these coordinates."""
+        if self.chain.curved and len(x) == self.chain.nq:
+            return x[self.chain.given_places]
         return x[len(x) - self.chain.n_given :]
 
     def acting(self, x: np.ndarray, rate: np.ndarray, h: float = 0.0, there: np.ndarray | None = None) -> OwnForces:
@@ -89,7 +91,7 @@ class OwnForces:
 
     def added(self, h: float) -> np.ndarray:
         """(n_inertia,): what the forces add to the inertia."""
-        out = h * (self.D + h * self.K)
+        out = replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": self.K, "D": self.D})["inertia"]
         for one in self.laws:
             if one.held is not None:
                 np.add.at(out, one.law.coordinates, h * (one.held.damping + h * one.held.stiffness))
@@ -98,8 +100,10 @@ class OwnForces:
     def force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
         """(n_given, ...): the force ``h`` after ``x``, ``rate`` (n_given, ...) without the accelerations' part."""
         column = lambda A: np.reshape(A, (-1, *(1,) * (x.ndim - 1)))  # noqa: E731
-        K, D = column(self.K), column(self.D)
-        out = self.chain.modal_product(K, x + h * rate) + self.chain.modal_product(D, rate)
+        rows, felt, entries = self.chain.springs
+        given = {"x": x[felt], "w": rate[felt], "h": h, "K": column(self.K)[entries], "D": column(self.D)[entries]}
+        out = np.zeros(np.broadcast_shapes(np.shape(x), np.shape(rate)))
+        np.add.at(out, rows, replayed(spring_stage(), given)["force"])
         for one in self.laws:
             if one.held is not None:
                 k, (stiffness, damping, rest, constant) = one.law.coordinates, map(column, one.held)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from ...ir.program import Node, Program
+from ...ir.program import Node, Program, Value
 from ...ir.replay import BINARY
+
+Function = Callable[[Mapping[str, Sequence[float]], float], tuple[dict[str, list[float]], list[float]]]
+"""Of inputs and the spacing of numbers: the outputs, and the values of the guards."""
 
 SYMBOL = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 LIMIT = 4.0
@@ -50,7 +53,7 @@ NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5"
 NAMESPACE["on"] = lambda x: float(x > 0.0)
 
 
-def compiled(program: Program) -> Callable[[Mapping[str, list]], tuple[dict[str, list], list[float]]]:
+def compiled(program: Program) -> Function:
     """A Python function of the program's inputs, returning its outputs and the values of its guards."""
     lines = ["def function(inputs, epsilon):"]
     lines += [f"    i_{k} = inputs[{name!r}]" for k, name in enumerate(program.inputs)]
@@ -63,11 +66,11 @@ def compiled(program: Program) -> Callable[[Mapping[str, list]], tuple[dict[str,
     return scope["function"]
 
 
-def _list(values) -> str:
+def _list(values: Iterable[Value]) -> str:
     return ", ".join(_value(v) for v in values)
 
 
-def _value(v) -> str:
+def _value(v: Value) -> str:
     return f"v{v.id}" if isinstance(v, Node) else repr(float(v))
 
 

@@ -102,7 +102,9 @@ def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
 
 
 @fused.program("q v tau w_ext vdot")
-def rounded_dynamics(f: Functions, q, v, tau, w_ext, vdot):
+def rounded_dynamics(
+    f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, vdot: Sequence
+) -> fused.Outputs:
     """Forward dynamics, the pose of the last tip, and the ``inverse`` dynamics' wrenches at accelerations ``vdot``."""
     found, wrench = f.forward_dynamics(q, v, tau, w_ext)
     R, position = f.poses(q)[1][f.chain.last]
@@ -132,7 +134,7 @@ def _errors(
     chain: Chain, case: Case, found: list, wrench: list, R: list, position: list, inverse: list
 ) -> tuple[float, float]:
     """The errors of accelerations, wrenches and pose, and of the wrenches of inverse dynamics."""
-    ends = (0, chain.eta_v - chain.n_motors, chain.eta_v, chain.nv)
+    ends = (0, chain.eta_v - chain.n_added, chain.eta_v, chain.nv)
     parts = [(found[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
     of = lambda found, kind: [x for i, x in enumerate(found) if i % 6 // 3 == kind]  # noqa: E731
@@ -177,21 +179,21 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     pose = _unit(draw(chain.base_q, 7, 0.9))
     q = [round(x, 6) for x in chain.reached(draw(m, 1, 1.2), 1.2)]
     v, tau, p = draw(m, 3, 0.8), draw(m, 5, 20.0), chain.parameters.values
-    wound = [1.0 + x for x in draw(chain.n_motors, 7, 0.01)]
-    turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.relaxed(x, p)[m:], wound, strict=True)]  # noqa: E731
-    turned = _stretched(chain, functions, number, turned) if chain.loose else turned
-    of_stops = ([x for c in functions.constants for x in c.get(name, ())] for name in STOP.constants)
-    stops = zip(chain.stops, *of_stops, strict=True)
-    for (joint, side), at, k, _ in list(stops)[number % 2 :: 2]:
+    wound = [1.0 + x for x in draw(chain.n_added, 7, 0.01)]
+    turned = lambda x: [round(float(a * b), 6) for a, b in zip(chain.with_added(x, p)[m:], wound, strict=True)]  # noqa: E731
+    turned = _stretched(chain, functions, number, turned) if chain.elastic_travels else turned
+    of_ends = ([x for c in functions.constants for x in c.get(name, ())] for name in STOP.constants)
+    ends = zip(chain.acted(STOP), *of_ends, strict=True)
+    for (_, joint, side), at, k, _ in list(ends)[number % 2 :: 2]:
         pressed = float(at + side * 20 / k)
         q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]
-    for ratio, joint in zip(chain.ratios(p), chain.geared, strict=True):
+    for ratio, joint in zip(chain.ratios(p), chain.added_joints, strict=True):
         tau[joint] = float(f"{tau[joint] / (ratio or 1.0):.6e}")
     if chain.closures:
         near = _closed(chain, pose + q + turned(q) + eta)[chain.base_q :]
         q, eta = near[:m], near[chain.eta_q - chain.base_q :]
     return {
-        "q": pose + q + turned(q) + eta,
+        "q": pose + _of_axes(chain, q) + turned(q) + eta,
         "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
         "tau": tau,
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
@@ -216,8 +218,17 @@ def _stretched(chain: Chain, functions: Functions, number: int, turned: Callable
     """`turned` with the elastic gears of transmissions stretched by 20 N, or N·m, and rates of the same numbers."""
     K = [float(k) for c in functions.constants for k in c.get("K_theta", ())]
     own = [20.0 * _fraction(number, 9, j) / max(k, 400.0) for j, k in enumerate(K)]
-    loose = [joint in chain.loose for joint in chain.geared]
-    return lambda x: [float(f"{a:.6e}") if k else b for a, b, k in zip(own, turned(x), loose, strict=True)]
+    along = [joint in chain.elastic_travels for joint in chain.added_joints]
+    return lambda x: [float(f"{a:.6e}") if k else b for a, b, k in zip(own, turned(x), along, strict=True)]
+
+
+def _of_axes(chain: Chain, q: list[float]) -> list[float]:
+    """Joint coordinates from one number for each torque; of a ball joint a quaternion."""
+    out: list[float] = []
+    for i, key in enumerate(chain.keys):
+        own = q[chain.tau_offset[i] : chain.tau_offset[i + 1]]
+        out += [float(x) for x in key.joint.unit(np.array([1.0, *own]))] if own and key.joint.curved else own
+    return out
 
 
 def _unit(pose: list[float]) -> list[float]:

@@ -20,7 +20,6 @@ from ...bodies.validity import BOUNDS
 from ...errors import SingularError
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
-from ...integrators.se3 import unit
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae, space_of
@@ -98,7 +97,7 @@ class _Soft:
     def step(self, method: Method, q: np.ndarray, v: np.ndarray, dt: float) -> Motion:
         """A step of the joint form."""
         q, v = method.step(self, q, v, dt, space_of(self.chain))
-        return (unit(q) if self.chain.floating else q), v
+        return self.chain.unit(q), v
 
     def parts(self, q: np.ndarray, v: np.ndarray) -> list[np.ndarray]:
         """Coordinates, modal ones apart, and rates likewise."""
@@ -108,14 +107,16 @@ class _Soft:
         """The DAE form of the same functions."""
         f = self.functions
 
-        def solve(x, tau, w_ext, inertia, force):
+        def solve(
+            x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, inertia: np.ndarray, force: np.ndarray
+        ) -> list[np.ndarray]:
             f.given = (inertia.tolist(), force.tolist())
             return [np.array(y) for y in f.rates(x.tolist(), tau.tolist(), w_ext.tolist())]
 
-        def project(x):
+        def project(x: np.ndarray) -> tuple[np.ndarray]:
             return (np.array(f.project(x.tolist())),)
 
-        def joint_rates(x):
+        def joint_rates(x: np.ndarray) -> tuple[np.ndarray]:
             return (np.array(f.joint_rates(x.tolist())),)
 
         return DaeDynamics(self.chain, self.columns, solve, project, joint_rates)

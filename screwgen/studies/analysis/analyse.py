@@ -12,12 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from ...algorithms.transmissions import efforts
+from ...algorithms.travels import efforts
 from ...backends.numpy.closing import OpenLoopError, closed, moving
+from ...backends.numpy.dae_step import SERIES
 from ...errors import SingularError, UsageError
 from ...robot_model import RobotModel
 from ...simulation.linearised import Law, Linearised, check_step, speed
-from ...simulation.linearised_loops import Shut
+from ...simulation.linearised_loops import LinearisedWithLoops
 from ...simulation.mobility import loads_of_loops
 from ...simulation.state import State, state_of
 from ...simulation.validity import validity
@@ -25,8 +26,8 @@ from ...spec.parameters import turning
 from ...spec.reduced import elastic, reach, sizes
 from ...spec.robot import Link
 from .findings import Findings, StateAnalysis
-from .regularity import LinkBlock, link_blocks, loops_of, regularity, structure, with_projectors_alone
-from .spectrum import Motion, motions
+from .regularity import LinkRegularity, link_blocks, loops_of, regularity, structure, with_projectors_alone
+from .spectrum import LinearMotion, check_moves, motions
 from .step_limits import StepLimit, paper_bound, step_limits
 from .text import report
 
@@ -45,8 +46,6 @@ class Analysis(Findings):
         """The report, for a terminal."""
         return report(self)
 
-
-FIXED = "analysis", "look at the robot with a fixed base"
 
 # ------------------------------------------------------------------------------ the analysis
 
@@ -67,7 +66,6 @@ def analyse(
     independent, and steps must bear the loops' stabilisation besides. A singular posture is reported, not raised.
     Raises UsageError, also where a loop is open.
     """
-    model.chain.needs_fixed(*FIXED)
     check_step(step)
     given = _labelled(model, states, controller is None)
     if controller is not None and any(state.tau.any() for state in given.values()):
@@ -86,9 +84,10 @@ def analyse_state(
     model: RobotModel, label: str, state: State, step: float, controller: Law | None = None
 ) -> StateAnalysis:
     """The analysis of one state."""
+    check_moves(model, state.v)
     system = projectors = acceleration = loops = None
-    blocks: tuple[LinkBlock, ...] = ()
-    found: tuple[Motion, ...] = ()
+    blocks: tuple[LinkRegularity, ...] = ()
+    found: tuple[LinearMotion, ...] = ()
     limits: tuple[StepLimit, ...] = ()
     measures: tuple[tuple[float, ...], ...] = ()
     singular = ""
@@ -99,7 +98,7 @@ def analyse_state(
         system, projectors = regularity(M), regularity(with_projectors_alone(model, M), M)
         blocks = tuple(link_blocks(model, M))
         tau = state.tau if controller is None else None
-        kind = Shut if model.chain.closures else Linearised
+        kind = LinearisedWithLoops if model.chain.closures else Linearised
         motion = kind(model, state.q, state.v, tau, controller, state.w_ext)
         acceleration, found = float(np.abs(motion.vdot).max(initial=0.0)), tuple(motions(motion))
         limits = tuple(step_limits(motion, step))
@@ -150,20 +149,22 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
     the link's length; its rate is that of a vibration of such a size. `hold`: the torques balance the joints in
     the undeformed posture at rest; else they are zero. Loops are closed, the modes nearly as drawn, and rates keep
     them so; there are fewer states than asked for where most searches for closed postures end with open loops.
+    A floating base rests at the inertial frame, and ball joints rest where they are drawn.
     """
-    model.chain.needs_fixed(*FIXED)
     rng, m, n = np.random.default_rng(seed), model.n_joints, model.n_links
     deflection, rate = modal_scale(model)
     most = np.where(turning(model.robot), 1.0, 1 / np.pi)
     out: dict[str, State] = {}
+    base, moves = np.zeros(model.chain.base_v), np.setdiff1d(np.arange(model.nv), model.chain.flat_v)
     is_mode = np.arange(model.nq) >= model.chain.eta_q
     for _ in range(count * (1 + TRIES * bool(model.chain.closures))):
         if len(out) == count:
             break
-        whole = lambda x: model.chain.relaxed(x, model.parameter_values)  # noqa: E731
+        whole = lambda x: model.chain.with_added(x, model.parameter_values)  # noqa: E731
         drawn = model.chain.reached(most * rng.uniform(-np.pi, np.pi, m), np.pi)
-        q = np.append(whole(drawn), deflection * rng.uniform(-1, 1, len(deflection)))
-        v = np.append(whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate)))
+        moved = np.concatenate([base, whole(drawn), deflection * rng.uniform(-1, 1, len(deflection))])
+        q = model.chain.integrate(np.array(model.chain.home), moved, SERIES)
+        v = np.concatenate([base, whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate))])
         if model.chain.closures:
             try:
                 q = closed(model.numpy(), np.where(is_mode, 0.0, q), is_mode) + np.where(is_mode, q, 0.0)
@@ -171,6 +172,7 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
             except OpenLoopError:
                 continue
             v = moving(model.numpy(), q, v)
+        v[moves] = 0.0  # a base has no part in the loops, and no ball joint stands beside one
         out[f"sample {len(out) + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
     return out
 
@@ -210,8 +212,7 @@ def _own_mass(values: dict[str, float], link: Link) -> float:
 
 def holding(model: RobotModel, q: np.ndarray) -> np.ndarray:
     """Torques (n_tau,) where they act that carry the weight of the arm with undeformed links."""
-    still = np.zeros(model.nq)
-    straight = model.chain.filled(q[: model.n_joints], model.parameter_values)
-    p = model.parameter_values
-    force = model.numpy().bias(straight, still, loads_of_loops(model, straight, p))[: model.n_joints]
-    return efforts(model.chain, model.chain.at_rotors(force, p), q[: model.n_joints], p)
+    chain, p, still = model.chain, model.parameter_values, np.zeros(model.nv)
+    straight = np.append(q[: chain.base_q], chain.with_inner(q[chain.base_q : chain.q_offset[-1]], p))
+    force = chain.of_joints(model.numpy().bias(straight, still, loads_of_loops(model, straight, p)), rates=True)
+    return efforts(chain, chain.at_efforts(force, p), chain.of_joints(q), p)

@@ -7,8 +7,8 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from .regularity import LinkBlock, Regularity, Structure
-from .spectrum import Motion
+from .regularity import LinkRegularity, Regularity, Structure
+from .spectrum import LinearMotion
 from .step_limits import StepLimit
 
 
@@ -26,10 +26,10 @@ class StateAnalysis:
     singular: str
     system: Regularity | None
     projectors: Regularity | None
-    blocks: tuple[LinkBlock, ...]
+    blocks: tuple[LinkRegularity, ...]
     acceleration: float | None
     turning: float
-    motions: tuple[Motion, ...]
+    motions: tuple[LinearMotion, ...]
     limits: tuple[StepLimit, ...]
     measures: tuple[tuple[float, ...], ...] = ()
     """How far every link is from the limits of the model: `derive.validity.MEASURES`, link by link."""

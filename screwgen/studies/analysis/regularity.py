@@ -52,7 +52,7 @@ class Regularity:
 
 
 @dataclass(frozen=True)
-class LinkBlock:
+class LinkRegularity:
     """The differential-modal block of a link, (Msys_diff): rows and columns of V̇_i and η̈_i.
 
     `smallest`, `largest`: its eigenvalues in SI, `_scaled`: after equilibration; `definite`: positive definite, else
@@ -164,12 +164,12 @@ def with_projectors_alone(model: RobotModel, M: np.ndarray) -> np.ndarray:
 # ------------------------------------------------------------------------------ the differential-modal block
 
 
-def link_blocks(model: RobotModel, M: np.ndarray) -> list[LinkBlock]:
+def link_blocks(model: RobotModel, M: np.ndarray) -> list[LinkRegularity]:
     """The differential-modal block of every link; the arm's is their direct sum."""
     return [_link_block(model, M, i) for i in range(model.n_links)]
 
 
-def _link_block(model: RobotModel, M: np.ndarray, i: int) -> LinkBlock:
+def _link_block(model: RobotModel, M: np.ndarray, i: int) -> LinkRegularity:
     chain = model.chain
     modal = 12 * chain.n + chain.eta_offset[i]
     places = [*range(12 * i + 6, 12 * i + 12), *range(modal, modal + chain.keys[i].modes)]
@@ -184,7 +184,7 @@ def _link_block(model: RobotModel, M: np.ndarray, i: int) -> LinkBlock:
     if not definite:
         names = [model.dae_names["z"][k] for k in places]
         loose = null_direction(name, vectors[:, 0] / root, names) if size else f"{name}: has no mass"
-    return LinkBlock(
+    return LinkRegularity(
         name,
         float(plain[0]),
         float(plain[-1]),

@@ -10,7 +10,7 @@ from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...files import sound
 from ...robot_model import RobotModel
-from ...simulation.integrate import Evaluator
+from ...simulation.integrate import CasadiEvaluator
 from ...simulation.runs import run_arrays
 from ...simulation.validity import Validity, Watch
 from ...spec.load import one_line
@@ -40,7 +40,7 @@ def read_motion(path: str, model: RobotModel) -> dict[str, np.ndarray]:
 def run_validity(model: RobotModel, motion: Mapping[str, np.ndarray]) -> Validity:
     """The largest measures over the samples of a run without wrenches on its tips; raises UsageError."""
     functions, p = model.casadi(), np.array(model.parameter_values)
-    evaluate, dynamics = Evaluator(functions["validity"]), Evaluator(functions["forward_dynamics"])
+    evaluate, dynamics = CasadiEvaluator(functions["validity"]), CasadiEvaluator(functions["forward_dynamics"])
     watch, none = Watch(model.chain.names), np.zeros((model.n_links, 6))
     for t, q, v, tau, wrench in zip(*(motion[name] for name in NEEDED), strict=True):
         own = dynamics(q, v, tau, none, p)[1]

@@ -7,11 +7,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments import Numbers, parameters_keyword
+from ...errors import UsageError
 from ...robot_model import RobotModel
 from ...simulation.linearised import STILL, TOLERANCE, Law, Linearised, Parameters
 
-FIXED = "spectrum", "analyse the robot with a fixed base"
-""".Chain.needs_fixed`` of it."""
+
+def check_moves(model: RobotModel, v: np.ndarray) -> None:
+    """Refuse rates (nv,) of a base or of ball joints: steps are linearised where these rest."""
+    for part in model.chain.curved:
+        if np.any(v[part.v]):
+            said = f"the {part.joint.name} joint of link '{model.chain.names[part.link]}' moves in this state"
+            raise UsageError(f"{said}, about which steps are not linearised; give states in which it rests")
 
 
 @parameters_keyword
@@ -24,12 +30,11 @@ def jacobian(
     parameters: Parameters | None = None,
     controller: Law | None = None,
 ) -> np.ndarray:
-    """`A` (2 nq, 2 nq) with `d/dt [δq; δv] = A [δq; δv]`: the dynamics linearised at `q`, `v` (nq,), exactly.
+    """`A` (2 nv, 2 nv) with `d/dt [δ; δv] = A [δ; δv]`: the dynamics linearised at `q` (nq,), `v` (nv,), exactly.
 
     `tau` (n_joints,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` the torques follow the
     motion instead, at t = 0. Derivatives by automatic differentiation. Raises UsageError, SingularError.
     """
-    model.chain.needs_fixed(*FIXED)
     return Linearised(model, q, v, tau, controller, w_ext, parameters).jacobian
 
 
@@ -45,15 +50,15 @@ def step_map(
     w_ext: Numbers | None = None,
     parameters: Parameters | None = None,
 ) -> np.ndarray:
-    """`S` (2 nq, 2 nq) with `[δq; δv]` after a step `= S [δq; δv]` before it: the amplification matrix.
+    """`S` (2 nv, 2 nv) with `[δ; δv]` after a step `= S [δ; δv]` before it: the amplification matrix.
 
     It is the method itself (of `integrators`, which the generated C steps too) applied to the dynamics
-    linearised at `q`, `v` (nq,); `step` in s. `tau` (n_joints,), N·m, is held; with a `controller(t, q, v)` the
+    linearised at `q`, `v`; `step` in s. `tau` (n_joints,), N·m, is held; with a `controller(t, q, v)` the
     torques are those of the step's start, held over the step, as in a simulation. For methods that evaluate the
     dynamics once a step, and for all of them at an equilibrium, S is the exact derivative of the step.
     Raises UsageError, SingularError.
     """
-    model.chain.needs_fixed(*FIXED)
+    check_moves(model, np.asarray(v, float))
     return Linearised(model, q, v, tau, controller, w_ext, parameters).step_map(method, step)
 
 
@@ -66,7 +71,7 @@ def growth(S: np.ndarray) -> float:
 
 
 @dataclass(frozen=True)
-class Motion:
+class LinearMotion:
     """A motion `exp(λ t)` of the linearised arm; a conjugate pair is one, with the positive imaginary part.
 
     `kind`: "oscillates", "grows" (an oscillation that gains), "falls" (real, growing), "decays" (real, shrinking) or
@@ -81,7 +86,7 @@ class Motion:
     coordinate: str
 
 
-def motions(motion: Linearised) -> list[Motion]:
+def motions(motion: Linearised) -> list[LinearMotion]:
     """The spectrum: motions that fall, then the others by |λ|, slowest first."""
     eigenvalues, vectors = np.linalg.eig(motion.jacobian)
     largest = np.abs(eigenvalues).max(initial=0.0)
@@ -96,10 +101,10 @@ def motions(motion: Linearised) -> list[Motion]:
     return sorted(found, key=lambda m: (m.kind != "falls", abs(m.eigenvalue)))
 
 
-def _motion(x: complex, coordinate: str) -> Motion:
+def _motion(x: complex, coordinate: str) -> LinearMotion:
     if x == 0:
-        return Motion(x, "free", 0.0, 0.0, coordinate)
+        return LinearMotion(x, "free", 0.0, 0.0, coordinate)
     if x.imag == 0:
-        return Motion(x, "falls" if x.real > 0 else "decays", 0.0, float(-np.sign(x.real)), coordinate)
+        return LinearMotion(x, "falls" if x.real > 0 else "decays", 0.0, float(-np.sign(x.real)), coordinate)
     damping = -x.real / abs(x)
-    return Motion(x, "grows" if damping < -TOLERANCE else "oscillates", abs(x) / (2 * np.pi), damping, coordinate)
+    return LinearMotion(x, "grows" if damping < -TOLERANCE else "oscillates", abs(x) / (2 * np.pi), damping, coordinate)

@@ -10,7 +10,7 @@ import numpy as np
 from ...integrators.methods import METHODS
 from ...robot_model import RobotModel
 from ...simulation.linearised import Linearised
-from ...simulation.stable_steps import Held, exponents, first_failure
+from ...simulation.stable_steps import LinearisedMotions, exponents, first_failure
 
 
 @dataclass(frozen=True)
@@ -33,11 +33,11 @@ class StepLimit:
 
 def step_limits(motion: Linearised, step: float) -> list[StepLimit]:
     """The limit of every method about a state, and its growth at `step` seconds."""
-    held = Held(motion.trimmed())
+    held = LinearisedMotions(motion.trimmed())
     return [_limit(motion, held, method, step) for method in METHODS]
 
 
-def _limit(motion: Linearised, held: Held, method: str, step: float) -> StepLimit:
+def _limit(motion: Linearised, held: LinearisedMotions, method: str, step: float) -> StepLimit:
     limit = first_failure(held.steps, partial(held.bears, method))
     S = motion.step_map(method, step)
     mu = np.append(np.linalg.eigvals(S), motion.closing_factors(method, step))

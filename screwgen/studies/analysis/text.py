@@ -17,7 +17,7 @@ from .step_limits import StepLimit
 
 if TYPE_CHECKING:
     from .findings import Findings, StateAnalysis
-    from .spectrum import Motion
+    from .spectrum import LinearMotion
 
 WIDTH = 96
 MOST_MOTIONS, MOST_FAULTS = 24, 6
@@ -71,7 +71,7 @@ def _where(s: StateAnalysis) -> str:
     return f"at '{s.label}'{', no equilibrium,' if moves else ''}"
 
 
-def _motion_rate(m: Motion) -> str:
+def _motion_rate(m: LinearMotion) -> str:
     rate = f"{m.eigenvalue.real:+.3g}/s"
     return rate if m.kind == "falls" else f"{rate} at {m.frequency_hz:.4g} Hz"
 
@@ -232,7 +232,7 @@ KINDS = {
 }
 
 
-def _motion(m: Motion) -> tuple[str, ...]:
+def _motion(m: LinearMotion) -> tuple[str, ...]:
     name = KINDS[m.kind]
     if m.kind in ("oscillates", "grows"):
         damping = 0.0 if abs(m.damping) < 1e-9 else m.damping

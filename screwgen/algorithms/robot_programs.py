@@ -1,0 +1,45 @@
+"""Programs of the functions that `robot_functions` lists, as far as no file of their subject has them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from . import fused
+from .functions import Functions
+
+
+@fused.program("q v tau")
+def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
+    """``(q, v, tau) -> (power)``."""
+    return {"power": f.drive_power(q, v, tau)}
+
+
+@fused.program("q")
+def levers(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
+    return {"levers": f.levers(q)}
+
+
+@fused.program("q v tau w_ext")
+def loop_wrenches(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
+    """``(q, v, tau, w_ext) -> (loop_wrench)``: what the loops exert on the tips."""
+    return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
+
+
+@fused.program("q v tau w_ext")
+def coupling_torques(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
+    """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""
+    return {"torque": f.coupling_torques(q, v, tau, w_ext)}
+
+
+@fused.program("q")
+def tip_pose(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (R, position)`` of the last tip, R row by row."""
+    return dict(zip(("R", "position"), f.poses(q)[1][f.chain.last], strict=True))
+
+
+@fused.program("q")
+def link_pose(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (R, position)`` of the link frames, link by link."""
+    frames = f.poses(q)[0]
+    return {name: [x for frame in frames for x in frame[k]] for k, name in enumerate(("R", "position"))}

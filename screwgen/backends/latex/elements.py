@@ -1,0 +1,44 @@
+"""What a document says of the elements that act on the axes of a robot (:mod:`screwgen.elements`)."""
+
+from __future__ import annotations
+
+from ...elements import STOP, TRAVELS, OfElement, friction, gear, stop
+from ...ir.block import Binding
+from ...spec.link_class import LinkClass
+from ...topology.chain import Chain
+from .content import Named
+
+
+def symbols(chain: Chain) -> list[Named]:
+    """Their symbols."""
+    stated = [*gear.SYMBOLS, *friction.SYMBOLS] if _drives(chain) else []
+    stated += [symbol for kind in chain.travel_kinds for symbol in kind.SYMBOLS]
+    stated += gear.TRAVEL_SYMBOLS if chain.elastic_travels else ()
+    stated += stop.SYMBOLS if STOP in chain.laws else ()
+    binding = {True: Binding.STATE, False: Binding.PARAMETER}
+    return [(symbol, meaning, unit, "1", "-", binding[state]) for symbol, meaning, unit, state in stated]
+
+
+def equations(chain: Chain) -> list[str]:
+    """Their sections of text."""
+    out = [gear.EQUATIONS] if _drives(chain) else []
+    out += [stop.EQUATIONS] if STOP in chain.laws else []
+    out += [law.kind.equations() for law in chain.laws if isinstance(law, OfElement)]
+    out += [kind.EQUATIONS for kind in chain.travel_kinds]
+    return out + ([gear.travel_equations(chain.travel_kinds)] if chain.elastic_travels else [])
+
+
+def remarks(key: LinkClass) -> dict[str, object]:
+    """What acts on the axes of a link in words, each with whether it is there."""
+    return {
+        "elastic drives": key.added_axes,
+        "rigid gears": any(drive.rotor_inertia and not drive.elastic for drive in key.drives),
+        **{kind.PLURAL: type(kind) in map(type, key.travels.values()) for kind in TRAVELS},
+        "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
+        "stops": key.stops,
+        **{kind.WORDS: True for kind, _ in key.elements},
+    }
+
+
+def _drives(chain: Chain) -> bool:
+    return any(key.drives for key in chain.keys)

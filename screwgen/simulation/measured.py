@@ -1,0 +1,36 @@
+"""What sensors measure along motions: the functions of markers at many samples."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, SENSORS, shape
+from ..robot_model import RobotModel
+
+MEASURED = tuple(row.name for row in FUNCTIONS if row.c_file == SENSORS)
+"""The names of the functions."""
+
+
+def measured(
+    model: RobotModel, name: str, samples: Mapping[str, np.ndarray], p: Sequence[float] | np.ndarray
+) -> np.ndarray | tuple[np.ndarray, ...]:
+    """The results of a function at N samples, with N in front of their shapes; a tuple where they are several.
+
+    ``samples``: its arguments by name, ``q`` (N, nq), ``v`` (N, nv), ``tau`` (N, n_tau), ``w_ext`` (N, n, 6).
+    """
+    row, count = BY_NAME[name], len(samples["q"])
+    given = [samples[x].reshape(-1, samples[x].shape[-1]).T for x in row.names]
+    found = model.casadi()[name].map(count).call([*given, np.tile(p, (count, 1)).T])
+    sizes = [shape(signal, model.chain) for signal in row.results.values()]
+    out = [_apart(x.full(), count, size) for x, size in zip(found, sizes, strict=True)]
+    return tuple(out) if len(out) > 1 else out[0]
+
+
+def _apart(columns: np.ndarray, count: int, size: tuple[int, ...]) -> np.ndarray:
+    """Samples that stand side by side, as rows: of each its rows as columns, or its matrices side by side."""
+    if len(size) < 3:
+        return columns.T.reshape(count, *size)
+    rows, across = size[-2:]
+    return columns.reshape(rows, count, -1, across).transpose(1, 2, 0, 3)

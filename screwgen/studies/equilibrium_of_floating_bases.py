@@ -1,0 +1,68 @@
+"""Rest of robots with floating bases: without gravity the posture is that on a fixed base, at any pose of the base."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..arguments import Numbers
+from ..robot_model import RobotModel
+from ..spec.base import FIXED
+from .linear import checked, whole
+from .statics import NoEquilibriumError
+
+if TYPE_CHECKING:
+    from .equilibrium import Equilibrium
+
+UNBALANCED = 1e-9
+"""The part of the largest load that may be left on the base."""
+
+
+def floating_equilibrium(
+    equilibrium: Callable[..., Equilibrium],
+    model: RobotModel,
+    q: Numbers | None,
+    tau: Numbers | None,
+    w_ext: Any,
+    hold: bool | str,
+    p: np.ndarray,
+) -> Equilibrium:
+    """What `equilibrium` does where the base floats: the base is kept as given, the rest settles relative to it.
+
+    Joints, gears, modes and loops act between links, so nothing pushes the base, and the search is that of the robot on
+    a fixed base. `stability` is that of the posture relative to the base, whose own motion nothing resists.
+    """
+    if p[:3].any():
+        said = f"robot '{model.robot.name}' has a floating base, which nothing holds against gravity"
+        raise NoEquilibriumError(f"{said}; set gravity = [0.0, 0.0, 0.0], or fix the base to find its posture")
+    m, given = model.n_joints, None
+    if q is not None:
+        given = checked(q, "q", m if np.size(q) == m else model.nq)
+    start = whole(model.chain, given, p)
+    fixed = model.once("fixed base", lambda: RobotModel(model.robot.model_copy(update={"base": FIXED})))
+    w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
+    found = equilibrium(
+        fixed, start[model.chain.base_q :], tau, w_ext, hold, dict(zip(model.parameter_names, p, strict=True))
+    )
+    _balanced(model, found, w_ext)
+    R, origin = model.numpy(p).link_pose(start)
+    return replace(
+        found,
+        q=np.append(start[: model.chain.base_q], found.q),
+        wrench=np.vstack([np.zeros(6), found.wrench[1:]]),
+        tip_position=origin[0] + R[0] @ found.tip_position,
+        tip_deflection=R[0] @ found.tip_deflection,
+        q_names=tuple(model.q_names),
+    )
+
+
+def _balanced(model: RobotModel, found: Equilibrium, w_ext: np.ndarray) -> None:
+    """Refuse wrenches on the tips that leave something on the base; what a fixed base bears is that."""
+    for part, unit in ((slice(3, 6), "N"), (slice(0, 3), "N·m")):
+        left = float(np.linalg.norm(found.wrench[0, part]))
+        if left > UNBALANCED * max(1.0, float(np.max(np.abs(w_ext), initial=0.0))):
+            said = f"robot '{model.robot.name}': the wrenches on its tips leave {left:.3g} {unit} on the floating base"
+            raise NoEquilibriumError(f"{said}; give wrenches in balance, or fix the base")

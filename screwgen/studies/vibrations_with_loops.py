@@ -1,0 +1,44 @@
+"""Vibrations of a robot with loops under its weight, about the posture in which it rests while joints are held.
+
+The loops' forces λ add their part to the stiffness: `K = ∂(f − Jᵀ λ)/∂q`, with f what must act on the open tree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import scipy.linalg
+
+from ..algorithms.travels import efforts
+from ..robot_model import RobotModel
+from ..simulation.mobility import closing
+from ..topology.loops import Closure
+from .equilibrium import closed_start, rest
+from .statics_with_loops import RANK, BalanceWithLoops
+from .steady import Steady, unresisted
+
+
+def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
+    """Small motions about rest under gravity, with the stated joints of `q` (nq,) held while the links bend."""
+    start, stated = closed_start(model, p, q, True)
+    b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
+    assert isinstance(b, BalanceWithLoops)
+    torques = np.where(stated, b.force[model.chain.held_places], 0.0)
+    tau = efforts(model.chain, torques, b.q[: model.n_joints], p, held=True)
+    return about(model, b.q, p, dict(zip(model.chain.closures, b.forces, strict=True)), tau)
+
+
+def about(
+    model: RobotModel, q: np.ndarray, p: np.ndarray, loops: Mapping[Closure, float], tau: np.ndarray | None = None
+) -> Steady:
+    """The same about `q` (nq,) with forces of rows, zero of those left out. `tau` (n_tau,): what the drives exert."""
+    numeric, m, still = model.numpy(p), model.chain.eta_v, np.zeros(model.nv)
+    forces = np.array([loops.get(row, 0.0) for row in model.chain.closures])
+    tau = np.zeros(model.n_tau) if tau is None else tau
+    M, K, _ = numeric.slopes(q, still, None, None, tau)
+    _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))
+    K = K - bend
+    kept = scipy.linalg.null_space(J[:, :m], rcond=RANK)
+    rigid = kept @ unresisted(K[:, :m] @ kept, tau, K[:, m:] @ q[m:])
+    return Steady(q, still, M, np.zeros_like(M), (K + K.T) / 2, tau, p, rigid, J, dict(loops), wrench.T)

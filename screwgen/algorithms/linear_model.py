@@ -1,11 +1,11 @@
-"""Small motions about a state: what accelerations and outputs become when the state and the inputs change."""
+"""Small motions about a state: derivatives of the dynamics and its outputs, of closed loops and of the statics."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
-from ..ir.derivative import tangents
-from ..ir.program import Node, Program, Value
+from ..ir.derivative import columns, tangents
+from ..ir.program import Node, Program, Value, Vector
 from ..topology.chain import Chain
 from . import matrices as mx
 from .functions import Functions
@@ -36,7 +36,7 @@ def changes(chain: Chain) -> Program:
             "strain": f.strains(x["q"]),
         }
         along = {"q": f.coordinate_rates(x["q"], x["d_q"])} | {name: x[f"d_{name}"] for name in POINT[1:]}
-        seeds = {a: b for name in POINT for a, b in zip(x[name], along[name], strict=True) if isinstance(a, Node)}
+        seeds = {a: b for name in POINT for a, b in _moved(x[name], along[name]).items()}
         slopes = iter(tangents([value for values in found.values() for value in values], seeds))
         return found | {f"{name}_along": [next(slopes) for _ in values] for name, values in found.items()}
 
@@ -58,3 +58,70 @@ def _tip(f: Functions, x: Mapping[str, Sequence], vdot: Sequence) -> dict[str, l
         "velocity": list(velocity),
         "acceleration": list(acceleration + mx.array(f.gravity)),
     }
+
+
+def closing(chain: Chain) -> Program:
+    """The loops near the posture `q`, of ``(q, v, forces, p)``; matrices column by column, one for each rate.
+
+    ``gap`` (rows,); ``J`` (rows, nv), its derivative along v; ``J_v`` (rows, nv), that of ``J v``; ``bend`` (nv, nv),
+    that of ``Jᵀ forces``; ``wrench`` (6 n,): what forces of the rows exert on the tips, in the tip frames.
+    """
+    units = [[float(i == k) for i in range(chain.nv)] for k in range(chain.nv)]
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> dict[str, Sequence[Value]]:
+        gap, loads = f.loops_at(x["q"], x["forces"])
+        ways = [_moved(x["q"], f.coordinate_rates(x["q"], unit)) for unit in units]
+        J = [tangents(gap, way) for way in ways]
+        forces = [mx.dot(column, x["forces"]) for column in J]
+        rate = [mx.dot(row, x["v"]) for row in zip(*J, strict=True)]
+        found = {"J": J, "J_v": [tangents(rate, way) for way in ways], "bend": [tangents(forces, way) for way in ways]}
+        return {"gap": gap, "wrench": loads.w_ext} | {name: _flat(matrix) for name, matrix in found.items()}
+
+    return fuse(chain, "closing", inputs(chain, "q v") | {"forces": len(chain.closures)}, body)
+
+
+def gap_accelerations(chain: Chain) -> Program:
+    """What closes the loops, of ``(q, v, vdot, forces, p)``: ``rows`` are ``g̈ + 2 c ġ + c² g`` of the gaps g.
+
+    ``torque`` on the axes and ``wrench`` (6 n,) on the tips are what forces of the rows exert.
+    """
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> dict[str, Sequence[Value]]:
+        (gap, loads), rate = f.loops_at(x["q"], x["forces"]), f.gaps(x["q"], x["v"])[1]
+        along = tangents(rate, _moved(x["q"], f.coordinate_rates(x["q"], x["v"])) | _moved(x["v"], x["vdot"]))
+        rates = zip(chain.closures, along, rate, gap, strict=True)
+        rows = [a + 2.0 * c.stabilisation * b + c.stabilisation**2 * g for c, a, b, g in rates]
+        return {"rows": rows, "torque": loads.tau, "wrench": loads.w_ext}
+
+    return fuse(chain, "gap_accelerations", inputs(chain, "q v vdot") | {"forces": len(chain.closures)}, body)
+
+
+def statics(chain: Chain) -> Program:
+    """Rest at `q`, of ``(q, w_ext, p)``, matrices column by column. Of a robot with loops, of its open tree.
+
+    ``potential``, J; ``force`` (nq,): what must act on the coordinates to keep the robot there, springs included;
+    ``stiffness`` (nq, nq): its derivative with q; ``weight`` (nq, 3): that with gravity; ``wrench`` (6 n,): the joint
+    wrenches; ``tip`` (3,): the last tip's position.
+    """
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> dict[str, Sequence[Value]]:
+        force, wrench = f.statics(x["q"], x["w_ext"])
+        return {
+            "potential": [f.energy(x["q"], [0.0] * chain.nv)[1]],
+            "force": force,
+            "stiffness": _flat(columns(force, x["q"])),
+            "weight": _flat(columns(force, f.gravity)),
+            "wrench": wrench,
+            "tip": f.poses(x["q"])[1][chain.last][1],
+        }
+
+    return fuse(chain, "statics", inputs(chain, "q w_ext"), body)
+
+
+def _flat(columns: Iterable[Vector]) -> list[Value]:
+    return [value for column in columns for value in column]
+
+
+def _moved(variables: Vector, rates: Vector) -> dict[Node, Value]:
+    """The direction in which the variables change at these rates; numbers among them do not."""
+    return {a: b for a, b in zip(variables, rates, strict=True) if isinstance(a, Node)}

@@ -5,20 +5,18 @@ acados itself is not needed: the export holds CasADi expressions on SX, and :met
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import casadi as ca
 
-from ...algorithms import fused
+from ...algorithms import linear_model
 from ...algorithms.dae_functions import dae_names, state_size, unknown_size
-from ...algorithms.functions import Functions
 from ...errors import UsageError
 from ...spec.parameters import WRENCH, coordinate_names, parameters
 from ...topology.chain import Chain
 from .functions import coordinate_rates, expressions
-from .linear import along
 
 FORMS = ("joint", "dae")
 BINDINGS = ("runtime", "baked")
@@ -147,19 +145,9 @@ def _row_names(chain: Chain) -> tuple[str, ...]:
 
 def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
     """The rows of the loops at given accelerations, and what their forces exert: on axes, and on tips (6 x n)."""
-    given = {"q": q, "v": v, "forces": forces, "p": p}
-
-    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
-        gap, loads = f.loops_at(x["q"], x["forces"])
-        return {"gap": gap, "rate": f.gaps(x["q"], x["v"])[1], "torque": loads.tau, "wrench": loads.w_ext}
-
-    sizes = {"q": chain.nq, "v": chain.nv, "forces": len(chain.closures)}
-    found = expressions(fused.fuse(chain, "closing", sizes, body), given)
-    c, rate = ca.DM([closure.stabilisation for closure in chain.closures]), found["rate"]
-    rates = coordinate_rates(chain, q, v, p)
-    acceleration = along(rate, q, rates) + along(rate, v, vdot)
-    rows = acceleration + 2 * c * rate + c**2 * found["gap"]
-    return rows, found["torque"], ca.reshape(found["wrench"], 6, chain.n)
+    given = {"q": q, "v": v, "vdot": vdot, "forces": forces, "p": p}
+    found = expressions(linear_model.gap_accelerations(chain), given)
+    return found["rows"], found["torque"], ca.reshape(found["wrench"], 6, chain.n)
 
 
 def _dae(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:

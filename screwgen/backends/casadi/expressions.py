@@ -33,7 +33,7 @@ def unary(op: str, x: ca.SX) -> ca.SX:
         return -x
     if op == "on":
         return x > 0
-    if op in ("c4", "c5", "c6", "c7"):
+    if op[0] == "c" and op[1:].isdigit():
         return _stumpff(int(op[1]), x)
     return getattr(ca, op)(x)
 

@@ -181,7 +181,7 @@ def test_link_count_comes_from_a_loop():
         ),
         (lambda: Frequencies(axial=[2, 1]), "Frequencies: axial[1]: is 1; it must be greater than the frequency"),
         (lambda: Modes(axial=True), "Modes: axial: is true; it must be a whole number from 0 to 32"),
-        (lambda: Section(), "Section: rhoA: is missing; state mass per length, kg/m (or density and area)"),
+        (lambda: Section(), "Section: rhoA: is missing; state mass per length, kg/m, > 0 (or density and area)"),
         (
             lambda: robot(link(), link()),
             'Robot bot: links[1].name (link arm): is "arm", the name of links[0]',

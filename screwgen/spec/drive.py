@@ -4,16 +4,29 @@ from collections.abc import Iterator, Sequence
 from math import inf
 from typing import Annotated, Self
 
-from pydantic import Field, PlainValidator, model_validator
+from pydantic import Field, model_validator
 
 from ..elements import Added, Travel
 from ..elements.gear import added_by
 from ..joints.screw import Screw
 from .limit import Limit
 from .part import Part
-from .ranges import within
+from .stated import Stated, stated_numbers
 from .transmission import Transmission
 from .values import refuse, shown
+
+ROTOR_ALWAYS_TURNS = "; of a cylinder as of a slide, of the rotor of an elastic drive as of an axis that turns"
+RATIO = Stated(
+    *("ratio", "turns of the rotor per turn of the joint", "; of cylinders rad/m; 1 if it is left out"),
+    sliding="turn of the rotor per travel of the joint",
+)
+ROTOR = Stated(
+    *("rotor inertia", "inertia of the rotor", "; of slides and cylinders without ratio the mass that moves along"),
+    sliding="mass that moves with the drive",
+)
+GEAR = Stated(
+    *("gear stiffness", "stiffness of the gear at the joint", "; of a cylinder along it; without it the gear is rigid")
+)
 
 
 class Friction(Part):
@@ -23,15 +36,9 @@ class Friction(Part):
     transmission (N, N·s/m, m/s) or the crank of a linkage, else on the joint (of a slide N, N·s/m, m/s).
     """
 
-    coulomb: Annotated[float, PlainValidator(within("coulomb"))] | None = Field(
-        None, description="dry friction, N·m (of a cylinder, and of a slide with a rigid gear, N)"
-    )
-    viscous: Annotated[float, PlainValidator(within("damping"))] | None = Field(
-        None, description="viscous friction, N·m·s/rad (of a cylinder, and of a slide with a rigid gear, N·s/m)"
-    )
-    velocity: Annotated[float, PlainValidator(within("velocity"))] | None = Field(
-        None, description="the rate over which dry friction changes its sign, rad/s (m/s), > 0"
-    )
+    coulomb: Annotated[float, Stated("coulomb", "dry friction", ROTOR_ALWAYS_TURNS)] | None = None
+    viscous: Annotated[float, Stated("damping", "viscous friction", ROTOR_ALWAYS_TURNS)] | None = None
+    velocity: Annotated[float, Stated("velocity", "rate over which dry friction changes its sign")] | None = None
 
     @model_validator(mode="after")
     def _dry_over_a_velocity(self) -> Self:
@@ -57,23 +64,10 @@ class Drive(Part):
     gear is then between the rotor and the cylinder or crank; `stiffness` and `damping` are those along its travel.
     """
 
-    ratio: Annotated[float, PlainValidator(within("ratio"))] | None = Field(
-        None,
-        description="turns of the rotor per turn of the joint (of slides, cylinders rad/m), > 0; 1 if it is left out",
-    )
-    rotor_inertia: Annotated[float, PlainValidator(within("rotor inertia"))] | None = Field(
-        None,
-        description="inertia of the rotor about its own axis, kg·m², > 0; of slides and cylinders without ratio the "
-        "mass that moves along, kg",
-    )
-    stiffness: Annotated[float, PlainValidator(within("gear stiffness"))] | None = Field(
-        None,
-        description="stiffness of the gear at the joint, N·m/rad (of a slide N/m), along a cylinder, N/m, or at a "
-        "crank, > 0; without it it is rigid",
-    )
-    damping: Annotated[float, PlainValidator(within("damping"))] | None = Field(
-        None, description="damping of the gear where its stiffness is stated, N·m·s/rad (of slides, cylinders N·s/m)"
-    )
+    ratio: Annotated[float, RATIO] | None = None
+    rotor_inertia: Annotated[float, ROTOR] | None = None
+    stiffness: Annotated[float, GEAR] | None = None
+    damping: Annotated[float, Stated("damping", "damping of the gear at the joint")] | None = None
     friction: Friction | None = Field(None, description="as { coulomb = …, viscous = …, velocity = … }")
     transmission: Transmission | None = Field(
         None, description="of an axis that a cylinder or a linkage drives, as { crank = …, base = …, angle = … }"
@@ -98,8 +92,8 @@ class Drive(Part):
     def numbers(self) -> Iterator[tuple[str, float | None]]:
         """Its runtime parameters, by their keys below this table."""
         friction = self.friction or NO_FRICTION
-        yield from ((name, getattr(self, name)) for name in ("ratio", "rotor_inertia", "stiffness", "damping"))
-        yield from ((f"friction.{name}", getattr(friction, name)) for name in Friction.model_fields)
+        yield from ((name, getattr(self, name)) for name, _ in stated_numbers(Drive))
+        yield from ((f"friction.{name}", getattr(friction, name)) for name, _ in stated_numbers(Friction))
         if self.transmission:
             yield from ((f"transmission.{name}", value) for name, value in self.transmission.numbers)
 

@@ -2,10 +2,9 @@
 
 from typing import Annotated, Any
 
-from pydantic import Field, PlainValidator
-
 from .part import Part
 from .ranges import within
+from .stated import Stated
 from .values import array, refuse, shown
 
 
@@ -20,7 +19,12 @@ def ascending(value: Any) -> tuple[float, ...]:
     return numbers
 
 
-PerMode = Annotated[tuple[float, ...], PlainValidator(ascending)]
+PerMode = tuple[float, ...]
+
+
+def _measured(mode: str) -> Stated:
+    meaning = f"natural frequency of the bare link clamped at its base: {mode}"
+    return Stated("frequency", meaning, several=True, check=ascending)
 
 
 class Frequencies(Part):
@@ -38,10 +42,10 @@ class Frequencies(Part):
     `equivalent_stiffness` tells how far the link is from a uniform beam.
     """
 
-    axial: PerMode | None = Field(None, description="of the axial modes, Hz")
-    bending_y: PerMode | None = Field(None, description="of the modes of bending in y, Hz")
-    bending_z: PerMode | None = Field(None, description="of the modes of bending in z, Hz")
-    torsion: PerMode | None = Field(None, description="of the torsion modes, Hz")
+    axial: Annotated[PerMode, _measured("axial mode")] | None = None
+    bending_y: Annotated[PerMode, _measured("bending in y")] | None = None
+    bending_z: Annotated[PerMode, _measured("bending in z")] | None = None
+    torsion: Annotated[PerMode, _measured("torsion")] | None = None
 
     @property
     def stated(self) -> dict[str, tuple[float, ...]]:

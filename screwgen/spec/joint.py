@@ -16,12 +16,29 @@ from .drive import Drive, check, check_reach
 from .limit import Limit
 from .limit import check as check_limits
 from .part import Part
-from .ranges import several
+from .stated import Stated
 from .values import refuse
 
-Position = Annotated[Vector, PlainValidator(several("position", 3))]
 Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes), PlainSerializer(written)]
 PerAxis = tuple[float, ...]
+XYZ = ("x", "y", "z")
+RPY = ("roll", "pitch", "yaw")
+
+PLACE = Stated("position", "joint point from the parent's tip, tip frame", components=XYZ)
+TURN = Stated("turn", "turn of the joint, Rz(y) Ry(p) Rx(r)", ", as in URDF", components=RPY)
+ARMATURE = Stated(
+    *("armature", "rotor inertia seen at the joint axis", ", by the square of the gear ratio"),
+    sliding="drive's inertia seen along the joint axis",
+    several=True,
+)
+DAMPING = Stated(
+    *("damping", "viscous damping about the joint axis"), sliding="viscous damping along the joint axis", several=True
+)
+STIFFNESS = Stated(
+    *("stiffness", "stiffness about the joint axis", ", relaxed at q = 0"),
+    sliding="stiffness along the joint axis",
+    several=True,
+)
 
 MOVED_BY = ("armature", "drives")
 """The keys that say what drives an axis."""
@@ -34,10 +51,8 @@ class Mount(Part):
     `xyz` (m) from the tip point, in tip-frame axes; `rpy` (rad) as URDF's: R_mount = Rz(y) Ry(p) Rx(r).
     """
 
-    xyz: Position | None = Field(None, description="the joint point from the parent's tip point, m, in tip-frame axes")
-    rpy: Annotated[Vector, PlainValidator(several("turn", 3))] | None = Field(
-        None, description="roll, pitch and yaw of the joint's axes, rad, as in URDF"
-    )
+    xyz: Annotated[Vector, PLACE] | None = None
+    rpy: Annotated[Vector, TURN] | None = None
 
 
 class Joint(Part):
@@ -54,15 +69,9 @@ class Joint(Part):
         description='the axes in order, as ["y", { slide = "x" }]; [] welds the link, "ball" is a ball joint'
     )
     mount: Mount | None = Field(None, description="where the joint sits; without it at the tip point, axes aligned")
-    armature: Annotated[PerAxis, PlainValidator(several("armature"))] | None = Field(
-        None, description="rotor inertia seen at each axis, kg·m² (gear ratio squared; of a slide in kg)"
-    )
-    damping: Annotated[PerAxis, PlainValidator(several("damping"))] | None = Field(
-        None, description="viscous damping of each axis, N·m·s/rad (of a slide in N·s/m)"
-    )
-    stiffness: Annotated[PerAxis, PlainValidator(several("stiffness"))] | None = Field(
-        None, description="spring of each axis, N·m/rad, relaxed at q = 0 (of a slide in N/m)"
-    )
+    armature: Annotated[PerAxis, ARMATURE] | None = None
+    damping: Annotated[PerAxis, DAMPING] | None = None
+    stiffness: Annotated[PerAxis, STIFFNESS] | None = None
 
     drives: tuple[Drive, ...] | None = Field(
         None, description="the drive of each axis, an array of tables: gear, rotor, friction; {} is none"

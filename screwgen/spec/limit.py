@@ -4,11 +4,13 @@ from collections.abc import Sequence
 from math import inf
 from typing import Annotated, Self
 
-from pydantic import Field, PlainValidator, model_validator
+from pydantic import model_validator
 
 from .part import Part
-from .ranges import within
+from .stated import Stated
 from .values import refuse, shown
+
+STOPS = Stated("stop stiffness", "stiffness of the stops at the limits", "; without it there is a range alone")
 
 
 class Limit(Part):
@@ -19,18 +21,10 @@ class Limit(Part):
     in simulations, but nothing holds the joint in it.
     """
 
-    lower: Annotated[float, PlainValidator(within("limit"))] | None = Field(
-        None, description="the least coordinate, rad (of a slide m)"
-    )
-    upper: Annotated[float, PlainValidator(within("limit"))] | None = Field(
-        None, description="the largest coordinate, rad (of a slide m)"
-    )
-    stiffness: Annotated[float, PlainValidator(within("stop stiffness"))] | None = Field(
-        None, description="stiffness of the stops, N·m/rad (of a slide N/m), > 0; without it there is a range alone"
-    )
-    damping: Annotated[float, PlainValidator(within("damping"))] | None = Field(
-        None, description="damping of the stops, N·m·s/rad (of a slide N·s/m); they never pull"
-    )
+    lower: Annotated[float, Stated("limit", "least coordinate of the joint")] | None = None
+    upper: Annotated[float, Stated("limit", "largest coordinate of the joint")] | None = None
+    stiffness: Annotated[float, STOPS] | None = None
+    damping: Annotated[float, Stated("damping", "damping of the stops at the limits")] | None = None
 
     @property
     def bounds(self) -> tuple[float, float]:

@@ -9,11 +9,13 @@ from ..elements import Added, Travel
 from .axis_elements import numbers_of
 from .base import CHANGE, CHANGE_UNITS, POSE, POSE_UNITS, TWIST
 from .fields import FIELDS, SLIDING, of_axis
-from .joint import Joint
+from .joint import Joint, Mount
+from .part import Part
 from .reduced import of_link as directions
-from .robot import Body, Link, Robot
+from .robot import Body, Damping, Link, Robot
 from .section import Section
 from .segments import segments
+from .stated import stated_numbers
 from .stations import Stations
 
 Index = tuple[int, ...]
@@ -77,32 +79,30 @@ def _of_axis(parameter: Parameter, joint: Joint) -> Parameter:
 
 def shape(link: Link) -> Iterator[tuple[str, Value]]:
     """The fields of the link's own body."""
-    yield "length", link.length
-    yield "frame_at", link.frame_at
-    for name in Section.model_fields if link.section else ():
-        if isinstance(link.section, Stations):
-            yield f"section.{name}", link.section.values(name)
-        else:
-            yield name, getattr(link.section, name)
+    yield from numbers("", Link, link)
+    if isinstance(link.section, Stations):
+        yield from ((f"section.{name}", link.section.values(name)) for name, _ in stated_numbers(Section))
+    else:
+        yield from numbers("", Section, link.section)
     for direction, values in link.modes.frequencies or ():
         yield f"frequencies.{direction}", values
-    yield "damping.ratio", link.damping.ratio if link.damping else None
+    yield from numbers("damping.", Damping, link.damping)
 
 
 def joint(joint: Joint) -> Iterator[tuple[str, Value]]:
     """The fields of a joint; its axes are structure, not parameters."""
-    yield "joint.mount.xyz", joint.mount.xyz if joint.mount else None
-    yield "joint.mount.rpy", joint.mount.rpy if joint.mount else None
-    yield "joint.armature", joint.armature
-    yield "joint.damping", joint.damping
-    yield "joint.stiffness", joint.stiffness
+    yield from numbers("joint.mount.", Mount, joint.mount)
+    yield from numbers("joint.", Joint, joint)
 
 
 def mass(body: Body) -> Iterator[tuple[str, Value]]:
     """The fields of a rigid body."""
-    yield "bodies.mass", body.mass
-    yield "bodies.com", body.com
-    yield "bodies.inertia", body.inertia
+    return numbers("bodies.", Body, body)
+
+
+def numbers(table: str, part: type[Part], given: Part | None) -> Iterator[tuple[str, Value]]:
+    """The fields of a table of the file, None where it does not state them."""
+    return ((f"{table}{name}", getattr(given, name, None)) for name, _ in stated_numbers(part))
 
 
 def spread(

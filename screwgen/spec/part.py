@@ -6,6 +6,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from ..errors import RobotFileError
 from .messages import explain, sound
+from .stated import stated_numbers
 
 
 class Part(BaseModel):
@@ -24,6 +25,12 @@ class Part(BaseModel):
 
     # Nested parts are then validated in place, not by this constructor: an error keeps its whole path.
     setattr(__init__, "__pydantic_base_init__", True)  # noqa: B010
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
+        """The numbers of a table say what they are."""
+        for name, number in stated_numbers(cls):
+            cls.model_fields[name].description = number.text
 
     @classmethod
     def _title(cls, data: dict[str, Any]) -> str:

@@ -20,9 +20,14 @@ class Range(NamedTuple):
     unit: str
 
     @property
+    def units(self) -> tuple[str, ...]:
+        """The unit; on a joint axis that of one that turns, then that of one that slides."""
+        return tuple(self.unit.split(" or "))
+
+    @property
     def text(self) -> str:
         """The range in words."""
-        unit = f" {self.unit}" if self.unit != "1" else ""
+        unit = f" {self.unit}" if self.units[0] != "1" else ""
         if self.sign is number:
             return f"from {-self.high:g} to {self.high:g}{unit}"
         zero = "" if self.sign is positive else "0, or "
@@ -66,8 +71,8 @@ RANGES = {
     "armature": Range(non_negative, 1e-12, 1e12, "kg·m² or kg"),
     "damping": Range(non_negative, 1e-12, 1e18, "N·m·s/rad or N·s/m"),
     "stiffness": Range(non_negative, 1e-12, 1e24, "N·m/rad or N/m"),
-    "ratio": Range(positive, 1e-6, 1e9, "1"),
-    "rotor inertia": Range(positive, 1e-12, 1e12, "kg·m²"),
+    "ratio": Range(positive, 1e-6, 1e9, "1 or rad/m"),
+    "rotor inertia": Range(positive, 1e-12, 1e12, "kg·m² or kg"),
     "gear stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),
     "limit": Range(number, 0.0, 1e6, "rad or m"),

@@ -14,7 +14,7 @@ from ..joints.screw import Vector
 from .base import FIXED, FLOATING, check_floating
 from .couplings import Coupling, refuse_couplings
 from .frequencies import Frequencies
-from .joint import Joint, Position
+from .joint import XYZ, Joint
 from .loops import Loop, refuse_loops
 from .markers import TIP, Marker, Place, carried_at, check_markers, marker, written
 from .modes import DIRECTIONS, NEEDS, SHEARED, Modes
@@ -24,13 +24,19 @@ from .parents import parent_name, parents
 from .part import Part
 from .physics import inertia
 from .profile import profiled
-from .ranges import several, within
 from .reduced import link_body, of_link, refuse_axes, refuse_rod
 from .segments import distinct_names
+from .stated import Stated
 from .stations import AnySection
 from .values import boolean, choice, refuse, shape_order
 
-Inertia = Annotated[tuple[float, float, float, float, float, float], PlainValidator(inertia)]
+CENTRE = Stated("position", "centre of mass", ", from the point where the body sits", components=XYZ)
+Tensor = tuple[float, float, float, float, float, float]
+INERTIA = Stated(
+    *("inertia", "inertia about the centre of mass", ": [xx, yy, zz, xy, xz, yz], with xy = −∫ x y dm"),
+    components=("xx", "yy", "zz", "xy", "xz", "yz"),
+    check=inertia,
+)
 End = Annotated[str, PlainValidator(choice("base", "tip"))]
 
 STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, area = … }"
@@ -39,9 +45,7 @@ STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, 
 class Damping(Part):
     """Modal damping: `ratio` ζ >= 0 of each of the link's own base-clamped, unloaded modes (1: critical)."""
 
-    ratio: Annotated[float, PlainValidator(within("damping ratio"))] = Field(
-        description="the damping ratio of each mode"
-    )
+    ratio: Annotated[float, Stated("damping ratio", "damping ratio of each mode")]
 
 
 class Body(Part):
@@ -53,11 +57,13 @@ class Body(Part):
     """
 
     at: End = Field(description='where the body sits, "base" or "tip"')
-    mass: Annotated[float, PlainValidator(within("mass"))] = Field(description="the mass, kg")
-    com: Position | None = Field(None, description="the centre of mass from the point where the body sits, m")
-    inertia: Inertia | None = Field(
-        None, description="about the centre of mass, kg·m²: [xx, yy, zz, xy, xz, yz], with xy = −∫ x y dm"
-    )
+    mass: Annotated[float, Stated("mass", "mass of the body")]
+    com: Annotated[Vector, CENTRE] | None = None
+    inertia: Annotated[Tensor, INERTIA] | None = None
+
+
+LENGTH = Stated("length", "length of the undeformed centreline", "; a link without a section can do without")
+FRAME_AT = Stated("frame_at", "distance from the link's base to its frame's origin", ", along the centreline")
 
 
 class Link(Part):
@@ -73,12 +79,8 @@ class Link(Part):
     other_keys: ClassVar = {"profile": "in place of section: a tube, rod or box of a material"}
 
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the link's name, a C identifier")
-    length: Annotated[float, PlainValidator(within("length"))] | None = Field(
-        None, description="the length of the centreline, m; a link without a section can do without"
-    )
-    frame_at: Annotated[float, PlainValidator(within("frame_at"))] | None = Field(
-        None, description="distance of the link frame's origin from the base, m, along the centreline; 0 to length"
-    )
+    length: Annotated[float, LENGTH] | None = None
+    frame_at: Annotated[float, FRAME_AT] | None = None
     section: AnySection | None = Field(
         None,
         description="the section, at least { rhoA = … } or { density = …, area = … }, or an array of stations; "
@@ -154,6 +156,9 @@ class Link(Part):
         return self
 
 
+GRAVITY = Stated("gravity", "acceleration of free fall, inertial frame", ", as [0.0, 0.0, -9.81]", components=XYZ)
+
+
 class Robot(Part):
     """Links, each after the one that carries it. `name` is the prefix of everything generated.
 
@@ -166,9 +171,7 @@ class Robot(Part):
     """
 
     name: Annotated[str, PlainValidator(robot_name)] = Field(description="the robot's name, a C identifier")
-    gravity: Annotated[Vector, PlainValidator(several("gravity", 3))] = Field(
-        description="the acceleration of free fall, m/s², as [0.0, 0.0, -9.81]"
-    )
+    gravity: Annotated[Vector, GRAVITY]
     section_rotation: Annotated[bool, PlainValidator(boolean)] = Field(
         True, description="whether tip frames turn with the slope of the deflected link, and next links with them"
     )

@@ -2,10 +2,11 @@
 
 from typing import Annotated, Any, ClassVar
 
-from pydantic import Field, PlainValidator, model_validator
+from pydantic import model_validator
 
 from .part import Part
 from .ranges import within
+from .stated import Stated
 from .values import quoted, refuse
 
 PRODUCTS = {  # line property: the two keys of the material spelling whose product it is
@@ -16,6 +17,7 @@ PRODUCTS = {  # line property: the two keys of the material spelling whose produ
     "GJ": ("G", "J"),
 }
 SPIN = ("density", "Iy", "Iz")  # rhoIp = density (Iy + Iz), where it is not stated
+TURNING = "; that of sections which turn with bending in {}"
 MATERIAL = ("density", "area", "E", "Iy", "Iz", "G", "J")  # the keys of the material spelling
 
 
@@ -36,32 +38,16 @@ class LineProperties(Part):
         "J": "torsion constant, m⁴",
     }
 
-    rhoA: Annotated[float, PlainValidator(within("rhoA"))] = Field(
-        description="mass per length, kg/m (or density and area)"
-    )
-    EA: Annotated[float, PlainValidator(within("EA"))] | None = Field(None, description="axial stiffness, N")
-    EIy: Annotated[float, PlainValidator(within("EIy"))] | None = Field(
-        None, description="bending stiffness about y, for modes in z, N·m²"
-    )
-    EIz: Annotated[float, PlainValidator(within("EIz"))] | None = Field(
-        None, description="bending stiffness about z, for modes in y, N·m²"
-    )
-    GJ: Annotated[float, PlainValidator(within("GJ"))] | None = Field(None, description="torsional stiffness, N·m²")
-    rhoIp: Annotated[float, PlainValidator(within("rhoIp"))] | None = Field(
-        None, description="spin inertia per length about the centreline, kg·m"
-    )
-    GAy: Annotated[float, PlainValidator(within("GAy"))] | None = Field(
-        None, description="shear stiffness κGA along y, for modes of shear in y, N"
-    )
-    GAz: Annotated[float, PlainValidator(within("GAz"))] | None = Field(
-        None, description="shear stiffness κGA along z, for modes of shear in z, N"
-    )
-    rhoIy: Annotated[float, PlainValidator(within("rhoIy"))] | None = Field(
-        None, description="rotary inertia per length about y, kg·m; that of sections which turn with bending in z"
-    )
-    rhoIz: Annotated[float, PlainValidator(within("rhoIz"))] | None = Field(
-        None, description="rotary inertia per length about z, kg·m; that of sections which turn with bending in y"
-    )
+    rhoA: Annotated[float, Stated("rhoA", "mass per length", " (or density and area)")]
+    EA: Annotated[float, Stated("EA", "axial stiffness")] | None = None
+    EIy: Annotated[float, Stated("EIy", "bending stiffness about y", ", for modes in z")] | None = None
+    EIz: Annotated[float, Stated("EIz", "bending stiffness about z", ", for modes in y")] | None = None
+    GJ: Annotated[float, Stated("GJ", "torsional stiffness")] | None = None
+    rhoIp: Annotated[float, Stated("rhoIp", "spin inertia per length about the centreline")] | None = None
+    GAy: Annotated[float, Stated("GAy", "shear stiffness along y", ", κGA, for modes of shear in y")] | None = None
+    GAz: Annotated[float, Stated("GAz", "shear stiffness along z", ", κGA, for modes of shear in z")] | None = None
+    rhoIy: Annotated[float, Stated("rhoIy", "rotary inertia per length about y", TURNING.format("z"))] | None = None
+    rhoIz: Annotated[float, Stated("rhoIz", "rotary inertia per length about z", TURNING.format("y"))] | None = None
 
     @model_validator(mode="before")
     @classmethod

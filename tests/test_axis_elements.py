@@ -1,5 +1,7 @@
 """Elements of joint axes: preloaded springs in robot files, at rest, in vibrations, in motion, in documents."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 from bad_robot_files import refused
@@ -7,12 +9,28 @@ from helpers import arm, link, model_of, quick, relative
 
 from screwgen import Robot, RobotFileError, UsageError, dump, equilibrium, natural_frequencies, simulate
 from screwgen.backends.latex import document as latex
-from screwgen.elements import KINDS
+from screwgen.elements import KINDS, AxisElement, key
 from screwgen.interchange.urdf_write import export_urdf
 from screwgen.spec.load import loads
 from screwgen.spec.parameters import parameters
 
 SPRING = {"spring": {"stiffness": 80.0, "rest": 0.4}}
+
+
+@dataclass(frozen=True)
+class Detent(AxisElement):
+    """A force that falls where the axis is half way to the next of the postures in which it is held."""
+
+    KIND = "detent"
+    WORDS = "detents"
+    FORMULA = r"T\,\sin(n\,q)"
+
+    torque: float = key("N·m", "N", "largest torque", "T", sign="positive")
+    count: float = key("1/rad", "1/m", "number in 2π", "n", sign="positive")
+
+    @staticmethod
+    def force(t, x, w, torque, count):
+        return torque * t.call("sin", count * x)
 
 
 def sprung(elements=SPRING, **more):
@@ -108,3 +126,14 @@ def test_a_damaged_file_is_refused_in_a_line(tmp_path):
 
 def test_a_urdf_says_that_it_lacks_them():
     assert "boom.joint.elements: are left out; URDF has no such elements" in export_urdf(Robot(**sprung())).notes
+
+
+@pytest.mark.parametrize("name", ["modal_implicit", "modal_midpoint"])
+@pytest.mark.parametrize("step", [1e-3, 5e-3, 2e-2])
+def test_a_long_step_moves_the_right_way_where_a_force_falls(name, step):
+    """From beside the top it falls back, with much less inertia than the tangent would take from it."""
+    model = model_of(sprung([Detent(2000.0, 12.0)]))
+    given = [0.99 * np.pi / 12, 0.0], [0.0, 0.0], [0.0]
+    found = quick(model).step(*given, None, step, name)[1]
+    expected = model.casadi()[f"step_{name}"](*given, np.zeros((6, 1)), model.parameter_values, step)[1]
+    assert found[0] < 0 and relative(found, expected.full().ravel()) < 1e-12

@@ -9,12 +9,12 @@ from figures import collisions, covered, laid_out, outside
 from helpers import arm, example, link, model_of
 
 from screwgen import PD, Run
-from screwgen.algorithms.robot_functions import BY_NAME
+from screwgen.algorithms.robot_functions import BY_NAME, entry_names
 from screwgen.algorithms.signals import Signal
 from screwgen.plotting import curves, plot
 from screwgen.plotting.look import canvas
 from screwgen.simulation.motion import displacements
-from screwgen.simulation.runs import OWN
+from screwgen.simulation.runs import OWN, segments
 
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 LAW = PD((400.0,) * 3, (28.0,) * 3, SET_POINTS, duration=1.5, tau_max=(90.0, 60.0, 30.0))
@@ -162,14 +162,21 @@ def test_what_a_function_reports_has_a_panel_by_itself(monkeypatch):
     model = example("ella")
     signals = {"linear": Signal((3,), "kg*m/s", "-", "momentum of the arm"), "mass": Signal((), "kg", "-", "all mass")}
     monkeypatch.setitem(BY_NAME, "momentum", dataclasses.replace(BY_NAME["energy"], results=signals, name="momentum"))
+    signals["strain"] = Signal(("NLINKS",), "J", "-", "strain energy of links")
     run = swing(model)
-    told = np.random.default_rng(0).normal(size=(len(run.t), 4))
-    shown = {x.title: x for x in plot.panels(dataclasses.replace(run, told={"momentum": told}), model=model)}
-    moved, heavy = shown["Momentum of the arm"], shown["All mass"]
+    told = np.random.default_rng(0).normal(size=(len(run.t), 4 + model.n_links))
+    run = dataclasses.replace(run, told={"momentum": told})
+    drawn = plot.panels(run, model=model)
+    shown = {x.title: x for x in drawn}
+    assert len(shown) == len(drawn), "nothing is drawn twice"
+    moved, heavy, bent = shown["Momentum of the arm"], shown["All mass"], shown["Strain energy of links"]
+    assert [(x.label, x.owner) for x in bent.lines] == [("upper_arm", 0), ("forearm", 1)]
+    names = entry_names(BY_NAME["momentum"], (), links=segments(run.wrench_names))
+    assert names[3:] == ("momentum.mass", "upper_arm.momentum.strain", "forearm.momentum.strain")
     assert (moved.unit, heavy.unit) == ("kg·m/s", "kg") and [x.label for x in moved.lines] == ["x", "y", "z"]
-    assert all(np.array_equal(x.values, told[:, k]) for k, x in enumerate([*moved.lines, *heavy.lines]))
+    assert all(np.array_equal(x.values, told[:, k]) for k, x in enumerate([*moved.lines, *heavy.lines, *bent.lines]))
     assert curves.prefixed(1e-5, "kg·m/s") == (1.0, "kg·m/s")
-    assert "Power of drives" not in {x.title for x in plot.panels(run, model=model)}, "the run has none of it"
+    assert "Power of drives" not in shown, "the run has none of it"
 
 
 def test_forces_keep_their_signs():

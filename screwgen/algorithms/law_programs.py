@@ -10,7 +10,7 @@ import numpy as np
 
 from ..elements.law import Law, Secant
 from ..ir.derivative import columns
-from ..ir.program import Program, Tracer, Value
+from ..ir.program import Node, Program, Tracer, Value
 from ..ir.replay import run
 
 
@@ -113,13 +113,23 @@ def spring_slopes(times: int = 1) -> Program:
 
 
 def _secant(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> Secant:
-    """What a law states, or the tangents in the state."""
+    """What a law states, or the tangents in the state.
+
+    Where the force falls with the coordinate or its rate, what accelerations add to it over a step is left out: it
+    would take inertia from the coordinate, and turn its motion round where none is left.
+    """
     if law.secant is not None:
         return law.secant(tracer, *inputs)
-    side, x, w, _, _, *constants = inputs
+    side, x, w, _, h, *constants = inputs
     force = law.force(tracer, side, x, w, *constants)
-    stiffness, damping = (column[0] for column in columns([force], [x, w]))
-    return Secant(stiffness, damping, x, force - damping * w)
+    slope, by_rate = (column[0] for column in columns([force], [x, w]))
+    stiffness, damping = _rising(tracer, slope), _rising(tracer, by_rate)
+    return Secant(stiffness, damping, x, force - damping * w + (slope - stiffness) * (h * w))
+
+
+def _rising(tracer: Tracer, slope: Value) -> Value:
+    """A slope where it is positive, else zero."""
+    return tracer.call("on", slope) * slope if isinstance(slope, Node) else max(slope, 0.0)
 
 
 # ------------------------------------------------------------------------------------------ on arrays

@@ -3,8 +3,8 @@
 An example: the power of the drives. It is a function of ``q``, ``v`` and ``tau`` with one result, an entry in W for
 each drive. Its row in ``FUNCTIONS`` says this and names the lines that compute it, which run on values of any algebra.
 From the row come a CasADi function, one on arrays of JAX, one on NumPy arrays, one of C with its declaration, the call
-of the compiled library, the columns of runs and rollouts, and the variables of mock-up units. A new function is a
-phase, a row, a test and a line of docs/functions.md.
+of the compiled library, the columns of runs and rollouts, the variables of mock-up units and the table of
+docs/functions.md. CONTRIBUTING.md says what a new function takes.
 """
 
 from __future__ import annotations
@@ -282,17 +282,21 @@ def entries(function: RobotFunction, chain: Chain) -> int:
     return sum(math.prod(shape(of, chain)) for of in function.results.values())
 
 
-def entry_names(function: RobotFunction, drives: Sequence[str], markers: Sequence[str] = ()) -> tuple[str, ...]:
+def entry_names(
+    function: RobotFunction, drives: Sequence[str], markers: Sequence[str] = (), links: Sequence[str] = ()
+) -> tuple[str, ...]:
     """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
-    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot.
+    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot,
+    `arm.effort.torque` of a link, `boom[1].effort.torque` of a segment of one that is divided.
     """
     out: list[str] = []
     for name, signal in function.results.items():
         what = f"{function.name}.{name}"
         if signal.shape == ("NTAU",):
             out += [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in drives]
-        elif "NMARKERS" in signal.shape:
-            out += [f"{marker}.{what}{part}" for marker in markers for part in PARTS[signal.shape[1:]]]
+        elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
+            owners = markers if signal.shape[0] == "NMARKERS" else links
+            out += [f"{owner}.{what}{part}" for owner in owners for part in PARTS[signal.shape[1:]]]
         else:
             out += [what + part for part in PARTS[signal.shape]]
     return tuple(out)

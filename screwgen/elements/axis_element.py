@@ -41,7 +41,8 @@ class AxisElement:
         return 0.0
 
     secant: ClassVar[Callable[..., Secant] | None] = None
-    """``(t, x, w, there, h, *values)``: what implicit methods take, see :class:`.law.Law`; None: the tangents."""
+    """``(t, x, w, there, h, *values)``: what implicit methods take, see :class:`.law.Law`; None: the tangents,
+    where the force falls without its part of the accelerations."""
 
     @classmethod
     @cache

@@ -13,7 +13,7 @@ from ..algorithms.robot_functions import BY_NAME, PARTS, written
 from ..elements import ROTOR
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
-from ..simulation.runs import Run
+from ..simulation.runs import Run, segments
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
@@ -81,19 +81,21 @@ def motion_panels(
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
         Panel("Energy", "E", "J", energy),
         *_reported(run),
-        *_reported(run),
         Panel("Tip, inertial frame", "r", "m", _named("xyz", run.tip_position.T)),
     ]
 
 
 def _reported(run: Run) -> Iterator[Panel]:
     """What functions of the robot report, where it is no quantity of axes: a panel for each result."""
+    links, pieces = link_names(run), segments(run.wrench_names)
     for name in sorted(set(run.told) - {x.array for x in AXIS_CURVES}):
         rows, first = run.told[name].reshape(len(run.t), -1).T, 0
         for result, signal in BY_NAME[name].results.items():
-            labels = [part.lstrip("._") or result for part in PARTS[signal.shape]]
+            of_links = signal.shape == ("NLINKS",)
+            labels = pieces if of_links else [part.lstrip("._") or result for part in PARTS[signal.shape]]
             own = rows[first : first + len(labels)]
-            lines = [PanelCurve(x, a if a in "xyz" else k, a) for k, (x, a) in enumerate(zip(own, labels, strict=True))]
+            whose = lambda k, a: links.index(owner(a)) if of_links else a if a in "xyz" else k  # noqa: E731, B023
+            lines = [PanelCurve(x, whose(k, a), a) for k, (x, a) in enumerate(zip(own, labels, strict=True))]
             first += len(labels)
             title = signal.meaning[0].upper() + signal.meaning[1:]
             yield Panel(title, result, written(signal.unit), lines)

@@ -129,7 +129,7 @@ class Run:
     def names_of(self, array: str) -> tuple[str, ...]:
         """The names of the columns of an array, such as `tau`; raises AttributeError where the run has none of it."""
         if array in self.reports:
-            return entry_names(BY_NAME[array], self.tau_names)
+            return entry_names(BY_NAME[array], self.tau_names, links=segments(self.wrench_names))
         return getattr(self, f"{array}_names")
 
     @property
@@ -163,8 +163,15 @@ class Run:
 
 def column_names(*names: Sequence[str], reports: Iterable[str] = REPORTED) -> tuple[str, ...]:
     """The names of the columns of a table, of a run with these `NAMES`."""
-    told = (x for name in reports for x in entry_names(BY_NAME[name], names[NAMES.index("tau_names")]))
+    of = dict(zip(NAMES, names, strict=True))
+    links = segments(of["wrench_names"])
+    told = (x for name in reports for x in entry_names(BY_NAME[name], of["tau_names"], links=links))
     return ("t", *(x for group in names for x in group), *TIP_NAMES, *told)
+
+
+def segments(wrench_names: Sequence[str]) -> list[str]:
+    """The names of the links, and of the segments of those that are divided, from those of the wrenches at them."""
+    return [name.rpartition(".")[0] for name in wrench_names[::6]]
 
 
 def write_npz(run: Run, stream: BinaryIO) -> None:

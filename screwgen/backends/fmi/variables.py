@@ -151,9 +151,10 @@ def _outputs(answers: Response) -> Iterator[Variable]:
     for name, unit in strain_names(chain).items():
         yield of("strain", name, unit, "strain of the centreline at the link's base, or at its marker")
     efforts, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
+    pieces = [segment.name for segment in chain.segments]
     for told in answers.rows.values():
         meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        for entry in zip(entry_names(told, efforts, markers), entry_units(told, chain), meanings, strict=True):
+        for entry in zip(entry_names(told, efforts, markers, pieces), entry_units(told, chain), meanings, strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

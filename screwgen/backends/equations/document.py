@@ -49,6 +49,7 @@ def _formulas(shown: Shown) -> list[Item]:
 def _coordinates(chain: Chain, equations: Equations) -> DocumentTable:
     known = zip(equations.coordinates, coordinate_names(chain.robot).q, coordinate_units(chain.robot), strict=True)
     rows = [(f"${name.latex}$", f"`{own}`", unit) for name, own, unit in known]
+    rows += [(f"${name.latex}$", meaning, "") for name, meaning in equations.meanings]
     return DocumentTable(("coordinate", "name", "unit"), (0.2, 0.6, 0.2), tuple(rows))
 
 

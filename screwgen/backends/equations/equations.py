@@ -13,7 +13,7 @@ from ...arguments import Numbers
 from ...spec.parameters import Parameter
 from ..latex import text as markup
 from ..latex.layout import PAGE, Formula, equation
-from .names import Name, dotted
+from .names import MEANINGS, Name, dotted
 from .trees import Sum
 from .writing import LATEX, TEXT, Writer, expression
 
@@ -52,7 +52,6 @@ class Shown:
     ``operations``: how many additions, multiplications, powers and functions all entries take as they are written.
     """
 
-    symmetric: tuple[str, ...] = ("M",)
     heading = ""
     latex_heading = ""
 
@@ -88,6 +87,13 @@ class Shown:
                 for j, entry in enumerate(row):
                     if entry.terms and not (letter in self.symmetric and j < i):
                         yield letter, (i + 1, j + 1)[: 1 if len(row) == 1 else 2], entry
+
+    @cached_property
+    def symmetric(self) -> frozenset[str]:
+        """The letters of symmetric matrices; of C, which changes with the order of its indices, none is."""
+        square = {letter: rows for letter, rows in self._forms.items() if len(rows) == len(rows[0]) and letter != "C"}
+        alike = lambda rows: [list(row) for row in rows] == [list(row) for row in zip(*rows, strict=True)]  # noqa: E731
+        return frozenset(letter for letter, rows in square.items() if alike(rows))
 
     def _place(self, letter: str, place: tuple[int, ...]) -> tuple[str, ...]:
         """An entry's place, and of a symmetric matrix also the other one with the same formula."""
@@ -241,6 +247,12 @@ class Equations(Shown):
         return self._matrix("g")
 
     @property
+    def meanings(self) -> list[tuple[Name, str]]:
+        """What the common parts are."""
+        names = [self._letters.names[number] for number in self._parts]
+        return [(name, MEANINGS[name.text.partition("_")[0]]) for name in names]
+
+    @property
     def stated(self) -> Values:
         """The parameters that occur: name in formulas, value, and what the robot file calls it."""
         return self._values
@@ -281,7 +293,6 @@ class LinearEquations(Shown):
     ``M``, ``D``, ``K`` (nv, nv); ``tau_0`` (nv, 1): the forces that hold the posture, N·m or N, zero in equilibrium.
     """
 
-    symmetric = ("M", "D", "K")
     heading = "M x'' + D x' + K x = tau - tau_0, x = q - q0"
     latex_heading = r"M\,\ddot{x} + D\,\dot{x} + K\,x = \tau - \tau^{\circ}, \qquad x = q - q^{\circ}"
 

@@ -228,9 +228,11 @@ def _without(factors: Factors, shared: Factors) -> Factors:
 
 
 def _content(coefficients: Sequence[Fraction]) -> Fraction:
-    """The number that is taken before a bracket: that of all terms, or a minus sign that all have."""
-    sizes = {abs(c) for c in coefficients}
-    size = sizes.pop() if len(sizes) == 1 else Fraction(1)
+    """The number that is taken before a bracket: one that two terms have and that divides all, or a minus sign."""
+    sizes = [abs(c) for c in coefficients]
+    size = min(sizes)
+    if sizes.count(size) == 1 or any((c / size).denominator != 1 for c in sizes):
+        size = Fraction(1)
     return -size if all(c < 0 for c in coefficients) else size
 
 

@@ -232,3 +232,14 @@ def power(a: Terms, e: Exponent) -> Terms:
     if Fraction(e).denominator > 1:
         return power(root(a), _whole(Fraction(e) * 2))
     return a ** int(e) if e >= 0 else inverse(a) ** int(-e)
+
+
+def exchanged(a: Terms, old: Generator, new: Generator, factor: Generator) -> Terms:
+    """``a`` with ``new / factor`` in the place of ``old``, in any powers."""
+    out: dict[Monomial, Number] = {}
+    for m, c in a.terms.items():
+        e = dict(m).get(old.number, 0)
+        kept = tuple(f for f in m if f[0] != old.number)
+        ratio = tuple(sorted([(new.number, e), (factor.number, -e)])) if e else ()
+        out[a.ring.times(kept, ratio)[0]] = c
+    return Terms(a.ring, out)

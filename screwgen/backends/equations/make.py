@@ -19,7 +19,7 @@ from . import names as nm
 from .derive import Derivation, Motion, check
 from .equations import Equations, Forms, Letters, LinearEquations
 from .forms import flat, written
-from .functions import NoClosedFormError, at, special
+from .functions import NoClosedFormError, at, exchanged, special
 from .ring import PARAMETER, Generator, Ring, Terms, TooLargeError, derivative
 from .trees import Sum
 
@@ -27,8 +27,19 @@ BUDGET = 2_000_000
 """Products of terms before a derivation is given up: some seconds."""
 OPERATIONS = 4000
 """Of all entries together; nobody reads more."""
+PROGRAM = 1200
+"""Of the inverse dynamics as a program with common parts: what takes more is not written out to be counted."""
 EXACT = 1e-12
 """A fixed angle this near to a multiple of 30 or 45 degrees is one."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A common part that may be named: the mass of a beam, by which ``rhoA`` is replaced."""
+
+    mass: Generator
+    density: Generator
+    length: Generator
 
 
 class Inputs:
@@ -40,9 +51,13 @@ class Inputs:
         self.signs: dict[int, int] = {}
         known = parameters(chain.robot)
         one = sum(p.value != 0 for p in known[:3]) == 1
+        masses = {k: ring.generator("mass of a beam", PARAMETER) for k, p in enumerate(known) if p.field == "rhoA"}
         ordered = sorted(enumerate(known), key=lambda pair: (nm.order(pair[1]), pair[0]))
         found = {k: self._sum(k, p, one and p.field == "gravity") for k, p in ordered}
         self.p = [found[k] for k in range(len(known))]
+        places = {place: ring.generators[n] for n, place in self.of_generator.items()}
+        self.beams = [_beam(mass, k, known, places) for k, mass in masses.items() if k in places]
+        self.masses = {mass.number: known[k].link for k, mass in masses.items()}
 
     def _sum(self, place: int, p: Parameter, alone: bool) -> Terms:
         ring = self.ring
@@ -57,6 +72,15 @@ class Inputs:
         sign = -1 if alone and p.value < 0 else 1
         self.signs[place] = sign
         return ring.of(generator, 1, sign)
+
+
+def _beam(mass: Generator, place: int, known: Sequence[Parameter], places: Mapping[int, Generator]) -> Part:
+    """The mass of the beam whose mass per length stands at a place: this times its length."""
+    link = known[place].link
+    length = next(places[k] for k, p in enumerate(known) if p.link == link and p.field == "length")
+    density = places[place]
+    mass.part = mass.ring.of(density) * mass.ring.of(length)
+    return Part(mass, density, length)
 
 
 @dataclass
@@ -96,7 +120,7 @@ class Source:
         for generators, dots in ((self.motion.q, 0), (self.motion.v, 1), (self.motion.vdot, 2)):
             for generator, name in zip(generators, self.q, strict=True):
                 names[generator.number] = nm.dotted(name, dots) if dots else name
-        names |= nm.part_names(ring, list(parts), [x.number for x in self.motion.q], self.chain)
+        names |= nm.part_names(ring, list(parts), self.inputs.masses, [x.number for x in self.motion.q], self.chain)
         symbols: dict[int, sp.Expr] = {n: sp.Symbol(name.text) for n, name in names.items()}
         for prime, root in ring.roots.items():
             names[root.number] = nm.Name(f"sqrt({prime})", rf"\sqrt{{{prime}}}")
@@ -104,7 +128,11 @@ class Source:
         names[ring.pi.number], symbols[ring.pi.number] = nm.Name("pi", r"\pi"), sp.pi
         values = [(named[k], known[k].value * self.inputs.signs[k], known[k]) for k in places]
         moving = frozenset(x.number for x in (*self.motion.q, *self.motion.v, *self.motion.vdot))
-        return Letters(names, symbols, moving | parts.keys()), parts, values
+        return (
+            Letters(names, symbols, moving | {n for n in parts if ring.generators[n].wave is not None}),
+            parts,
+            values,
+        )
 
     def _part(self, generator: Generator, parts: dict[int, Sum], used: set[int]) -> None:
         """Adds the formula of a common part, behind those that it has itself."""
@@ -133,13 +161,17 @@ class Source:
             hold.append(g + sum((k * posture[x.number] for k, x in pairs), ring.literal(0)))
         rows = {"M": motion.M, "D": motion.D, "K": slopes, "tau": [[x] for x in hold]}
         ring.spent = 0
-        forms = form(ring, {name: [[here(e) for e in row] for row in matrix] for name, matrix in rows.items()})
+        forms = named(
+            ring,
+            {name: [[here(e) for e in row] for row in matrix] for name, matrix in rows.items()},
+            self.inputs.beams,
+        )
         letters, parts, _ = self.letters(forms)
         return LinearEquations(robot, forms, letters, parts)
 
 
-def form(ring: Ring, matrices: Mapping[str, Sequence[Sequence[Terms]]]) -> Forms:
-    """The entries with angles in sums, or in products where these take no more operations."""
+def form(ring: Ring, matrices: Mapping[str, Sequence[Sequence[Terms]]]) -> tuple[Forms, int]:
+    """The entries with angles in sums, or in products where these take no more operations, which are counted."""
     both: list[Forms] = []
     for products in (True, False):
         made: dict[Terms, Sum] = {}
@@ -148,8 +180,20 @@ def form(ring: Ring, matrices: Mapping[str, Sequence[Sequence[Terms]]]) -> Forms
                 if entry not in made:
                     made[entry] = written(ring, flat(entry, products))
         both.append({name: [[made[e] for e in row] for row in rows] for name, rows in matrices.items()})
-    size = lambda forms: sum(e.operations for rows in forms.values() for row in rows for e in row)  # noqa: E731
-    return min(both, key=size)
+    sizes = [sum(e.operations for rows in forms.values() for row in rows for e in row) for forms in both]
+    return both[sizes.index(min(sizes))], min(sizes)
+
+
+def named(ring: Ring, matrices: Mapping[str, Sequence[Sequence[Terms]]], beams: Sequence[Part]) -> Forms:
+    """The form with masses of beams named where that takes fewer operations, their own included."""
+    best, size = form(ring, matrices)
+    for part in beams:
+        swap = lambda e, part=part: exchanged(e, part.density, part.mass, part.length)  # noqa: E731
+        other = {name: [[swap(e) for e in row] for row in rows] for name, rows in matrices.items()}
+        forms, operations = form(ring, other)
+        if operations + 1 < size:
+            best, size, matrices = forms, operations + 1, other
+    return best
 
 
 def equations(chain: Chain, operations: int = OPERATIONS) -> Equations:
@@ -159,7 +203,7 @@ def equations(chain: Chain, operations: int = OPERATIONS) -> Equations:
     """
     check(chain)
     name, program = chain.robot.name, fused.inverse_dynamics(chain).operation_count
-    if program > operations:
+    if program > PROGRAM:
         raise UsageError(_too_large(chain, program, "many times as many"))
     ring = Ring(BUDGET)
     try:
@@ -169,7 +213,7 @@ def equations(chain: Chain, operations: int = OPERATIONS) -> Equations:
         rows = {"M": motion.M, "C": motion.C, "D": motion.D, "K": motion.K, "g": [[x] for x in motion.g]}
         if (terms := sum(len(e.terms) for matrix in rows.values() for row in matrix for e in row)) > operations:
             raise TooLargeError(f"{terms} terms")
-        forms = form(ring, rows)
+        forms = named(ring, rows, inputs.beams)
     except NoClosedFormError as error:
         raise UsageError(f"robot '{name}' has no equations in scalars: {error}") from None
     except TooLargeError as error:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 
@@ -165,20 +165,36 @@ def _spelled(p: Parameter) -> Name:
     return Name(words, rf"\mathit{{{words}}}".replace("_", r"\_"))
 
 
-def part_names(ring: Ring, parts: Sequence[int], q: Sequence[int], chain: Chain) -> dict[int, Name]:
-    """Names of common parts: ``psi`` with the link's number for the turn of a bent section, else ``s``."""
-    links = [i for i, key in enumerate(chain.keys) for _ in range(key.modes)]
-    owners: dict[int, str] = {}
-    for number in parts:
-        part = ring.generators[number].part
-        modal = [k - (len(q) - len(links)) for k, x in enumerate(q) if part is not None and x in part.generators()]
-        turns = ring.generators[number].wave is not None and modal and modal[0] >= 0
-        owners[number] = str(links[modal[0]] + 1) if turns else ""
+MEANINGS = {"psi": "turn of the tip section by bending", "mu": "mass of the beam", "s": "common part"}
+"""What common parts are, by their letters."""
+
+
+def part_names(
+    ring: Ring, parts: Sequence[int], masses: Mapping[int, int | None], q: Sequence[int], chain: Chain
+) -> dict[int, Name]:
+    """Names of common parts, by the numbers of their generators: ``mu`` and ``psi`` with the link's number, else ``s``.
+
+    ``masses``: those that are the mass of a link's beam; ``q``: the generators of the coordinates.
+    """
+    owners = {number: _owner(ring, number, masses, q, chain) for number in parts}
     out: dict[int, Name] = {}
-    for number, owner in owners.items():
-        alike = [k for k in parts if owners[k] == owner]
-        letter = ("psi", r"\psi") if owner else ("s", "s")
-        place = (owner if len(set(owners.values()) - {""}) > 1 else "") if owner else ""
-        mark = (str(alike.index(number) + 1) if not owner else "abcdefgh"[alike.index(number) % 8]) * (len(alike) > 1)
-        out[number] = scripted(letter, place + mark)
+    for number, (letter, link) in owners.items():
+        alike = [k for k in parts if owners[k] == (letter, link)]
+        mark = "abcdefghijklmnopqrstuvwxyz"[alike.index(number) % 26] * (len(alike) > 1)
+        place = "" if link is None or len(chain.robot.links) == 1 else str(link + 1)
+        out[number] = scripted((letter, letter if letter == "s" else rf"\{letter}"), place + mark)
     return out
+
+
+def _owner(
+    ring: Ring, number: int, masses: Mapping[int, int | None], q: Sequence[int], chain: Chain
+) -> tuple[str, int | None]:
+    """The letter of a common part, and the link to which it belongs."""
+    if number in masses:
+        return "mu", masses[number]
+    part, turns = ring.generators[number].part, ring.generators[number].wave is not None
+    links = [None] * (len(q) - chain.n_modes) + [i for i, key in enumerate(chain.keys) for _ in range(key.modes)]
+    held = [link for x, link in zip(q, links, strict=True) if part is not None and x in part.generators()]
+    if not turns or not held or held[0] is None:
+        return "s", None
+    return "psi", chain.segments[held[0]].link

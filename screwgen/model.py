@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import target_files
 from .arguments import Given, Loads, Numbers, choice
+from .backends.equations.equations import Equations
+from .backends.equations.make import OPERATIONS, equations
 from .errors import UsageError
 from .folder import check_folder, write_folder
 from .integrators.method import Method
@@ -77,6 +79,16 @@ class Model(RobotModel):
     def validity_at_rest(self, q: Numbers, w_ext: Loads = None, parameters: Given = None) -> Validity:
         """The same at rest, with the posture ``q`` (nq,) held against gravity and ``w_ext`` (n, 6)."""
         return validity_at_rest(self, q, w_ext, parameters)
+
+    def equations(self, operations: int = OPERATIONS) -> Equations:
+        """The equations of motion entry by entry, ``M(q) qddot + C(q, qdot) qdot + D qdot + K q + g(q) = tau``.
+
+        Expressions of sympy in closed form, derived from the programs of the robot: an :class:`Equations` with the
+        matrices, symbols and values of parameters; it shows itself in text and in notebooks. Parameters that the file
+        states as zero are left out. ``operations``: how many all entries may take. Raises UsageError for robots whose
+        equations are larger, with their size, and for loops, quaternions, transmissions, stops and dry friction.
+        """
+        return self.once(("equations", operations), lambda: equations(self.chain, operations))
 
     def write(
         self,

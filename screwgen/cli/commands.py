@@ -14,11 +14,10 @@ import numpy as np
 from ..algorithms.robot_functions import reported
 from ..errors import SingularError, TargetWarning, UsageError
 from ..model import CONSISTENT, TARGETS, UNITS, Model, derive, formulations
-from ..plugins import Formulation, plugins
+from ..plugins import Formulation
 from ..progress import bar, busy
 from ..simulation.state import State, state_in
 from ..spec.load import one_line
-from ..spec.robot import Robot
 from ..studies.light_joints import light_joints
 from .output import load_robot, notes, say, stoppable
 
@@ -222,41 +221,3 @@ def _analyse_runs(robot: str, paths: Sequence[str], json: bool) -> None:
         print(json_format.dumps({path: v.record() for path, v in found.items()}, allow_nan=False))
     else:
         print("\n\n".join(limits_of_model(path, v) for path, v in found.items()))
-
-
-# ------------------------------------------------------------------------------ latex
-
-
-def run_latex(robot: str, output: str, quiet: bool) -> None:
-    """Write the equations in the format of the suffix."""
-    from ..backends.latex.document import pdflatex
-    from ..simulation.runs import check_output, outputs, suffix
-
-    check_output(output, LATEX)
-    if suffix(output) == ".pdf":
-        pdflatex()
-    loaded = load_robot(robot, quiet)
-    with busy("typesetting", quiet), outputs(output) as (stream,):
-        stream.write(LATEX[suffix(output)](loaded))
-    say(output, quiet)
-
-
-def _tex(robot: Robot) -> bytes:
-    from ..backends.latex import document as latex
-
-    return latex.document(robot, plugins()).encode()
-
-
-def _html(robot: Robot) -> bytes:
-    from ..backends.latex import document as latex
-
-    return latex.html(robot, plugins()).encode()
-
-
-def _pdf(robot: Robot) -> bytes:
-    from ..backends.latex import document as latex
-
-    return latex.pdf(_tex(robot).decode())
-
-
-LATEX = {".tex": _tex, ".pdf": _pdf, ".html": _html}

@@ -271,12 +271,16 @@ def latex(
     context: typer.Context,
     robot: RobotFile,
     output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="equations.tex, .pdf or .html.")],
+    scalar: Annotated[bool, typer.Option("--scalar", help="Of a small robot: M, C, g entry by entry.")] = False,
+    about: Annotated[
+        str | None, typer.Option(metavar="Q,...", help="With --scalar: also linear about rest in this posture.")
+    ] = None,
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
-    from .commands import run_latex
+    from .typesetting import run_latex
 
-    run_latex(robot, output, quiet or context.obj)
+    run_latex(robot, output, scalar, about, quiet or context.obj)
 
 
 exchange.register(app, EPILOG)

@@ -1,0 +1,174 @@
+"""Formulas in text, in LaTeX and as expressions of sympy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import sympy as sp
+
+from ..latex.layout import width
+from .names import Name
+from .numbers import exactly
+from .ring import Exponent
+from .trees import Atom, Product, Sum
+
+DIGITS = 6
+"""Of numbers that are no fractions, where they are shown; expressions have all."""
+
+
+@dataclass(frozen=True)
+class Style:
+    """How one notation writes a formula."""
+
+    symbol: Callable[[Name], str]
+    function: str
+    power: Callable[[str, str], str]
+    times: str
+    over: Callable[[str, str, bool], str]
+    bracket: str
+    number: Callable[[str], str]
+
+
+TEXT = Style(
+    lambda name: name.text,
+    "{0}({1})",
+    "{0}**{1}".format,
+    "*",
+    lambda above, below, several: f"{above}/({below})" if several else f"{above}/{below}",
+    "({0})",
+    str,
+)
+
+
+def _latex_number(text: str) -> str:
+    mantissa, _, exponent = text.partition("e")
+    return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")
+
+
+def _latex_power(base: str, exponent: str) -> str:
+    simple = "^" not in base and not base.endswith(")") and " " not in base
+    return rf"{base}^{{{exponent}}}" if simple else rf"({base})^{{{exponent}}}"
+
+
+LATEX = Style(
+    lambda name: name.latex,
+    r"\{0} {1}",
+    _latex_power,
+    r"\,",
+    lambda above, below, _: rf"\frac{{{above}}}{{{below}}}",
+    r"\left({0}\right)",
+    _latex_number,
+)
+
+
+@dataclass(frozen=True)
+class Writer:
+    """Writes formulas with the names of generators, by their numbers.
+
+    ``moving``: the numbers of coordinates and rates, before which a bracket of parameters stands.
+    """
+
+    names: Mapping[int, Name]
+    style: Style
+    moving: frozenset[int] = frozenset()
+
+    def __call__(self, formula: Sum) -> str:
+        """The formula; a zero is 0."""
+        return " ".join(self.terms(formula)) or "0"
+
+    def terms(self, formula: Sum, room: float = math.inf) -> list[str]:
+        """The terms, each but the first with its sign before it; those wider than ``room`` (em) in pieces."""
+        out: list[str] = []
+        for term in formula.terms:
+            minus = term.coefficient < 0
+            sign = ("- " if minus else "+ ") if out else ("-" if minus else "")
+            pieces = [self._product(term)]
+            if term.inner is not None and room < math.inf and width(pieces[0]) > room:
+                pieces = self._pieces(term, term.inner, room)
+            out += [sign + pieces[0], *pieces[1:]]
+        return out
+
+    def _pieces(self, term: Product, inner: Sum, room: float) -> list[str]:
+        """A wide product as what stands before its bracket with the first term in it, and the other terms."""
+        first, *others = self.terms(inner, room)
+        before = self._product(Product(abs(term.coefficient), term.factors))
+        before = before + self.style.times if term.factors or abs(term.coefficient) != 1 else ""
+        *middle, last = [f"{before}\\bigl({first}", *others]
+        return [*middle, f"{last}\\bigr)"]
+
+    def _product(self, term: Product) -> str:
+        size = abs(term.coefficient)
+        first = term.inner is not None and not any(map(self._moves, term.inner.atoms()))
+        above = [self._power(atom, e) for atom, e in term.factors if e > 0 and not (first and self._moves(atom))]
+        behind = [self._power(atom, e) for atom, e in term.factors if e > 0 and first and self._moves(atom)]
+        below = [self._power(atom, -e) for atom, e in term.factors if e < 0]
+        alone = self.style is LATEX and below and not (above or behind) and size.numerator == 1 and exactly(size)
+        if term.inner is not None:
+            above.append(self(term.inner) if alone else self.style.bracket.format(self(term.inner)))
+        above += behind
+        if not exactly(size):
+            above.insert(0, self.style.number(f"{float(size):.{DIGITS}g}"))
+        else:
+            if size.denominator != 1:
+                below.insert(0, str(size.denominator))
+            if size.numerator != 1 or not above:
+                above.insert(0, str(size.numerator))
+        top = self._joined(above)
+        return self.style.over(top, self._joined(below), len(below) > 1) if below else top
+
+    def _moves(self, atom: Atom) -> bool:
+        return any(number in self.moving for number, _ in atom.of)
+
+    def _joined(self, factors: Sequence[str]) -> str:
+        return self.style.times.join(factors)
+
+    def _power(self, atom: Atom, exponent: Exponent) -> str:
+        if exponent == 1:
+            return self._atom(atom)
+        power = str(exponent) if Fraction(exponent).denominator == 1 else f"({exponent})"
+        if self.style is LATEX:
+            if exponent == Fraction(1, 2):
+                return rf"\sqrt{{{self._atom(atom)}}}"
+            if atom.function:
+                return rf"\{atom.function}^{{{exponent}}} {self._argument(atom)}"
+            power = str(exponent)
+        return self.style.power(self._atom(atom), power)
+
+    def _atom(self, atom: Atom) -> str:
+        if not atom.function:
+            return self.style.symbol(self.names[atom.of[0][0]])
+        return self.style.function.format(atom.function, self._argument(atom))
+
+    def _argument(self, atom: Atom) -> str:
+        inner = Sum(tuple(Product(Fraction(k), ((Atom("", ((n, 1),)), 1),)) for n, k in atom.of))
+        text = self(inner)
+        alone = self.style is TEXT or (len(atom.of) == 1 and atom.of[0][1] == 1)
+        return text if alone else rf"\left({text}\right)"
+
+
+def expression(formula: Sum, symbols: Mapping[int, sp.Expr]) -> sp.Expr:
+    """The formula as an expression of sympy."""
+    return sp.Add(*(_product(term, symbols) for term in formula.terms))
+
+
+def _product(term: Product, symbols: Mapping[int, sp.Expr]) -> sp.Expr:
+    c = term.coefficient
+    factors = [sp.Rational(c.numerator, c.denominator) if exactly(c) else sp.Float(float(c))]
+    factors += [_atom(atom, symbols) ** _exponent(e) for atom, e in term.factors]
+    if term.inner is not None:
+        factors.append(expression(term.inner, symbols))
+    return sp.Mul(*factors)
+
+
+def _exponent(e: Exponent) -> sp.Rational:
+    return sp.Rational(Fraction(e).numerator, Fraction(e).denominator)
+
+
+def _atom(atom: Atom, symbols: Mapping[int, sp.Expr]) -> sp.Expr:
+    if not atom.function:
+        return symbols[atom.of[0][0]]
+    argument = sp.Add(*(_exponent(k) * symbols[n] for n, k in atom.of))
+    return getattr(sp, atom.function)(argument)

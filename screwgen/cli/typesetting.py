@@ -1,0 +1,43 @@
+"""The work of the command `latex`: equations by links, or entry by entry in scalars, in the format of the suffix."""
+
+from __future__ import annotations
+
+from ..backends.equations import document as scalars
+from ..backends.latex import document as latex
+from ..backends.latex.content import Document
+from ..errors import UsageError
+from ..model import derive
+from ..plugins import plugins
+from ..progress import busy
+from ..simulation.runs import check_output, outputs, suffix
+from ..spec.robot import Robot
+from .linear import numbers
+from .output import load_robot, say
+
+FORMATS = {
+    ".tex": lambda shown: latex.tex(shown).encode(),
+    ".pdf": lambda shown: latex.pdf(latex.tex(shown)),
+    ".html": lambda shown: latex.page(shown).encode(),
+}
+
+
+def run_latex(robot: str, output: str, scalar: bool, about: str | None, quiet: bool) -> None:
+    """Write the equations in the format of the suffix."""
+    check_output(output, FORMATS)
+    if about is not None and not scalar:
+        raise UsageError("--about: only equations in scalars are linearised; give --scalar too")
+    if suffix(output) == ".pdf":
+        latex.pdflatex()
+    loaded = load_robot(robot, quiet)
+    with busy("typesetting", quiet), outputs(output) as (stream,):
+        shown = _scalars(loaded, about) if scalar else latex.content(loaded, plugins())
+        stream.write(FORMATS[suffix(output)](shown))
+    say(output, quiet)
+
+
+def _scalars(robot: Robot, about: str | None) -> Document:
+    """The equations entry by entry, and about a posture if one is given."""
+    model = derive(robot)
+    found = model.equations()
+    q = None if about is None else numbers("q", about, model.n_joints, "joint coordinates", "about")
+    return scalars.content(model.chain, found, None if q is None else found.linearised(q))

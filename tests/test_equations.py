@@ -1,0 +1,163 @@
+"""Equations in scalars: textbook robots symbol by symbol, numbers as the model has them, size, refusals."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from textbook_robots import TEXTBOOKS, Textbook, lump
+
+import screwgen
+from screwgen.backends.equations.equations import Equations
+from screwgen.spec.robot import Robot
+
+EVERY = pytest.mark.parametrize("name", TEXTBOOKS)
+
+
+@cache
+def textbook(name: str) -> Textbook:
+    return TEXTBOOKS[name]()
+
+
+@cache
+def model(name: str) -> screwgen.Model:
+    return screwgen.derive(Robot(**textbook(name).robot))
+
+
+def equations(name: str) -> Equations:
+    return model(name).equations()
+
+
+def same(ours: sp.Matrix, published: sp.Matrix) -> bool:
+    """Equal term by term: brackets are multiplied out, no identity is used."""
+    return (ours - published).applyfunc(sp.expand) == sp.zeros(*published.shape)
+
+
+def straight(e: Equations, matrix: sp.Matrix) -> sp.Matrix:
+    """Without deflection, as where a source has it so."""
+    return e.expanded(matrix).subs({q: 0 for q in e.q if q.name.startswith("eta")})
+
+
+@EVERY
+def test_the_inertia_is_the_published_one(name):
+    e, book = equations(name), textbook(name)
+    M = e.expanded(e.M)
+    assert same(straight(e, M) if name == "flexible_arm" else M, book.M), book.source
+
+
+@EVERY
+def test_velocity_terms_and_forces_at_rest_are_the_published_ones(name):
+    e, book = equations(name), textbook(name)
+    if name != "flexible_arm":
+        assert same(e.expanded((e.C + e.D) * sp.Matrix(e.qdot)), book.velocity), book.source
+    assert same(e.K * sp.Matrix(e.q) + e.g, book.rest), book.source
+
+
+def test_the_elbow_manipulator_is_written_as_the_book_prints_it():
+    lines = str(equations("two_link")).splitlines()
+    assert "M_11 = m_1*c_1**2 + I_1 + I_2 + m_2*(l_1**2 + c_2**2 + 2*l_1*c_2*cos(q_2))" in lines
+    assert "C_12 = -m_2*l_1*c_2*sin(q_2)*(qdot_1 + qdot_2)" in lines
+    assert "g_1 = g*((m_1*c_1 + m_2*l_1)*cos(q_1) + m_2*c_2*cos(q_1 + q_2))" in lines
+
+
+def test_powers_of_one_angle_stand_where_they_are_shorter():
+    assert "M_11 = m*c**2*sin(q_2)**2" in str(equations("spherical_pendulum")).splitlines()
+
+
+@EVERY
+def test_twice_the_velocity_matrix_less_the_rate_of_the_inertia_is_skew(name):
+    e = equations(name)
+    M, C = e.expanded(e.M), e.expanded(e.C)
+    slopes = (M.diff(q) * v for q, v in zip(e.q, e.qdot, strict=True))
+    skew = sum(slopes, sp.zeros(len(e.q))) - 2 * C
+    assert same(skew + skew.T, sp.zeros(len(e.q)))
+
+
+@EVERY
+def test_the_numbers_are_those_of_the_model(name):
+    e, numbers = equations(name), model(name).numpy()
+    rng = np.random.default_rng(5)
+    n = len(e.q)
+    arguments = [*e.q, *e.qdot, *e.qddot]
+    left = e.expanded(e.M * sp.Matrix(e.qddot) + e.C * sp.Matrix(e.qdot) + e.D * sp.Matrix(e.qdot) + e.g)
+    left = (left + e.K * sp.Matrix(e.q)).subs(e.parameters)
+    force = sp.lambdify(arguments, left)
+    inertia = sp.lambdify(e.q, e.expanded(e.M).subs(e.parameters))
+    for _ in range(5):
+        q, v, a = rng.uniform(-1.5, 1.5, (3, n))
+        q[[x.name.startswith("eta") for x in e.q]] *= 0.05
+        wanted = numbers.inverse_dynamics(q, v, a, None)
+        np.testing.assert_allclose(force(*q, *v, *a).ravel(), wanted, rtol=1e-12, atol=1e-12 * np.abs(wanted).max())
+        np.testing.assert_allclose(inertia(*q), numbers.mass_matrix(q), rtol=1e-12, atol=1e-12)
+
+
+@EVERY
+def test_the_linear_equations_are_those_of_the_model(name):
+    e, own = equations(name), model(name)
+    posture = np.full(len(e.q), 0.4)
+    posture[[x.name.startswith("eta") for x in e.q]] = 0.01
+    linear, numbers = e.linearised(posture), own.numpy()
+    number = lambda matrix: np.array(linear.expanded(matrix).subs(e.parameters), dtype=float)  # noqa: E731
+    zero = np.zeros(len(e.q))
+    _, by_q, by_v = numbers.slopes(posture, zero, zero, None)
+    wanted = numbers.mass_matrix(posture), by_v, by_q, numbers.inverse_dynamics(posture, zero, zero, None)[:, None]
+    for found, right in zip((linear.M, linear.D, linear.K, linear.tau_0), wanted, strict=True):
+        np.testing.assert_allclose(number(found), right, rtol=1e-12, atol=1e-11)
+
+
+def test_the_efforts_act_where_the_drives_are():
+    assert [str(x) for x in equations("elastic_joint").forces] == ["0", "tau"]
+    assert [str(x) for x in equations("flexible_arm").forces] == ["tau_1", "tau_2", "0", "0"]
+
+
+def test_parameters_have_values_and_names():
+    e = equations("crane")
+    assert e.parameters[sp.Symbol("g")] == 9.81
+    assert e.parameter_names[sp.Symbol("m_2")] == "rope.bodies[0].mass"
+    assert sp.Symbol("alpha_2") not in e.parameters
+
+
+def test_an_angle_of_a_mount_is_a_symbol_unless_roots_express_its_sine():
+    links = [
+        {"name": "a", "length": 1.0, "joint": {"axes": ["z"]}, "bodies": [lump(1.0, 0.5, 0.1)]},
+        {"name": "b", "joint": {"axes": ["z"]}, "bodies": [lump(1.0, 0.5, 0.1)]},
+    ]
+    robot = {"name": "bent", "gravity": [0.0, 0.0, -9.81], "links": links}
+    for angle, wanted in ((0.3, "cos(alpha_2 + q_2)"), (np.pi / 6, "sqrt(3)*sin(q_2) + cos(q_2)")):
+        links[1]["joint"]["mount"] = {"rpy": [0.0, 0.0, angle]}
+        e = screwgen.derive(Robot(**robot)).equations()
+        assert wanted in str(e)
+        rest = screwgen.derive(Robot(**robot)).numpy().mass_matrix([0.2, 0.7])
+        found = np.array(e.M.subs(e.parameters).subs({"q_1": 0.2, "q_2": 0.7}), dtype=float)
+        np.testing.assert_allclose(found, rest, rtol=1e-12)
+
+
+def test_what_it_shows():
+    e = equations("flexible_arm")
+    assert "\nmu_2 = rhoA_2*l_2\npsi_1 = 2*sqrt(5)*eta_1/l_1\n" in str(e)
+    assert e._repr_latex_().startswith(r"$\displaystyle \begin{aligned}")
+    assert "<math>" in e._repr_html_()
+    assert e.operations < 800
+
+
+REFUSED = {
+    "many times as many": "six_link.toml",
+    "too large to read": "flexible_arm.toml",
+    "loops or couplings": "parallelogram.toml",
+    "quaternion": "space_arm.toml",
+    "transmission": "bucket.toml",
+}
+
+
+@pytest.mark.parametrize("reason", REFUSED)
+def test_what_is_too_large_or_has_no_closed_form_is_refused_in_a_line(reason):
+    with pytest.raises(screwgen.UsageError, match=reason) as error:
+        screwgen.derive(screwgen.load(f"examples/{REFUSED[reason]}")).equations()
+    assert "\n" not in str(error.value)
+
+
+def test_a_posture_of_another_length_is_refused():
+    with pytest.raises(screwgen.UsageError, match="give the 2 of the posture"):
+        equations("two_link").linearised([0.1, 0.2, 0.3])

@@ -78,13 +78,14 @@ def test_numbers_are_those_of_the_robot():
 
 
 def test_symbols_are_found_below_accents_and_beside_scripts():
-    marks = Marks([r"\mathbf{r}_T", r"\rho_i A_i", r"\mathbf{M}^*_i", "x"])
+    marks = Marks([r"\mathbf{r}_T", r"\rho_i A_i", r"\mathbf{M}^*_i", "x"], {r"r_{T,x}": (r"\mathbf{r}_T", (0, 0))})
     shows = {
         r"\tilde{\mathbf{r}}_T": ["0"],
         r"\mathbf{r}_T^{\top}\,\mathbf{r}_T": ["0", "0"],
         r"\frac{\rho_i A_i\,l_i}{2}": ["1"],
         r"\mathbf{M}^*_i\,\dot{x}": ["2", "3"],
         r"S_x": [],
+        r"r_{T,x}\,c": ["0"],
     }
     for formula, expected in shows.items():
         marked = marks(str(latex.text.in_html(f"${formula}$")))
@@ -193,8 +194,13 @@ def test_a_reader_finds_a_way(tmp_path):
         browser.run("find.value = 'M_D'; search(); find.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter'}))")
         assert browser.run("location.hash") == "#3/s5-M_D"
         browser.until("document.querySelector('.contents .here').textContent === 'Link'")
-        browser.run("tell(document.querySelector('#s5-M_D [data-s]'))")
+        browser.run("tell(document.querySelector('#s5-M_D .formula [data-s]'))")
         assert "wrench that modal accelerations need" in browser.run("card.textContent")
+        browser.run("tell(document.querySelector('#s5-S_0 [data-s]'))")
+        assert f"{0.95**2 * 1.6302 / 2:.5g}" in browser.run("card.textContent")
+        for words, place in (("inertia forearm mode 3", "mode-forearm-3"), ("torque joint forearm", "guide-forearm")):
+            browser.run(f"find.value = '{words}'; search()")
+            assert browser.run("document.querySelector('#found a').getAttribute('href')") == f"#{place}"
         browser.run("document.querySelector('[data-switch=n]').click()")
         assert browser.run("document.querySelectorAll('.numbers').length") > 20
         browser.run("document.querySelector('[data-switch=c]').click()")

@@ -8,12 +8,12 @@ from ...topology.chain import Chain
 from ..templates import render
 from .pattern import Place, occupied
 
-WIDE, HIGH, STEP, ROW = 132, 74, 232, 112
+WIDE, HIGH, STEP, ROW = 132, 74, 214, 112
 """Size of a box, and the distance of boxes along and across the tree, in px."""
 LEFT, TOP = 2, 12
 MOST_LINKS, MOST_BLOCKS = 24, 36
 """Of more links only the first are drawn; a larger matrix is left out."""
-CELL = 17
+CELL = 16
 LETTERS = 15
 
 

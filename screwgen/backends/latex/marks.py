@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from xml.etree import ElementTree
 
@@ -12,21 +12,31 @@ from . import mathml
 Element = ElementTree.Element
 FORMULA = re.compile(r"<math>.*?</math>", re.DOTALL)
 SCRIPTED = {"msub", "msup", "msubsup", "mover", "munder", "munderover"}
-ATTRIBUTE = "data-s"
+SYMBOL, ENTRY = "data-s", "data-e"
+Entries = Mapping[str, tuple[str, tuple[int, int]]]
+"""By the LaTeX of an entry: the LaTeX of its symbol, and its row and column."""
 
 
 class Marks:
-    """Marks what a page shows of the symbols whose LaTeX is given; the numbers are their places in the list."""
+    """Marks what a page shows of the symbols whose LaTeX is given, and of their entries; a mark is a symbol's place
+    in the list, and of an entry its row and column.
+    """
 
-    def __init__(self, symbols: Sequence[str]):
-        self.symbols = symbols
+    def __init__(self, symbols: Sequence[str], entries: Entries | None = None):
+        self.symbols, self.entries = symbols, entries or {}
         self._done: dict[str, str] = {}
 
     @cached_property
-    def _known(self) -> dict[tuple[str, ...], int]:
-        out: dict[tuple[str, ...], int] = {}
-        for number, symbol in enumerate(self.symbols):
-            out.setdefault(tuple(map(_plain, _parts(symbol))), number)
+    def _known(self) -> dict[tuple[str, ...], dict[str, str]]:
+        """The marks by the elements that are marked."""
+        out: dict[tuple[str, ...], dict[str, str]] = {}
+        number_of = {symbol: number for number, symbol in enumerate(self.symbols)}
+        for symbol, number in number_of.items():
+            out.setdefault(tuple(map(_plain, _parts(symbol))), {SYMBOL: str(number)})
+        for entry, (symbol, (i, j)) in self.entries.items():
+            if symbol in number_of:
+                mark = {SYMBOL: str(number_of[symbol]), ENTRY: f"{i},{j}"}
+                out.setdefault(tuple(map(_plain, _parts(entry))), mark)
         return out
 
     @cached_property
@@ -59,9 +69,9 @@ class Marks:
     def _run(self, parent: Element, place: int) -> int:
         """Puts several elements that are one symbol into a group, such as a modulus times a moment."""
         for size in range(min(self._longest, len(parent) - place), 1, -1):
-            number = self._known.get(tuple(_plain(e) for e in parent[place : place + size]))
-            if number is not None:
-                group = ElementTree.Element("mrow", {ATTRIBUTE: str(number)})
+            mark = self._known.get(tuple(_plain(e) for e in parent[place : place + size]))
+            if mark is not None:
+                group = ElementTree.Element("mrow", dict(mark))
                 group.extend(list(parent[place : place + size]))
                 parent[place : place + size] = [group]
                 return size
@@ -69,8 +79,8 @@ class Marks:
 
     def _one(self, element: Element) -> bool:
         for form in _forms(element):
-            if (number := self._known.get((form,))) is not None:
-                element.set(ATTRIBUTE, str(number))
+            if (mark := self._known.get((form,))) is not None:
+                element.attrib.update(mark)
                 return True
         return False
 

@@ -18,6 +18,7 @@ from ...ir.replay import run
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .content import DocumentTable, unit
+from .scalars import entry
 from .symbols import written
 
 BLOCKS = ("link", "tip", "tip_body", "joint")
@@ -56,6 +57,17 @@ def _constants(block: Block) -> dict[str, Array]:
     """The entries of the signals of a block that the state does not change."""
     signals = [*block.inputs.values(), *(step.signal for step in block.steps.values())]
     return {s.name: block.values[s.name] for s in signals if s.binding <= Binding.PARAMETER}
+
+
+def entries(chain: Chain) -> dict[str, tuple[str, tuple[int, int]]]:
+    """By the LaTeX of entries of vectors and matrices: the symbol that they belong to, their row and column."""
+    out: dict[str, tuple[str, tuple[int, int]]] = {}
+    for block in (block for key in chain.classes for block in derived(key).values()):
+        for signal in (*block.inputs.values(), *(step.signal for step in block.steps.values())):
+            if signal.shape != (1, 1):
+                for index, _ in signal.labels():
+                    out.setdefault(entry(signal, index), (written(signal), index))
+    return out
 
 
 def values(chain: Chain, i: int, blocks: list[Block]) -> Mapping[str, mpmath.mpf]:

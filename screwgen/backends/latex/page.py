@@ -20,7 +20,7 @@ from . import code_lines, diagram, numbers, text
 from .code_lines import CodeLines, GeneratedC
 from .content import Display, Document, DocumentSection, DocumentTable, Heading, Item, Paragraph, StepEquation
 from .layout import Formula
-from .marks import Marks
+from .marks import Entries, Marks
 from .numbers import MANY_LINKS, Table
 
 ESSENCE, CLASSES, ALL = 1, 2, 3
@@ -59,15 +59,17 @@ class Extras:
     names: Sequence[str]
     classes: Sequence[int]
     """The number of every link's class, from 1."""
+    entries: Entries
 
 
 def extras(chain: Chain) -> Extras:
-    """What the page of a robot has beside its document; it takes as long as generating C."""
+    """What the page of a robot has beside its document."""
     found = numbers.numbers(chain)
     firsts = [chain.keys.index(key) for key in chain.classes]
     classes = [chain.classes.index(key) + 1 for key in chain.keys]
     table = numbers.mode_table(chain, found)
-    return Extras(diagram.diagram(chain), found, table, code_lines.generated(chain), firsts, chain.names, classes)
+    drawn, code = diagram.diagram(chain), code_lines.generated(chain)
+    return Extras(drawn, found, table, code, firsts, chain.names, classes, numbers.entries(chain))
 
 
 @dataclass
@@ -129,7 +131,7 @@ def page(shown: Document, more: Extras | None = None) -> str:
         data=markup(json.dumps(data, separators=(",", ":"), ensure_ascii=False).translate(SAFE)),
         font=math_font(),
     )
-    return Marks(symbols)(body)
+    return Marks(symbols, more.entries if more else None)(body)
 
 
 SAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&"}

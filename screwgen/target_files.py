@@ -11,6 +11,7 @@ from .errors import PrecisionWarning
 from .plugins import Plugin
 from .robot_model import RobotModel
 from .spec.robot import Robot
+from .topology.chain import Chain
 from .version import __version__ as VERSION
 
 
@@ -40,8 +41,9 @@ def latex_files(robot: Robot, plugins: Sequence[Plugin]) -> dict[str, bytes]:
     """Of the documents, in LaTeX and HTML."""
     from .backends.latex import document as latex
 
-    shown, made = latex.content(robot, plugins), {".tex": latex.tex, ".html": latex.page}
-    return {f"{robot.name}{end}": make(shown).encode() for end, make in made.items()}
+    shown = latex.content(robot, plugins)
+    made = {".tex": latex.tex(shown), ".html": latex.page(shown, latex.extras(Chain(robot)))}
+    return {f"{robot.name}{end}": text.encode() for end, text in made.items()}
 
 
 def unit_files(model: RobotModel, target: str, **options: Any) -> dict[str, bytes]:

@@ -18,6 +18,7 @@ from screwgen.backends.latex.steps import BlockView
 from screwgen.ir.block import Block
 from screwgen.plugins import plugins
 from screwgen.spec.link_class import LinkClass
+from screwgen.topology.chain import Chain
 
 ROOT = Path(__file__).resolve().parents[1]
 PLUGINS = plugins()
@@ -98,7 +99,7 @@ def tex(name: str) -> str:
 
 @cache
 def page(name: str) -> str:
-    return latex.page(content(name))
+    return latex.page(content(name), latex.extras(Chain(robot(name))))
 
 
 @cache

@@ -24,12 +24,15 @@ CITATION = (
 class Paragraph:
     kind: ClassVar[str] = "paragraph"
     text: str
+    essential: bool = False
+    """Whether the shortest level of a page shows it."""
 
 
 @dataclass(frozen=True)
 class Display:
     kind: ClassVar[str] = "display"
     formula: Formula
+    essential: bool = False
 
 
 @dataclass(frozen=True)
@@ -68,6 +71,8 @@ class DocumentSection:
 
     title: str
     items: list[Item] = field(default_factory=list)
+    link_class: int = 0
+    """The number of the class of links that it is about; 0 if it is about none."""
 
 
 Named = tuple[str, str, str, str, str, Binding | None]
@@ -97,7 +102,7 @@ class Document:
 
 
 def parse(prose: str) -> list[Item]:
-    """Paragraphs, ``## headings`` and ``$$`` displays, with empty lines between them."""
+    """Paragraphs, ``## headings`` and ``$$`` displays, with empty lines between them; ``!`` before essential ones."""
     chunks = [chunk.strip() for chunk in re.split(r"\n\s*\n", prose)]
     return [_item(chunk) for chunk in chunks if chunk]
 
@@ -105,10 +110,11 @@ def parse(prose: str) -> list[Item]:
 def _item(chunk: str) -> Item:
     if chunk.startswith("## "):
         return Heading(chunk[3:])
+    essential, chunk = chunk.startswith("!"), chunk.removeprefix("!").lstrip()
     if chunk.startswith("$$"):
         lines = chunk.removeprefix("$$").removesuffix("$$").strip().split("\n")
-        return Display(tuple(split_row(line.strip()) for line in lines))
-    return Paragraph(" ".join(chunk.split("\n")))
+        return Display(tuple(split_row(line.strip()) for line in lines), essential)
+    return Paragraph(" ".join(chunk.split("\n")), essential)
 
 
 def split_row(line: str) -> tuple[str, ...]:

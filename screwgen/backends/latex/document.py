@@ -5,7 +5,6 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
-from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -21,10 +20,13 @@ from ...spec.parameters import parameters
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ...version import __version__
-from ..templates import folder, render
+from ..templates import render
 from . import elements, tables, text
 from .content import CITATION, Document, DocumentSection, Item, Paragraph, parse
 from .link_class import class_section, ordered
+from .page import extras as extras
+from .page import math_font as math_font
+from .page import page as page
 from .pattern import pattern
 from .steps import BlockView, block_view
 from .symbols import SLIDING, entries
@@ -39,24 +41,13 @@ def document(robot: Robot, plugins: Sequence[Plugin] = ()) -> str:
 
 
 def html(robot: Robot, plugins: Sequence[Plugin] = ()) -> str:
-    """The same document as one HTML page with MathML, which needs nothing else."""
-    return page(content(robot, plugins))
+    """The same document as one HTML page with MathML, which needs nothing else; it shows the lines of generated C."""
+    return page(content(robot, plugins), extras(Chain(robot)))
 
 
 def tex(shown: Document) -> str:
     """A document in LaTeX."""
     return render("latex/document.tex.jinja", document=shown, text=text.tex, rows=text.tex_rows)
-
-
-def page(shown: Document) -> str:
-    """A document in HTML."""
-    values = {"document": shown, "text": text.in_html, "rows": text.html_rows}
-    return render("latex/document.html.jinja", **values, font=math_font())
-
-
-def math_font() -> str:
-    """The math font of a page in base64: without one, brackets do not grow and accents stand aside."""
-    return b64encode((folder() / "latex" / "font" / "math.woff").read_bytes()).decode()
 
 
 def notebook(robot: Robot) -> str:

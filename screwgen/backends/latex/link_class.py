@@ -49,7 +49,7 @@ def class_section(
         if (title, below) not in printed:
             printed[title, below] = number
             items += [Heading(title), *below]
-    return DocumentSection(f"Link class {number}", items)
+    return DocumentSection(f"Link class {number}", items, number)
 
 
 def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:

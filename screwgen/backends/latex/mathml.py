@@ -31,8 +31,8 @@ BRACKETS = (
 """A matrix is a group of its own, because brackets grow with the content of their group."""
 
 SCRIPTED = re.compile(r"<m(?:sup|subsup)><mover>")
-LETTER, ACCENT = "0.7em", "+0.15em"
-"""The height of an accented letter for its superscript, and the clearance to the line above."""
+LETTER, ACCENT = "0.7em", "1.05em"
+"""The height of an accented letter for its superscript, and that of both together."""
 
 
 def inline(tex: str) -> str:

@@ -82,3 +82,10 @@ def _unknowns(places: Sequence[Place], rate: str) -> str:
     if DOTS in places:
         names.append(ELLIPSIS)
     return "[" + r";\ ".join(names) + "]"
+
+
+def occupied(chain: Chain) -> tuple[list[Place], list[list[bool]]]:
+    """The rows of all links, and which blocks of the system's matrix are not zero."""
+    places = _places(chain, range(chain.n))
+    zero = r"\mathbf{0}"
+    return places, [[_cell(chain, row, column, "V") != zero for column in places] for row in places]

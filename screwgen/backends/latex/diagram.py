@@ -1,0 +1,140 @@
+"""The block diagram of a robot's solution: links, the three passes between them, loops, blocks of the matrix."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...topology.chain import Chain
+from ..templates import render
+from .pattern import Place, occupied
+
+WIDE, HIGH, STEP, ROW = 132, 74, 214, 112
+"""Size of a box, and the distance of boxes along and across the tree, in px."""
+LEFT, TOP = 2, 12
+MOST_LINKS, MOST_BLOCKS = 24, 36
+"""Of more links only the first are drawn; a larger matrix is left out."""
+CELL = 16
+LETTERS = 15
+
+
+@dataclass(frozen=True)
+class Box:
+    x: float
+    y: float
+    name: str
+    number: int
+    coordinates: str
+    """What is solved for in the link, in words."""
+
+
+@dataclass(frozen=True)
+class Passes:
+    """Between two boxes: from (x1, y1), the right side of the carrier, to (x2, y2)."""
+
+    x1: float
+    y1: float
+    x2: float
+    y2: float
+    joint: str
+
+
+@dataclass(frozen=True)
+class Loop:
+    path: str
+    name: str
+    x: float
+    y: float
+
+
+def diagram(chain: Chain) -> str:
+    """The diagram as SVG, which takes its colours from the page."""
+    shown = min(chain.n, MOST_LINKS)
+    places = _places(chain, shown)
+    boxes = [Box(*places[i], _short(chain.names[i]), i + 1, _coordinates(chain, i)) for i in range(shown)]
+    base = (LEFT, sum(y for _, y in places.values()) / shown if _forks(chain) else TOP)
+    parents = chain.tree.parents
+    passes = [
+        Passes(*_right(places.get(parents[i], base)), places[i][0], places[i][1] + HIGH / 2, _joint(chain, i))
+        for i in range(shown)
+    ]
+    names = {junction.name: (junction.first, junction.second) for junction in chain.junctions}
+    loops = [_loop(name, *ends, places) for name, ends in names.items() if max(ends) < shown]
+    deep = max(y for _, y in places.values()) + HIGH
+    blocks = _matrix(chain)
+    return render(
+        "latex/diagram.html.jinja",
+        base=base,
+        boxes=boxes,
+        passes=passes,
+        loops=loops,
+        size=(WIDE, HIGH),
+        width=max(x for x, _ in places.values()) + WIDE + LEFT,
+        height=deep + (54 if loops else 12),
+        more=chain.n - shown,
+        floating=chain.floating,
+        blocks=blocks,
+        cell=CELL,
+    )
+
+
+def _places(chain: Chain, shown: int) -> dict[int, tuple[float, float]]:
+    """The upper left corner of every link's box: the depth in the tree to the right, leaves below each other."""
+    parents, depth, row = chain.tree.parents, {-1: 0}, {}
+    for i in range(shown):
+        depth[i] = depth[parents[i]] + 1
+    leaves = [i for i in range(shown) if i not in parents[:shown]]
+    for place, leaf in enumerate(leaves):
+        row[leaf] = float(place)
+    for i in reversed(range(shown)):
+        below = [row[k] for k in range(shown) if parents[k] == i]
+        row[i] = row[i] if i in row else sum(below) / len(below)
+    return {i: (LEFT + STEP * depth[i] - 60.0, TOP + ROW * row[i]) for i in range(shown)}
+
+
+def _forks(chain: Chain) -> bool:
+    return not chain.tree.is_chain
+
+
+def _right(place: tuple[float, float]) -> tuple[float, float]:
+    x, y = place
+    return (x + (WIDE if x > LEFT else WIDE - 60), y + HIGH / 2)
+
+
+def _coordinates(chain: Chain, i: int) -> str:
+    key = chain.keys[i]
+    joint = f"{key.joints} {'axis' if key.joints == 1 else 'axes'}" if key.joints else key.joint.name or "welded"
+    return f"{joint}, {key.modes} modes" if key.modes else f"{joint}, rigid"
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…"
+
+
+def _joint(chain: Chain, i: int) -> str:
+    return f"joint of {chain.names[i]}"
+
+
+def _loop(name: str, first: int, second: int, places: dict[int, tuple[float, float]]) -> Loop:
+    """An edge below the boxes that it joins."""
+    (x1, y1), (x2, y2) = places[first], places[second]
+    x1, x2, low = x1 + WIDE / 2, x2 + WIDE / 2, max(y1, y2) + HIGH + 24
+    path = f"M{x1:g} {y1 + HIGH:g} C{x1:g} {low:g} {x2:g} {low:g} {x2 + 12:g} {y2 + HIGH:g}"
+    return Loop(path, name, (x1 + x2) / 2, low + 4)
+
+
+def _matrix(chain: Chain) -> tuple[list[tuple[str, str, int]], list[tuple[int, int, str]]] | None:
+    """The rows of the system's matrix with letter, accent and link, and its occupied blocks with their kind."""
+    places, grid = occupied(chain)
+    if len(places) > MOST_BLOCKS:
+        return None
+    cells = [
+        (i, j, places[i][0] if places[i][0] == places[j][0] else "between")
+        for i, row in enumerate(grid)
+        for j, full in enumerate(row)
+        if full
+    ]
+    return [(*_letter(place), place[1] + 1) for place in places], cells
+
+
+def _letter(place: Place) -> tuple[str, str]:
+    return {"joint": ("w", ""), "link": ("V", "\u0307"), "modes": ("\u03b7", "\u0308")}[place[0]]

@@ -1,0 +1,111 @@
+"""The numbers of a robot for the symbols that are known before the state: parameters and what follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from ...algebra.components import Array
+from ...algebra.notation import number
+from ...algorithms import fused
+from ...algorithms.schedule import preparation
+from ...algorithms.scope import derived
+from ...ir.block import Binding, Block
+from ...ir.replay import run
+from ...spec.parameters import parameters
+from ...topology.chain import Chain
+from .content import DocumentTable, unit
+from .scalars import entry
+from .symbols import written
+
+BLOCKS = ("link", "tip", "tip_body", "joint")
+"""The blocks that have the constants of a link."""
+MANY_LINKS, MANY_ENTRIES = 12, 81
+"""Numbers of more links, and matrices with more entries, are not listed."""
+
+
+Table = list[list[str]]
+"""The entries of a matrix, row by row."""
+
+
+def numbers(chain: Chain) -> dict[str, dict[str, Table]]:
+    """By a symbol's LaTeX, and by the name of the link: its entries."""
+    out: dict[str, dict[str, Table]] = {}
+    for i, name in enumerate(chain.names[:MANY_LINKS]):
+        for display, table in _of_link(chain, i).items():
+            out.setdefault(display, {})[name] = table
+    return out
+
+
+def _of_link(chain: Chain, i: int) -> dict[str, Table]:
+    key, out = chain.keys[i], {}
+    blocks = [derived(key)[name] for name in BLOCKS]
+    known = values(chain, i, blocks)
+    for block in blocks:
+        for name, entries in _constants(block).items():
+            symbols = set().union(*(entry.free_symbols for entry in entries.flat))
+            if 0 < entries.size <= MANY_ENTRIES and all(symbol.name in known for symbol in symbols):
+                table = [[_number(entry, known) for entry in row] for row in entries]
+                out[written(block.signal(name))] = table
+    return out
+
+
+def _constants(block: Block) -> dict[str, Array]:
+    """The entries of the signals of a block that the state does not change."""
+    signals = [*block.inputs.values(), *(step.signal for step in block.steps.values())]
+    return {s.name: block.values[s.name] for s in signals if s.binding <= Binding.PARAMETER}
+
+
+def entries(chain: Chain) -> dict[str, tuple[str, tuple[int, int]]]:
+    """By the LaTeX of entries of vectors and matrices: the symbol that they belong to, their row and column."""
+    out: dict[str, tuple[str, tuple[int, int]]] = {}
+    for block in (block for key in chain.classes for block in derived(key).values()):
+        for signal in (*block.inputs.values(), *(step.signal for step in block.steps.values())):
+            if signal.shape != (1, 1):
+                for index, _ in signal.labels():
+                    out.setdefault(entry(signal, index), (written(signal), index))
+    return out
+
+
+def values(chain: Chain, i: int, blocks: list[Block]) -> Mapping[str, mpmath.mpf]:
+    """The constants of a link by label, from the parameters of the file."""
+    places, p = chain.parameter_labels[i], parameters(chain.robot)
+    labels = {s.name for b in blocks for e in _constants(b).values() for x in e.flat for s in x.free_symbols}
+    program = preparation(chain.keys[i], tuple(sorted(labels)))
+    with mpmath.workdps(30):
+        given = {name: [mpmath.mpf(p[places[name[2:]]].value)] for name in program.inputs}
+        outputs = run(program, given, fused.precise)[0]
+        return {name.removeprefix("c."): x[0] for name, x in outputs.items() if len(x) == 1}
+
+
+def _number(entry: sp.Expr, known: Mapping[str, mpmath.mpf]) -> str:
+    value = float(entry.subs({s: sp.Float(str(known[s.name]), 25) for s in entry.free_symbols}))
+    return f"{value:.5g}" if value else "0"
+
+
+def mode_table(chain: Chain, found: Mapping[str, Mapping[str, Table]]) -> DocumentTable | None:
+    """The modes of the links: inertia, stiffness, frequency with the link's base held. None if there are none."""
+    rows = [row for i in range(min(chain.n, MANY_LINKS)) for row in _modes(chain, i, found)]
+    head = ("link", "mode", "direction", "inertia", "stiffness", "frequency, base held")
+    return DocumentTable(head, (0.2, 0.08, 0.2, 0.17, 0.2, 0.15), tuple(rows)) if rows else None
+
+
+def _modes(chain: Chain, i: int, found: Mapping[str, Mapping[str, Table]]) -> Iterator[tuple[str, ...]]:
+    key, name, signal = chain.keys[i], chain.names[i], derived(chain.keys[i])["link"].signal
+    columns = [found.get(written(signal(label)), {}).get(name) for label in ("M_eta", "K")]
+    if not key.modes or None in columns:
+        return
+    inertia, stiffness = (np.ravel(column) for column in columns if column is not None)
+    for k, (direction, _) in enumerate(key.directions):
+        turns, m, stiff = direction == "torsion", str(inertia[k]), str(stiffness[k])
+        frequency = np.sqrt(float(stiff) / float(m)) / (2 * np.pi)
+        units = ("kg*m^2", "N*m") if turns else ("kg", "N/m")
+        cells = (f"{_shown(m)} {unit(units[0])}", f"{_shown(stiff)} {unit(units[1])}", f"{frequency:.4g} Hz")
+        yield f"`{name}`", f"{k + 1}", direction.replace("_", " in "), *cells
+
+
+def _shown(value: str) -> str:
+    return f"${number(sp.Float(value))}$"

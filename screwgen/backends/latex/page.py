@@ -1,0 +1,249 @@
+"""A document as one page for a browser: levels of detail, contents, definitions of symbols, numbers, lines of C.
+
+The page is the document's sections with anchors, and what a browser needs to move among them. What only robots have,
+numbers, the diagram and the lines of generated C, are a page's `Extras`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from base64 import b64encode
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from ...topology.chain import Chain
+from ..templates import folder, markup, render
+from . import code_lines, diagram, numbers, text
+from .code_lines import CodeLines, GeneratedC
+from .content import Display, Document, DocumentSection, DocumentTable, Heading, Item, Paragraph, StepEquation
+from .layout import Formula
+from .marks import Entries, Marks
+from .numbers import MANY_LINKS, Table
+
+ESSENCE, CLASSES, ALL = 1, 2, 3
+"""The levels of detail: what a robot is solved by, what each class of links adds, every auxiliary step."""
+KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi", "M_eta", "K", "S", "J", "A")
+"""Steps that the second level shows besides those that the paper numbers."""
+SYMBOLS, PARAMETERS, SOLUTION = "Symbols", "Parameters", "Its solution"
+BIAS = re.compile(r"joint: .*eliminated")
+"""The heading, in generated C, of what has the bias of a joint."""
+FORWARD = "forward_dynamics"
+
+
+@dataclass(frozen=True)
+class Guide:
+    """Where a page has what readers look for of a link; anchors, empty where there is none."""
+
+    link: str
+    number: int
+    of_class: str
+    modes: str
+    bias: CodeLines | None
+    place: str
+    """The anchor of the lines of C of the joint's bias."""
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What a page has of a robot beside its document."""
+
+    diagram: str
+    numbers: Mapping[str, Mapping[str, Table]]
+    modes: DocumentTable | None
+    code: GeneratedC
+    firsts: Sequence[int]
+    """The first link of every class."""
+    names: Sequence[str]
+    classes: Sequence[int]
+    """The number of every link's class, from 1."""
+    entries: Entries
+
+
+def extras(chain: Chain) -> Extras:
+    """What the page of a robot has beside its document."""
+    found = numbers.numbers(chain)
+    firsts = [chain.keys.index(key) for key in chain.classes]
+    classes = [chain.classes.index(key) + 1 for key in chain.keys]
+    table = numbers.mode_table(chain, found)
+    drawn, code = diagram.diagram(chain), code_lines.generated(chain)
+    return Extras(drawn, found, table, code, firsts, chain.names, classes, numbers.entries(chain))
+
+
+@dataclass
+class PageItem:
+    """An item with its anchor, its level, the row of the symbol that it defines, and its lines of C."""
+
+    item: Item
+    anchor: str
+    level: int
+    symbol: int = -1
+    code: CodeLines | None = None
+    codes: Sequence[tuple[str, str, CodeLines]] = ()
+    """Anchors, links and lines of what has no step of its own; of the heading of the solution."""
+
+    @property
+    def kind(self) -> str:
+        return self.item.kind
+
+
+@dataclass
+class PageSection:
+    section: DocumentSection
+    anchor: str
+    number: int
+    items: list[PageItem] = field(default_factory=list)
+
+    @property
+    def title(self) -> str:
+        return self.section.title
+
+    @property
+    def level(self) -> int:
+        return min((item.level for item in self.items), default=CLASSES)
+
+    @property
+    def is_reference(self) -> bool:
+        """Whether it is a table to look things up in, which is closed at first."""
+        return self.title in (SYMBOLS, PARAMETERS)
+
+    @property
+    def headings(self) -> list[PageItem]:
+        return [item for item in self.items if item.kind == "heading"]
+
+
+def page(shown: Document, more: Extras | None = None) -> str:
+    """The document in HTML."""
+    symbols = _symbols(shown)
+    sections = list(_sections(shown, symbols, more))
+    values = {"text": text.in_html, "rows": text.html_rows, "document": shown, "sections": sections, "more": more}
+    data = _data(sections, symbols, more)
+    body = render(
+        "latex/document.html.jinja",
+        **values,
+        levels=any(item.level == ESSENCE for s in sections for item in s.items) and more is not None,
+        guides=list(_guides(sections, more)) if more else [],
+        torque=_anchor_of(sections, r"\boldsymbol{\tau}_i -"),
+        solved=_anchor_of(sections, r"\mathbf{u}"),
+        diagram=markup(more.diagram) if more else "",
+        data=markup(json.dumps(data, separators=(",", ":"), ensure_ascii=False).translate(SAFE)),
+        font=math_font(),
+    )
+    return Marks(symbols, more.entries if more else None)(body)
+
+
+SAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&"}
+
+
+def math_font() -> str:
+    """The math font of a page in base64: without one, brackets do not grow and accents stand aside."""
+    return b64encode((folder() / "latex" / "font" / "math.woff").read_bytes()).decode()
+
+
+# ------------------------------------------------------------------------------------------ sections
+
+
+def _symbols(shown: Document) -> list[str]:
+    """The LaTeX of the symbols, in the order of their table."""
+    tables = (item for s in shown.sections if s.title == SYMBOLS for item in s.items)
+    return [row[0].strip("$") for table in tables if isinstance(table, DocumentTable) for row in table.rows]
+
+
+def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> Iterator[PageSection]:
+    number_of = {symbol: number for number, symbol in enumerate(symbols)}
+    for number, section in enumerate(shown.sections, 1):
+        out = PageSection(section, f"s{number}", number)
+        out.items = list(_items(section, out.anchor, number_of, more, first=number == 1))
+        _lift(out.items)
+        yield out
+        if number == 1 and more and more.modes:
+            table = PageItem(more.modes, "modes-table", CLASSES)
+            yield PageSection(DocumentSection("Modes in numbers", []), "modes", 0, [table])
+
+
+def _items(
+    section: DocumentSection, anchor: str, number_of: Mapping[str, int], more: Extras | None, first: bool
+) -> Iterator[PageItem]:
+    """The items of a section; before the heading that follows the solution, what C computes there."""
+    seen: Counter[str] = Counter()
+    solving = False
+    for place, item in enumerate(section.items, 1):
+        if solving and isinstance(item, Heading) and more:
+            yield _solution(section, anchor, more)
+        if isinstance(item, Heading):
+            solving = item.text == SOLUTION
+        if not isinstance(item, StepEquation):
+            level = ESSENCE if first or getattr(item, "essential", False) else CLASSES
+            yield PageItem(item, f"{anchor}-{place}", level)
+            continue
+        seen[item.step.name] += 1
+        name = item.step.name if seen[item.step.name] == 1 else f"{item.step.name}-{seen[item.step.name]}"
+        level = CLASSES if item.step.equation or item.step.name in KEY_STEPS else ALL
+        code = _code(item, section.link_class, more)
+        yield PageItem(item, f"{anchor}-{name}", level, number_of.get(_left(item.step.formula), -1), code)
+
+
+def _left(formula: Formula) -> str:
+    return formula[0][0]
+
+
+def _code(item: StepEquation, link_class: int, more: Extras | None) -> CodeLines | None:
+    if more is None or not link_class:
+        return None
+    return more.code.of_step(more.firsts[link_class - 1], item.step)
+
+
+def _solution(section: DocumentSection, anchor: str, more: Extras) -> PageItem:
+    """The lines of the solution, link by link, one of each class."""
+    codes = [
+        (f"{anchor}-c{i}-{place}", more.names[i], lines)
+        for i in more.firsts
+        for place, lines in enumerate(more.code.between(i, FORWARD))
+    ]
+    return PageItem(
+        Paragraph("What computes this in generated C, for a link of every class:"), "", CLASSES, codes=codes
+    )
+
+
+def _lift(items: Sequence[PageItem]) -> None:
+    """A heading is shown where anything below it is."""
+    level = ALL
+    for item in reversed(items):
+        if item.kind == "heading":
+            item.level, level = level, ALL
+        else:
+            level = min(level, item.level)
+
+
+# ------------------------------------------------------------------------------------- what is found
+
+
+def _anchor_of(sections: Sequence[PageSection], part: str) -> str:
+    """The anchor of the first essential formula with a part."""
+    for item in (item for s in sections for item in s.items if isinstance(item.item, Display)):
+        assert isinstance(item.item, Display)
+        if item.item.essential and any(part in cell for row in item.item.formula for cell in row):
+            return item.anchor
+    return ""
+
+
+def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
+    of_class = {s.section.link_class: s.anchor for s in sections}
+    places = {(link, lines.title): anchor for s in sections for x in s.items for anchor, link, lines in x.codes}
+    for i, name in enumerate(more.names[:MANY_LINKS]):
+        bias = next((x for x in more.code.between(i, FORWARD) if BIAS.match(x.title)), None)
+        first = more.names[more.firsts[more.classes[i] - 1]]
+        place = next((a for (link, title), a in places.items() if link == first and BIAS.search(title)), "")
+        modes = f"mode-{name}" if more.modes and any(row[0] == f"`{name}`" for row in more.modes.rows) else ""
+        yield Guide(name, i + 1, of_class[more.classes[i]], modes, bias, place)
+
+
+def _data(sections: Sequence[PageSection], symbols: Sequence[str], more: Extras | None) -> dict[str, Any]:
+    """What the page's script reads: by the number of a symbol its numbers, and the anchors of its definitions."""
+    defined: dict[int, list[str]] = {}
+    for item in (item for s in sections for item in s.items if item.symbol >= 0):
+        defined.setdefault(item.symbol, []).append(item.anchor)
+    known = more.numbers if more else {}
+    return {"numbers": {k: known[s] for k, s in enumerate(symbols) if s in known}, "defined": defined}

@@ -1,0 +1,215 @@
+"""The page of equations as something to move about in: every link leads somewhere, every line of C is what it says."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+from functools import cache
+from xml.etree import ElementTree
+
+import pytest
+from conftest import require_tool
+from helpers import arm, example_file, link
+from latex_documents import PLUGINS, page
+
+from screwgen import Robot, load
+from screwgen.backends.c.project import CProject
+from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.code_lines import CodeLines, found
+from screwgen.backends.latex.content import Document
+from screwgen.backends.latex.marks import Marks
+from screwgen.backends.latex.page import Extras
+from screwgen.topology.chain import Chain
+from screwgen.version import __version__
+
+PENDULUM = Robot(**arm(link("rod", axes="z", modes={"bending_y": 1}), name="pendulum"))
+ROBOTS = ("ella", "pendulum", "parallelogram")
+every_robot = pytest.mark.parametrize("name", ROBOTS)
+
+
+@cache
+def chain(name: str) -> Chain:
+    return Chain(PENDULUM if name == "pendulum" else load(example_file(name)))
+
+
+@cache
+def extras(name: str) -> Extras:
+    return latex.extras(chain(name))
+
+
+@cache
+def content(name: str) -> Document:
+    return latex.content(chain(name).robot, PLUGINS)
+
+
+@cache
+def shown(name: str) -> str:
+    return page("ella") if name == "ella" else latex.page(content(name), extras(name))
+
+
+def body(name: str) -> str:
+    return shown(name).partition("<script>//")[0]
+
+
+# -------- anchors, symbols, numbers
+
+
+@every_robot
+def test_every_link_leads_to_one_place(name):
+    tree = ElementTree.fromstring(shown(name))
+    ids = [e.get("id") for e in tree.iter() if e.get("id")]
+    assert len(ids) == len(set(ids))
+    goals = [e.get("href") for e in tree.iter("a")]
+    assert len(goals) > 15 and all(goal[0] == "#" and goal[1:] in ids for goal in goals)
+    data = json.loads(re.search(r"const DATA = (.*);\n", shown(name))[1])
+    assert {goal for goals in data["defined"].values() for goal in goals} <= set(ids)
+    marked = {e.get("data-s") for e in tree.iter() if e.get("data-s")}
+    assert len(marked) > 40 and {f"y{number}" for number in marked} <= set(ids)
+
+
+def test_numbers_are_those_of_the_robot():
+    """The second link's third mode, and a product that stands in no file."""
+    [row] = re.findall(r'<tr id="mode-forearm-3">(.*?)</tr>', body("ella"))
+    assert "bending in z" in row and "1.5161" in "".join(ElementTree.fromstring(f"<tr>{row}</tr>").itertext())
+    known = extras("ella").numbers
+    assert known[r"\mathbf{S}_0"]["upper_arm"][0] == [f"{0.95**2 * 1.6302 / 2:.5g}"]
+    assert known["l_i"] == {"upper_arm": [["0.95"]], "forearm": [["0.93"]]}
+
+
+def test_symbols_are_found_below_accents_and_beside_scripts():
+    marks = Marks([r"\mathbf{r}_T", r"\rho_i A_i", r"\mathbf{M}^*_i", "x"], {r"r_{T,x}": (r"\mathbf{r}_T", (0, 0))})
+    shows = {
+        r"\tilde{\mathbf{r}}_T": ["0"],
+        r"\mathbf{r}_T^{\top}\,\mathbf{r}_T": ["0", "0"],
+        r"\frac{\rho_i A_i\,l_i}{2}": ["1"],
+        r"\mathbf{M}^*_i\,\dot{x}": ["2", "3"],
+        r"S_x": [],
+        r"r_{T,x}\,c": ["0"],
+    }
+    for formula, expected in shows.items():
+        marked = marks(str(latex.text.in_html(f"${formula}$")))
+        assert re.findall(r'data-s="(\d+)"', marked) == expected, formula
+
+
+def test_the_page_is_the_same_every_time_and_small():
+    again = latex.html(PENDULUM, PLUGINS)
+    assert again == shown("pendulum")
+    assert len(shown("ella").encode()) < 1_500_000
+
+
+def test_levels_grow():
+    """What is essential is little; every step is at the last level."""
+    counts = [len(re.findall(rf'class="(?:one|formula) l{level}"', body("ella"))) for level in (1, 2, 3)]
+    assert 8 <= counts[0] <= 14 < counts[1] and counts[2] > 60, counts
+
+
+# -------- the diagram
+
+
+@every_robot
+def test_the_diagram_is_drawn_from_the_model(name):
+    drawn = re.search(r'<figure class="diagram">.*?</figure>', shown(name), re.S)[0]
+    assert drawn.count('<g class="box">') == drawn.count('<g class="flow">') == chain(name).n
+    assert drawn.count('<path class="loop"') == len(chain(name).junctions)
+    assert drawn.count('class="modes"') == sum(key.modes > 0 for key in chain(name).keys)
+
+
+# -------- lines of C
+
+
+@cache
+def files(name: str) -> dict[str, list[str]]:
+    project = CProject(chain(name), __version__)
+    return {file: text.split("\n") for file, text in project.files().items() if file.endswith(".c")}
+
+
+def check(name: str, lines: CodeLines) -> None:
+    """The lines are those of the file, and within the function of that name."""
+    text = files(name)[lines.file]
+    assert tuple(text[lines.first - 1 : lines.last]) == lines.text
+    starts = [
+        k for k, line in enumerate(text) if re.match(rf"[A-Za-z_].*\b{lines.function}\(", line) and line[-1] != ";"
+    ]
+    assert any(k < lines.first <= lines.last <= text.index("}", k) for k in starts), lines
+
+
+@every_robot
+def test_every_step_names_lines_of_c_that_have_its_name(name):
+    """Of all steps that the page shows, most have lines; the others are names for entries of others."""
+    steps = linked = 0
+    for section in content(name).sections:
+        for item in section.items:
+            if item.kind != "equation" or not section.link_class:
+                continue
+            steps += 1
+            lines = extras(name).code.of_step(extras(name).firsts[section.link_class - 1], item.step)
+            if lines is not None:
+                linked += 1
+                check(name, lines)
+                assert re.search(rf"\b(?:minus_)?{re.escape(item.step.name)}(?![a-z])", "\n".join(lines.text)), lines
+                assert item.step.name in lines.title or not lines.text[0].lstrip().startswith("/*")
+    assert linked > 0.45 * steps
+
+
+@every_robot
+def test_the_page_shows_these_lines(name):
+    summaries = re.findall(
+        r"<details class=\"code[^>]*><summary>C: (.*?)</summary>\n<pre>(.*?)</pre>", shown(name), re.S
+    )
+    assert len(summaries) > 25
+    for said, code in summaries:
+        function, file, first, last = re.search(
+            r"<code>(\w+)</code> <span class=\"of\">([\w.]+):(\d+)(?:–(\d+))?", said
+        ).groups()
+        text = files(name)[file][int(first) - 1 : int(last or first)]
+        shown_lines = html.unescape(code).split("\n")
+        assert [line.removeprefix("    ") for line in text][: len(shown_lines) - 1] == shown_lines[: len(text)][:-1]
+        assert any(f"{function}(" in line for line in files(name)[file])
+
+
+def test_headings_of_several_lines_are_read():
+    text = "int f(int a)\n{\n    /* S: a long\n     * title (3)\n     */\n    b = 1;\n    c = 2;\n\n    d = 3;\n}\n"
+    [lines] = found("f.c", text)
+    assert (lines.function, lines.title, lines.first, lines.last) == ("f", "S: a long title (3)", 3, 7)
+
+
+# -------- in a browser
+
+
+@pytest.mark.examples
+def test_a_reader_finds_a_way(tmp_path):
+    """Levels, the hash, search, what is known of a symbol, numbers, C beside formulas, contents."""
+    from browser import Browser
+
+    file = tmp_path / "page.html"
+    file.write_text(shown("ella"), encoding="utf-8")
+    with Browser(require_tool("chromium"), tmp_path / "profile", (1280, 900)) as browser:
+        browser.open(file)
+        high = "document.documentElement.scrollHeight"
+        assert browser.run(high) < 2200
+        for level, least in ((2, 10_000), (3, 15_000)):
+            browser.run(f"document.querySelector('button[data-level=\"{level}\"]').click()")
+            assert browser.run(high) > least and browser.run("location.hash").startswith(f"#{level}")
+        browser.run("find.value = 'M_D'; search(); find.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter'}))")
+        assert browser.run("location.hash") == "#3/s5-M_D"
+        browser.until("document.querySelector('.contents .here').textContent === 'Link'")
+        browser.run("tell(document.querySelector('#s5-M_D .formula [data-s]'))")
+        assert "wrench that modal accelerations need" in browser.run("card.textContent")
+        browser.run("tell(document.querySelector('#s5-S_0 [data-s]'))")
+        assert f"{0.95**2 * 1.6302 / 2:.5g}" in browser.run("card.textContent")
+        for words, place in (("inertia forearm mode 3", "mode-forearm-3"), ("torque joint forearm", "guide-forearm")):
+            browser.run(f"find.value = '{words}'; search()")
+            assert browser.run("document.querySelector('#found a').getAttribute('href')") == f"#{place}"
+        browser.run("document.querySelector('[data-switch=n]').click()")
+        assert browser.run("document.querySelectorAll('.numbers').length") > 20
+        browser.run("document.querySelector('[data-switch=c]').click()")
+        assert browser.run("document.querySelector('#s5-S_0 pre').offsetHeight") > 20
+        browser.call("Page.navigate", url="about:blank")
+        browser.call("Page.navigate", url=f"{file.as_uri()}#2n/s6-S")
+        browser.until("window.screwgen")
+        assert browser.run("document.documentElement.dataset.level + state.n + state.c") == "2truefalse"
+        browser.resize(390, 844, True)
+        assert browser.run("document.documentElement.scrollWidth") <= 390
+        assert not browser.complaints
+        assert all(url in ("about:blank",) or url.startswith(file.as_uri()) for url in browser.requests)

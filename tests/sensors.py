@@ -28,14 +28,26 @@ def strains(robot, q, fibre: float) -> list[float]:
 def measured(robot, q, v, tau, w_ext, rng, noise: Noise, accelerometer=True) -> dict:
     """Measurements by their names, with their noise."""
     chain = robot.chain
-    turns = q[chain.base_q :][np.array(chain.effort_places) - chain.base_v]
+    flat = dict(zip(chain.flat_v.tolist(), chain.flat_q.tolist(), strict=True))
+    turns = q[[flat[k] for k in chain.effort_places if k in flat]]
     z = {"encoder": turns, "strain": strains(robot, q, noise.fibre)}
     if accelerometer:
         z["acceleration"] = felt(robot, q, v, tau, w_ext)
     z = {name: exact + getattr(noise, name) * rng.normal(size=len(exact)) for name, exact in z.items()}
     if chain.floating:
-        turn = Rotation.from_rotvec(noise.base_attitude * rng.normal(size=3))
-        attitude = (Rotation.from_quat(q[3:7], scalar_first=True) * turn).as_quat(scalar_first=True)
-        z |= {"base_position": q[:3] + noise.base_position * rng.normal(size=3), "base_attitude": -attitude}
+        z["base_position"] = q[:3] + noise.base_position * rng.normal(size=3)
+        z["base_attitude"] = -seen(q[3:7], noise.base_attitude, rng)
         z["base_rate"] = v[:3] + noise.base_rate * rng.normal(size=3)
+    balls = [part for part in chain.curved if not part.joint.in_space]
+    if balls:
+        turns = [seen(q[part.q], noise.joint_attitude, rng) for part in balls]
+        z["joint_attitude"] = np.concatenate(turns)
+        rates = np.concatenate([v[part.v] for part in balls])
+        z["joint_rate"] = rates + noise.joint_rate * rng.normal(size=len(rates))
     return z
+
+
+def seen(quaternion, deviation: float, rng) -> np.ndarray:
+    """An attitude as a sensor sees it, turned by noise about axes of the link."""
+    turn = Rotation.from_rotvec(deviation * rng.normal(size=3))
+    return (Rotation.from_quat(quaternion, scalar_first=True) * turn).as_quat(scalar_first=True)

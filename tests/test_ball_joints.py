@@ -338,7 +338,6 @@ USES = {
     "equilibrium": screwgen.equilibrium,
     "modes under load": lambda model: screwgen.natural_frequencies(model, loaded=True),
     "acados model": lambda model: model.acados(),
-    "estimator": lambda model: model.c_files(estimator=True),
 }
 
 

@@ -34,6 +34,29 @@ def coordinate_rates(joint: JointKind) -> Program:
     return traced("coordinate_rates", sizes, rates=lambda q, v, _: joint.coordinate_rates(q, v))
 
 
+@cache
+def midpoint_carry(joint: JointKind) -> Program:
+    """``(u) -> (E)``, (nv, nv), row by row: ``(1 - carried(u))^-1``, where u is the change of half a step.
+
+    By the implicit midpoint rule a change of the coordinates becomes ``2 E - 1`` of it, as the axes of changes turn.
+    """
+    return traced(
+        "midpoint_carry", {"u": joint.nv}, E=lambda u, _: list(_inverse(np.eye(joint.nv) - joint.carried(u)).flat)
+    )
+
+
+def _inverse(A: np.ndarray) -> np.ndarray:
+    """The inverse of a matrix of symbols whose leading minors are positive, as those of 1 and a skew matrix are."""
+    n = len(A)
+    rows = np.hstack([A, np.eye(n)]).astype(object)
+    for k in range(n):
+        rows[k] = rows[k] * (1.0 / rows[k, k])
+        for i in range(n):
+            if i != k:
+                rows[i] = rows[i] - rows[i, k] * rows[k]
+    return rows[:, n:]
+
+
 def traced(name: str, sizes: dict[str, int], **results: Callable[..., Any]) -> Program:
     """The program of functions of symbols and of the symbols' :class:`.Series`, by the names of their results."""
     tracer = Tracer()

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..algorithms.gauges import Gauge, gauges
+from ..algorithms.joint_sensors import POSE_SIZES, encoders, pose_measurements
 from ..arguments import Given, Loads, Numbers, array, real_numbers
 from ..errors import UsageError
 from ..robot_model import RobotModel
@@ -22,22 +23,29 @@ if TYPE_CHECKING:
     from ..topology.chain import Chain
 
 
-BASE = {"base_position": (3, 3, 3), "base_attitude": (4, 1, 3), "base_rate": (3, 3, 3)}
-"""The measurements of a floating base, with sizes as of `sensors`."""
-
-
 def sensors(chain: Chain) -> dict[str, tuple[int, int, int]]:
     """How many values, flags and variances every measurement has."""
-    sizes = {"encoder": chain.n_tau, "strain": len(gauges(chain)), "acceleration": 3}
-    return {name: (size,) * 3 for name, size in sizes.items()} | (BASE if chain.floating else {})
+    sizes = {"encoder": len(encoders(chain)), "strain": len(gauges(chain)), "acceleration": 3}
+    return {name: (size,) * 3 for name, size in sizes.items()} | pose_measurements(chain)
+
+
+ABSENT = {"base": "a fixed base", "joint": "no ball joint"}
+"""What a robot has that lacks the measurements of a pose whose names begin so."""
+
+
+def _no_measurement(chain: Chain, name: str) -> str:
+    """Why a name is not one of a robot's measurements, and what to do."""
+    word, _, what = name.partition("_")
+    if word in ABSENT and what in POSE_SIZES and (word, what) != ("joint", "position"):
+        return f"{name}: robot '{chain.robot.name}' has {ABSENT[word]}; leave it out"
+    return f"{name}: is no measurement; choose of {', '.join(sensors(chain))}"
 
 
 def given_measurements(chain: Chain, given: Mapping[str, Any]) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """The values of every measurement, and which were made: what is None or NaN was not; raises UsageError."""
     out, known = {}, sensors(chain)
     for name in given.keys() - known.keys():
-        said = f"robot '{chain.robot.name}' has a fixed base; leave it out"
-        raise UsageError(f"{name}: {said if name in BASE else 'is no measurement; choose of ' + ', '.join(known)}")
+        raise UsageError(_no_measurement(chain, name))
     for name, (size, flags, _) in known.items():
         try:
             values = np.full(size, np.nan) if given.get(name) is None else np.array(given[name], float)
@@ -45,11 +53,18 @@ def given_measurements(chain: Chain, given: Mapping[str, Any]) -> dict[str, tupl
             raise UsageError(f"{name} is not an array of numbers; give {size} numbers") from None
         if values.shape != (size,):
             raise UsageError(f"{name}: shape {values.shape}, must be ({size},); give NaN for what was not measured")
-        if name == "base_attitude" and np.isfinite(values).all() and values.any():
-            values = values / np.max(np.abs(values))  # its direction counts; the squares of large numbers are infinite
         made = ~np.isnan(values)
-        out[name] = values, made if flags == size else made.all(keepdims=True)
+        if flags < size:
+            values, made = _directions(values.reshape(flags, -1)).ravel(), made.reshape(flags, -1).all(axis=1)
+        out[name] = values, made
     return out
+
+
+def _directions(quaternions: np.ndarray) -> np.ndarray:
+    """The same directions (n, 4): these count, and the squares of large numbers are infinite."""
+    largest = np.max(np.abs(quaternions), axis=1, keepdims=True)
+    scale = np.where(np.isfinite(largest) & (largest > 0), largest, 1.0)
+    return quaternions / scale
 
 
 def spread(values: Any, name: str, size: int) -> np.ndarray:
@@ -100,6 +115,7 @@ class Noise:
     (3, m/s²): standard deviations of a measurement.  ``fibre`` (gauges): distance of each gauge from the centreline, m,
     on the side of positive y or z.  Of a floating base ``base_position`` (3, m), ``base_attitude`` (3, rad, about axes
     of F_1) and ``base_rate`` (3, rad/s), and densities that belong to changes [turn; shift] of its pose, rad and m.
+    Of ball joints ``joint_attitude`` and ``joint_rate`` (3 each), about axes of the link; encoders measure the others.
     """
 
     density_v: np.ndarray | float
@@ -111,6 +127,8 @@ class Noise:
     base_position: np.ndarray | float = 0.0
     base_attitude: np.ndarray | float = 0.0
     base_rate: np.ndarray | float = 0.0
+    joint_attitude: np.ndarray | float = 0.0
+    joint_rate: np.ndarray | float = 0.0
 
 
 class CompiledEstimator:
@@ -173,16 +191,17 @@ class CompiledEstimator:
         encoder: Numbers | None = None,
         strain: Numbers | None = None,
         acceleration: Numbers | None = None,
-        **base: Numbers | None,
+        **poses: Numbers | None,
     ) -> None:
         """Update the estimate by measurements; those left out, and entries that are None or NaN, were not made.
 
         ``encoder`` (n_joints) in rad or m, ``strain`` (gauges), ``acceleration`` (3) in m/s², of the last tip in
         tip-frame components, less free fall.  Of a floating base also ``base_position`` (3), ``base_attitude`` (4: the
-        quaternion, of either sign) and ``base_rate`` (3), the angular velocity in axes of F_1.
+        quaternion, of either sign) and ``base_rate`` (3), the angular velocity in axes of F_1. Of ball joints, which
+        have no encoders, ``joint_attitude`` (4 each) and ``joint_rate`` (3 each), as in q and v, link by link.
         """
         self._input(tau, w_ext)
-        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | poses
         for name, (values, made) in given_measurements(self.model.chain, given).items():
             self._write({f"measurement.{name}": np.nan_to_num(values, posinf=np.inf, neginf=-np.inf)})
             self._write({f"measurement.has_{name}": made})

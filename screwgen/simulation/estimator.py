@@ -1,8 +1,9 @@
-"""The estimator in NumPy: an extended Kalman filter over q and v, for trees, loops and floating bases.
+"""The estimator in NumPy: an extended Kalman filter over q and v, for trees, loops, floating bases and ball joints.
 
 It does what the generated C does, in the same order, and needs no compiler. The covariance is that of changes
-[δ; δv] (2 nv): of the pose of a floating base δ = [turn; shift] in its own axes, pose exp(δ). Where loops close the
-tree the mean is closed after every call, and the covariance is projected onto the motions that keep it closed.
+[δ; δv] (2 nv), δ that by which joints move their coordinates: of the pose of a floating base [turn; shift] in its own
+axes, pose exp(δ), of a ball joint a turn in axes of its link. Where loops close the tree the mean is closed after
+every call, and the covariance is projected onto the motions that keep it closed.
 """
 
 from __future__ import annotations
@@ -12,10 +13,12 @@ from typing import Any
 import numpy as np
 
 from ..algorithms.gauges import bending, gauges
+from ..algorithms.joint_sensors import PoseSensor, encoders, pose_sensors
 from ..algorithms.tip_acceleration import tip_acceleration
 from ..arguments import Given, Loads, Numbers, array
 from ..backends.numpy.numeric import EPSILON, function_of
 from ..errors import DivergedError, SingularError, UsageError
+from ..joints.exponential import angular_velocity
 from ..robot_model import RobotModel
 from ..runtime.estimator import Noise, check_noise, given_measurements, sensors, spread
 from .integrate import JointStepper
@@ -35,7 +38,6 @@ class Estimator:
     """
 
     def __init__(self, model: RobotModel, parameters: Given = None):
-        model.chain.needs_sums("estimator", "leave it out")
         chain, self.model = model.chain, model
         self._p = chain.parameters.vector(parameters)
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
@@ -52,8 +54,10 @@ class Estimator:
         sizes = np.concatenate(
             [spread(x, name, n) for name, x in (("deviation_q", deviation_q), ("deviation_v", deviation_v))]
         )
-        if chain.floating and not q[3:7].any():
-            raise UsageError("q: the quaternion of the base is zero; give [1, 0, 0, 0] for no turn")
+        for one in pose_sensors(chain):
+            if not one.turn(q).any():
+                whose = "the base" if one.word == "base" else f"link '{chain.names[one.part.link]}'"
+                raise UsageError(f"q: the quaternion of {whose} is zero; give [1, 0, 0, 0] for no turn")
         q, P = chain.unit(q), np.diag(sizes**2)
         if chain.closures:
             q, v, _ = self._shut(q, v)
@@ -124,18 +128,18 @@ class Estimator:
         encoder: Numbers | None = None,
         strain: Numbers | None = None,
         acceleration: Numbers | None = None,
-        **base: Any,
+        **poses: Any,
     ) -> None:
         """Update the estimate by measurements, as of :class:`..runtime.estimator.CompiledEstimator`."""
         tau, w_ext = self._input(tau, w_ext)
         rows, left, variances = [], [], []
-        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | base
+        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | poses
         for name, (values, made) in given_measurements(self.model.chain, given).items():
             if made.any():
                 if not np.isfinite(values[~np.isnan(values)]).all():
                     raise UsageError(f"{name} is not finite; give NaN for what was not measured")
-                H, rest = getattr(self, f"_{name}")(values, tau, w_ext)
-                made = np.broadcast_to(made, len(H))
+                H, rest = self._innovation(name, values, tau, w_ext)
+                made = np.repeat(made, len(H) // len(made))
                 variance = self._full(getattr(self.noise, name), self._names[name][2]) ** 2
                 if not (variance[made] > 0).all():
                     raise UsageError(f"noise: {name} has no standard deviation > 0; state it for what is measured")
@@ -147,11 +151,25 @@ class Estimator:
             n = self.model.nv
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], P)
 
-    def _encoder(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        driven, chain = np.array(self.model.chain.effort_places, int), self.model.chain
-        return np.eye(2 * chain.nv)[driven], values - self._q[driven + chain.base_q - chain.base_v]
+    def _innovation(
+        self, name: str, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The rows of a measurement over changes (2 nv), and what its values have over those of the estimate."""
+        if name == "acceleration":
+            return self._acceleration(values, tau, w_ext)
+        if name in ("encoder", "strain"):
+            return self._encoder(values) if name == "encoder" else self._strain(values)
+        word, _, what = name.partition("_")
+        own = [one for one in pose_sensors(self.model.chain) if one.word == word]
+        find = {"position": self._position, "attitude": self._attitude, "rate": self._rate}[what]
+        found = [find(one, part) for one, part in zip(own, np.split(values, len(own)), strict=True)]
+        return np.vstack([H for H, _ in found]), np.concatenate([rest for _, rest in found])
 
-    def _strain(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _encoder(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        of_q, of_v = np.array(encoders(self.model.chain), int).reshape(-1, 2).T
+        return np.eye(2 * self.model.nv)[of_v], values - self._q[of_q]
+
+    def _strain(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         chain, fibre = self.model.chain, self._full(self.noise.fibre, len(self.gauges))
         H = np.zeros((len(self.gauges), 2 * chain.nv))
         H[:, chain.eta_v : chain.nv] = -fibre[:, None] * self._strains
@@ -166,22 +184,23 @@ class Estimator:
         of_q, of_v, of_vdot = (np.reshape(found[f"a_{x}"], (-1, 3)).T for x in ("q", "v", "vdot"))
         return np.hstack([of_q + of_vdot @ by_q, of_v + of_vdot @ by_v]), values - found["a"]
 
-    def _base_position(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        H = np.zeros((3, 2 * self.model.nv))
-        H[:, 3:6] = self._numeric.link_pose(self._q)[0][0]
-        return H, values - self._q[:3]
+    def _position(self, one: PoseSensor, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        H, own = np.zeros((3, 2 * self.model.nv)), one.part
+        q = self._q[own.q]
+        H[:, own.v] = np.transpose([own.joint.coordinate_rates(q, unit)[:3] for unit in np.eye(own.joint.nv)])
+        return H, values - q[:3]
 
-    def _base_attitude(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _attitude(self, one: PoseSensor, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Twice the vector part of the quaternion that leads from the estimate to what was measured."""
         if not values.any():
-            raise UsageError("base_attitude is zero; give a quaternion")
-        w, x, (w_m, *x_m) = self._q[3], self._q[4:7], values / np.linalg.norm(values)
-        part = w * np.array(x_m) - w_m * x - np.cross(x, x_m)
-        return np.eye(3, 2 * self.model.nv), 2 * np.copysign(1.0, w * w_m + x @ x_m) * part
+            raise UsageError(f"{one.word}_attitude is zero; give a quaternion")
+        turn, first = one.turn(self._q), one.part.v.start
+        rest = angular_velocity(turn, values / np.linalg.norm(values))
+        return np.eye(2 * self.model.nv)[first : first + 3], rest * np.copysign(1.0, turn @ values)
 
-    def _base_rate(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        n = self.model.nv
-        return np.eye(2 * n)[n : n + 3], values - self._v[:3]
+    def _rate(self, one: PoseSensor, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        n, first = self.model.nv, one.part.v.start
+        return np.eye(2 * n)[n + first : n + first + 3], values - self._v[first : first + 3]
 
     # ------------------------------------------------------------------------------ loops
 

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 from ...algorithms import fused
 from ...algorithms.gauges import Gauge, gauges
+from ...algorithms.joint_moves import midpoint_carry
+from ...algorithms.joint_sensors import PoseSensor, encoders, pose_measurements, pose_sensors
 from ...algorithms.tip_acceleration import tip_acceleration
+from ...joints.kind import JointKind
 from ...topology.chain import Chain
-from .code import Place, entries, literal, singular
+from .code import Place, Writer, entries, literal, singular, trimmed, with_unused
+from .curved import plus, stem
 from .derivatives import say_time
 from .pieces import piece_place, pieces
 
@@ -24,15 +29,85 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     say_time(chain, "accelerations of the tip", program.operation_count)
     own = {slope: _by_columns(slope) for slope in SLOPES}
     own |= {"a": entries("work->a"), "vdot": entries("work->derivatives.vdot")}
-    return pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work")) | {
-        "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
-        "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
-        "per_entry": 6 * chain.nv**2,
-        "gauges": [_gauge(chain, g) for g in gauges(chain)],
-        "curvatures": _curvatures(chain),
-        "gaps": _gaps(chain, baked, place) if chain.closures else [],
-        "stabilisations": [literal(c.stabilisation) for c in chain.closures],
+    return (
+        pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work"))
+        | {
+            "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
+            "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
+            "per_entry": 6 * chain.nv**2,
+            "gauges": [_gauge(chain, g) for g in gauges(chain)],
+            "curvatures": _curvatures(chain),
+            "gaps": _gaps(chain, baked, place) if chain.closures else [],
+            "stabilisations": [literal(c.stabilisation) for c in chain.closures],
+            "encoders": encoders(chain),
+            "square": lambda name, at: " + ".join(f"{name}[{k}] * {name}[{k}]" for k in range(at, at + 4)),
+        }
+        | _curved(chain)
+    )
+
+
+def _curved(chain: Chain) -> dict[str, object]:
+    """What joints whose coordinates do not add up bring: their measurements, and how changes of them are carried."""
+    sensors, sizes = pose_sensors(chain), pose_measurements(chain)
+    widest = max((part.joint.nv for part in chain.curved), default=0)
+    links = [chain.names[one.part.link] for one in sensors if one.word == "joint"]
+    posed = "the base's pose" if not links else "ball joints" if len(links) == len(sensors) else "base and ball joints"
+    base = ["Position, attitude and angular rate of the floating base may be measured, too."]
+    balls = ["Attitudes and angular rates of ball joints may be measured, too, in this order:", f"{', '.join(links)}."]
+    words = dict.fromkeys(one.word for one in sensors)
+    return {
+        "posed": posed,
+        "Posed": posed[0].upper() + posed[1:],
+        "told": base * (len(links) < len(sensors)) + balls * bool(links),
+        "widest": widest,
+        "carries": [_carry(joint, widest) for joint in dict.fromkeys(part.joint for part in chain.curved)],
+        "poses": [_pose(one) for one in sensors],
+        "measured": [
+            {"name": name, "n_values": values, "n_variances": variances, **SAID[name]._asdict()}
+            for name, (values, _, variances) in sizes.items()
+        ],
+        "flags": [
+            ", ".join(f"has_{name}[{flags}]" for name, (_, flags, _) in sizes.items() if name.startswith(word))
+            for word in words
+        ],
     }
+
+
+class Said(NamedTuple):
+    """The comments in C on the variance and on the value of a measurement."""
+
+    variance: str
+    value: str
+
+
+SAID = {
+    "base_position": Said("m^2", "m: q[0] to q[2]"),
+    "base_attitude": Said(
+        "rad^2: of turns about axes of the base",
+        "quaternion as q[3] to q[6], of either sign; scaled to length one",
+    ),
+    "base_rate": Said("rad^2/s^2", "rad/s: v[0] to v[2], a gyroscope's in axes of the base"),
+    "joint_attitude": Said(
+        "rad^2: of turns about axes of the joint's link",
+        "quaternions as in q, of either sign; scaled to length one",
+    ),
+    "joint_rate": Said("rad^2/s^2", "rad/s: as in v, relative to the carrier, in axes of the joint's link"),
+}
+
+
+def _pose(one: PoseSensor) -> dict[str, object]:
+    part = one.part
+    places = {"q": part.q.start, "v": part.v.start, "turn": plus(part.q.start + (part.joint.turn_at or 0))}
+    return {"word": one.word, "number": one.number, "position": one.position} | places
+
+
+def _carry(joint: JointKind, widest: int) -> dict[str, object]:
+    """The function that finds how changes of a kind's coordinates are carried over a step."""
+    program, n = midpoint_carry(joint), joint.nv
+    own = lambda name, k: f"u[{k}]" if name == "u" else f"E[{k // n}][{k % n}]"  # noqa: E731
+    lines = with_unused(("u",), trimmed(Writer(program, own, None, {"u", "E"}).lines()))
+    said = f"A {joint.name} joint: E of the change u that its rates make in half a step."
+    return {"stem": stem(joint), "nv": n, "said": said, "lines": lines}
 
 
 def _by_columns(slope: str) -> Callable[[int], str]:

@@ -80,8 +80,6 @@ class CProject:
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
-        if estimator:
-            chain.needs_sums("estimator", "leave it out")
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from ..backends.equations import document as scalars
 from ..backends.latex import document as latex
 from ..backends.latex.content import Document
@@ -11,14 +13,16 @@ from ..plugins import plugins
 from ..progress import busy
 from ..simulation.runs import check_output, outputs, suffix
 from ..spec.robot import Robot
+from ..topology.chain import Chain
 from .linear import numbers
 from .output import load_robot, say
 
-FORMATS = {
-    ".tex": lambda shown: latex.tex(shown).encode(),
-    ".pdf": lambda shown: latex.pdf(latex.tex(shown)),
-    ".html": lambda shown: latex.page(shown).encode(),
+FORMATS: dict[str, Callable[[Document, Robot | None], bytes]] = {
+    ".tex": lambda shown, _: latex.tex(shown).encode(),
+    ".pdf": lambda shown, _: latex.pdf(latex.tex(shown)),
+    ".html": lambda shown, robot: latex.page(shown, latex.extras(Chain(robot)) if robot else None).encode(),
 }
+"""How a document is written, with the robot whose steps it shows."""
 
 
 def run_latex(robot: str, output: str, scalar: bool, about: str | None, quiet: bool) -> None:
@@ -31,7 +35,7 @@ def run_latex(robot: str, output: str, scalar: bool, about: str | None, quiet: b
     loaded = load_robot(robot, quiet)
     with busy("typesetting", quiet), outputs(output) as (stream,):
         shown = _scalars(loaded, about) if scalar else latex.content(loaded, plugins())
-        stream.write(FORMATS[suffix(output)](shown))
+        stream.write(FORMATS[suffix(output)](shown, None if scalar else loaded))
     say(output, quiet)
 
 

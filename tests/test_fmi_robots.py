@@ -42,10 +42,10 @@ def away(unit: Unit) -> None:
     unit.set(dict(zip(unit.inputs, rng.normal(size=len(unit.inputs)), strict=True)))
 
 
-@pytest.mark.parametrize("name", swept(ROBOTS))
+@pytest.mark.parametrize("name", [*swept(ROBOTS), "balls"])
 @pytest.mark.parametrize("target", ("fmu2", "fmu3"))
 def test_units_of_every_sort(name, target):
-    """Gears, floating bases, loops, cylinders and slides; away from where the run begins."""
+    """Gears, floating bases, loops, cylinders, slides and ball joints; away from where the run begins."""
     make = MAKERS[name]
     model, path = written(target, make)
     assert validate_fmu(str(path)) == []
@@ -108,7 +108,16 @@ def wrench_slopes(model, point) -> np.ndarray:
         return np.transpose([(at(exact + h * e) - at(exact - h * e)) / (2 * h) for e in unit]).astype(float)
 
 
-MAKERS = {name: partial(example_dict, name) for name in (*ROBOTS, "crane_loop")}
+BALL = {"axes": "ball"}
+
+
+def balls() -> dict:
+    """Two ball joints of flexible links."""
+    soft = {"modes": {"bending_y": 1}, "section": {"rhoA": 1.5, "EIy": 60.0, "EIz": 80.0, "rhoIp": 1e-3}}
+    return arm(link("a", axes="y", **soft), link("b", joint=BALL, **soft), link("c", joint=BALL)) | {"name": "balls"}
+
+
+MAKERS = {name: partial(example_dict, name) for name in (*ROBOTS, "crane_loop")} | {"balls": balls}
 
 
 @pytest.mark.long

@@ -196,7 +196,7 @@ def test_a_reader_finds_a_way(tmp_path):
         browser.until("document.querySelector('.contents .here').textContent === 'Link'")
         browser.run("tell(document.querySelector('#s5-M_D .formula [data-s]'))")
         assert "wrench that modal accelerations need" in browser.run("card.textContent")
-        browser.run("tell(document.querySelector('#s5-S_0 [data-s]'))")
+        browser.run("tell(document.querySelector('#s5-S_0 .formula [data-s]'))")
         assert f"{0.95**2 * 1.6302 / 2:.5g}" in browser.run("card.textContent")
         for words, place in (("inertia forearm mode 3", "mode-forearm-3"), ("torque joint forearm", "guide-forearm")):
             browser.run(f"find.value = '{words}'; search()")

@@ -29,10 +29,10 @@ def condensed(s: Scope, axis: int, effort: Value, m: Value, f: Value, inverse: V
     """
     own, found = s.constant(f"rotor_inertia_{axis + 1}"), kept(s)
     slope, share, rest = found.slope[axis], own * inverse, (m - own) * inverse
-    free = effort - found.bias[axis]
+    pushed = effort - found.bias[axis]
     inertia = s.read("m_q")[axis] + own * rest * slope * slope
-    force = slope * (free * rest + share * f) - s.read("f_q")[axis]
-    return share * slope, (free - f) * inverse, inertia, force
+    force = slope * (pushed * rest + share * f) - s.read("f_q")[axis]
+    return share * slope, (pushed - f) * inverse, inertia, force
 
 
 def _couplings(s: Scope, slope: Array) -> Array:

@@ -46,10 +46,10 @@ class LoopFunctions:
     def loop_forces(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[loops.Shut, list]:
         """The loops in a state, and the forces of their rows."""
         shut = self._shut(q, v)
-        free = shut.accelerations(*self.forward(q, v, tau, w_ext))
+        unconstrained = shut.accelerations(*self.forward(q, v, tau, w_ext))
         inertia = self.given[0] if self.given else self._inertia()
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
-            wanted = [-(c.power(free) + c.drift) for c in shut.conditions]
+            wanted = [-(c.power(unconstrained) + c.drift) for c in shut.conditions]
         return shut, self._row_forces(q, shut, inertia, wanted)[0][0]
 
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:

@@ -95,7 +95,7 @@ def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Arr
     lightened = mx.solve(factor, E.T).T
     U = mx.multiply(G, _root(s, mx.multiply(lightened, E.T)))
     N = mx.chain(G, lightened, M_D.T)
-    free = mx.chain(G, lightened, h_phi)
+    yielded = mx.chain(G, lightened, h_phi)
     LU = mx.multiply(Lambda, U)
     core = mx.symmetric(U.shape[1], lambda i, j: (1.0 if i == j else 0.0) + mx.dot(U[:, i], LU[:, j]))
     L, inverse = mx.factorise(core, s.tracer)
@@ -105,7 +105,7 @@ def _compliant(s: Scope, own: Rows, Lambda: Array, p: Array) -> tuple[Array, Arr
     reach = mx.identity(6)
     reach[3:, :3] = -mx.hat(r_T)
     reach = reach - N
-    p_carried = p - mx.multiply(W.T, mx.forward(L, mx.multiply(U.T, p))) - mx.multiply(carried, free)
+    p_carried = p - mx.multiply(W.T, mx.forward(L, mx.multiply(U.T, p))) - mx.multiply(carried, yielded)
     s.keep("reach", reach)
     s.keep("carried", carried)
     s.keep("p_carried", p_carried)

@@ -134,7 +134,7 @@ class Response:
 
     def _observed(self, f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         out: dict[str, Sequence[Value]] = {
-            "qdot": f.coordinate_rates(x["q"], x["v"]) if f.chain.floating else list(x["v"]),
+            "qdot": f.coordinate_rates(x["q"], x["v"]),
             "strain": f.strains(x["q"]),
         }
         for name, row in self.rows.items():

@@ -226,8 +226,8 @@ def _line(side: SideFile, name: str, shape: LinkPlacement) -> str:
     if skew < ASKEW:
         return f"a beam of {length:.4g} m along its {'xyz'[axis]} axis"
     along = [float(f"{length * x[axis]:.6g}") if k == axis else 0.0 for k in range(3)]
-    free = "tip" not in side.links[name] and "length" not in side.links[name]
-    remedy = f" (tip = {along} lays it along)" if free else ""
+    unstated = "tip" not in side.links[name] and "length" not in side.links[name]
+    remedy = f" (tip = {along} lays it along)" if unstated else ""
     return f"a beam of {length:.4g} m, {skew:.1f}° askew to its {'xyz'[axis]} axis{remedy}"
 
 

@@ -81,8 +81,8 @@ def bind(program: Program, known: Mapping[str, Sequence[float | None]]) -> Progr
     tracer = Tracer()
     given = {}
     for name, size in program.inputs.items():
-        free = tracer.input(name, size)
-        given[name] = [x if v is None else v for x, v in zip(free, known.get(name, [None] * size), strict=True)]
+        symbols = tracer.input(name, size)
+        given[name] = [x if v is None else v for x, v in zip(symbols, known.get(name, [None] * size), strict=True)]
     outputs = inline(program, given, tracer)
     left = {n: size for n, size in program.inputs.items() if n not in known or None in known[n]}
     return tracer.program(program.name, left, outputs)

@@ -171,7 +171,7 @@ def _space(axes: Axes, run: Run, model: RobotModel | None) -> None:
     if model is not None:
         rows = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], POSTURES)).clip(0, len(run.t) - 1)
         postures = np.array([centrelines(model, run.q[row], STATIONS) for row in rows])
-        starts = [postures[-1, 0, 0]] if model.chain.floating else feet(model)
+        starts = [postures[-1, 0, 0]] if model.chain.base_v else feet(model)
         _arm(axes, [strands(model, posture) for posture in postures], starts)
         points += [postures.reshape(-1, 3), np.array(starts)]
     cloud = np.concatenate(points)

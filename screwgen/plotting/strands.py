@@ -22,7 +22,7 @@ def strands(model: RobotModel, lines: np.ndarray) -> list[np.ndarray]:
     The first point of each is the section of its parent that carries it, or its mount: a joint that slides moves the
     link away from it. A floating base begins where it is. Between their stations the lines are straight.
     """
-    loose = lines[0, 0] if model.chain.floating else None
+    loose = lines[0, 0] if model.chain.base_v else None
     links = model.robot.links
     carried = enumerate(zip(parents(links), carried_at(links), strict=True))
     mounted = lambda i: _mount(model.robot.links[i]) if loose is None else loose  # noqa: E731

@@ -46,7 +46,6 @@ def unit_files(
 
     ``sensors``: whether what sensors measure at markers is among its outputs.
     """
-    model.chain.needs_sums("functional mock-up unit", "generate its C")
     key = ("unit", parameters, layout, tuple(methods), sensors)
     project, programs, objects = model.once(key, lambda: _common(model, *key[1:]))
     made = unit(project, programs, target)

@@ -51,6 +51,6 @@ class DaeStepper:
     def coordinates(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """``q`` and ``v``; the joint rates follow from the twists."""
         d, qdot = self.dynamics, self.dynamics.joint_rates(x)[0]
-        pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.chain.floating else (x[:0], x[:0])
+        pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.chain.base_v else (x[:0], x[:0])
         q = x[d.q]
         return np.concatenate([pose, q, x[d.eta]]), np.concatenate([twist, qdot, x[d.etadot]])

@@ -22,8 +22,8 @@ class LinearisedWithLoops(Linearised):
 
     def __init__(self, *given: Any, **named: Any):
         super().__init__(*given, **named)
-        self.free, self.moves = motions(self.model, self.q, self.v, self.p)
-        self.identity, self.gains = np.vsplit(np.eye(2 * len(self.free)), 2), self.gains @ self.moves
+        self.independent, self.moves = motions(self.model, self.q, self.v, self.p)
+        self.identity, self.gains = np.vsplit(np.eye(2 * len(self.independent)), 2), self.gains @ self.moves
 
     def with_gains(self, gains: np.ndarray) -> Linearised:
         return super().with_gains(gains @ self.moves)
@@ -31,21 +31,21 @@ class LinearisedWithLoops(Linearised):
     @property
     def inertia(self) -> np.ndarray:
         """That of the motions (d, d)."""
-        N = self.moves[: self.model.nv, : len(self.free)]
+        N = self.moves[: self.model.nv, : len(self.independent)]
         return N.T @ self.mass_matrix @ N
 
     @property
     def carried(self) -> np.ndarray:
         """As of `Linearised`, (d, d)."""
-        return super().carried[self.free] @ self.moves[: self.model.nv, : len(self.free)]
+        return super().carried[self.independent] @ self.moves[: self.model.nv, : len(self.independent)]
 
     @property
     def names(self) -> list[str]:
-        return [super(LinearisedWithLoops, self).names[k] for k in self.free]
+        return [super(LinearisedWithLoops, self).names[k] for k in self.independent]
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: tuple | None = None) -> np.ndarray:
         """As of `Linearised`, of motions (d, k)."""
-        return super().implicit(*self._all(q, v), h, there and self._all(*there))[self.free]
+        return super().implicit(*self._all(q, v), h, there and self._all(*there))[self.independent]
 
     def _all(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The motions of all coordinates and of their rates, (nv, k) each."""

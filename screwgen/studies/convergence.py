@@ -76,16 +76,17 @@ def convergence(
     moving = movable(model, joints, q, own)
     if not len(moving):
         return Convergence(np.zeros(0), {})
-    free, held = len(moving) == model.nv, np.setdiff1d(np.arange(model.nv), moving)
+    joints_move, held = len(moving) == model.nv, np.setdiff1d(np.arange(model.nv), moving)
     if loaded or rates is not None:
         loads = loaded_motion(model, q, rates, loaded, own, moving)
         motion = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
-        T = np.eye(rich.nv) if free else from_travels(rich, motion.q, np.array(values))
-        ritz = lambda basis: loaded_shapes(rich, motion, T @ basis, free)[0].omega  # noqa: E731
+        T = np.eye(rich.nv) if joints_move else from_travels(rich, motion.q, np.array(values))
+        ritz = lambda basis: loaded_shapes(rich, motion, T @ basis, joints_move)[0].omega  # noqa: E731
     else:
         at = _enriched(model, rich, q)
-        T, K = relative(rich, values) if free else np.eye(rich.nv), stiffness_matrix(rich, values, relative=free)
-        if rich.chain.elastic_travels and not free:
+        T = relative(rich, values) if joints_move else np.eye(rich.nv)
+        K = stiffness_matrix(rich, values, relative=joints_move)
+        if rich.chain.elastic_travels and not joints_move:
             T = from_travels(rich, at, np.array(values))
             K = T.T @ K @ T
         K = K + np.diag(pressed(rich, at, values))

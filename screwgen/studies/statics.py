@@ -192,8 +192,8 @@ class Statics:
 
     def wandered(self, q: np.ndarray) -> np.ndarray:
         """The joints that turn and turn under a torque, or slide and slide: nothing holds them."""
-        free = np.flatnonzero((self.springs == 0) & (self.load != 0))
-        return free[np.abs(q[free]) > FAR]
+        unsprung = np.flatnonzero((self.springs == 0) & (self.load != 0))
+        return unsprung[np.abs(q[unsprung]) > FAR]
 
 
 # ------------------------------------------------------------------------------ the search

@@ -22,7 +22,7 @@ class BalanceWithLoops(Balance):
 
     J: np.ndarray
     """(rows, nq): the derivative of the gaps with q."""
-    free: np.ndarray
+    motions: np.ndarray
     """(moving, d): orthonormal motions, in the coordinates D q, that keep the loops closed."""
     forces: np.ndarray
     """(rows,): of the loops."""
@@ -41,7 +41,7 @@ class StaticsWithLoops(Statics):
         shares = sharing(self.model, q, J, self.p)
         forces = shares * (scipy.linalg.lstsq(shares * A.T, b.force[i] / D, cond=RANK)[0] if len(i) else 0.0)
         bend, wrench = self._loops(q, forces)[3:]
-        more = {"J": J, "forces": forces, "free": scipy.linalg.null_space(A, rcond=RANK), "loop_wrench": wrench.T}
+        more = {"J": J, "forces": forces, "motions": scipy.linalg.null_space(A, rcond=RANK), "loop_wrench": wrench.T}
         own = {name: getattr(b, name) for name in Balance.__dataclass_fields__}
         own |= {"force": b.force - J.T @ forces, "stiffness": b.stiffness - bend}
         return BalanceWithLoops(**own, **more)
@@ -57,7 +57,7 @@ class StaticsWithLoops(Statics):
 
     def directions(self, b: Balance) -> np.ndarray:
         assert isinstance(b, BalanceWithLoops)
-        return b.free
+        return b.motions
 
     def moved(self, b: Balance, step: np.ndarray) -> Balance:
         there = super().moved(b, step)

@@ -172,22 +172,22 @@ def oscillations(M: np.ndarray, G: np.ndarray, K: np.ndarray, rigid: np.ndarray 
         root = np.linalg.inv(np.linalg.cholesky((M + M.T) / 2)).T
     except np.linalg.LinAlgError:
         raise SingularError("the mass matrix is singular in this posture; lock the joints") from None
-    free = np.zeros((len(M), 0))
+    rigid_motions = np.zeros((len(M), 0))
     if rigid is not None:
-        free = np.linalg.solve(root, np.vstack([rigid, np.zeros((len(M) - len(rigid), rigid.shape[1]))]))
+        rigid_motions = np.linalg.solve(root, np.vstack([rigid, np.zeros((len(M) - len(rigid), rigid.shape[1]))]))
     K, G = root.T @ K @ root, root.T @ G @ root
-    held, space = _resisted(K, G, free)
+    held, space = _resisted(K, G, rigid_motions)
     omega, growth, columns = _natural(held, space.T @ G @ space)
     return Oscillations(omega, growth, root @ space @ columns, len(K) - len(held))
 
 
-def _resisted(K: np.ndarray, G: np.ndarray, free: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _resisted(K: np.ndarray, G: np.ndarray, rigid_motions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Stiffness in the space of motions that are resisted, and orthonormal columns of that space.
 
     A motion x_0 with ``K x_0 = 0`` conserves its momentum, ``ẋ_0 + G_0 x = 0``. This adds ``G_0ᵀ G_0`` to the
     stiffness of the others. Where `G` couples such motions with each other, all motions stay.
     """
-    vectors, count = np.linalg.qr(free, mode="complete")[0], free.shape[1]
+    vectors, count = np.linalg.qr(rigid_motions, mode="complete")[0], rigid_motions.shape[1]
     still, space = vectors[:, :count], vectors[:, count:]
     if np.max(np.abs(still.T @ G @ still), initial=0.0) > NOTHING * np.max(np.abs(G), initial=0.0):
         return K, np.eye(len(K))

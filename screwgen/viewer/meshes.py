@@ -195,7 +195,7 @@ def _refuse_another(
     remedy = "name the URDF from which it came"
     if not known:
         raise UsageError(f"{looks.file}: none of its links is one of '{model.robot.name}' of {label}; {remedy}")
-    if model.chain.floating and first.length is not None:
+    if model.chain.keys[0].floats and first.length is not None:
         raise UsageError(
             f"{looks.file}: '{first.name}' of {label} floats and has a length; meshes of such are not drawn"
         )

@@ -13,7 +13,7 @@ from .code import Writer, trimmed
 
 def content(chain: Chain) -> dict[str, object]:
     """The templates' context: these joints, the runs of coordinates between them, and the length of their moves u."""
-    base_alone = len(chain.curved) == 1 and chain.floating
+    base_alone = len(chain.curved) == 1 and chain.curved[0].joint.in_space
     balls = [part for part in chain.curved if not part.joint.in_space]
     return {
         "curved": _joints(chain),
@@ -125,7 +125,7 @@ def _redundant_sums(chain: Chain) -> list[dict[str, int]]:
 def _adding(chain: Chain) -> list[dict[str, object]]:
     """The runs of coordinates that add up: their rates ``start`` to ``end``, and how far `q` is ahead of these."""
     bounds = [0, *(k for part in chain.curved for k in (part.v.start, part.v.stop)), chain.nv]
-    ends = {chain.base_v: "$$_NTWIST", chain.nv: "$$_NV"} if chain.floating else {chain.nv: "$$_NV"}
+    ends = {chain.base_v: "$$_NTWIST", chain.nv: "$$_NV"} if chain.base_v else {chain.nv: "$$_NV"}
     out, ahead = [], 0
     for number, (start, end) in enumerate(zip(bounds[::2], bounds[1::2], strict=True)):
         if start < end:

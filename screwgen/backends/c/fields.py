@@ -189,14 +189,18 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     }
 
 
-def floating_base(chain: Chain) -> dict[str, object]:
-    """Where the joints begin in ``q`` and ``v``: offsets of pointers (``past``) and of indices (``from``), as text."""
-    first = {"q": "$$_NPOSE", "v": "$$_NTWIST"} if chain.floating else {}
+def joint_places(chain: Chain) -> dict[str, object]:
+    """Where the joints behind a pose begin in ``q`` and ``v``, as text.
+
+    ``past``, ``from``: offsets of pointers and of indices; ``begin``: the first; ``ahead``: of coordinates over rates.
+    """
+    first = {"q": "$$_NPOSE", "v": "$$_NTWIST"} if chain.base_v else {}
     return {
-        "floating": chain.floating,
         "first_q": chain.base_q,
         "first_v": chain.base_v,
         "past": {x: f" + {first[x]}" if first else "" for x in "qv"},
+        "begin": {x: first.get(x, "0") for x in "qv"},
+        "ahead": " + ($$_NPOSE - $$_NTWIST)" if first else "",
         "from": {x: f"{first[x]} + " if first else "" for x in "qv"},
         "added": {"q": "$$_NQ - $$_NINNER", "K": "$$_NGIVEN - $$_NINNER"} if first else {"q": "ROTOR", "K": "ROTOR"},
         "ends": {"own": "$$_NGIVEN" if first else "$$_NV"},
@@ -214,16 +218,16 @@ def topology(chain: Chain) -> dict[str, object]:
     """Of a tree, the nodes that carry its segments and the names of what carries its links; empty for a chain."""
     if chain.tree.is_chain:
         none = {"bases": [], "stations": [], "carriers": [], "markers": False}
-        return {**floating_base(chain), **last_tip(chain), **none}
+        return {**joint_places(chain), **last_tip(chain), **none}
     links = chain.robot.links
-    names = ["no other link" if chain.floating else "the base", *(link.name for link in links)]
+    names = ["no other link" if chain.base_v else "the base", *(link.name for link in links)]
     bases = [chain.tree.base(i) for i in range(chain.n)]
     stations = [chain.tree.station(i, 0) for i in range(chain.n)] if any(chain.tree.stations) else []
     carried = zip(parents(links), carried_at(links), strict=True)
     carriers = [names[parent + 1] + (f" at s = {s:g}" if s != TIP else "") for parent, s in carried]
     more = {"bases": bases, "stations": stations, "n_stations": sum(chain.tree.stations), "carriers": carriers}
     more |= {"markers": any(segment.marker is not None for segment in chain.segments)}
-    return {**floating_base(chain), **last_tip(chain), **more}
+    return {**joint_places(chain), **last_tip(chain), **more}
 
 
 def node_fields(programs: Iterable[Program]) -> list[StructMember]:

@@ -71,8 +71,17 @@ def content(chain: Chain, methods: Mapping[str, Method], per_stage: int) -> dict
         "steps": [(m, f"{round(count(m), -2):,}".replace(",", " ")) for m in steps],
         "stages": max(len(m.method.stages) for m in steps),
         "coupled": chain.coupled,
-        "pose": _pose() if chain.floating else [],
+        "pose": _pose() if chain.base_v else [],
+        "by_sum": _by_sum(chain),
     } | _moved(chain)
+
+
+def _by_sum(chain: Chain) -> str:
+    """What ``by_q`` is, in C, of the coordinate with the rate k: moves take the part of what does not add up."""
+    if not chain.curved:
+        return "by_q"
+    alone = len(chain.curved) == 1 and chain.base_v
+    return f"({'k < $$_NTWIST' if alone else 'MOVED[k]'} ? 0 : by_q)"
 
 
 def _moved(chain: Chain) -> dict[str, object]:

@@ -97,11 +97,11 @@ def _parameters(
     symbols = ca.SX.sym("p", len(own))
     wrenches = ca.SX.sym("w_ext", 6, chain.n) if w_ext else ca.SX.zeros(6, chain.n)
     wrench_names = [f"{s.tipped}.w_ext.{c}" for s in chain.segments for c in WRENCH] if w_ext else []
-    free = binding == "runtime"
-    p = ca.vertcat(symbols if free else ca.SX(0, 1), ca.vec(wrenches) if w_ext else ca.SX(0, 1))
-    labels = (names if free else []) + wrench_names
-    numbers = (values if free else []) + [0.0] * len(wrench_names)
-    return p, symbols if free else ca.SX(ca.DM(values)), wrenches, tuple(labels), tuple(numbers)
+    changeable = binding == "runtime"
+    p = ca.vertcat(symbols if changeable else ca.SX(0, 1), ca.vec(wrenches) if w_ext else ca.SX(0, 1))
+    labels = (names if changeable else []) + wrench_names
+    numbers = (values if changeable else []) + [0.0] * len(wrench_names)
+    return p, symbols if changeable else ca.SX(ca.DM(values)), wrenches, tuple(labels), tuple(numbers)
 
 
 def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:

@@ -24,7 +24,8 @@ from ...algorithms.signals import Signal
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
-from ...spec.parameters import parameters, travels, turning
+from ...spec.base import POSE
+from ...spec.parameters import parameters, per_base, travels, turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ..templates import render
@@ -251,7 +252,7 @@ def casadi_files(
         parameters=parameter_names,
         sliding=not all(turning(robot)),
         efforts=list(dict.fromkeys(kind.EFFORTS for kind in travels(robot))),
-        floating=robot.floating,
+        pose=per_base(robot, POSE),
         balls=[link.name for link in robot.links if link.joint.kind.curved],
         split=any(link.pieces > 1 for link in robot.links),
         notes=[text for text, of in notes.items() if not saved.keys().isdisjoint(of)],

@@ -8,7 +8,7 @@ from typing import Any
 import casadi as ca
 
 from ...spec.base import POSE, TWIST
-from ...spec.parameters import coordinate_names, per_added
+from ...spec.parameters import coordinate_names, per_added, per_base
 from ...spec.robot import Robot
 from ...spec.segments import segments
 
@@ -47,8 +47,8 @@ def structures(robot: Robot, functions: Mapping[str, ca.Function]) -> list[dict[
     names = coordinate_names(robot)
     n, m, t = len(segments(robot)), len(names.tau), len(per_added(robot))
     q, v = len(names.q), len(names.v)
-    r = v - m - t - len(TWIST) * robot.floating
-    redundant = q - t - r - len(POSE) * robot.floating
+    r = v - m - t - len(per_base(robot, TWIST))
+    redundant = q - t - r - len(per_base(robot, POSE))
     forces = {"u": _stacked({"`tau`": m, "`w_ext`": 6 * n})}
     state = {"x": _stacked({"`q`": q, "`v`": v})}
     ode_rows = {"ode": _stacked({"dq/dt": q, "dv/dt": v})}

@@ -57,4 +57,4 @@ def _parameters(equations: Equations) -> DocumentTable:
     rows = [
         (f"${name.latex}$", f"`{p.name}`", p.description, p.unit, decimal(value)) for name, value, p in equations.stated
     ]
-    return DocumentTable(("parameter", "name", "meaning", "unit", "value"), (0.1, 0.32, 0.34, 0.12, 0.12), tuple(rows))
+    return DocumentTable(("parameter", "name", "meaning", "unit", "value"), (0.12, 0.31, 0.33, 0.12, 0.12), tuple(rows))

@@ -251,8 +251,9 @@ def _sorted(ring: Ring, terms: Sequence[Product]) -> tuple[Product, ...]:
 
 def _place(ring: Ring, term: Product) -> tuple:
     moving = max((rank(ring, atom) for atom in term.atoms()), default=0)
+    powers = tuple((atom, -e) for atom, e in term.factors)
     angles = max((len(atom.of) for atom in term.atoms() if atom.function), default=0)
-    return degree(ring, term.factors), moving, angles, term.inner is not None, term.factors, -term.coefficient
+    return degree(ring, term.factors), moving, angles, term.inner is not None, powers, -term.coefficient
 
 
 def _is_elastic(ring: Ring, atom: Atom) -> bool:

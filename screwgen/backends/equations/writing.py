@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -19,6 +21,17 @@ DIGITS = 6
 """Of numbers that are no fractions, where they are shown; expressions have all."""
 
 
+class Parts(NamedTuple):
+    """What a product is made of: its number as a fraction, factors before and behind its bracket, what it is over."""
+
+    top: str
+    under: str
+    before: list[str]
+    bracket: str
+    behind: list[str]
+    over: list[str]
+
+
 @dataclass(frozen=True)
 class Style:
     """How one notation writes a formula."""
@@ -26,21 +39,44 @@ class Style:
     symbol: Callable[[Name], str]
     function: str
     power: Callable[[str, str], str]
-    times: str
-    over: Callable[[str, str, bool], str]
-    bracket: str
+    product: Callable[[Parts], str]
     number: Callable[[str], str]
 
 
-TEXT = Style(
-    lambda name: name.text,
-    "{0}({1})",
-    "{0}**{1}".format,
-    "*",
-    lambda above, below, several: f"{above}/({below})" if several else f"{above}/{below}",
-    "({0})",
-    str,
-)
+def _text_product(p: Parts) -> str:
+    above = [*p.before, *[f"({p.bracket})"] * bool(p.bracket), *p.behind]
+    above = [p.top, *above] if p.top != "1" or not above else above
+    below = [p.under, *p.over] if p.under != "1" else p.over
+    under = "*".join(below)
+    return "*".join(above) + (f"/({under})" if len(below) > 1 else f"/{under}" if below else "")
+
+
+TEXT = Style(lambda name: name.text, "{0}({1})", "{0}**{1}".format, _text_product, str)
+
+TIMES = r"\,"
+
+
+def _latex_product(p: Parts) -> str:
+    """Fractions of numbers small, what stands over symbols as a fraction, a bracket beside it."""
+    bracket = [rf"\left({p.bracket}\right)"] if p.bracket else []
+    number = [p.top] if p.top != "1" else []
+    if not p.over:
+        lead = [rf"\tfrac{{{p.top}}}{{{p.under}}}"] if p.under != "1" else number
+        return _times([*lead, *p.before, *bracket, *p.behind]) or "1"
+    below = _times([p.under, *p.over] if p.under != "1" else p.over)
+    above = [*number, *p.before]
+    if not bracket:
+        return rf"\frac{{{_times([*above, *p.behind]) or '1'}}}{{{below}}}"
+    if not above and not p.behind:
+        return rf"\frac{{{p.bracket}}}{{{below}}}"
+    if not above:
+        return _times([rf"\frac{{{p.bracket}}}{{{below}}}", *p.behind])
+    return _times([rf"\frac{{{_times(above)}}}{{{below}}}", *bracket, *p.behind])
+
+
+def _times(factors: Sequence[str]) -> str:
+    """Factors side by side; the bar of a root ends it without a gap."""
+    return re.sub(r"(\\sqrt\{\d+\})\\,", r"\1", TIMES.join(factors))
 
 
 def _latex_number(text: str) -> str:
@@ -53,15 +89,7 @@ def _latex_power(base: str, exponent: str) -> str:
     return rf"{base}^{{{exponent}}}" if simple else rf"({base})^{{{exponent}}}"
 
 
-LATEX = Style(
-    lambda name: name.latex,
-    r"\{0} {1}",
-    _latex_power,
-    r"\,",
-    lambda above, below, _: rf"\frac{{{above}}}{{{below}}}",
-    r"\left({0}\right)",
-    _latex_number,
-)
+LATEX = Style(lambda name: name.latex, r"\{0} {1}", _latex_power, _latex_product, _latex_number)
 
 
 @dataclass(frozen=True)
@@ -95,35 +123,28 @@ class Writer:
         """A wide product as what stands before its bracket with the first term in it, and the other terms."""
         first, *others = self.terms(inner, room)
         before = self._product(Product(abs(term.coefficient), term.factors))
-        before = before + self.style.times if term.factors or abs(term.coefficient) != 1 else ""
-        *middle, last = [f"{before}\\bigl({first}", *others]
-        return [*middle, f"{last}\\bigr)"]
+        before = before + TIMES if term.factors or abs(term.coefficient) != 1 else ""
+        *middle, last = [f"{before}\\Bigl({first}", *others]
+        return [*middle, f"{last}\\Bigr)"]
 
     def _product(self, term: Product) -> str:
         size = abs(term.coefficient)
         first = term.inner is not None and not any(map(self._moves, term.inner.atoms()))
-        above = [self._power(atom, e) for atom, e in term.factors if e > 0 and not (first and self._moves(atom))]
         behind = [self._power(atom, e) for atom, e in term.factors if e > 0 and first and self._moves(atom)]
-        below = [self._power(atom, -e) for atom, e in term.factors if e < 0]
-        alone = self.style is LATEX and below and not (above or behind) and size.numerator == 1 and exactly(size)
-        if term.inner is not None:
-            above.append(self(term.inner) if alone else self.style.bracket.format(self(term.inner)))
-        above += behind
-        if not exactly(size):
-            above.insert(0, self.style.number(f"{float(size):.{DIGITS}g}"))
-        else:
-            if size.denominator != 1:
-                below.insert(0, str(size.denominator))
-            if size.numerator != 1 or not above:
-                above.insert(0, str(size.numerator))
-        top = self._joined(above)
-        return self.style.over(top, self._joined(below), len(below) > 1) if below else top
+        parts = Parts(
+            *((str(size.numerator), str(size.denominator)) if exactly(size) else (self._decimal(size), "1")),
+            [self._power(atom, e) for atom, e in term.factors if e > 0 and not (first and self._moves(atom))],
+            "" if term.inner is None else self(term.inner),
+            behind,
+            [self._power(atom, -e) for atom, e in term.factors if e < 0],
+        )
+        return self.style.product(parts)
+
+    def _decimal(self, size: Fraction) -> str:
+        return self.style.number(f"{float(size):.{DIGITS}g}")
 
     def _moves(self, atom: Atom) -> bool:
         return any(number in self.moving for number, _ in atom.of)
-
-    def _joined(self, factors: Sequence[str]) -> str:
-        return self.style.times.join(factors)
 
     def _power(self, atom: Atom, exponent: Exponent) -> str:
         if exponent == 1:

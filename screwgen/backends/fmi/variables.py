@@ -33,6 +33,10 @@ WRENCH_UNITS = {part: "N" if part.startswith("F") else "N·m" for part in WRENCH
 MEASURE_UNITS = {"slope": "rad"}
 AXES = ("x", "y", "z")
 
+JOINT = "coordinate of the joint"
+TWISTS = {True: "twist of the base, in its own axes", False: "angular velocity over the carrier, in axes of the link"}
+"""What rates are that are not those of coordinates: of joints in space, and of others."""
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -86,16 +90,26 @@ def _states(chain: Chain) -> Iterator[Variable]:
     start = chain.complete(np.zeros(0), values)
     if isinstance(start, str):
         raise UsageError(f"robot '{chain.robot.name}': there is no state to start in: {start}")
+    quaternions = {k for part in chain.curved for k in range(part.q.start, part.q.stop)}
+    turning = {k: TWISTS[part.joint.in_space] for part in chain.curved for k in range(part.v.start, part.v.stop)}
     for k, (name, unit) in enumerate(zip(names.q, coordinate_units(chain.robot), strict=True)):
         nominal = MODE_NOMINAL if k >= chain.eta_q else None
-        meaning = "coordinate" if k < chain.base_q else "modal coordinate" if nominal else "coordinate of the joint"
+        meaning = "modal coordinate" if nominal else "of the joint's quaternion" if k in quaternions else JOINT
         yield Variable(
             "q", name, unit, _pose(name) or meaning, "output", initial="exact", start=float(start[k]), nominal=nominal
         )
     for k, (name, unit) in enumerate(zip(names.v, rate_units(chain.robot), strict=True)):
         nominal = RATE_NOMINAL if k >= chain.eta_v else None
-        meaning = "twist of the base, in its own axes" if k < chain.base_v else "rate of the coordinate"
-        yield Variable("v", name, unit, meaning, "output", initial="exact", start=0.0, nominal=nominal)
+        yield Variable(
+            "v",
+            name,
+            unit,
+            turning.get(k, "rate of the coordinate"),
+            "output",
+            initial="exact",
+            start=0.0,
+            nominal=nominal,
+        )
 
 
 def _pose(name: str) -> str:

@@ -60,13 +60,13 @@ def closed(
     q, chain = np.array(q, float), numeric.chain
     if not chain.junctions:
         return q
-    free = np.ones(chain.nq, bool) if held is None else ~np.asarray(held, bool)
-    free[: chain.base_q] = False
+    movable = np.ones(chain.nq, bool) if held is None else ~np.asarray(held, bool)
+    movable[: chain.base_q] = False
     rng, ends = np.random.default_rng(0), []
-    joints = free & (np.arange(len(q)) < chain.eta_q)
+    joints = movable & (np.arange(len(q)) < chain.eta_q)
     for attempt in range((FEWER if hasty else ATTEMPTS) if joints.any() else 1):
         start = q + joints * rng.normal(scale=AGAIN * attempt, size=len(q))
-        found = unwound(chain, nearest(numeric, start, free, hasty), q)
+        found = unwound(chain, nearest(numeric, start, movable, hasty), q)
         worst = float(np.max(np.abs(numeric.offsets(found)), initial=0.0))
         if worst < CLOSED:
             return found
@@ -113,9 +113,9 @@ def _open(numeric: Numeric, q: np.ndarray) -> OpenLoopError:
 
 
 def nearest(
-    numeric: Numeric, q: np.ndarray, free: np.ndarray, hasty: bool, rows: list[int] | None = None
+    numeric: Numeric, q: np.ndarray, movable: np.ndarray, hasty: bool, rows: list[int] | None = None
 ) -> np.ndarray:
-    """Where least squares of the offsets, or of the gaps of these rows alone, end; coordinates not `free` stay.
+    """Where least squares of the offsets, or of the gaps of these rows alone, end; coordinates not `movable` stay.
 
     A search that is `hasty` ends where it comes to a stand far from closed.
     """
@@ -123,21 +123,21 @@ def nearest(
 
     def at(x: np.ndarray) -> np.ndarray:
         out = q.copy()
-        out[free] = x
+        out[movable] = x
         return out
 
-    if not free.any() or rows == []:
+    if not movable.any() or rows == []:
         return q
-    first, own = numeric.chain.base_v, free[numeric.chain.base_q :]
+    first, own = numeric.chain.base_v, movable[numeric.chain.base_q :]
     if rows is None:
         apart, by = (lambda x: numeric.offsets(at(x))), numeric.offset_slopes
     else:
         apart, by = (lambda x: numeric.gaps(at(x), None)[0][rows]), lambda q: numeric.gap_slopes(q)[rows]
     slopes = lambda x: by(at(x))[:, first:][:, own]  # noqa: E731
-    found = _corrected(apart, slopes, q[free])
+    found = _corrected(apart, slopes, q[movable])
     if found is not None:
         return at(found)
-    found = q[free]
+    found = q[movable]
     if hasty:
         found = least_squares(apart, found, slopes, **COARSE).x
         if np.max(np.abs(apart(found))) > FAR:

@@ -134,10 +134,10 @@ def _refuse_apart(
     numeric: Numeric, rows: list[int], starts: Sequence[np.ndarray] | np.ndarray, held: np.ndarray | None, said: str
 ) -> None:
     """Refuse loops of which another row is open where the `rows` are closed, near any of `starts`."""
-    stated, free = numeric.chain.closures, np.arange(numeric.chain.nq) >= numeric.chain.base_q
-    gaps, free = np.zeros(len(stated)), free if held is None else free & ~held
+    stated, movable = numeric.chain.closures, np.arange(numeric.chain.nq) >= numeric.chain.base_q
+    gaps, movable = np.zeros(len(stated)), movable if held is None else movable & ~held
     for start in starts:
-        found = np.abs(numeric.gaps(nearest(numeric, start, free, True, rows), None)[0])
+        found = np.abs(numeric.gaps(nearest(numeric, start, movable, True, rows), None)[0])
         if np.max(found[rows], initial=0.0) < APART:
             gaps = np.maximum(gaps, found)
     worst = int(np.argmax(gaps))

@@ -188,9 +188,9 @@ class Numeric:
         _, f, rows = closed_slopes(functions, q, v, tau, w_ext)
         M, J = np.tril(f.M.astype(float)), rows.J.astype(float)
         inertia, drifts = M + np.tril(M, -1).T, [rows.by_q, rows.by_v, np.zeros((len(J), given.shape[1]))]
-        free = np.linalg.solve(inertia, np.hstack([-f.f_q.astype(float), -f.f_v.astype(float), given]))
+        unconstrained = np.linalg.solve(inertia, np.hstack([-f.f_q.astype(float), -f.f_v.astype(float), given]))
         reach = np.linalg.solve(inertia, J.T)
-        found = free - reach @ self.row_forces(J @ reach, J @ free + np.hstack(drifts).astype(float))
+        found = unconstrained - reach @ self.row_forces(J @ reach, J @ unconstrained + np.hstack(drifts).astype(float))
         by_q, by_v, by_tau = np.split(found, [self.chain.nv, 2 * self.chain.nv], axis=1)
         return by_q, by_v, by_tau
 

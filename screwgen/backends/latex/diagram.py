@@ -71,7 +71,7 @@ def diagram(chain: Chain) -> str:
         width=max(x for x, _ in places.values()) + WIDE + LEFT,
         height=deep + (54 if loops else 12),
         more=chain.n - shown,
-        floating=chain.floating,
+        ground="floats" if chain.floating else "at rest, −g",
         blocks=blocks,
         cell=CELL,
     )

@@ -2,22 +2,25 @@
 
 import numpy as np
 import pytest
+import random_robots as rr
 import scipy.linalg
 from conftest import swept
 from dual_arm import dual_arm
-from floating_robots import SATELLITE
+from floating_robots import SATELLITE, rod
 from helpers import model_of, quick, relative
 from test_ball_joints import PROBE, begun, random_robot
 
 from screwgen import ScrewgenError, analyse, natural_frequencies
 from screwgen.backends.numpy.closing import closed, moving
 from screwgen.backends.numpy.dae_step import SERIES
+from screwgen.cli.main import main
 from screwgen.integrators import METHODS
 from screwgen.robot_model import RobotModel
 from screwgen.simulation.linearised_loops import LinearisedWithLoops
 from screwgen.studies.analysis import spectrum
 from screwgen.studies.analysis.analyse import sample_states
 from screwgen.studies.convergence import convergence, enriched
+from screwgen.studies.light_joints import steps_borne
 
 
 @pytest.fixture(scope="module", params=[PROBE, SATELLITE], ids=["ball joint", "floating base"])
@@ -101,3 +104,12 @@ def test_a_state_in_which_they_move_is_refused_in_a_line(model):
     q, v = begun(model)
     with pytest.raises(ScrewgenError, match=r"the free joint of link 'hull' moves in this state.*give states in which"):
         analyse(model, {"turning": {"q": q, "v": v}})
+
+
+def test_only_axes_are_asked_for_rotors_when_c_is_generated(tmp_path):
+    """The command said that there is no limit of steps, after it had written all files."""
+    links = [rod("arm", ["y"]), {**rod("fore", []), "joint": {"axes": "ball"}}]
+    robot = {"name": "robot", "gravity": [0.0, 0.0, -9.81], "links": links}
+    (tmp_path / "robot.toml").write_text(rr.to_toml(robot))
+    assert main(["generate", str(tmp_path / "robot.toml"), "--target", "casadi", "-o", str(tmp_path / "out")]) == 0
+    assert list(steps_borne(model_of(robot))) == ["arm.joint[0]"]

@@ -14,6 +14,7 @@ from ..errors import SingularError
 from ..robot_model import RobotModel
 from ..simulation.mobility import stated_joints
 from ..simulation.stable_steps import shown_time
+from ..topology.chain import Chain
 
 SLOW = 2 * np.pi
 """rad/s: the slowest loop of control that is of use, 1 Hz."""
@@ -39,27 +40,33 @@ def light_joints(model: RobotModel) -> list[str]:
 
 
 def steps_borne(model: RobotModel) -> dict[str, float]:
-    """For each joint without a rotor in front of modes the longest step, s, of a loop of 1 Hz."""
-    model.chain.needs_sums("limit of steps", "try steps")
+    """For each axis without a rotor in front of modes the longest step, s, of a loop of 1 Hz; ball joints have none."""
     chain, rng = model.chain, np.random.default_rng(0)
     if not chain.n_modes:
         return {}
     out: dict[str, float] = {}
     p = np.array(model.parameter_values)
     for joints in (np.zeros(model.n_joints), SPREAD * rng.uniform(-1, 1, model.n_joints)):
-        q = np.array(chain.complete(joints, p), float)
+        posture = np.array(chain.home)
+        posture[np.array(chain.axis_places, int)[of_axes(chain)]] = joints[of_axes(chain)]
+        q = np.array(chain.complete(posture[chain.base_q : chain.base_q + chain.n_redundant], p), float)
         M = model.numpy().mass_matrix(q)
         for j in _bare(model, q):
             own = [chain.base_v + j, *range(chain.eta_v, chain.nv)]
             felt = 1 / np.linalg.inv(M[np.ix_(own, own)])[0, 0]
-            name = model.q_names[chain.base_q + j]
+            name = model.q_names[chain.axis_places[j]]
             out[name] = min(out.get(name, np.inf), float(felt / (SLOW * M[own[0], own[0]])))
     return out
 
 
 def _bare(model: RobotModel, q: np.ndarray) -> list[int]:
     """The joints that a drive may move, without rotors and springs."""
-    joints = [(link, k) for link in model.robot.links for k in range(len(link.joint.axes))]
+    joints = [(link, k) for link in model.robot.links for k in range(link.joint.kind.torques)]
     stated = stated_joints(model, q, model.parameter_values)
     light = [not (link.joint.has_inertia(k) or link.joint.has_spring(k)) for link, k in joints]
-    return [j for j, is_light in enumerate(light) if stated[j] and is_light]
+    return [j for j in np.flatnonzero(of_axes(model.chain)).tolist() if stated[j] and light[j]]
+
+
+def of_axes(chain: Chain) -> np.ndarray:
+    """(n_joints,) of bool: the torques about or along axes, which may have rotors."""
+    return np.isin(chain.base_v + np.arange(chain.n_joints), chain.flat_v)

@@ -68,21 +68,26 @@ class Derivation:
         v = [ring.of(x) for x in self.v] if moving else still
         vdot = [ring.of(x) for x in self.vdot] if accelerating else still
         zero = [ring.literal(0)] * 6 * chain.n
-        return [ring.literal(x) for x in functions.inverse_dynamics([ring.of(x) for x in self.q], v, vdot, zero)]
+        found = [ring.literal(x) for x in functions.inverse_dynamics([ring.of(x) for x in self.q], v, vdot, zero)]
+        unsolved = {generator.number for generator in ring.open.values()}
+        if any(unsolved & force.generators() for force in found):
+            raise NoClosedFormError(
+                "modes turn a section that carries a link about several axes; section_rotation = false leaves its frame"
+            )
+        return found
 
     def motion(self) -> Motion:
         """All terms of the equations.  Raises UsageError where forces are no polynomials of rates."""
-        n, q = self.chain.nv, [self.ring.of(x) for x in self.q]
-        rest = self.forces(moving=False, accelerating=False)
+        q = [self.ring.of(x) for x in self.q]
         springs = self.forces(moving=False, accelerating=False, weight=False)
         M = self._matrix(self.forces(moving=False, accelerating=True, weight=False), springs, self.vdot)
+        rest = self.forces(moving=False, accelerating=False)
         K = [[_linear(force, x) for x in self.q] for force in springs]
         g = [force - _dot(row, q) for force, row in zip(rest, K, strict=True)]
         C = christoffel(M, self.q, self.v)
         v = [self.ring.of(x) for x in self.v]
         static = [force + _dot(row, v) for force, row in zip(rest, C, strict=True)]
         D = self._matrix(self.forces(moving=True, accelerating=False), static, self.v)
-        assert n == len(M)
         return Motion(self.ring, self.q, self.v, self.vdot, M, C, D, K, g)
 
     def _matrix(self, forces: Sequence[Terms], others: Sequence[Terms], by: Sequence[Generator]) -> Matrix:

@@ -231,7 +231,7 @@ def _content(coefficients: Sequence[Fraction]) -> Fraction:
     """The number that is taken before a bracket: one that two terms have and that divides all, or a minus sign."""
     sizes = [abs(c) for c in coefficients]
     size = min(sizes)
-    if sizes.count(size) == 1 or any((c / size).denominator != 1 for c in sizes):
+    if len(set(sizes)) > 1 and (size < 1 or sizes.count(size) == 1 or any((c / size).denominator != 1 for c in sizes)):
         size = Fraction(1)
     return -size if all(c < 0 for c in coefficients) else size
 

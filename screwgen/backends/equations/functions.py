@@ -100,14 +100,14 @@ def angle_of(a: Terms) -> tuple[int, Generator]:
 def stumpff(order: int, x: Terms) -> Terms:
     """``c_k(x)`` of the square of an angle: the rest of the series of sine or cosine over a power of the angle.
 
-    Raises NoClosedFormError for a sum that is no square: of a section that modes turn about several axes.
+    Of a sum that is no square, where modes turn a section about several axes, a symbol that results must not have.
     """
     ring = x.ring
     if not x:
         return ring.literal(Fraction(1, factorial(order)))
     base = square_root(x)
     if base is None:
-        raise NoClosedFormError("modes turn a section about several axes; section_rotation = false leaves its frame")
+        return ring.unsolved(order, x)
     _, angle = angle_of(base)
     found = cosine(ring.of(angle)) if order % 2 == 0 else sine(ring.of(angle))
     for power in range(order % 2, order, 2):

@@ -23,9 +23,9 @@ from .functions import NoClosedFormError, at, exchanged, special
 from .ring import PARAMETER, Generator, Ring, Terms, TooLargeError, derivative
 from .trees import Sum
 
-BUDGET = 2_000_000
+BUDGET = 150_000
 """Products of terms before a derivation is given up: some seconds."""
-OPERATIONS = 4000
+OPERATIONS = 2000
 """Of all entries together; nobody reads more."""
 PROGRAM = 1200
 """Of the inverse dynamics as a program with common parts: what takes more is not written out to be counted."""
@@ -204,7 +204,7 @@ def equations(chain: Chain, operations: int = OPERATIONS) -> Equations:
     check(chain)
     name, program = chain.robot.name, fused.inverse_dynamics(chain).operation_count
     if program > PROGRAM:
-        raise UsageError(_too_large(chain, program, "many times as many"))
+        raise UsageError(_too_large(chain, program, "many times as many written out"))
     ring = Ring(BUDGET)
     try:
         inputs = Inputs(ring, chain)
@@ -212,7 +212,7 @@ def equations(chain: Chain, operations: int = OPERATIONS) -> Equations:
         motion = source.motion
         rows = {"M": motion.M, "C": motion.C, "D": motion.D, "K": motion.K, "g": [[x] for x in motion.g]}
         if (terms := sum(len(e.terms) for matrix in rows.values() for row in matrix for e in row)) > operations:
-            raise TooLargeError(f"{terms} terms")
+            raise TooLargeError(f"{terms} terms written out")
         forms = named(ring, rows, inputs.beams)
     except NoClosedFormError as error:
         raise UsageError(f"robot '{name}' has no equations in scalars: {error}") from None
@@ -221,7 +221,7 @@ def equations(chain: Chain, operations: int = OPERATIONS) -> Equations:
     letters, parts, values = source.letters(forms)
     made = Equations(name, forms, letters, parts, source, values)
     if made.operations > operations:
-        raise UsageError(_too_large(chain, program, f"{made.operations} operations"))
+        raise UsageError(_too_large(chain, program, f"{made.operations} operations written out"))
     return made
 
 
@@ -234,5 +234,5 @@ def _turns(chain: Chain) -> list[bool]:
 def _too_large(chain: Chain, program: int, size: str) -> str:
     return (
         f"the equations of '{chain.robot.name}' in scalars are too large to read: {program} operations as a program, "
-        f"{size} written out; `screwgen latex` without --scalar shows them by links"
+        f"{size}; `screwgen latex` without --scalar shows them by links"
     )

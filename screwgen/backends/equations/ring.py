@@ -57,6 +57,7 @@ class Ring:
         self.i = self.of(self.imaginary)
         self.roots: dict[int, Generator] = {}
         self.pi = self.generator("pi")
+        self.open: dict[tuple[int, Terms], Generator] = {}
 
     def generator(self, name: str, kind: str = "", square: int = 0, angle: Generator | None = None) -> Generator:
         """A new one."""
@@ -118,7 +119,13 @@ class Ring:
         """Count products of terms.  Raises TooLargeError when there are more than the budget."""
         self.spent += products
         if self.spent > self.budget:
-            raise TooLargeError(f"more than {self.budget} products of terms")
+            raise TooLargeError(f"more than {self.budget} products of terms to write them out")
+
+    def unsolved(self, order: int, x: Terms) -> Terms:
+        """What stands for a Stumpff function that has no closed form here; results must not have it."""
+        if (order, x) not in self.open:
+            self.open[order, x] = self.generator(f"c{order}")
+        return self.of(self.open[order, x])
 
     def wave(self, angle: Generator, turns: Exponent) -> Terms:
         """``exp(i turns angle)``."""

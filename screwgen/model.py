@@ -86,7 +86,7 @@ class Model(RobotModel):
         Expressions of sympy in closed form, derived from the programs of the robot: an :class:`Equations` with the
         matrices, symbols and values of parameters; it shows itself in text and in notebooks. Parameters that the file
         states as zero are left out. ``operations``: how many all entries may take. Raises UsageError for robots whose
-        equations are larger, with their size, and for loops, quaternions, transmissions, stops and dry friction.
+        equations are larger, with their size, and for loops, quaternions, transmissions and stops.
         """
         return self.once(("equations", operations), lambda: equations(self.chain, operations))
 

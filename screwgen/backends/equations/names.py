@@ -94,7 +94,7 @@ def coordinate_names(chain: Chain) -> list[Name]:
     offset = chain.tau_offset
     for i, key in enumerate(chain.keys):
         axes = (offset[i] + axis for axis in key.added_axes)
-        names += [scripted(("theta", r"\theta"), "" if one else str(k + 1)) for k in axes]
+        names += [scripted(("theta", r"\vartheta"), "" if one else str(k + 1)) for k in axes]
     return names + list(modal_names(chain))
 
 

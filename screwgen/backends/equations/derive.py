@@ -19,13 +19,13 @@ from ...ir.program import Program
 from ...ir.replay import run
 from ...topology.chain import Chain
 from .functions import NoClosedFormError, unary, without_parts
-from .ring import COORDINATE, RATE, Generator, Ring, Terms, coefficients, derivative
+from .ring import COORDINATE, RATE, ExactSum, Generator, Ring, coefficients, derivative
 
-Matrix = list[list[Terms]]
+Matrix = list[list[ExactSum]]
 
 
 @dataclass
-class Motion:
+class ScalarMotion:
     """``M(q) vdot + C(q, v) v + D v + K q + g(q) = forces``, entry by entry."""
 
     ring: Ring
@@ -36,7 +36,7 @@ class Motion:
     C: Matrix
     D: Matrix
     K: Matrix
-    g: list[Terms]
+    g: list[ExactSum]
 
 
 class Derivation:
@@ -45,7 +45,7 @@ class Derivation:
     ``p``: its parameters as sums; ``turns``: which coordinates are angles.
     """
 
-    def __init__(self, ring: Ring, chain: Chain, p: Sequence[Terms], turns: Sequence[bool]):
+    def __init__(self, ring: Ring, chain: Chain, p: Sequence[ExactSum], turns: Sequence[bool]):
         self.ring, self.chain = ring, chain
         make = lambda turn, name: (ring.turning if turn else ring.generator)(name, COORDINATE)  # noqa: E731
         self.q = [make(turn, f"q{k}") for k, turn in enumerate(turns)]
@@ -59,7 +59,7 @@ class Derivation:
         found = run(program, given, lambda op, x: unary(ring, op, x), literal=ring.literal)[0]
         return {name: [without_parts(ring.literal(x)) for x in values] for name, values in found.items()}
 
-    def forces(self, moving: bool, accelerating: bool, weight: bool = True) -> list[Terms]:
+    def forces(self, moving: bool, accelerating: bool, weight: bool = True) -> list[ExactSum]:
         """The inverse dynamics, with the given motion and weight left out."""
         ring, chain = self.ring, self.chain
         gravity = self.gravity if weight else [ring.literal(0)] * 3
@@ -76,7 +76,7 @@ class Derivation:
             )
         return found
 
-    def motion(self) -> Motion:
+    def motion(self) -> ScalarMotion:
         """All terms of the equations.  Raises UsageError where forces are no polynomials of rates."""
         q = [self.ring.of(x) for x in self.q]
         springs = self.forces(moving=False, accelerating=False, weight=False)
@@ -88,9 +88,9 @@ class Derivation:
         v = [self.ring.of(x) for x in self.v]
         static = [force + _dot(row, v) for force, row in zip(rest, C, strict=True)]
         D = self._matrix(self.forces(moving=True, accelerating=False), static, self.v)
-        return Motion(self.ring, self.q, self.v, self.vdot, M, C, D, K, g)
+        return ScalarMotion(self.ring, self.q, self.v, self.vdot, M, C, D, K, g)
 
-    def _matrix(self, forces: Sequence[Terms], others: Sequence[Terms], by: Sequence[Generator]) -> Matrix:
+    def _matrix(self, forces: Sequence[ExactSum], others: Sequence[ExactSum], by: Sequence[Generator]) -> Matrix:
         """What ``forces - others`` multiply some symbols by."""
         places = {x.number: k for k, x in enumerate(by)}
         try:
@@ -109,14 +109,14 @@ def christoffel(M: Matrix, q: Sequence[Generator], v: Sequence[Generator]) -> Ma
     return [[_dot([(by(i, j, k) + by(i, k, j) - by(j, k, i)) * half for k in n], rates) for j in n] for i in n]
 
 
-def _linear(force: Terms, x: Generator) -> Terms:
+def _linear(force: ExactSum, x: Generator) -> ExactSum:
     """The constant coefficient of a coordinate in a force: a stiffness."""
     ring, out = force.ring, {}
     for m, c in force.terms.items():
         held = [(k, e) for k, e in m if _moves(ring.generators[k])]
         if held == [(x.number, 1)]:
             out[tuple(f for f in m if f[0] != x.number)] = c
-    return Terms(ring, out)
+    return ExactSum(ring, out)
 
 
 def _moves(generator: Generator) -> bool:
@@ -127,8 +127,8 @@ def _moves(generator: Generator) -> bool:
     return symbol.kind == COORDINATE
 
 
-def _dot(a: Sequence[Terms], b: Sequence[Terms]) -> Terms:
-    out = Terms(b[0].ring, {})
+def _dot(a: Sequence[ExactSum], b: Sequence[ExactSum]) -> ExactSum:
+    out = ExactSum(b[0].ring, {})
     for x, y in zip(a, b, strict=True):
         out = out + x * y
     return out

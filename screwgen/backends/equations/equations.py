@@ -14,8 +14,8 @@ from ...spec.parameters import Parameter
 from ..latex import text as markup
 from ..latex.layout import PAGE, Formula, equation
 from .names import MEANINGS, Name, dotted
-from .trees import Sum
-from .writing import LATEX, TEXT, Writer, expression
+from .trees import FormulaSum
+from .writing import LATEX, TEXT, FormulaWriter, expression
 
 ROOM = PAGE - 6.0
 """The width that a term may take before it is broken inside its bracket, em."""
@@ -29,20 +29,20 @@ class Letters:
     symbols: Mapping[int, sp.Expr]
     moving: frozenset[int]
 
-    def text(self, formula: Sum) -> str:
+    def text(self, formula: FormulaSum) -> str:
         """A formula in text."""
-        return Writer(self.names, TEXT, self.moving)(formula)
+        return FormulaWriter(self.names, TEXT, self.moving)(formula)
 
-    def latex(self, formula: Sum) -> list[str]:
+    def latex(self, formula: FormulaSum) -> list[str]:
         """The terms of a formula in LaTeX."""
-        return Writer(self.names, LATEX, self.moving).terms(formula, ROOM) or ["0"]
+        return FormulaWriter(self.names, LATEX, self.moving).terms(formula, ROOM) or ["0"]
 
-    def expression(self, formula: Sum) -> sp.Expr:
+    def expression(self, formula: FormulaSum) -> sp.Expr:
         """A formula as an expression."""
         return expression(formula, self.symbols)
 
 
-Forms = Mapping[str, Sequence[Sequence[Sum]]]
+Forms = Mapping[str, Sequence[Sequence[FormulaSum]]]
 """The entries of matrices and columns by their letter."""
 
 
@@ -55,7 +55,7 @@ class Shown:
     heading = ""
     latex_heading = ""
 
-    def __init__(self, robot: str, forms: Forms, letters: Letters, parts: Mapping[int, Sum]):
+    def __init__(self, robot: str, forms: Forms, letters: Letters, parts: Mapping[int, FormulaSum]):
         self.robot, self._forms, self._letters, self._parts = robot, forms, letters, parts
 
     def _matrix(self, letter: str) -> sp.ImmutableMatrix:
@@ -80,7 +80,7 @@ class Shown:
             e = e.subs(symbol, part)
         return e
 
-    def _entries(self) -> Iterator[tuple[str, tuple[int, ...], Sum]]:
+    def _entries(self) -> Iterator[tuple[str, tuple[int, ...], FormulaSum]]:
         """Letter, place and formula of every entry that is not zero; of a symmetric matrix its upper half."""
         for letter, rows in self._forms.items():
             for i, row in enumerate(rows):
@@ -174,7 +174,7 @@ class Equations(Shown):
     """
 
     def __init__(
-        self, robot: str, forms: Forms, letters: Letters, parts: Mapping[int, Sum], given: Given, values: Values
+        self, robot: str, forms: Forms, letters: Letters, parts: Mapping[int, FormulaSum], given: Given, values: Values
     ):
         super().__init__(robot, forms, letters, parts)
         self._given, self._values = given, values

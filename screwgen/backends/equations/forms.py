@@ -9,8 +9,8 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial
 
-from .ring import COORDINATE, Exponent, Monomial, Ring, Terms
-from .trees import Atom, Factors, Product, Sum, degree, rank, symbol
+from .ring import COORDINATE, ExactSum, Exponent, Monomial, Ring
+from .trees import Atom, Factors, FormulaProduct, FormulaSum, degree, rank, symbol
 
 Flat = tuple[Fraction, Factors]
 """A number and powers of atoms."""
@@ -21,7 +21,7 @@ TINY = Fraction(1, 10**13)
 """A coefficient below this times the largest is what rounding left of floats that cancel."""
 
 
-def flat(a: Terms, products: bool) -> list[Flat]:
+def flat(a: ExactSum, products: bool) -> list[Flat]:
     """The terms in sines and cosines of sums of angles, or, with ``products``, in products where two terms make one."""
     out: list[Flat] = []
     largest = max((abs(Fraction(c)) for c in a.terms.values()), default=Fraction(0))
@@ -40,7 +40,7 @@ def _times(*groups: Factors) -> Factors:
     return tuple(sorted((atom, e) for atom, e in powers.items() if e))
 
 
-def _waves(a: Terms) -> dict[Monomial, Waves]:
+def _waves(a: ExactSum) -> dict[Monomial, Waves]:
     """By what is no exponential of an angle: the coefficients of cosines and sines."""
     ring, i = a.ring, a.ring.imaginary.number
     groups: dict[Monomial, Waves] = {}
@@ -134,82 +134,82 @@ NESTED = 2
 """What a bracket in a bracket costs a reader, in operations."""
 
 
-def written(ring: Ring, terms: Sequence[Flat]) -> Sum:
+def written(ring: Ring, terms: Sequence[Flat]) -> FormulaSum:
     """The smallest of a few forms with brackets; polynomials in the elastic coordinates by rising degree."""
     if not terms:
-        return Sum(())
+        return FormulaSum(())
     forms = (by_degree(ring, terms, order, depth) for depth in DEPTHS for order in ORDERS)
     return min(forms, key=lambda form: form.operations + NESTED * form.nested)
 
 
-def by_degree(ring: Ring, terms: Sequence[Flat], order: Choice, depth: int) -> Sum:
+def by_degree(ring: Ring, terms: Sequence[Flat], order: Choice, depth: int) -> FormulaSum:
     """The powers of elastic coordinates, each with its coefficient in brackets."""
     groups: dict[Factors, list[Flat]] = {}
     for c, factors in terms:
         own = tuple(f for f in factors if _is_elastic(ring, f[0]))
         groups.setdefault(own, []).append((c, tuple(f for f in factors if f not in own)))
-    out: list[Product] = []
+    out: list[FormulaProduct] = []
     for own in sorted(groups, key=lambda own: (degree(ring, own), own)):
         inner = bracketed(ring, groups[own], order, depth)
         if not own:
             out += inner.terms
         elif len(inner.terms) == 1:
             (only,) = inner.terms
-            out.append(Product(only.coefficient, _ordered(ring, _times(only.factors, own)), only.inner))
+            out.append(FormulaProduct(only.coefficient, _ordered(ring, _times(only.factors, own)), only.inner))
         else:
-            out.append(Product(Fraction(1), own, inner))
+            out.append(FormulaProduct(Fraction(1), own, inner))
     return _common(ring, out)
 
 
-def _common(ring: Ring, terms: list[Product]) -> Sum:
+def _common(ring: Ring, terms: list[FormulaProduct]) -> FormulaSum:
     """A sum of which all terms have a factor: the factor before a bracket."""
     if len(terms) < 2:
-        return Sum(tuple(terms))
+        return FormulaSum(tuple(terms))
     shared = _shared([term.factors for term in terms])
     if not shared:
-        return Sum(_sorted(ring, terms))
-    inner: list[Product] = []
+        return FormulaSum(_sorted(ring, terms))
+    inner: list[FormulaProduct] = []
     for term in terms:
         left = _ordered(ring, _without(term.factors, shared))
-        inner += _opened(Product(term.coefficient, left, term.inner))
-    return Sum((Product(Fraction(1), _ordered(ring, shared), Sum(_sorted(ring, inner))),))
+        inner += _opened(FormulaProduct(term.coefficient, left, term.inner))
+    return FormulaSum((FormulaProduct(Fraction(1), _ordered(ring, shared), FormulaSum(_sorted(ring, inner))),))
 
 
-def _opened(term: Product) -> list[Product]:
+def _opened(term: FormulaProduct) -> list[FormulaProduct]:
     """A bracket without a factor, as its terms."""
     if term.factors or term.inner is None or abs(term.coefficient) != 1:
         return [term]
-    return [Product(term.coefficient * t.coefficient, t.factors, t.inner) for t in term.inner.terms]
+    return [FormulaProduct(term.coefficient * t.coefficient, t.factors, t.inner) for t in term.inner.terms]
 
 
-def bracketed(ring: Ring, terms: Sequence[Flat], order: Choice, depth: int) -> Sum:
+def bracketed(ring: Ring, terms: Sequence[Flat], order: Choice, depth: int) -> FormulaSum:
     """What all terms share goes before a bracket, then what the order prefers of what occurs in several terms."""
     if len(terms) == 1:
         c, factors = terms[0]
-        return Sum((Product(c, _ordered(ring, factors)),))
+        return FormulaSum((FormulaProduct(c, _ordered(ring, factors)),))
     shared, number = _shared([factors for _, factors in terms]), _content([c for c, _ in terms])
     if shared or number != 1:
         inner = bracketed(ring, [(c / number, _without(factors, shared)) for c, factors in terms], order, depth)
-        return Sum((_before(ring, number, shared, inner),))
+        return FormulaSum((_before(ring, number, shared, inner),))
     counts: dict[Atom, int] = {}
     for _, factors in terms:
         for atom, e in factors:
             counts[atom] = counts.get(atom, 0) + (e > 0)
     several = [atom for atom, times in counts.items() if times > 1 and depth > 0]
     if not several:
-        return Sum(_sorted(ring, [Product(c, _ordered(ring, factors)) for c, factors in terms]))
+        return FormulaSum(_sorted(ring, [FormulaProduct(c, _ordered(ring, factors)) for c, factors in terms]))
     chosen = min(several, key=lambda atom: (*order(ring, atom, counts[atom]), atom))
     held = [term for term in terms if any(atom == chosen and e > 0 for atom, e in term[1])]
     others = [term for term in terms if term not in held]
     parts = [*bracketed(ring, held, order, depth - 1).terms, *bracketed(ring, others, order, depth).terms]
-    return Sum(_sorted(ring, parts))
+    return FormulaSum(_sorted(ring, parts))
 
 
-def _before(ring: Ring, number: Fraction, factors: Factors, inner: Sum) -> Product:
+def _before(ring: Ring, number: Fraction, factors: Factors, inner: FormulaSum) -> FormulaProduct:
     if len(inner.terms) > 1:
-        return Product(number, _ordered(ring, factors), inner)
+        return FormulaProduct(number, _ordered(ring, factors), inner)
     (only,) = inner.terms
-    return Product(number * only.coefficient, _ordered(ring, _times(factors, only.factors)), only.inner)
+    return FormulaProduct(number * only.coefficient, _ordered(ring, _times(factors, only.factors)), only.inner)
 
 
 def _shared(all_factors: Sequence[Factors]) -> Factors:
@@ -240,7 +240,7 @@ def _ordered(ring: Ring, factors: Factors) -> Factors:
     return tuple(sorted(factors, key=lambda f: (rank(ring, f[0]), f[0])))
 
 
-def _sorted(ring: Ring, terms: Sequence[Product]) -> tuple[Product, ...]:
+def _sorted(ring: Ring, terms: Sequence[FormulaProduct]) -> tuple[FormulaProduct, ...]:
     """By degree, then constants before what moves; of those of least degree a positive term comes first."""
     ordered = sorted(terms, key=partial(_place, ring))
     lowest = degree(ring, ordered[0].factors)
@@ -249,7 +249,7 @@ def _sorted(ring: Ring, terms: Sequence[Product]) -> tuple[Product, ...]:
     return (ordered[first], *ordered[:first], *ordered[first + 1 :])
 
 
-def _place(ring: Ring, term: Product) -> tuple:
+def _place(ring: Ring, term: FormulaProduct) -> tuple:
     moving = max((rank(ring, atom) for atom in term.atoms()), default=0)
     powers = tuple((atom, -e) for atom, e in term.factors)
     angles = max((len(atom.of) for atom in term.atoms() if atom.function), default=0)

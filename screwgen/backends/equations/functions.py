@@ -10,7 +10,7 @@ from typing import Any
 
 from ...errors import UsageError
 from .numbers import split
-from .ring import COORDINATE, Exponent, Generator, Monomial, Number, Ring, Terms, inverse, part_of
+from .ring import COORDINATE, ExactSum, Exponent, Generator, Monomial, Number, Ring, inverse, part_of
 
 HALF = Fraction(1, 2)
 QUARTERS: dict[Fraction, tuple[tuple[Number, int, bool], ...]] = {
@@ -26,7 +26,7 @@ class NoClosedFormError(UsageError):
     """A function that is no finite sum of sines and cosines."""
 
 
-def unary(ring: Ring, op: str, x: Any) -> Terms:
+def unary(ring: Ring, op: str, x: Any) -> ExactSum:
     """The unary primitives of programs."""
     a = ring.literal(x)
     if op == "neg":
@@ -40,20 +40,20 @@ def unary(ring: Ring, op: str, x: Any) -> Terms:
     raise NoClosedFormError("it has forces that begin at a limit")
 
 
-def cosine(a: Terms) -> Terms:
+def cosine(a: ExactSum) -> ExactSum:
     """``(z + 1/z)/2``."""
     return (exponential(a) + exponential(-a)) * Fraction(1, 2)
 
 
-def sine(a: Terms) -> Terms:
+def sine(a: ExactSum) -> ExactSum:
     """``(z - 1/z)/(2 i)``."""
     return (exponential(a) - exponential(-a)) * a.ring.i * Fraction(-1, 2)
 
 
-def exponential(a: Terms) -> Terms:
+def exponential(a: ExactSum) -> ExactSum:
     """``exp(i a)``: a power of each angle in ``a``; any other sum becomes an angle of its own."""
     ring = a.ring
-    out, rest = ring.literal(1), Terms(ring, {})
+    out, rest = ring.literal(1), ExactSum(ring, {})
     for m, c in a.sorted():
         generator = ring.generators[m[0][0]] if len(m) == 1 and m[0][1] == 1 else None
         if generator is not None and generator.wave is not None:
@@ -61,7 +61,7 @@ def exponential(a: Terms) -> Terms:
         elif generator is ring.pi and (turned := special(ring, Fraction(c))) is not None:
             out = out * turned
         else:
-            rest = rest + Terms(ring, {m: c})
+            rest = rest + ExactSum(ring, {m: c})
     if not rest:
         return out
     if not any(m for m in rest.terms):
@@ -71,7 +71,7 @@ def exponential(a: Terms) -> Terms:
     return out * ring.wave(angle, sign)
 
 
-def special(ring: Ring, turns: Fraction) -> Terms | None:
+def special(ring: Ring, turns: Fraction) -> ExactSum | None:
     """``exp(i pi turns)`` where roots express it."""
     quarters, rest = divmod(turns, Fraction(1, 2))
     if rest not in QUARTERS:
@@ -79,14 +79,14 @@ def special(ring: Ring, turns: Fraction) -> Terms | None:
     out = ring.literal(1)
     for _ in range(quarters % 4):
         out = out * ring.i
-    found = Terms(ring, {})
+    found = ExactSum(ring, {})
     for c, square, imaginary in QUARTERS[rest]:
         factor = ring.of(ring.root(square), 1, c) if square > 1 else ring.literal(c)
         found = found + (factor * ring.i if imaginary else factor)
     return out * found
 
 
-def angle_of(a: Terms) -> tuple[int, Generator]:
+def angle_of(a: ExactSum) -> tuple[int, Generator]:
     """The angle that stands for a sum, and its sign; one angle for a sum and its negative."""
     for known in a.ring.generators:
         if known.wave is not None and known.part is not None:
@@ -97,7 +97,7 @@ def angle_of(a: Terms) -> tuple[int, Generator]:
     return sign, a.ring.named(f"turn{len(a.ring.generators)}", a * sign, turns=True)
 
 
-def stumpff(order: int, x: Terms) -> Terms:
+def stumpff(order: int, x: ExactSum) -> ExactSum:
     """``c_k(x)`` of the square of an angle: the rest of the series of sine or cosine over a power of the angle.
 
     Of a sum that is no square, where modes turn a section about several axes, a symbol that results must not have.
@@ -115,7 +115,7 @@ def stumpff(order: int, x: Terms) -> Terms:
     return found * ring.of(angle, -order) * (-1) ** (order // 2)
 
 
-def root(a: Terms) -> Terms:
+def root(a: ExactSum) -> ExactSum:
     """The square root of what is positive."""
     ring = a.ring
     if not a:
@@ -125,7 +125,7 @@ def root(a: Terms) -> Terms:
     if a.monomial is None:
         return ring.of(part_of(a), Fraction(1, 2))
     m, c = a.monomial
-    halves = Terms(ring, {tuple((n, _whole(Fraction(e) / 2)) for n, e in m): 1})
+    halves = ExactSum(ring, {tuple((n, _whole(Fraction(e) / 2)) for n, e in m): 1})
     parts = split(Fraction(c)) if c > 0 else None
     if parts is None:
         return halves * ring.literal(float(c) ** 0.5)
@@ -138,14 +138,14 @@ def _whole(e: Fraction) -> int | Fraction:
     return int(e) if e.denominator == 1 else e
 
 
-def square_root(x: Terms) -> Terms | None:
+def square_root(x: ExactSum) -> ExactSum | None:
     """The sum whose square a sum is, up to its sign, if there is one."""
     ring = x.ring
     m, c = _leading(x)
     parts = split(Fraction(c)) if c > 0 else None
     if parts is None or any(Fraction(e) % 2 for _, e in m):
         return None
-    lead = Terms(ring, {tuple((n, _whole(Fraction(e) / 2)) for n, e in m): parts[0]})
+    lead = ExactSum(ring, {tuple((n, _whole(Fraction(e) / 2)) for n, e in m): parts[0]})
     for prime in parts[1]:
         lead = lead * ring.of(ring.root(prime))
     found, double = lead, inverse(lead * 2)
@@ -153,17 +153,17 @@ def square_root(x: Terms) -> Terms | None:
         left = x - found * found
         if not left:
             return found
-        found = found + Terms(ring, dict([_leading(left)])) * double
+        found = found + ExactSum(ring, dict([_leading(left)])) * double
     return found if found * found == x else None
 
 
-def _leading(a: Terms) -> tuple[Monomial, Number]:
+def _leading(a: ExactSum) -> tuple[Monomial, Number]:
     """The first term in an order that products keep: by the exponents of all generators but roots in turn."""
     plain = [g.number for g in a.ring.generators if not g.square]
     return max(a.terms.items(), key=lambda term: [dict(term[0]).get(number, 0) for number in plain])
 
 
-def without_parts(a: Terms) -> Terms:
+def without_parts(a: ExactSum) -> ExactSum:
     """The sum with angles of sections in sines and cosines alone: their powers are written out.
 
     Sines over an angle are whole sums of sines: the first coordinate of the angle is put as the angle less the rest.
@@ -180,37 +180,37 @@ def without_parts(a: Terms) -> Terms:
     return a
 
 
-def _first_put(a: Terms, angle: Generator) -> Terms:
+def _first_put(a: ExactSum, angle: Generator) -> ExactSum:
     """``a`` with the first coordinate of an angle expressed by the angle and the other coordinates."""
     assert angle.part is not None
     (m, c), *others = angle.part.sorted()
     number = next(n for n, _ in m if a.ring.generators[n].kind == COORDINATE)
-    scale = Terms(a.ring, {tuple(f for f in m if f[0] != number): c})
-    rest = Terms(a.ring, dict(others))
+    scale = ExactSum(a.ring, {tuple(f for f in m if f[0] != number): c})
+    rest = ExactSum(a.ring, dict(others))
     return put(a, number, (a.ring.of(angle) - rest) / scale)
 
 
-def put(a: Terms, number: int, value: Terms) -> Terms:
+def put(a: ExactSum, number: int, value: ExactSum) -> ExactSum:
     """``a`` with a value for a generator, in powers that are whole; of negative ones the value has one term."""
     ring = a.ring
     groups: dict[int, dict[Monomial, Number]] = {}
     for m, c in a.terms.items():
         exponent = dict(m).get(number, 0)
         groups.setdefault(int(exponent), {})[tuple(f for f in m if f[0] != number)] = c
-    out, powers, one = Terms(ring, {}), {0: ring.literal(1)}, ring.literal(1)
+    out, powers, one = ExactSum(ring, {}), {0: ring.literal(1)}, ring.literal(1)
     for exponent in sorted(groups, key=abs):
         if exponent not in powers:
             base = value if exponent > 0 else inverse(value)
             powers[exponent] = one
             for _ in range(abs(exponent)):
                 powers[exponent] = powers[exponent] * base
-        out = out + Terms(ring, groups[exponent]) * powers[exponent]
+        out = out + ExactSum(ring, groups[exponent]) * powers[exponent]
     return out
 
 
-def at(a: Terms, posture: Mapping[int, Terms]) -> Terms:
+def at(a: ExactSum, posture: Mapping[int, ExactSum]) -> ExactSum:
     """``a`` with values for coordinates and angles, by the numbers of their generators."""
-    ring, out = a.ring, Terms(a.ring, {})
+    ring, out = a.ring, ExactSum(a.ring, {})
     for m, c in a.sorted():
         term = ring.literal(c)
         for number, e in m:
@@ -227,14 +227,14 @@ def at(a: Terms, posture: Mapping[int, Terms]) -> Terms:
     return out
 
 
-def power(a: Terms, e: Exponent) -> Terms:
+def power(a: ExactSum, e: Exponent) -> ExactSum:
     """A power of a sum; of a negative or broken one through a part that stands for the sum."""
     if Fraction(e).denominator > 1:
         return power(root(a), _whole(Fraction(e) * 2))
     return a ** int(e) if e >= 0 else inverse(a) ** int(-e)
 
 
-def exchanged(a: Terms, old: Generator, new: Generator, factor: Generator) -> Terms:
+def exchanged(a: ExactSum, old: Generator, new: Generator, factor: Generator) -> ExactSum:
     """``a`` with ``new / factor`` in the place of ``old``, in any powers."""
     out: dict[Monomial, Number] = {}
     for m, c in a.terms.items():
@@ -242,4 +242,4 @@ def exchanged(a: Terms, old: Generator, new: Generator, factor: Generator) -> Te
         kept = tuple(f for f in m if f[0] != old.number)
         ratio = tuple(sorted([(new.number, e), (factor.number, -e)])) if e else ()
         out[a.ring.times(kept, ratio)[0]] = c
-    return Terms(a.ring, out)
+    return ExactSum(a.ring, out)

@@ -16,12 +16,12 @@ from ...errors import UsageError
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
 from . import names as nm
-from .derive import Derivation, Motion, check
+from .derive import Derivation, ScalarMotion, check
 from .equations import Equations, Forms, Letters, LinearEquations
 from .forms import flat, written
 from .functions import NoClosedFormError, at, exchanged, special
-from .ring import PARAMETER, Generator, Ring, Terms, TooLargeError, derivative
-from .trees import Sum
+from .ring import PARAMETER, ExactSum, Generator, Ring, TooLargeError, derivative
+from .trees import FormulaSum
 
 BUDGET = 150_000
 """Products of terms before a derivation is given up: some seconds."""
@@ -34,7 +34,7 @@ EXACT = 1e-12
 
 
 @dataclass(frozen=True)
-class Part:
+class BeamMass:
     """A common part that may be named: the mass of a beam, by which ``rhoA`` is replaced."""
 
     mass: Generator
@@ -42,7 +42,7 @@ class Part:
     length: Generator
 
 
-class Inputs:
+class ParameterSymbols:
     """The parameters of a robot as sums: a symbol for each that is not zero, gravity along an axis as ``g``."""
 
     def __init__(self, ring: Ring, chain: Chain):
@@ -59,7 +59,7 @@ class Inputs:
         self.beams = [_beam(mass, k, known, places) for k, mass in masses.items() if k in places]
         self.masses = {mass.number: known[k].link for k, mass in masses.items()}
 
-    def _sum(self, place: int, p: Parameter, alone: bool) -> Terms:
+    def _sum(self, place: int, p: Parameter, alone: bool) -> ExactSum:
         ring = self.ring
         if p.value == 0:
             return ring.literal(0)
@@ -74,22 +74,22 @@ class Inputs:
         return ring.of(generator, 1, sign)
 
 
-def _beam(mass: Generator, place: int, known: Sequence[Parameter], places: Mapping[int, Generator]) -> Part:
+def _beam(mass: Generator, place: int, known: Sequence[Parameter], places: Mapping[int, Generator]) -> BeamMass:
     """The mass of the beam whose mass per length stands at a place: this times its length."""
     link = known[place].link
     length = next(places[k] for k, p in enumerate(known) if p.link == link and p.field == "length")
     density = places[place]
     mass.part = mass.ring.of(density) * mass.ring.of(length)
-    return Part(mass, density, length)
+    return BeamMass(mass, density, length)
 
 
 @dataclass
-class Source:
+class EquationSource:
     """What equations were made from: the robot, its equations as exact sums, names."""
 
     chain: Chain
-    inputs: Inputs
-    motion: Motion
+    inputs: ParameterSymbols
+    motion: ScalarMotion
 
     @property
     def q(self) -> list[nm.Name]:
@@ -107,11 +107,11 @@ class Source:
         rows = dict(zip(nm.effort_rows(self.chain), self.tau, strict=True))
         return [rows.get(k) for k in range(self.chain.nv)]
 
-    def letters(self, forms: Forms) -> tuple[Letters, dict[int, Sum], list[tuple[nm.Name, float, Parameter]]]:
+    def letters(self, forms: Forms) -> tuple[Letters, dict[int, FormulaSum], list[tuple[nm.Name, float, Parameter]]]:
         """Names of all that formulas have, the formulas of common parts, and the parameters with their values."""
         ring = self.motion.ring
         used = {n for rows in forms.values() for row in rows for e in row for atom in e.atoms() for n, _ in atom.of}
-        parts: dict[int, Sum] = {}
+        parts: dict[int, FormulaSum] = {}
         for number in sorted(used):
             self._part(ring.generators[number], parts, used)
         places = sorted(self.inputs.of_generator[n] for n in used if n in self.inputs.of_generator)
@@ -134,7 +134,7 @@ class Source:
             values,
         )
 
-    def _part(self, generator: Generator, parts: dict[int, Sum], used: set[int]) -> None:
+    def _part(self, generator: Generator, parts: dict[int, FormulaSum], used: set[int]) -> None:
         """Adds the formula of a common part, behind those that it has itself."""
         if generator.part is None or generator.number in parts:
             return
@@ -170,11 +170,11 @@ class Source:
         return LinearEquations(robot, forms, letters, parts)
 
 
-def form(ring: Ring, matrices: Mapping[str, Sequence[Sequence[Terms]]]) -> tuple[Forms, int]:
+def form(ring: Ring, matrices: Mapping[str, Sequence[Sequence[ExactSum]]]) -> tuple[Forms, int]:
     """The entries with angles in sums, or in products where these take no more operations, which are counted."""
     both: list[Forms] = []
     for products in (True, False):
-        made: dict[Terms, Sum] = {}
+        made: dict[ExactSum, FormulaSum] = {}
         for rows in matrices.values():
             for entry in (e for row in rows for e in row):
                 if entry not in made:
@@ -184,7 +184,7 @@ def form(ring: Ring, matrices: Mapping[str, Sequence[Sequence[Terms]]]) -> tuple
     return both[sizes.index(min(sizes))], min(sizes)
 
 
-def named(ring: Ring, matrices: Mapping[str, Sequence[Sequence[Terms]]], beams: Sequence[Part]) -> Forms:
+def named(ring: Ring, matrices: Mapping[str, Sequence[Sequence[ExactSum]]], beams: Sequence[BeamMass]) -> Forms:
     """The form with masses of beams named where that takes fewer operations, their own included."""
     best, size = form(ring, matrices)
     for part in beams:
@@ -207,8 +207,8 @@ def equations(chain: Chain, operations: int = OPERATIONS) -> Equations:
         raise UsageError(_too_large(chain, program, "many times as many written out"))
     ring = Ring(BUDGET)
     try:
-        inputs = Inputs(ring, chain)
-        source = Source(chain, inputs, Derivation(ring, chain, inputs.p, _turns(chain)).motion())
+        inputs = ParameterSymbols(ring, chain)
+        source = EquationSource(chain, inputs, Derivation(ring, chain, inputs.p, _turns(chain)).motion())
         motion = source.motion
         rows = {"M": motion.M, "C": motion.C, "D": motion.D, "K": motion.K, "g": [[x] for x in motion.g]}
         if (terms := sum(len(e.terms) for matrix in rows.values() for row in matrix for e in row)) > operations:

@@ -42,7 +42,7 @@ class Generator:
     square: int = 0
     angle: Generator | None = None
     wave: Generator | None = None
-    part: Terms | None = None
+    part: ExactSum | None = None
     kind: str = ""
 
 
@@ -57,7 +57,7 @@ class Ring:
         self.i = self.of(self.imaginary)
         self.roots: dict[int, Generator] = {}
         self.pi = self.generator("pi")
-        self.open: dict[tuple[int, Terms], Generator] = {}
+        self.open: dict[tuple[int, ExactSum], Generator] = {}
 
     def generator(self, name: str, kind: str = "", square: int = 0, angle: Generator | None = None) -> Generator:
         """A new one."""
@@ -71,25 +71,25 @@ class Ring:
         angle.wave = self.generator(f"exp(i {name})", angle=angle)
         return angle
 
-    def named(self, name: str, part: Terms, turns: bool = False) -> Generator:
+    def named(self, name: str, part: ExactSum, turns: bool = False) -> Generator:
         """The generator that stands for a sum."""
         made = self.turning(name) if turns else self.generator(name)
         made.part = part
         return made
 
-    def of(self, generator: Generator, exponent: Exponent = 1, factor: Number = 1) -> Terms:
+    def of(self, generator: Generator, exponent: Exponent = 1, factor: Number = 1) -> ExactSum:
         """A power of a generator."""
-        return Terms(self, {((generator.number, exponent),): factor})
+        return ExactSum(self, {((generator.number, exponent),): factor})
 
-    def literal(self, x: Any) -> Terms:
+    def literal(self, x: Any) -> ExactSum:
         """A number; roots and π in it are recognised."""
-        if isinstance(x, Terms):
+        if isinstance(x, ExactSum):
             return x
         fraction, roots, power = recognised(x)
         if not fraction:
-            return Terms(self, {})
+            return ExactSum(self, {})
         factors = [(self.root(prime).number, 1) for prime in roots]
-        return Terms(self, {tuple(sorted(factors + [(self.pi.number, power)] * (power > 0))): fraction})
+        return ExactSum(self, {tuple(sorted(factors + [(self.pi.number, power)] * (power > 0))): fraction})
 
     def root(self, prime: int) -> Generator:
         """The square root of a prime number."""
@@ -121,19 +121,19 @@ class Ring:
         if self.spent > self.budget:
             raise TooLargeError(f"more than {self.budget} products of terms to write them out")
 
-    def unsolved(self, order: int, x: Terms) -> Terms:
+    def unsolved(self, order: int, x: ExactSum) -> ExactSum:
         """What stands for a Stumpff function that has no closed form here; results must not have it."""
         if (order, x) not in self.open:
             self.open[order, x] = self.generator(f"c{order}")
         return self.of(self.open[order, x])
 
-    def wave(self, angle: Generator, turns: Exponent) -> Terms:
+    def wave(self, angle: Generator, turns: Exponent) -> ExactSum:
         """``exp(i turns angle)``."""
         assert angle.wave is not None
         return self.of(angle.wave, turns)
 
 
-class Terms:
+class ExactSum:
     """A sum of monomials with rational coefficients."""
 
     __slots__ = ("ring", "terms")
@@ -145,12 +145,12 @@ class Terms:
         return bool(self.terms)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Terms) and self.terms == other.terms
+        return isinstance(other, ExactSum) and self.terms == other.terms
 
     def __hash__(self) -> int:
         return hash(frozenset(self.terms.items()))
 
-    def _plus(self, other: Any, sign: int) -> Terms:
+    def _plus(self, other: Any, sign: int) -> ExactSum:
         out = dict(self.terms)
         for monomial, c in self.ring.literal(other).terms.items():
             total = out.get(monomial, 0) + sign * c
@@ -158,23 +158,23 @@ class Terms:
                 out[monomial] = total
             else:
                 del out[monomial]
-        return Terms(self.ring, out)
+        return ExactSum(self.ring, out)
 
-    def __add__(self, other: Any) -> Terms:
+    def __add__(self, other: Any) -> ExactSum:
         return self._plus(other, 1)
 
     __radd__ = __add__
 
-    def __sub__(self, other: Any) -> Terms:
+    def __sub__(self, other: Any) -> ExactSum:
         return self._plus(other, -1)
 
-    def __rsub__(self, other: Any) -> Terms:
+    def __rsub__(self, other: Any) -> ExactSum:
         return -self + other
 
-    def __neg__(self) -> Terms:
-        return Terms(self.ring, {m: -c for m, c in self.terms.items()})
+    def __neg__(self) -> ExactSum:
+        return ExactSum(self.ring, {m: -c for m, c in self.terms.items()})
 
-    def __mul__(self, other: Any) -> Terms:
+    def __mul__(self, other: Any) -> ExactSum:
         ring, b = self.ring, self.ring.literal(other)
         ring.spend(len(self.terms) * len(b.terms))
         out: dict[Monomial, Number] = {}
@@ -182,17 +182,17 @@ class Terms:
             for n, d in b.terms.items():
                 monomial, factor = ring.times(m, n)
                 out[monomial] = out.get(monomial, 0) + factor * c * d
-        return Terms(ring, {m: c for m, c in out.items() if c})
+        return ExactSum(ring, {m: c for m, c in out.items() if c})
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Any) -> Terms:
+    def __truediv__(self, other: Any) -> ExactSum:
         return self * inverse(self.ring.literal(other))
 
-    def __rtruediv__(self, other: Any) -> Terms:
+    def __rtruediv__(self, other: Any) -> ExactSum:
         return self.ring.literal(other) * inverse(self)
 
-    def __pow__(self, n: int) -> Terms:
+    def __pow__(self, n: int) -> ExactSum:
         out = self.ring.literal(1)
         for _ in range(n):
             out = out * self
@@ -212,7 +212,7 @@ class Terms:
         return {number for m in self.terms for number, _ in m}
 
 
-def inverse(a: Terms) -> Terms:
+def inverse(a: ExactSum) -> ExactSum:
     """``1 / a``; of a sum of several terms it is a power of a part that stands for the sum."""
     ring = a.ring
     if not a:
@@ -225,10 +225,10 @@ def inverse(a: Terms) -> Terms:
         square = ring.generators[number].square
         factor = factor / square if square else factor
         powers.append((number, exponent if square else -exponent))
-    return Terms(ring, {tuple(powers): factor})
+    return ExactSum(ring, {tuple(powers): factor})
 
 
-def part_of(a: Terms) -> Generator:
+def part_of(a: ExactSum) -> Generator:
     """The part that stands for a sum; one for equal sums."""
     for known in a.ring.generators:
         if known.part == a:
@@ -236,7 +236,7 @@ def part_of(a: Terms) -> Generator:
     return a.ring.named(f"part{len(a.ring.generators)}", a)
 
 
-def coefficients(a: Terms, generators: Mapping[int, int]) -> list[Terms]:
+def coefficients(a: ExactSum, generators: Mapping[int, int]) -> list[ExactSum]:
     """What each of some generators is multiplied by, in a sum that is linear in all; ``generators``: number -> place.
 
     Raises ValueError for a term that has none of them, or a power of one.
@@ -247,13 +247,13 @@ def coefficients(a: Terms, generators: Mapping[int, int]) -> list[Terms]:
         if len(held) != 1 or held[0][1] != 1:
             raise ValueError("not linear")
         out[generators[held[0][0]]][tuple(f for f in m if f[0] != held[0][0])] = c
-    return [Terms(a.ring, terms) for terms in out]
+    return [ExactSum(a.ring, terms) for terms in out]
 
 
-def derivative(a: Terms, x: Generator) -> Terms:
+def derivative(a: ExactSum, x: Generator) -> ExactSum:
     """The derivative with respect to a symbol, through the angles and parts that depend on it."""
     ring = a.ring
-    out = Terms(ring, {})
+    out = ExactSum(ring, {})
     for number in sorted(a.generators()):
         inner = _inner(ring.generators[number], x)
         if not inner:
@@ -265,11 +265,11 @@ def derivative(a: Terms, x: Generator) -> Terms:
                 wave = ring.generators[number].angle is not None
                 lower = (f if f[0] != number or wave else (number, exponent - 1) for f in m)
                 own[tuple(f for f in lower if f[1])] = c * exponent
-        out = out + Terms(ring, own) * inner
+        out = out + ExactSum(ring, own) * inner
     return out
 
 
-def _inner(generator: Generator, x: Generator) -> Terms:
+def _inner(generator: Generator, x: Generator) -> ExactSum:
     """The derivative of a generator; of the exponential of an angle that over the exponential itself."""
     symbol = generator.angle or generator
     own = x.ring.literal(int(symbol is x)) if symbol.part is None else derivative(symbol.part, x)

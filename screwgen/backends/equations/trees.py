@@ -35,12 +35,12 @@ Factors = tuple[tuple[Atom, Exponent], ...]
 
 
 @dataclass(frozen=True)
-class Product:
+class FormulaProduct:
     """A number times powers of atoms, times a bracket if there is one."""
 
     coefficient: Fraction
     factors: Factors
-    inner: Sum | None = None
+    inner: FormulaSum | None = None
 
     @property
     def operations(self) -> int:
@@ -61,10 +61,10 @@ class Product:
 
 
 @dataclass(frozen=True)
-class Sum:
+class FormulaSum:
     """A sum; without terms it is zero."""
 
-    terms: tuple[Product, ...]
+    terms: tuple[FormulaProduct, ...]
 
     @property
     def operations(self) -> int:

@@ -15,7 +15,7 @@ from ..latex.layout import width
 from .names import Name
 from .numbers import exactly
 from .ring import Exponent
-from .trees import Atom, Product, Sum
+from .trees import Atom, FormulaProduct, FormulaSum
 
 DIGITS = 6
 """Of numbers that are no fractions, where they are shown; expressions have all."""
@@ -93,7 +93,7 @@ LATEX = Style(lambda name: name.latex, r"\{0} {1}", _latex_power, _latex_product
 
 
 @dataclass(frozen=True)
-class Writer:
+class FormulaWriter:
     """Writes formulas with the names of generators, by their numbers.
 
     ``moving``: the numbers of coordinates and rates, before which a bracket of parameters stands.
@@ -103,11 +103,11 @@ class Writer:
     style: Style
     moving: frozenset[int] = frozenset()
 
-    def __call__(self, formula: Sum) -> str:
+    def __call__(self, formula: FormulaSum) -> str:
         """The formula; a zero is 0."""
         return " ".join(self.terms(formula)) or "0"
 
-    def terms(self, formula: Sum, room: float = math.inf) -> list[str]:
+    def terms(self, formula: FormulaSum, room: float = math.inf) -> list[str]:
         """The terms, each but the first with its sign before it; those wider than ``room`` (em) in pieces."""
         out: list[str] = []
         for term in formula.terms:
@@ -119,15 +119,15 @@ class Writer:
             out += [sign + pieces[0], *pieces[1:]]
         return out
 
-    def _pieces(self, term: Product, inner: Sum, room: float) -> list[str]:
+    def _pieces(self, term: FormulaProduct, inner: FormulaSum, room: float) -> list[str]:
         """A wide product as what stands before its bracket with the first term in it, and the other terms."""
         first, *others = self.terms(inner, room)
-        before = self._product(Product(abs(term.coefficient), term.factors))
+        before = self._product(FormulaProduct(abs(term.coefficient), term.factors))
         before = before + TIMES if term.factors or abs(term.coefficient) != 1 else ""
         *middle, last = [f"{before}\\Bigl({first}", *others]
         return [*middle, f"{last}\\Bigr)"]
 
-    def _product(self, term: Product) -> str:
+    def _product(self, term: FormulaProduct) -> str:
         size = abs(term.coefficient)
         first = term.inner is not None and not any(map(self._moves, term.inner.atoms()))
         behind = [self._power(atom, e) for atom, e in term.factors if e > 0 and first and self._moves(atom)]
@@ -164,18 +164,18 @@ class Writer:
         return self.style.function.format(atom.function, self._argument(atom))
 
     def _argument(self, atom: Atom) -> str:
-        inner = Sum(tuple(Product(Fraction(k), ((Atom("", ((n, 1),)), 1),)) for n, k in atom.of))
+        inner = FormulaSum(tuple(FormulaProduct(Fraction(k), ((Atom("", ((n, 1),)), 1),)) for n, k in atom.of))
         text = self(inner)
         alone = self.style is TEXT or (len(atom.of) == 1 and atom.of[0][1] == 1)
         return text if alone else rf"\left({text}\right)"
 
 
-def expression(formula: Sum, symbols: Mapping[int, sp.Expr]) -> sp.Expr:
+def expression(formula: FormulaSum, symbols: Mapping[int, sp.Expr]) -> sp.Expr:
     """The formula as an expression of sympy."""
     return sp.Add(*(_product(term, symbols) for term in formula.terms))
 
 
-def _product(term: Product, symbols: Mapping[int, sp.Expr]) -> sp.Expr:
+def _product(term: FormulaProduct, symbols: Mapping[int, sp.Expr]) -> sp.Expr:
     c = term.coefficient
     factors = [sp.Rational(c.numerator, c.denominator) if exactly(c) else sp.Float(float(c))]
     factors += [_atom(atom, symbols) ** _exponent(e) for atom, e in term.factors]

@@ -7,7 +7,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -21,6 +21,10 @@ from ..spec.load import one_line
 from ..spec.robot import Robot
 from ..studies.light_joints import light_joints
 from .output import load_robot, notes, say, stoppable
+
+if TYPE_CHECKING:
+    from ..backends.latex.notation import Notation
+    from ..backends.latex.style import Style
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:
@@ -227,36 +231,46 @@ def _analyse_runs(robot: str, paths: Sequence[str], json: bool) -> None:
 # ------------------------------------------------------------------------------ latex
 
 
-def run_latex(robot: str, output: str, quiet: bool) -> None:
+def run_latex(
+    robot: str, output: str, documentclass: str | None, fragment: bool, notation: str | None, quiet: bool
+) -> None:
     """Write the equations in the format of the suffix."""
-    from ..backends.latex.document import pdflatex
+    from ..backends.latex.engine import engine
+    from ..backends.latex.notation import notation as named
+    from ..backends.latex.style import style
     from ..simulation.runs import check_output, outputs, suffix
 
     check_output(output, LATEX)
-    if suffix(output) == ".pdf":
-        pdflatex()
+    kind = suffix(output)
+    if kind == ".html" and documentclass is not None:
+        raise UsageError("--documentclass: a page for the browser has no class; leave it out, or write .tex or .pdf")
+    if fragment and kind != ".tex":
+        raise UsageError(f"--fragment: is LaTeX for \\input, not {kind}; write .tex")
+    around, letters = style(documentclass, fragment), None if notation is None else named(notation)
+    if kind == ".pdf":
+        engine()
     loaded = load_robot(robot, quiet)
     with busy("typesetting", quiet), outputs(output) as (stream,):
-        stream.write(LATEX[suffix(output)](loaded))
+        stream.write(LATEX[kind](loaded, around, letters))
     say(output, quiet)
 
 
-def _tex(robot: Robot) -> bytes:
+def _tex(robot: Robot, around: Style, letters: Notation | None) -> bytes:
     from ..backends.latex import document as latex
 
-    return latex.document(robot, plugins()).encode()
+    return latex.document(robot, plugins(), around, letters).encode()
 
 
-def _html(robot: Robot) -> bytes:
+def _html(robot: Robot, around: Style, letters: Notation | None) -> bytes:
     from ..backends.latex import document as latex
 
-    return latex.html(robot, plugins()).encode()
+    return latex.html(robot, plugins(), letters).encode()
 
 
-def _pdf(robot: Robot) -> bytes:
-    from ..backends.latex import document as latex
+def _pdf(robot: Robot, around: Style, letters: Notation | None) -> bytes:
+    from ..backends.latex.engine import pdf
 
-    return latex.pdf(_tex(robot).decode())
+    return pdf(_tex(robot, around, letters).decode())
 
 
 LATEX = {".tex": _tex, ".pdf": _pdf, ".html": _html}

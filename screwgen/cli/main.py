@@ -271,12 +271,21 @@ def latex(
     context: typer.Context,
     robot: RobotFile,
     output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="equations.tex, .pdf or .html.")],
+    documentclass: Annotated[
+        str | None, typer.Option(metavar="NAME[OPTIONS]", help="The class of the LaTeX document, as 'report[11pt]'.")
+    ] = None,
+    fragment: Annotated[
+        bool, typer.Option("--fragment", help="LaTeX for \\input; the packages that it needs stand at its top.")
+    ] = False,
+    notation: Annotated[
+        str | None, typer.Option(metavar="NAME|FILE", help="Letters: paper, featherstone, or a TOML table of your own.")
+    ] = None,
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
     from .commands import run_latex
 
-    run_latex(robot, output, quiet or context.obj)
+    run_latex(robot, output, documentclass, fragment, notation, quiet or context.obj)
 
 
 exchange.register(app, EPILOG)

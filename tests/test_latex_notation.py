@@ -58,4 +58,5 @@ def test_a_class_and_a_fragment():
 
 
 def test_sums_are_cut_at_the_top_level_alone():
-    assert terms(r"a + \left( b + c \right) - \tfrac{d + e}{2}") == ["a", r"+ \left( b + c \right)", r"- \tfrac{d + e}{2}"]
+    cut = ["a", r"+ \left( b + c \right)", r"- \tfrac{d + e}{2}"]
+    assert terms(r"a + \left( b + c \right) - \tfrac{d + e}{2}") == cut

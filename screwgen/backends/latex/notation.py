@@ -248,7 +248,7 @@ def _check_distinct(document: Document, chosen: Notation) -> None:
         for match in SYMBOL.finditer(text):
             if match["letter"] and re.match(BOLD, match["letter"]):
                 below, _ = _scripts(match["scripts"])
-                index = f"_{{{below}}}" if below and not match["closed"] else ""
+                index = (f"_{{{below}}}" if len(below) > 1 else f"_{below}") if below else ""
                 source = match["letter"] + index
                 target = plain.formula(source, {})
                 other = seen.setdefault(target, source)

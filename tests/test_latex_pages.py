@@ -18,7 +18,7 @@ from latex_documents import NAMES, page, robot, tex, too_wide
 
 from screwgen import Robot, ScrewgenError
 from screwgen.backends.latex import document as latex
-from screwgen.backends.latex import mathml
+from screwgen.backends.latex import engine, mathml
 from screwgen.backends.templates import folder, render
 from screwgen.cli.main import main
 
@@ -138,14 +138,14 @@ def test_the_pdf_is_the_same_every_time():
     require_tool("pdflatex")
     text = latex.document(Robot.model_validate(arm(link("rod", axes="y"))))
     text = r"\section{".join(text.split(r"\section{")[:3]) + r"\end{document}"
-    first, second = latex.pdf(text), latex.pdf(text)
+    first, second = engine.pdf(text), engine.pdf(text)
     assert first == second and first.startswith(b"%PDF")
 
 
 def test_without_pdflatex_one_line_says_so(monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     with pytest.raises(ScrewgenError, match=r"^pdflatex was not found;.*$"):
-        latex.pdf("")
+        engine.pdf("")
 
 
 def test_a_pdf_without_pdflatex_is_refused_before_the_robot_is_read(monkeypatch, capsys, tmp_path):
@@ -157,5 +157,5 @@ def test_a_pdf_without_pdflatex_is_refused_before_the_robot_is_read(monkeypatch,
 def test_a_failure_of_pdflatex_is_one_line():
     require_tool("pdflatex")
     with pytest.raises(ScrewgenError) as caught:
-        latex.pdf(r"\documentclass{article}\begin{document}\nonsense\end{document}")
+        engine.pdf(r"\documentclass{article}\begin{document}\nonsense\end{document}")
     assert str(caught.value) == "pdflatex failed: Undefined control sequence."

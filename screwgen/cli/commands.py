@@ -7,7 +7,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -20,6 +20,9 @@ from ..simulation.state import State, state_in
 from ..spec.load import one_line
 from ..studies.light_joints import light_joints
 from .output import load_robot, notes, say, stoppable
+
+if TYPE_CHECKING:
+    pass
 
 
 def check_choice(option: str, given: str, known: Iterable[str]) -> None:

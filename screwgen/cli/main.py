@@ -275,12 +275,22 @@ def latex(
     about: Annotated[
         str | None, typer.Option(metavar="Q,...", help="With --scalar: also linear about rest in this posture.")
     ] = None,
+    documentclass: Annotated[
+        str | None, typer.Option(metavar="NAME[OPTIONS]", help="The class of the LaTeX document, as 'report[11pt]'.")
+    ] = None,
+    fragment: Annotated[
+        bool, typer.Option("--fragment", help="LaTeX for \\input; the packages that it needs stand at its top.")
+    ] = False,
+    notation: Annotated[
+        str | None, typer.Option(metavar="NAME|FILE", help="Letters: paper, featherstone, or a TOML table of your own.")
+    ] = None,
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
     from .typesetting import run_latex
 
-    run_latex(robot, output, scalar, about, quiet or context.obj)
+    form = (scalar, about, documentclass, fragment, notation)
+    run_latex(robot, output, *form, quiet=quiet or context.obj)
 
 
 exchange.register(app, EPILOG)

@@ -7,6 +7,9 @@ from collections.abc import Callable
 from ..backends.equations import document as scalars
 from ..backends.latex import document as latex
 from ..backends.latex.content import Document
+from ..backends.latex.engine import engine, pdf
+from ..backends.latex.notation import notation as named
+from ..backends.latex.style import Style, style
 from ..errors import UsageError
 from ..model import derive
 from ..plugins import plugins
@@ -17,25 +20,42 @@ from ..topology.chain import Chain
 from .linear import numbers
 from .output import load_robot, say
 
-FORMATS: dict[str, Callable[[Document, Robot | None], bytes]] = {
-    ".tex": lambda shown, _: latex.tex(shown).encode(),
-    ".pdf": lambda shown, _: latex.pdf(latex.tex(shown)),
-    ".html": lambda shown, robot: latex.page(shown, latex.extras(Chain(robot)) if robot else None).encode(),
+FORMATS: dict[str, Callable[[Document, Style, Robot | None], bytes]] = {
+    ".tex": lambda shown, around, _: latex.tex(shown, around).encode(),
+    ".pdf": lambda shown, around, _: pdf(latex.tex(shown, around)),
+    ".html": lambda shown, _, robot: latex.page(shown, latex.extras(Chain(robot)) if robot else None).encode(),
 }
 """How a document is written, with the robot whose steps it shows."""
 
 
-def run_latex(robot: str, output: str, scalar: bool, about: str | None, quiet: bool) -> None:
+def run_latex(
+    robot: str,
+    output: str,
+    scalar: bool,
+    about: str | None,
+    documentclass: str | None,
+    fragment: bool,
+    notation: str | None,
+    quiet: bool,
+) -> None:
     """Write the equations in the format of the suffix."""
     check_output(output, FORMATS)
+    kind = suffix(output)
     if about is not None and not scalar:
         raise UsageError("--about: only equations in scalars are linearised; give --scalar too")
-    if suffix(output) == ".pdf":
-        latex.pdflatex()
+    if notation is not None and scalar:
+        raise UsageError("--notation: equations in scalars have letters of their own; leave out one of the two options")
+    if kind == ".html" and documentclass is not None:
+        raise UsageError("--documentclass: a page for the browser has no class; leave it out, or write .tex or .pdf")
+    if fragment and kind != ".tex":
+        raise UsageError(f"--fragment: is LaTeX for \\input, not {kind}; write .tex")
+    around, letters = style(documentclass, fragment), None if notation is None else named(notation)
+    if kind == ".pdf":
+        engine()
     loaded = load_robot(robot, quiet)
     with busy("typesetting", quiet), outputs(output) as (stream,):
-        shown = _scalars(loaded, about) if scalar else latex.content(loaded, plugins())
-        stream.write(FORMATS[suffix(output)](shown, None if scalar else loaded))
+        shown = _scalars(loaded, about) if scalar else latex.content(loaded, plugins(), letters)
+        stream.write(FORMATS[kind](shown, around, None if scalar else loaded))
     say(output, quiet)
 
 

@@ -83,11 +83,11 @@ def _shows_all() -> bool:
 
 
 def _write(output: str, equations: Sequence, errata: Sequence, quiet: bool) -> None:
-    from ..backends.latex.document import pdflatex
+    from ..backends.latex.engine import engine
     from ..simulation.runs import outputs, suffix
 
     if suffix(output) == ".pdf":
-        pdflatex()
+        engine()
     with busy("typesetting", quiet), outputs(output) as (stream,):
         stream.write(WRITERS[suffix(output)](equations, errata))
     say(output, quiet)
@@ -106,7 +106,7 @@ def _html(equations: Sequence[Equation], errata: Sequence[Erratum]) -> bytes:
 
 
 def _pdf(equations: Sequence[Equation], errata: Sequence[Erratum]) -> bytes:
-    from ..backends.latex.document import pdf
+    from ..backends.latex.engine import pdf
 
     return pdf(_tex(equations, errata).decode())
 

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
-import tempfile
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 
 import numpy as np
 
 from ...algebra.components import Array
 from ...algorithms.scope import derived
-from ...errors import ScrewgenError
 from ...ir.block import Block
 from ...plugins import Plugin, merged
 from ...spec.link_class import LinkClass
@@ -24,30 +19,36 @@ from ..templates import render
 from . import elements, tables, text
 from .content import CITATION, Document, DocumentSection, Item, Paragraph, parse
 from .link_class import class_section, ordered
+from .notation import Notation, respelled
 from .page import extras as extras
 from .page import math_font as math_font
 from .page import page as page
 from .pattern import pattern
 from .steps import BlockView, block_view
+from .style import Style
 from .symbols import SLIDING, entries
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """What a notebook shows of a link: the blocks by which the paper calls them."""
+PLAIN = Style()
 
 
-def document(robot: Robot, plugins: Sequence[Plugin] = ()) -> str:
+def document(
+    robot: Robot, plugins: Sequence[Plugin] = (), style: Style = PLAIN, notation: Notation | None = None
+) -> str:
     """A LaTeX document with the equations of ``robot``; needs amsmath, booktabs and longtable alone."""
-    return tex(content(robot, plugins))
+    return tex(content(robot, plugins, notation), style)
 
 
-def html(robot: Robot, plugins: Sequence[Plugin] = ()) -> str:
+def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None = None) -> str:
     """The same document as one HTML page with MathML, which needs nothing else; it shows the lines of generated C."""
-    return page(content(robot, plugins), extras(Chain(robot)))
+    return page(content(robot, plugins, notation), extras(Chain(robot)))
 
 
-def tex(shown: Document) -> str:
-    """A document in LaTeX."""
-    return render("latex/document.tex.jinja", document=shown, text=text.tex, rows=text.tex_rows)
+def tex(shown: Document, style: Style = PLAIN) -> str:
+    """A document in LaTeX, or a fragment of one."""
+    template = "latex/fragment.tex.jinja" if style.fragment else "latex/document.tex.jinja"
+    return render(template, document=shown, style=style, text=text.tex, rows=text.tex_rows)
 
 
 def notebook(robot: Robot) -> str:
@@ -69,37 +70,11 @@ def notebook(robot: Robot) -> str:
     )
 
 
-def pdflatex() -> str:
-    """The program that makes a PDF; raises ScrewgenError if it is missing, which is to be asked before long work."""
-    program = shutil.which("pdflatex")
-    if program is None:
-        raise ScrewgenError("pdflatex was not found; install TeX Live, or write .tex or .html instead")
-    return program
-
-
-def pdf(tex: str) -> bytes:
-    """``tex`` compiled with pdflatex.  Raises ScrewgenError if that is missing or fails."""
-    program = pdflatex()
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "equations.tex").write_text(tex, encoding="utf-8")
-        for _ in range(2):  # the second run knows the table of contents
-            _run(program, folder)
-        return (Path(folder) / "equations.pdf").read_bytes()
-
-
-def _run(program: str, folder: str) -> None:
-    command = [program, "-interaction=nonstopmode", "-halt-on-error", "equations.tex"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
-    if done.returncode:
-        wrong = next((line for line in done.stdout.splitlines() if line.startswith("!")), "no message")
-        raise ScrewgenError(f"pdflatex failed: {wrong.lstrip('! ')}")
-
-
 # -------------------------------------------------------------------------------------------- content
 
 
-def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
-    """The document of a robot, independent of the output format."""
+def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None = None) -> Document:
+    """The document of a robot, independent of the output format, in the paper's letters or in a ``notation``."""
     chain = Chain(robot)
     plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_added)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
@@ -121,7 +96,11 @@ def content(robot: Robot, plugins: Sequence[Plugin] = ()) -> Document:
         DocumentSection("Symbols", [tables.symbols(entries(known, named))]),
         DocumentSection("Parameters", [tables.parameters(parameters(robot))]),
     ]
-    return Document(robot.name, __version__, tuple(sections))
+    shown = Document(robot.name, __version__, tuple(sections))
+    if notation is None:
+        return shown
+    signals = [s for block, _ in known for s in (*block.inputs.values(), *(x.signal for x in block.steps.values()))]
+    return respelled(shown, notation, signals)
 
 
 def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Block]:

@@ -1,0 +1,40 @@
+"""What is around the formulas of a LaTeX document: its class, or nothing in a fragment."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from ...errors import UsageError, one_line
+
+CLASS = re.compile(r"(?P<name>[A-Za-z][A-Za-z0-9-]*)(?:\[(?P<options>[A-Za-z0-9=.,\- ]*)\])?")
+MARGINS = {"11pt": "17mm", "12pt": "10mm"}
+"""A line of formulas is 42 em wide: of larger letters the margins are smaller."""
+
+
+@dataclass(frozen=True)
+class Style:
+    """A LaTeX file: a document of a class, by default article, or a fragment for ``\\input``."""
+
+    documentclass: str = ""
+    options: str = ""
+    fragment: bool = False
+
+    @property
+    def margin(self) -> str:
+        """The margins of the page."""
+        return next((m for size, m in MARGINS.items() if size in self.options.split(",")), "22mm")
+
+
+def style(documentclass: str | None, fragment: bool) -> Style:
+    """The style that options state, ``NAME[options]``; raises UsageError for what is none."""
+    if documentclass is None:
+        return Style(fragment=fragment)
+    if fragment:
+        raise UsageError("--documentclass: a fragment has no class of its own; leave out one of the two options")
+    match = CLASS.fullmatch(documentclass)
+    if match is None:
+        raise UsageError(
+            f"--documentclass: '{one_line(documentclass)}' is no class; write NAME or 'NAME[option,option]'"
+        )
+    return Style(match["name"], match["options"] or "")

@@ -19,7 +19,7 @@ from typing import Any
 from ...errors import UsageError, one_line
 from ...ir.block import NamedSignal
 from .breaking import fitted
-from .content import Display, Document, DocumentSection, DocumentTable, Heading, Item, Paragraph, StepEquation
+from .content import Display, Document, DocumentTable, Heading, Item, Paragraph, StepEquation
 from .layout import Formula
 from .scalars import entry
 
@@ -217,9 +217,7 @@ def respelled(document: Document, chosen: Notation, signals: Iterable[NamedSigna
         return document
     entries = dict(_entries(chosen, signals))
     _check_distinct(document, chosen)
-    sections = tuple(
-        DocumentSection(s.title, [_item(item, chosen, entries) for item in s.items]) for s in document.sections
-    )
+    sections = tuple(replace(s, items=[_item(item, chosen, entries) for item in s.items]) for s in document.sections)
     return replace(document, sections=sections)
 
 
@@ -284,10 +282,10 @@ def _item(item: Item, chosen: Notation, entries: Entries) -> Item:
 
     match item:
         case Display():
-            return Display(rows(item.formula))
+            return replace(item, formula=rows(item.formula))
         case StepEquation():
             step = replace(item.step, formula=rows(item.step.formula), components=rows(item.step.components))
-            return StepEquation(step, text(item.meaning), item.unit, text(item.frame))
+            return replace(item, step=step, meaning=text(item.meaning), frame=text(item.frame))
         case DocumentTable():
             return replace(item, rows=tuple(tuple(map(text, row)) for row in item.rows))
     return replace(item, text=text(item.text))

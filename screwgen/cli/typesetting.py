@@ -9,7 +9,7 @@ from ..backends.latex import document as latex
 from ..backends.latex.content import Document
 from ..backends.latex.engine import engine, pdf
 from ..backends.latex.notation import notation as named
-from ..backends.latex.style import Style, style
+from ..backends.latex.style import DocumentStyle, style
 from ..errors import UsageError
 from ..model import derive
 from ..plugins import plugins
@@ -20,7 +20,7 @@ from ..topology.chain import Chain
 from .linear import numbers
 from .output import load_robot, say
 
-FORMATS: dict[str, Callable[[Document, Style, Robot | None], bytes]] = {
+FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None], bytes]] = {
     ".tex": lambda shown, around, _: latex.tex(shown, around).encode(),
     ".pdf": lambda shown, around, _: pdf(latex.tex(shown, around)),
     ".html": lambda shown, _, robot: latex.page(shown, latex.extras(Chain(robot)) if robot else None).encode(),

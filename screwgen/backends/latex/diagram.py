@@ -18,7 +18,7 @@ LETTERS = 15
 
 
 @dataclass(frozen=True)
-class Box:
+class LinkBox:
     x: float
     y: float
     name: str
@@ -39,7 +39,7 @@ class Passes:
 
 
 @dataclass(frozen=True)
-class Loop:
+class LoopArc:
     path: str
     name: str
     x: float
@@ -50,7 +50,7 @@ def diagram(chain: Chain) -> str:
     """The diagram as SVG, which takes its colours from the page."""
     shown = min(chain.n, MOST_LINKS)
     places = _places(chain, shown)
-    boxes = [Box(*places[i], _short(chain.names[i]), i + 1, _coordinates(chain, i)) for i in range(shown)]
+    boxes = [LinkBox(*places[i], _short(chain.names[i]), i + 1, _coordinates(chain, i)) for i in range(shown)]
     base = (LEFT, sum(y for _, y in places.values()) / shown if _forks(chain) else TOP)
     parents = chain.tree.parents
     passes = [
@@ -114,12 +114,12 @@ def _joint(chain: Chain, i: int) -> str:
     return f"joint of {chain.names[i]}"
 
 
-def _loop(name: str, first: int, second: int, places: dict[int, tuple[float, float]]) -> Loop:
+def _loop(name: str, first: int, second: int, places: dict[int, tuple[float, float]]) -> LoopArc:
     """An edge below the boxes that it joins."""
     (x1, y1), (x2, y2) = places[first], places[second]
     x1, x2, low = x1 + WIDE / 2, x2 + WIDE / 2, max(y1, y2) + HIGH + 24
     path = f"M{x1:g} {y1 + HIGH:g} C{x1:g} {low:g} {x2:g} {low:g} {x2 + 12:g} {y2 + HIGH:g}"
-    return Loop(path, name, (x1 + x2) / 2, low + 4)
+    return LoopArc(path, name, (x1 + x2) / 2, low + 4)
 
 
 def _matrix(chain: Chain) -> tuple[list[tuple[str, str, int]], list[tuple[int, int, str]]] | None:

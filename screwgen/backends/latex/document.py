@@ -25,16 +25,16 @@ from .page import math_font as math_font
 from .page import page as page
 from .pattern import pattern
 from .steps import BlockView, block_view
-from .style import Style
+from .style import DocumentStyle
 from .symbols import SLIDING, entries
 
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """What a notebook shows of a link: the blocks by which the paper calls them."""
-PLAIN = Style()
+PLAIN = DocumentStyle()
 
 
 def document(
-    robot: Robot, plugins: Sequence[Plugin] = (), style: Style = PLAIN, notation: Notation | None = None
+    robot: Robot, plugins: Sequence[Plugin] = (), style: DocumentStyle = PLAIN, notation: Notation | None = None
 ) -> str:
     """A LaTeX document with the equations of ``robot``; needs amsmath, booktabs and longtable alone."""
     return tex(content(robot, plugins, notation), style)
@@ -45,7 +45,7 @@ def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None
     return page(content(robot, plugins, notation), extras(Chain(robot)))
 
 
-def tex(shown: Document, style: Style = PLAIN) -> str:
+def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
     """A document in LaTeX, or a fragment of one."""
     template = "latex/fragment.tex.jinja" if style.fragment else "latex/document.tex.jinja"
     return render(template, document=shown, style=style, text=text.tex, rows=text.tex_rows)

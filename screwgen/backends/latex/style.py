@@ -13,7 +13,7 @@ MARGINS = {"11pt": "17mm", "12pt": "10mm"}
 
 
 @dataclass(frozen=True)
-class Style:
+class DocumentStyle:
     """A LaTeX file: a document of a class, by default article, or a fragment for ``\\input``."""
 
     documentclass: str = ""
@@ -26,10 +26,10 @@ class Style:
         return next((m for size, m in MARGINS.items() if size in self.options.split(",")), "22mm")
 
 
-def style(documentclass: str | None, fragment: bool) -> Style:
+def style(documentclass: str | None, fragment: bool) -> DocumentStyle:
     """The style that options state, ``NAME[options]``; raises UsageError for what is none."""
     if documentclass is None:
-        return Style(fragment=fragment)
+        return DocumentStyle(fragment=fragment)
     if fragment:
         raise UsageError("--documentclass: a fragment has no class of its own; leave out one of the two options")
     match = CLASS.fullmatch(documentclass)
@@ -37,4 +37,4 @@ def style(documentclass: str | None, fragment: bool) -> Style:
         raise UsageError(
             f"--documentclass: '{one_line(documentclass)}' is no class; write NAME or 'NAME[option,option]'"
         )
-    return Style(match["name"], match["options"] or "")
+    return DocumentStyle(match["name"], match["options"] or "")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...spec.parameters import coordinate_names, coordinate_units
 from ...topology.chain import Chain
 from ...version import __version__
-from ..latex.content import Display, Document, DocumentSection, DocumentTable, Heading, Item, Paragraph
+from ..latex.content import SYMBOLS, Display, Document, DocumentSection, DocumentTable, Heading, Item, Paragraph
 from ..latex.layout import columns
 from ..latex.tables import decimal
 from .equations import Equations, Shown
@@ -26,7 +26,7 @@ def content(chain: Chain, equations: Equations, linear: Shown | None = None) -> 
     sections = [DocumentSection("Equations of motion", [_about(equations), *_formulas(equations)])]
     if linear is not None:
         sections.append(DocumentSection("Small motions about rest", _formulas(linear)))
-    sections.append(DocumentSection("Symbols", [_coordinates(chain, equations), _parameters(equations)]))
+    sections.append(DocumentSection(SYMBOLS, [_coordinates(chain, equations), _parameters(equations)]))
     return Document(name, __version__, tuple(sections), f"Equations of motion of `{name}` in scalars")
 
 

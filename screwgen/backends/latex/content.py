@@ -75,6 +75,9 @@ class DocumentSection:
     """The number of the class of links that it is about; 0 if it is about none."""
 
 
+SYMBOLS, PARAMETERS = "Symbols", "Parameters"
+"""The titles of the tables in which readers look things up."""
+
 Named = tuple[str, str, str, str, str, Binding | None]
 """A symbol of the text: LaTeX, meaning, unit, shape, frame, binding."""
 

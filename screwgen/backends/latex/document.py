@@ -17,19 +17,17 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..templates import render
 from . import elements, tables, text
-from .content import CITATION, Document, DocumentSection, Item, Paragraph, parse
+from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, Item, Paragraph, parse
 from .link_class import class_section, ordered
 from .notation import Notation, respelled
 from .page import extras as extras
 from .page import math_font as math_font
 from .page import page as page
 from .pattern import pattern
-from .steps import BlockView, block_view
+from .steps import KEY_STEPS, BlockView, block_view
 from .style import DocumentStyle
 from .symbols import SLIDING, entries
 
-KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
-"""What a notebook shows of a link: the blocks by which the paper calls them."""
 PLAIN = DocumentStyle()
 
 
@@ -93,8 +91,8 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     sections += [
-        DocumentSection("Symbols", [tables.symbols(entries(known, named))]),
-        DocumentSection("Parameters", [tables.parameters(parameters(robot))]),
+        DocumentSection(SYMBOLS, [tables.symbols(entries(known, named))]),
+        DocumentSection(PARAMETERS, [tables.parameters(parameters(robot))]),
     ]
     shown = Document(robot.name, __version__, tuple(sections))
     if notation is None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cached_property
 from pathlib import Path
@@ -19,9 +19,10 @@ from typing import Any
 from ...errors import UsageError, one_line
 from ...ir.block import NamedSignal
 from .breaking import fitted
-from .content import Display, Document, DocumentTable, Heading, Item, Paragraph, StepEquation
+from .content import SYMBOLS, Display, Document, DocumentTable, Heading, Item, Paragraph, StepEquation
 from .layout import Formula
 from .scalars import entry
+from .tables import NONE
 
 FOLDER = Path(__file__).parent / "notations"
 CHOICES = {"vectors": ("bold", "arrow"), "rates": ("dot", "prime"), "skew": ("tilde", "hat", "cross")}
@@ -41,23 +42,16 @@ SYMBOL = re.compile(
 LETTER = re.compile(
     rf"(?P<letter>(?P<accent>{ACCENT}\{{)?(?:{BOLD}{GROUP}|\\[A-Za-z]+|[A-Za-z])(?(accent)\}}))(?:_(?P<below>{SCRIPT}))?"
 )
-CAPITAL_VECTORS = {
-    r"\mathbf{V}",
-    r"\mathbf{Z}",
-    r"\mathbf{S}",
-    r"\mathbf{F}",
-    r"\mathbf{H}",
-    r"\boldsymbol{\mathcal{W}}",
-}
-"""Bold capitals that are vectors; other bold capitals are matrices."""
-SMALL_MATRICES = {r"\boldsymbol{\phi}", r"\boldsymbol{\psi}"}
-MATRICES_OF = {r"\mathbf{S}": ("i", "q"), r"\mathbf{H}": ("c", "x", "y", "z")}
-"""Of a letter that is a vector, the subscripts with which it is a matrix."""
-
+NEIGHBOUR = re.compile(r"\(?i[+-]1\)?")
+"""The subscript of the link before or behind."""
+OTHER_MATRICES = (r"\mathbf{0}", r"\boldsymbol{\Delta}")
+"""Bold letters that are not in the table of symbols are vectors, but for these."""
 
 Symbol = tuple[str, str]
 """A letter and its subscript."""
 Entries = Mapping[Symbol, Symbol]
+Vectors = Mapping[str, Mapping[str, bool]]
+"""Of a letter with each of its subscripts: whether it is a vector."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +64,8 @@ class Notation:
     rates: str = "dot"
     skew: str = "tilde"
     transpose: str = r"\top"
+    shapes: Vectors = field(default_factory=dict, compare=False)
+    """Of the symbols of the document."""
 
     @cached_property
     def changes(self) -> bool:
@@ -107,9 +103,17 @@ class Notation:
             return whole
         written, own = self._table.get((letter, ""), (letter, ""))
         below = ",".join(filter(None, (own, below)))
-        if self.vectors == "arrow" and _is_vector(letter, below):
+        if self.vectors == "arrow" and self._is_vector(letter, below):
             written = rf"\vec{{{_plain(written)}}}"
         return written, below
+
+    def _is_vector(self, letter: str, below: str) -> bool:
+        """Whether it is a vector's; with a subscript that is not in the table, if it is one with all others."""
+        if not re.match(BOLD, letter) or letter in OTHER_MATRICES:
+            return False
+        known = self.shapes.get(letter, {})
+        own = known.get(below, known.get(NEIGHBOUR.sub("i", below)))
+        return all(known.values()) if own is None else own
 
     def _redecorates(self, accents: list[str]) -> bool:
         rates = self.rates != "dot" and not {"dot", "ddot"}.isdisjoint(accents)
@@ -135,16 +139,6 @@ class Notation:
 def _plain(letter: str) -> str:
     """A letter that is not bold."""
     return re.sub(rf"{BOLD}\{{(.*)\}}", r"\1", letter)
-
-
-def _is_vector(letter: str, below: str) -> bool:
-    """Whether a bold letter is a vector."""
-    if not re.match(BOLD, letter) or letter.startswith(r"\mathcal") or letter in SMALL_MATRICES:
-        return False
-    if letter in CAPITAL_VECTORS:
-        return below not in MATRICES_OF.get(letter, ())
-    inner = re.sub(r"[^A-Za-z]", "", re.sub(BOLD, "", letter))
-    return inner[:1].islower()
 
 
 def _scripts(scripts: str) -> tuple[str, str]:
@@ -215,10 +209,25 @@ def respelled(document: Document, chosen: Notation, signals: Iterable[NamedSigna
     """The document in a notation; raises UsageError where two of its symbols would look alike."""
     if not chosen.changes:
         return document
+    chosen = replace(chosen, shapes=_vectors(document))
     entries = dict(_entries(chosen, signals))
     _check_distinct(document, chosen)
     sections = tuple(replace(s, items=[_item(item, chosen, entries) for item in s.items]) for s in document.sections)
     return replace(document, sections=sections)
+
+
+def _vectors(document: Document) -> Vectors:
+    """What the shapes in the table of symbols say of bold letters."""
+    out: dict[str, dict[str, bool]] = {}
+    tables = (item for s in document.sections if s.title == SYMBOLS for item in s.items)
+    for item in (table for table in tables if isinstance(table, DocumentTable) and "shape" in table.head):
+        for row in item.rows:
+            shape = row[item.head.index("shape")]
+            match = SYMBOL.fullmatch(row[0].strip("$"))
+            if match and match["letter"] and re.match(BOLD, match["letter"]):
+                below, _ = _scripts(match["scripts"])
+                out.setdefault(match["letter"], {})[below] = shape not in (NONE, "$1$") and r"\times" not in shape
+    return out
 
 
 def _entries(chosen: Notation, signals: Iterable[NamedSignal]) -> Iterator[tuple[Symbol, Symbol]]:

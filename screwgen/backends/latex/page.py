@@ -18,16 +18,28 @@ from ...topology.chain import Chain
 from ..templates import folder, markup, render
 from . import code_lines, diagram, numbers, text
 from .code_lines import CodeLines, GeneratedC
-from .content import Display, Document, DocumentSection, DocumentTable, Heading, Item, Paragraph, StepEquation
+from .content import (
+    PARAMETERS,
+    SYMBOLS,
+    Display,
+    Document,
+    DocumentSection,
+    DocumentTable,
+    Heading,
+    Item,
+    Paragraph,
+    StepEquation,
+)
 from .layout import Formula
 from .marks import Entries, Marks
 from .numbers import MANY_LINKS, Table
+from .steps import KEY_STEPS
 
 ESSENCE, CLASSES, ALL = 1, 2, 3
 """The levels of detail: what a robot is solved by, what each class of links adds, every auxiliary step."""
-KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi", "M_eta", "K", "S", "J", "A")
+CLASS_STEPS = (*KEY_STEPS, "M_eta", "K", "S", "J", "A")
 """Steps that the second level shows besides those that the paper numbers."""
-SYMBOLS, PARAMETERS, SOLUTION = "Symbols", "Parameters", "Its solution"
+SOLUTION = "Its solution"
 BIAS = re.compile(r"joint: .*eliminated")
 """The heading, in generated C, of what has the bias of a joint."""
 FORWARD = "forward_dynamics"
@@ -180,7 +192,7 @@ def _items(
             continue
         seen[item.step.name] += 1
         name = item.step.name if seen[item.step.name] == 1 else f"{item.step.name}-{seen[item.step.name]}"
-        level = CLASSES if item.step.equation or item.step.name in KEY_STEPS else ALL
+        level = CLASSES if item.step.equation or item.step.name in CLASS_STEPS else ALL
         code = _code(item, section.link_class, more)
         yield PageItem(item, f"{anchor}-{name}", level, number_of.get(_left(item.step.formula), -1), code)
 

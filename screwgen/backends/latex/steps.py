@@ -19,6 +19,8 @@ from .tidy import has_integral, is_elementwise, is_symbols_product, tidy
 
 Axes = Sequence[tuple[tuple[sp.Expr, ...], str]]
 """Unit axes with their names."""
+KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
+"""The blocks of a link's equations, by which the paper calls them."""
 
 
 @dataclass(frozen=True)

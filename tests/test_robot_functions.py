@@ -9,7 +9,16 @@ from helpers import Case, drawn, example, quick, relative
 
 from docs.tools import functions_page
 from screwgen import rollout, simulate
-from screwgen.algorithms.robot_functions import BY_NAME, FUNCTIONS, entry_names, entry_units, offered, reported, shape
+from screwgen.algorithms.robot_functions import (
+    BY_NAME,
+    FUNCTIONS,
+    OUTPUTS,
+    entry_names,
+    entry_units,
+    offered,
+    reported,
+    shape,
+)
 from screwgen.algorithms.signals import Signal
 
 EXAMPLES = ("ella", "bucket", "crane_loop", "elastic_joint", "space_arm", "gantry")
@@ -118,3 +127,9 @@ def test_what_nothing_reports_is_no_attribute():
     for x in (model.numpy(), run, rollout(model, np.zeros(2 * model.nq), step=1e-3, steps=1), quick(model)):
         with pytest.raises(AttributeError, match="has no attribute 'powers'"):
             _ = x.powers
+
+
+def test_results_that_are_reported_have_names_of_their_own():
+    """`evaluate` prints them side by side, by their names alone."""
+    names = [name for row in FUNCTIONS if row.c_file == OUTPUTS for name in row.results]
+    assert len(set(names)) == len(names) > 2

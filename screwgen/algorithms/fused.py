@@ -111,7 +111,7 @@ def precise(op: str, x: Any) -> Any:
         return -x
     if op == "on":
         return mpmath.mpf(x > 0)
-    if op in ("c4", "c5", "c6", "c7"):
+    if op[0] == "c" and op[1:].isdigit():
         return _stumpff(int(op[1]), x)
     return getattr(mpmath, op)(x)
 

@@ -19,8 +19,8 @@ import numpy as np
 
 Array = np.ndarray
 
-FUNCTIONS = frozenset({"sqrt", "sin", "cos", "on", "c4", "c5", "c6", "c7", "c8"})
-"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6, c7, c8: slopes).
+FUNCTIONS = frozenset({"sqrt", "sin", "cos", "on", "c4", "c5", "c6", "c7", "c8", "c9"})
+"""Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6 to c9: slopes).
 
 ``on`` is 1 where its argument is > 0, else 0.
 """

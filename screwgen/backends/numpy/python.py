@@ -31,14 +31,10 @@ def c5(x: float) -> float:
     return (math.sin(s) - s + s * x / 6.0) / (x * x * s)
 
 
-def c6(x: float) -> float:
-    """``c_6``, from c_4 if there is no cancellation."""
-    return series(6, x) if x < LIMIT else (1.0 / 24.0 - c4(x)) / x
-
-
-def c7(x: float) -> float:
-    """``c_7`` likewise from c_5."""
-    return series(7, x) if x < LIMIT else (1.0 / 120.0 - c5(x)) / x
+def following(order: int, lower: Callable[[float], float]) -> Callable[[float], float]:
+    """The Stumpff function of an order from that two orders below, if there is no cancellation."""
+    first = 1.0 / math.factorial(order - 2)
+    return lambda x: series(order, x) if x < LIMIT else (first - lower(x)) / x
 
 
 def series(order: int, x: float) -> float:
@@ -49,7 +45,9 @@ def series(order: int, x: float) -> float:
     return total / math.factorial(order)
 
 
-NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5": c5, "c6": c6, "c7": c7}
+NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5": c5}
+for order in range(6, 10):
+    NAMESPACE[f"c{order}"] = following(order, NAMESPACE[f"c{order - 2}"])
 NAMESPACE["on"] = lambda x: float(x > 0.0)
 
 

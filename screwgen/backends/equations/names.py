@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 
+from ...spec.fields import FIELDS
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
 from .ring import Ring
@@ -41,10 +42,6 @@ LETTERS: dict[str, tuple[str, str]] = {
     "bodies.inertia": ("I", "I"),
 }
 """The letter of each kind of parameter, in text and in LaTeX; another kind is called by its key."""
-COMPONENTS = {"bodies.inertia": ("xx", "yy", "zz", "xy", "xz", "yz"), "joint.mount.rpy": ("r", "p", "y")}
-XYZ = ("x", "y", "z")
-
-
 FIRST = ("bodies.mass", "bodies.inertia", "joint.armature", "joint.drives.rotor_inertia", "rho")
 LAST = ("gravity", "length", "frame_at", "bodies.com", "joint.mount")
 """The fields that stand first and last in a product: masses, all else, gravity, lengths."""
@@ -146,11 +143,10 @@ def _name(chain: Chain, p: Parameter, shown: Sequence[Parameter]) -> Name:
         places.append(str(p.link + 1) if len(robot.links) > 1 else "")
     if p.field.startswith("bodies.") and p.link is not None and len(robot.links[p.link].bodies) > 1:
         places[-1] += "abcdefghijklmnopqrstuvwxyz"[p.index[0] % 26]
-    if p.field == "gravity" or p.field in ("bodies.com", "bodies.inertia", "joint.mount.xyz", "joint.mount.rpy"):
+    if components := FIELDS[p.field].components:
         alike = {other.index[-1] for other in shown if other.field == p.field}
-        places.append(COMPONENTS.get(p.field, XYZ)[p.index[-1]] if len(alike) > 1 else "")
-    elif p.field.startswith("frequencies."):
-        places.append(str(p.index[-1] + 1))
+        component = components[p.index[-1]]
+        places.append((component if len(component) < 3 else component[0]) if len(alike) > 1 else "")
     return scripted(letter, *places)
 
 

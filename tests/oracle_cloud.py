@@ -87,12 +87,14 @@ class Cloud:
     tip_inertia: np.ndarray  # (3, 3), in tip-frame axes
     bare: ca.SX | None = None  # points of the undeformed link, 3×N; of a link of order 2
     second: ca.SX | None = None  # second-order displacement of the points, 3×N, inertial axes
+    sections: ca.SX | None = None  # rotations of the sections, 3×3N, inertial axes; of a link of order "exact"
     rate: dict[str, ca.SX] = field(default_factory=dict)
 
     @property
     def moving(self) -> tuple[str, ...]:
         """What has a rate. Of products with the second order only those with the undeformed link are kept."""
         names = ("points", "R", "origin", "tip_R", "tip_point", "twist")
+        names = names if self.sections is None else (*names, "sections")
         return names if self.second is None else (*names, "bare", "second")
 
     @property
@@ -115,10 +117,22 @@ class Cloud:
         """Angular momentum of every section about its own centre, 3×N, in F_i."""
         return self.spin_rate * ca.DM(self.spin_inertia)
 
+    @property
+    def section_spin(self) -> tuple[ca.SX, ca.SX]:
+        """Angular momentum and velocity of every section, 3×N, inertial axes; of a link of order "exact"."""
+        momenta, rates = [], []
+        count = self.sections.shape[1] // 3
+        for k in range(count):
+            R, R_rate = (x[:, 3 * k : 3 * k + 3] for x in (self.sections, self.rate["sections"]))
+            nu = vee(R, R_rate)
+            momenta.append(R @ (ca.DM(self.spin_inertia[:, k]) * nu))
+            rates.append(R @ nu)
+        return ca.horzcat(*momenta), ca.horzcat(*rates)
+
     def kinetic(self) -> ca.SX:
         velocity = self.rate["points"]
         points = ca.dot(per_column(velocity, self.masses), velocity)
-        spins = ca.dot(self.spin, self.spin_rate)
+        spins = ca.dot(*self.section_spin) if self.sections is not None else ca.dot(self.spin, self.spin_rate)
         base = ca.dot(self.omega, ca.DM(self.base_inertia) @ self.omega)
         tip = ca.dot(self.tip_omega, ca.DM(self.tip_inertia) @ self.tip_omega)
         if self.second is not None:
@@ -143,7 +157,8 @@ class Cloud:
 
     def intrinsic_momentum(self) -> ca.SX:
         """Of base bodies about their centre of mass and of the sections' spin; inertial components."""
-        return self.R @ (ca.DM(self.base_inertia) @ self.omega + ca.sum2(self.spin))
+        own = ca.sum2(self.section_spin[0]) if self.sections is not None else self.R @ ca.sum2(self.spin)
+        return self.R @ (ca.DM(self.base_inertia) @ self.omega) + own
 
     def tip_momentum(self) -> ca.SX:
         return self.tip_R @ (ca.DM(self.tip_inertia) @ self.tip_omega)
@@ -172,12 +187,21 @@ def build_cloud(link, q, angles, where, parent_R, parent_point, section_rotation
         R = R @ turn(axis, angle) if turns else R
     origin = joint_point - R @ ca.DM([link.a, 0, 0])
     places, count = ca.DM(link.undeformed()), len(link.masses)
-    tip_point = origin + R @ link.tip_place(eta)
-    tip_R = R @ rotation_vector_matrix(link.tip_turn(eta)) @ ca.DM(link.tip_axes) if section_rotation else R
-    placed = [ca.repmat(origin, 1, count) + R @ (places + link.shift(eta))]
+    exact, sections = hasattr(link, "points"), None
+    if exact:
+        at = link.places(eta, np.append(link.nodes, 1.0))
+        tip_point, tip_R = origin + R @ at[:, -1], R @ link.rotation_at(eta, 1.0)
+        placed = [ca.repmat(origin, 1, count) + R @ at[:, :-1]]
+        sections = ca.horzcat(*[R @ x for x in link.rotations(eta)])
+        spin_inertia = link.section_inertia * link.length * link.section_weights
+    else:
+        tip_point = origin + R @ link.tip_place(eta)
+        tip_R = R @ rotation_vector_matrix(link.tip_turn(eta)) @ ca.DM(link.tip_axes) if section_rotation else R
+        placed = [ca.repmat(origin, 1, count) + R @ (places + link.shift(eta))]
+        spin_inertia = link.spin_inertia
     placed += [joint_point + R @ ca.DM(body.com) for body in link.base]
     placed += [tip_point + tip_R @ ca.DM(body.com) for body in link.tip]
-    bare, second = None, link.second_shift(eta)
+    bare, second = None, None if exact else link.second_shift(eta)
     if second is not None:
         fixed = ca.SX.zeros(3, len(link.base) + len(link.tip))
         bare = ca.horzcat(ca.repmat(origin, 1, count) + R @ places, fixed)
@@ -192,8 +216,9 @@ def build_cloud(link, q, angles, where, parent_R, parent_point, section_rotation
         joint_point=joint_point,
         tip_R=tip_R,
         tip_point=tip_point,
-        twist=link.twist(eta),
-        spin_inertia=link.spin_inertia,
+        twist=ca.SX.zeros(3, 0) if exact else link.twist(eta),
+        spin_inertia=spin_inertia,
+        sections=sections,
         base_inertia=sum((b.inertia for b in link.base), np.zeros((3, 3))),
         tip_inertia=sum((b.inertia for b in link.tip), np.zeros((3, 3))),
     )

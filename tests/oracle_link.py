@@ -236,7 +236,13 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
     line = properties_along(link["section"], nodes)
     K, damping = modal_matrices(link, line, shapes, weights)
     quadratic = link.get("order", order) == 2 and any(counts.values())
-    return Link(
+    exact = link.get("order", order) == "exact" and any(counts.values())
+    kind, more = (Link, {}) if not exact else exact_parts(link, counts, parts)
+    if exact:
+        nodes, weights = more.pop("masses")
+        line = properties_along(link["section"], nodes)
+    return kind(
+        **more,
         length=link["length"],
         a=-link.get("frame_at", 0.0),
         rhoA=line["rhoA"],
@@ -250,3 +256,20 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
         damping=damping,
         second=second_order(modes.get("basis", "polynomial"), counts, link["length"], nodes) if quadratic else None,
     )
+
+
+def exact_parts(link: dict, counts: dict, parts: tuple) -> tuple[type, dict]:
+    """What a link of order "exact" has besides: its sections, and where its masses are."""
+    from oracle_exact import ExactLink, gauss
+
+    most = max(counts.values())
+    points, weights = gauss(most + 2)
+    stations, between = stations_of(link["section"])
+    degree = 0 if not stations else len(stations) - 1 if between == "polynomial" else 1
+    count = max(most + 2, most + 1 + (degree + 2) // 2)
+    masses = (points, weights) if len(parts) == 1 and count == most + 2 else quadrature(count, parts)
+    line = properties_along(link["section"], points)
+    inertia = np.array([line[name] for name in ("rhoIp", "rhoIy", "rhoIz")])
+    basis = link.get("modes", {}).get("basis", "polynomial")
+    own = dict(points=points, section_weights=weights, section_inertia=inertia, basis=basis, masses=masses)
+    return ExactLink, own

@@ -35,6 +35,7 @@ LIMITS = {
     "no_section_rotation": 0.15,
     "no_gravity": 0.15,
     "second_order": 0.0,  # of a link, or of a robot
+    "exact": 0.0,  # of a link: order "exact", drawn from a stream of its own
     "stations": 0.0,  # of a link: a section that varies
     "shear": 0.0,  # of each of: modes of shear in a plane, rotary inertia about an axis
     "basis": None,  # 'clamped_free' or 'polynomial'; None: drawn per link
@@ -66,6 +67,12 @@ def random_robot(rng, n_links: int | None = None, **limits) -> dict:
         for part in (robot, *robot["links"]):
             if chance(rng, limits["second_order"]):
                 part["order"] = int(rng.integers(1, 3))
+    if limits["exact"]:
+        own = np.random.default_rng(int(robot["name"][5:]))
+        robot.pop("section_rotation", None)
+        for link in robot["links"]:
+            if chance(own, limits["exact"]):
+                link["order"] = "exact"
     return robot if any(link["joint"]["axes"] for link in robot["links"]) else _unweld(rng, robot, limits)
 
 

@@ -277,7 +277,9 @@ def _free_terms(s: Scope, twist: Array) -> None:
     g = mx.multiply(quaternion_matrix(s.read("quaternion")).T, s.read("gravity"))
     state = {"omega": twist[:3], "v": twist[3:], "g": g}
     state |= {"eta": s.read("eta"), "etadot": s.read("etadot")}
-    I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
+    names = ("I", "S", "M_D", "h_V", "h_eta", "m", "M_bent")
+    I, S, M_D, h_V, h_eta, m, M_bent = s.lower("link", state, *names)
+    s.keep("M_bent", M_bent)
     s.keep("M_V", mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()))
     s.keep("M_D", M_D)
     s.keep("h_V", h_V)
@@ -309,7 +311,7 @@ def link_rows(s: Scope) -> None:
     given = {name: s.kept(name) for name in ("M_V", "M_D", "M_T", "h_V", "h_T", "b_T", "R_T", "r_T")}
     given |= {name: s.kept(name) for name in ("J_l", "Psi_c", "Phi_c")}
     given |= {
-        "m_eta": s.modal_inertia() if s.key.coupled else s.read("m_eta"),
+        "m_eta": s.modal_inertia() if s.key.full_inertia else s.read("m_eta"),
         "h_phi": s.kept("h_eta") + s.read("f_eta"),
         "w_ext": s.read("w_ext"),
     }

@@ -49,7 +49,7 @@ def link_rows_block(key: LinkClass) -> Block:
 def _modal_inertia(b: Block, key: LinkClass) -> Expression:
     """The (r, r) inertia of the modes; a diagonal one is given by its column."""
     r = key.modes
-    if key.coupled:
+    if key.full_inertia:
         return b.input("m_eta", (r, r), r"\mathbf{M}_{W\phi,i}", meaning="inertia of the modes", numbered=(0, 1))
     return Diagonal(b.input("m_eta", (r, 1)))
 

@@ -108,7 +108,9 @@ def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
     acc_0 = s.kept("acc_0")
     state = {"omega": s.kept("omega"), "alpha": acc_0[:3], "v": mx.zeros(3), "g": -acc_0[3:]}
     state |= {"eta": s.read("eta"), "etadot": s.read("etadot")}
-    m, I, S, M_D, h_V, h_eta = s.lower("turning_link", state, "m", "I", "S", "M_D", "h_V", "h_eta")
+    names = ("m", "I", "S", "M_D", "h_V", "h_eta", "M_bent")
+    m, I, S, M_D, h_V, h_eta, M_bent = s.lower("turning_link", state, *names)
+    s.keep("M_bent", M_bent)
     return mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()), M_D, h_V, h_eta
 
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..ir.program import Array, Value, Vector
+from ..spec.link_class import EXACT
 from . import matrices as mx
+from .rod_sections import turns_to
 from .scope import Scope
 
 
@@ -57,6 +59,11 @@ def tip_quaternion(s: Scope, eta: Array) -> Array:
     """The quaternion of ``R_T``: the turn of the section, then the axes of the tip of a body from a file."""
     if not s.key.section_rotation:
         return mx.array([1.0, 0.0, 0.0, 0.0])
+    if s.key.order == EXACT:
+        total = mx.array([1.0, 0.0, 0.0, 0.0])
+        for theta in turns_to(s, {"eta": eta}):
+            total = quaternion_product(total, turn_quaternion(s, theta))
+        return total
     turn = turn_quaternion(s, s.lower("tip_pose", {"eta": eta}, "theta")[0])
     axes = np.eye(3) if s.key.elastic is None else np.array(s.key.elastic.tip.axes)
     return turn if np.array_equal(axes, np.eye(3)) else quaternion_product(turn, quaternion_of(axes))

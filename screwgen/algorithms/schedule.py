@@ -12,7 +12,7 @@ from ..errors import SingularError
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
-from ..spec.link_class import LinkClass
+from ..spec.link_class import EXACT, LinkClass
 from ..topology.chain import Chain
 from .axis_laws import columns_of
 from .axis_terms import COLUMNS as OF_AXES
@@ -84,7 +84,7 @@ def _ways(key: LinkClass) -> tuple[str, ...]:
     That is to second order, when a link is straight; where sections that turn without inertia have rank at the tip
     alone; where the shapes are the numbers of a file; and where several sections carry links.
     """
-    if key.order == 2 or key.light or key.modes < FEW or key.elastic is not None or key.stations_at:
+    if key.order in (2, EXACT) or key.light or key.modes < FEW or key.elastic is not None or key.stations_at:
         return (FACTOR,)
     return WAYS if key.modes <= MANY else (COMPLIANCE,)
 

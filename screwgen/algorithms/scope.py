@@ -22,36 +22,40 @@ from math import prod
 import numpy as np
 
 from ..bodies.energy import energy_block
+from ..bodies.exact import element_block, link_block, section_block, spin_block
 from ..bodies.joint import joint_block, motion_block, posture_block
-from ..bodies.link import LinkBlock
 from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_block
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Array, Label, Node, Program, Tracer, Value, Vector, give_label
-from ..spec.link_class import LinkClass
+from ..spec.link_class import EXACT, LinkClass
 from . import matrices as mx
 from .joint_rows import joint_rows_block
 from .link_rows import link_rows_block
+from .rod_sections import RodMotion, along_rod
 from .signals import PER_CHILD, at_station, signal, type_of
 
 BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
     "joint": joint_block,
     "posture": posture_block,
     "joint_motion": motion_block,
-    "link": LinkBlock,
+    "link": link_block,
     "tip": tip_block,
     "tip_motion": tip_motion_block,
     "tip_pose": tip_pose_block,
     "tip_body": tip_body_block,
     "joint_rows": joint_rows_block,
     "validity": validity_block,
-    "turning_link": partial(LinkBlock, turning=True),
+    "turning_link": partial(link_block, turning=True),
     "energy": energy_block,
     "link_rows": link_rows_block,
+    "section": section_block,
+    "element": element_block,
+    "section_spin": spin_block,
 }
 """The blocks of a link class by name."""
-OTHERS = ("turning_link", "energy", "link_rows")
+OTHERS = ("turning_link", "energy", "link_rows", "section", "element", "section_spin")
 """Blocks without constants of their own."""
 
 
@@ -148,6 +152,8 @@ class Scope:
     inputs: dict[str, list[Value]] = field(default_factory=dict)
     outputs: dict[str, list[Value]] = field(default_factory=dict)
     fresh: dict[str, Array] = field(default_factory=dict)
+    swept: dict[tuple, RodMotion] = field(default_factory=dict)
+    """The motion along the rod by the modal coordinates and rates that it was found for."""
 
     def read(self, name: str, *shape: int) -> Array:
         """An input signal; ``shape`` is needed if it has no type in :mod:`.signals`."""
@@ -160,9 +166,9 @@ class Scope:
         return self.inputs[name]
 
     def modal_inertia(self) -> Array:
-        """The (r, r) inertia of the link's modes, as given."""
+        """The (r, r) inertia of the link's modes: as given, and what bending adds, which an earlier step has kept."""
         below = self.read("m_below") if self.key.coupled else ()
-        return mx.coupled(self.read("m_eta"), self.key.coupled, below)
+        return mx.coupled(self.read("m_eta"), self.key.coupled, below) + self.kept("M_bent")
 
     def write(self, name: str, values: Vector) -> None:
         """An output signal."""
@@ -179,6 +185,11 @@ class Scope:
     def step(self, title: str) -> AbstractContextManager[None]:
         """Operations recorded inside form a section with this title."""
         return self.tracer.section(title)
+
+    @property
+    def rod(self) -> Scope:
+        """The scope of the link to which this section belongs."""
+        return self
 
     @property
     def sections(self) -> list[Scope]:
@@ -199,6 +210,8 @@ class Scope:
     def lower(self, block: str | Block, inputs: Mapping[str, Array], *outputs: str) -> list[Array]:
         """Record a block (or the class's block of that name) and return outputs; columns are flat arrays."""
         owner = block if isinstance(block, Block) else derived(self.key)[block]
+        if self.key.order == EXACT:
+            inputs = along_rod(self, owner.name, inputs)
         values = lower(owner, inputs, outputs, self.tracer, self.constant)
         flat = [owner.signal(n).shape[1] == 1 and 1 not in owner.signal(n).numbered for n in outputs]
         return [values[n][:, 0] if column else values[n] for n, column in zip(outputs, flat, strict=True)]
@@ -263,6 +276,10 @@ class StationScope(Scope):
         super().__init__(link.key.station(number), link.tracer, link.layouts, link.way, link.inputs, link.outputs)
         self.link, self.number = link, number
         self.parameters: set[str] = set()
+
+    @property
+    def rod(self) -> Scope:
+        return self.link
 
     def _own(self, name: str) -> str:
         tip = name.startswith("tip.") or name.removeprefix("w.") in OF_TIP

@@ -52,6 +52,22 @@ class Weights:
                 out.append(((start - first) * self.segments, (end - first) * self.segments, own))
         return out
 
+    @property
+    def degree(self) -> int:
+        """The degree of the weight functions between their ends."""
+        return 1 if self.between == LINEAR else len(self.places) - 1
+
+    def ends(self) -> list[tuple[float, float]]:
+        """The intervals along which the weight functions are polynomials."""
+        with mpmath.workdps(working_digits(0)):
+            return [(float(a), float(b)) for a, b, _ in self.pieces()]
+
+    def at(self, s: float) -> dict[int, float]:
+        """The weight functions at s in [0, 1] that are not zero there, by station."""
+        with mpmath.workdps(working_digits(0)):
+            a, b, functions = next(p for p in self.pieces() if s <= p[1])
+            return {station: float(form((mpf(s) - a) / (b - a))) for station, form in functions}
+
     def _whole(self) -> list[Piece]:
         """Those along the whole link."""
         s = [mpf(place) for place in self.places]

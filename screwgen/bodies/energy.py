@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..algebra.expression import add, hat, zeros
+from ..algebra.expression import zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
-from .link import LinkBlock
+from .exact import link_block
 
 
 def energy_block(key: LinkClass) -> Block:
@@ -16,10 +16,9 @@ def energy_block(key: LinkClass) -> Block:
     ``kinetic = 1/2 ∫ rho A |v + omega x rho + udot|^2 dξ + 1/2 ∫ (omega + thetadot)^T rho I (omega + thetadot) dξ``,
     ``stress = 1/2 eta^T K eta``; the gravitational potential is ``-g . (m r + R S)``.
     """
-    b = LinkBlock(key)
+    b = link_block(key)
     b.name, b.title = "energy", "Energy"
-    velocity = b.vel + hat(b.omega) @ b.rho + b.udot
-    kinetic = add(b.integral(velocity.T @ velocity), b.body.own_energy(b.omega, b.etadot))
+    kinetic = b.twice_kinetic()
     half = sp.Rational(1, 2)
     b.step("kinetic", half * kinetic)
     stress = b.eta.T @ (b.body.stiffness @ b.eta) if key.modes else zeros(1)

@@ -93,7 +93,7 @@ class LinkBlock(Block):
         return Integral(integrand, self.body.rhoA, self.body.fields.integrate)
 
     def _constants(self) -> None:
-        m_B, S_B, J_B = self._base_bodies()
+        m_B, S_B, J_B = self.base = self._base_bodies()
         mu, S, J = self.body.moments()
         self.m = self.step("m", mu + m_B)
         self.S_0 = self.step("S_0", S + S_B)
@@ -146,6 +146,7 @@ class LinkBlock(Block):
         turned = _moment(self.key.modes, *(unit(t.axis) @ t.momentum for t in self.body.turnings))
         M_D = self.step("M_D", add(coupling, turned))
         self.step("M_Dphi", M_D.T)
+        self.step("M_bent", zeros(self.key.modes, self.key.modes))
 
     def _bias(self) -> None:
         """Gyroscopic terms, weight and stress: h_MD, H*, h_phi."""
@@ -180,6 +181,11 @@ class LinkBlock(Block):
             return self.step("Omega", centripetal, symmetric=True)
         self.alpha = self.input("alpha", (3, 1))
         return self.step("Omega", hat(self.alpha) + centripetal)
+
+    def twice_kinetic(self) -> Expression:
+        """Twice the kinetic energy of the link and its base bodies, J."""
+        velocity = self.vel + hat(self.omega) @ self.rho + self.udot
+        return add(self.integral(velocity.T @ velocity), self.body.own_energy(self.omega, self.etadot))
 
     def _spun_up(self) -> Expression:
         """The inertial wrench of the sections' own inertia at ``alpha``."""

@@ -52,6 +52,10 @@ class RodBody(Elastic, RodStiffness):
         self.strain = field("strain", f.strain(), **({"meaning": sheared} if len(self.key.counts) > 4 else {}))
         self._deform(f, f.second, self.Phi)
 
+    def sampled(self, name: str, s: float) -> sp.Expr:
+        """A property of the section at the place s in [0, 1]."""
+        return self.b.values[name].item()
+
     # what follows from the parameters ---------------------------------------------------------
 
     def moments(self) -> Moments6:

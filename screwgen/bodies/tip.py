@@ -11,7 +11,7 @@ import sympy as sp
 from ..algebra.expression import Expression, Symbol, hat, identity, matrix, number, unit, vector, zeros
 from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
 from ..ir.block import Block
-from ..spec.link_class import LinkClass
+from ..spec.link_class import EXACT, LinkClass
 from ..spec.markers import BASE, TIP
 from .fields import Fields, length
 from .lumped import lumped
@@ -61,12 +61,24 @@ def _moving_tip(b: Block, key: LinkClass) -> tuple[Expression, Symbol, Expressio
     """``R_T, r_T``, the section's relative angular velocity, and the rates without ``etaddot`` of what moves."""
     etadot = b.input("etadot", (key.modes, 1))
     R_T, r_T = tip_pose(b, key)
+    if key.order == EXACT:
+        return R_T, r_T, *_swept_tip(b, key)
     udot = b.step("udot_T", b.symbol("Phi_c") @ etadot)
     omega_s, alpha_s = _turning(b, key, etadot)
     rates: dict[str, Expression] = {"r_T": udot, "omega_s": alpha_s}
     if key.order == 2:
         rates["udot_T"] = _bent(b, "Phi2dot", "H", etadot)
     return R_T, r_T, omega_s, rates
+
+
+def _swept_tip(b: Block, key: LinkClass) -> tuple[Expression, dict[str, Expression]]:
+    """The same of a rod along whose sections the motion is found: it is an input, as are the shapes of the tip."""
+    b.input("Phi_c", (3, key.modes))
+    b.input("Psi_c", (3, key.modes))
+    b.input("J_l", (3, 3))
+    rates: dict[str, Expression] = {"r_T": b.input("udot_T", (3, 1)), "udot_T": b.input("bend_T", (3, 1))}
+    rates["omega_s"] = b.input("alpha_s", (3, 1))
+    return b.input("omega_s", (3, 1)), rates
 
 
 def tip_pose_block(key: LinkClass) -> Block:
@@ -79,6 +91,9 @@ def tip_pose_block(key: LinkClass) -> Block:
 def tip_pose(b: Block, key: LinkClass) -> tuple[Expression, Symbol]:
     """``R_T = exp(hat(theta))`` and ``r_T = r_b(c) + Phi(c) eta``: the tip section in F_i."""
     eta = b.input("eta", (key.modes, 1))
+    if key.order == EXACT:
+        R_T = b.input("R_T", (3, 3)) if key.section_rotation else identity(3)
+        return R_T, b.input("r_T", (3, 1))
     end = end_of_body(b, key) if key.elastic is not None else end_of_rod(b, key)
     moved = _with_slopes(b, key, "Phi_c", b.field("Phi_tip", end.Phi), _constants(b, "H", end.H), eta)
     r_T = b.step("r_T", end.place + moved)

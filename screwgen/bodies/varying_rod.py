@@ -14,7 +14,7 @@ from ..ir.quantities import QUANTITIES
 from ..spec.link_class import LinkClass
 from ..spec.modes import DIRECTIONS
 from .coupled_rod import CoupledRod
-from .fields import STRAIN
+from .fields import STRAIN, number
 from .rod_stiffness import SECTION
 from .varying_fields import VaryingFields, weights
 
@@ -41,6 +41,10 @@ class VaryingRod(CoupledRod):
         self._values[name] = list(self.b.values[at_stations(self.b, self.key, name).name][:, 0])
         display = QUANTITIES[name].display + ALONG
         return self.b.field(name, np.array([[sp.Symbol(name, real=True)]], dtype=object), display)
+
+    def sampled(self, name: str, s: float) -> sp.Expr:
+        """A property of the section at the place s in [0, 1]: interpolated between the stations."""
+        return sp.Add(*(number(w) * self._values[name][station] for station, w in weights(self.key).at(s).items()))
 
     def _section_stiffness(self) -> Symbol:
         """``∫ EA φ_x' φ_x'^T + EIz φ_y'' φ_y''^T + ...``: every direction by the property that resists it."""

@@ -22,6 +22,8 @@ from .reduced import damped, directions, elastic
 from .robot import Link
 
 WELD = Joint(axes=())
+EXACT = "exact"
+"""The order of a rod whose kinematics are not expanded in its strains."""
 AXIS = {"axial": 0, "bending_y": 1, "bending_z": 2, "shear_y": 1, "shear_z": 2}
 """The axis of F_i along which the modes of a direction displace the centreline; torsion does not."""
 TURN = {"torsion": (0, 1), "bending_z": (1, -1), "bending_y": (2, 1)}
@@ -93,8 +95,8 @@ class LinkClass:
     """A rigid body from outside, see :class:`screwgen.bodies.contract.RigidMoments`."""
     elastic: Invariants | None = None
     """A flexible body given by numbers; they are part of the class."""
-    order: int = 1
-    """The order of the rod's shape in its strains, 1 or 2."""
+    order: int | str = 1
+    """The order of the rod's shape in its strains, 1 or 2, or EXACT."""
     measured: tuple[str, ...] = ()
     """The directions whose stiffness is stated by natural frequencies."""
     stations: tuple[float, ...] = ()
@@ -250,6 +252,11 @@ class LinkClass:
         of = [d for d, _ in self.directions]
         return tuple((i, j) for i in range(self.modes) for j in range(i) if self._couples(of[i], of[j]))
 
+    @property
+    def full_inertia(self) -> bool:
+        """Whether the inertia of the modes has entries off its diagonal, constant ones or by bending."""
+        return bool(self.coupled) or self.order == EXACT
+
     def _couples(self, first: str, second: str) -> bool:
         if first != second:
             return AXIS.get(first) == AXIS.get(second)
@@ -301,7 +308,7 @@ def stops(joint: Joint) -> tuple[Stop, ...]:
     return tuple((axis, side) for axis, x in firm for side in SIDES if getattr(x, side) is not None)
 
 
-def link_class(link: Link, section_rotation: bool, order: int = 1, segment: int = 0, free: bool = False) -> LinkClass:
+def link_class(link: Link, section_rotation: bool, order: int | str = 1, segment: int = 0, free: bool = False) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given.
 
     ``free``: whether it is the segment that floats.

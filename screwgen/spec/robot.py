@@ -88,7 +88,7 @@ class Link(Part):
     )
     modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
-    order: Annotated[int, PlainValidator(shape_order)] | None = Field(
+    order: Annotated[int | str, PlainValidator(shape_order)] | None = Field(
         None, description="the order of the link's shape, 1 or 2; without it the robot's"
     )
     segments: Annotated[int, PlainValidator(segment_count)] = Field(
@@ -175,7 +175,7 @@ class Robot(Part):
     section_rotation: Annotated[bool, PlainValidator(boolean)] = Field(
         True, description="whether tip frames turn with the slope of the deflected link, and next links with them"
     )
-    order: Annotated[int, PlainValidator(shape_order)] = Field(
+    order: Annotated[int | str, PlainValidator(shape_order)] = Field(
         1, description="1: shapes linear in the modes; 2: to second order, with foreshortening and geometric stiffness"
     )
     base: Annotated[str, PlainValidator(choice(FIXED, FLOATING))] = Field(

@@ -87,11 +87,11 @@ def count(value: Any) -> int:
     return int(value)
 
 
-def shape_order(value: Any) -> int:
-    """The order of a link's shape in its modes."""
-    if isinstance(value, bool) or value not in (1, 2):
-        raise refuse(f"is {shown(value)}; it must be 1 or 2")
-    return int(value)
+def shape_order(value: Any) -> int | str:
+    """The order of a link's shape in its modes: 1, 2 or "exact"."""
+    if isinstance(value, bool) or value not in (1, 2, "exact"):
+        raise refuse(f'is {shown(value)}; it must be 1, 2 or "exact"')
+    return value if isinstance(value, str) else int(value)
 
 
 def boolean(value: Any) -> bool:

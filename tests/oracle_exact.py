@@ -1,0 +1,115 @@
+"""The oracle's rod with kinematics kept whole: Gauss collocation of ``R' = R hat(kappa)``, ``r' = R (e_x + gamma)``.
+
+Positions and rotations as CasADi expressions of the modal coordinates, by the formulas of the model's text; energies
+and everything else are derived from them by the oracle. No package code.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import casadi as ca
+import numpy as np
+from oracle_link import Link
+from oracle_second_order import DIRECTIONS, clamped_free, polynomial, tabulate
+
+FINE = 24
+
+
+def gauss(n: int) -> tuple[np.ndarray, np.ndarray]:
+    """Places and weights on [0, 1]."""
+    x, w = np.polynomial.legendre.leggauss(n)
+    return (x + 1) / 2, w / 2
+
+
+@dataclass(frozen=True)
+class ExactLink(Link):
+    """A link of order "exact": `nodes` and `weights` are those of its masses, `points` those of its sections."""
+
+    points: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    section_weights: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    section_inertia: np.ndarray = field(default_factory=lambda: np.zeros((3, 0)))
+    """(3, N) per length at the sections."""
+    basis: str = "polynomial"
+
+    # strains ------------------------------------------------------------------------------------------
+
+    def _tables(self, s: float) -> dict[str, np.ndarray]:
+        """Of each direction (3, r): values, slopes and second derivatives with s."""
+        out = {}
+        for d in DIRECTIONS:
+            order, count = (2 if d.startswith("bending") else 1), self.counts[d]
+            if not count:
+                out[d] = np.zeros((3, 0))
+                continue
+            if order == 1 and self.basis == "clamped_free":
+                wave = (2 * np.arange(1, count + 1) - 1) * np.pi / 2
+                sine, cosine = np.sqrt(2) * np.sin(wave * s), np.sqrt(2) * np.cos(wave * s)
+                out[d] = np.array([sine, wave * cosine, -(wave**2) * sine])
+                continue
+            functions = clamped_free(count) if self.basis == "clamped_free" else polynomial(count, order)
+            out[d] = tabulate(functions, [max(s, 1e-40)])[:, :, 0]
+        return out
+
+    def strains(self, s: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """psi, kappa and gamma (3, r) per unit of each modal coordinate."""
+        l, table, columns = self.length, self._tables(s), ([], [], [])
+        for d in DIRECTIONS:
+            for value, slope, second in table[d].T:
+                psi, kappa, gamma = {
+                    "axial": ([0, 0, 0], [0, 0, 0], [slope / l, 0, 0]),
+                    "bending_y": ([0, 0, slope / l], [0, 0, second / l**2], [0, 0, 0]),
+                    "bending_z": ([0, -slope / l, 0], [0, -second / l**2, 0], [0, 0, 0]),
+                    "torsion": ([value, 0, 0], [slope / l, 0, 0], [0, 0, 0]),
+                    "shear_y": ([0, 0, 0], [0, 0, 0], [0, slope / l, 0]),
+                    "shear_z": ([0, 0, 0], [0, 0, 0], [0, 0, slope / l]),
+                }[d]
+                for column, x in zip(columns, (psi, kappa, gamma), strict=True):
+                    column.append(x)
+        return tuple(np.array(x, dtype=float).reshape(-1, 3).T for x in columns)
+
+    # the shape ----------------------------------------------------------------------------------------
+
+    def rotation(self, eta: ca.SX, before: ca.SX, a: float, b: float) -> ca.SX:
+        """The rotation of the section at b from that at a, by the first two terms of the Magnus expansion."""
+        from oracle_cloud import rotation_vector_matrix
+
+        x, w = gauss(FINE)
+        psi_a = ca.DM(self.strains(a)[0]) @ eta
+        theta = ca.DM(self.strains(b)[0]) @ eta - psi_a
+        for s, weight in zip(a + (b - a) * x, (b - a) * w, strict=True):
+            psi, kappa, _ = self.strains(s)
+            theta += 0.5 * weight * self.length * ca.cross(ca.DM(psi) @ eta - psi_a, ca.DM(kappa) @ eta)
+        return before @ rotation_vector_matrix(theta)
+
+    def rotations(self, eta: ca.SX) -> list[ca.SX]:
+        """Of the sections at the points."""
+        out, before, place = [], ca.SX(np.eye(3)), 0.0
+        for s in self.points:
+            before, place = self.rotation(eta, before, place, s), s
+            out.append(before)
+        return out
+
+    def rotation_at(self, eta: ca.SX, s: float) -> ca.SX:
+        known = [(0.0, ca.SX(np.eye(3))), *zip(self.points, self.rotations(eta), strict=True)]
+        place, before = [x for x in known if x[0] <= s][-1]
+        return self.rotation(eta, before, float(place), s)
+
+    def places(self, eta: ca.SX, at: np.ndarray) -> ca.SX:
+        """(3, len(at)): positions of points of the centreline in F_i: interpolated tangents, integrated."""
+        tangents = [
+            R @ (ca.SX([1, 0, 0]) + ca.DM(self.strains(s)[2]) @ eta)
+            for s, R in zip(self.points, self.rotations(eta), strict=True)
+        ]
+        columns = []
+        for s in at:
+            weights = [lagrange_integral(self.points, j, s) for j in range(len(self.points))]
+            columns.append(self.length * sum((w * t for w, t in zip(weights, tangents, strict=True)), ca.SX.zeros(3)))
+        return ca.horzcat(*columns) + ca.repmat(ca.DM([self.a, 0, 0]), 1, len(at))
+
+
+def lagrange_integral(points: np.ndarray, j: int, s: float) -> float:
+    """The integral from 0 to s of the Lagrange polynomial of point j."""
+    others = np.delete(points, j)
+    polynomial = np.poly1d(others, True) / np.prod(points[j] - others)
+    return float(polynomial.integ()(s))

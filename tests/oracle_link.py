@@ -263,11 +263,10 @@ def exact_parts(link: dict, counts: dict, parts: tuple) -> tuple[type, dict]:
     from oracle_exact import ExactLink, gauss
 
     most = max(counts.values())
-    points, weights = gauss(most + 2)
+    points, weights = gauss(link.get("modes", {}).get("points", most + 2))
     stations, between = stations_of(link["section"])
-    degree = 0 if not stations else len(stations) - 1 if between == "polynomial" else 1
-    count = max(most + 2, most + 1 + (degree + 2) // 2)
-    masses = (points, weights) if len(parts) == 1 and count == most + 2 else quadrature(count, parts)
+    degree = len(stations) - 1 if between == "polynomial" else 1
+    masses = quadrature(most + 1 + (degree + 2) // 2, parts) if stations else gauss(20)
     line = properties_along(link["section"], points)
     inertia = np.array([line[name] for name in ("rhoIp", "rhoIy", "rhoIz")])
     basis = link.get("modes", {}).get("basis", "polynomial")

@@ -16,7 +16,7 @@ import numpy as np
 
 from ..bodies.collocation import Collocation, Turn, collocation
 from ..bodies.exact import SUMS
-from ..ir.program import Array, Tracer
+from ..ir.program import Array, Tracer, Value
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 
@@ -52,6 +52,8 @@ class Section:
     t_eta: Array
     tdot: Array
     t_bend: Array
+    a: Array = field(default_factory=lambda: mx.zeros(3))
+    """The acceleration of the tangent's end, at constant rates, relative to its start."""
 
 
 @dataclass
@@ -96,13 +98,19 @@ class RodMotion:
         pieces = [self.points.turn(a, b) for a, b in pairwise(places[: before + 1])] + [self.points.turn(start, s)]
         return [self._turned(piece)[0] for piece in pieces]
 
-    def _turned(self, turn: Turn) -> tuple[Array, Array]:
-        """A turn and its derivative with the modes."""
-        linear, once = _numbers(turn.linear), _bent(turn, self.eta)
-        return mx.multiply(linear + once, self.eta), linear + 2.0 * once
+    def _turned(self, turn: Turn) -> tuple[Array, Array, Array, Array]:
+        """A turn, its derivative with the modes, its rate, and its second rate at constant modal rates."""
+        theta, by_modes = _along(turn.linear, self.eta), _numbers(turn.linear)
+        rate, bend = _along(turn.linear, self.etadot), mx.zeros(3)
+        for A, B in turn.crossed:
+            (a, b), (adot, bdot) = ((_along(A, x), _along(B, x)) for x in (self.eta, self.etadot))
+            theta, rate = theta + mx.cross(a, b), rate + mx.cross(adot, b) + mx.cross(a, bdot)
+            bend = bend + 2.0 * mx.cross(adot, bdot)
+            by_modes = by_modes + _crossed(a, B) - _crossed(b, A)
+        return theta, by_modes, rate, bend
 
     def next(self, before: Section, turn: Turn, stretch: np.ndarray) -> Section:
-        theta, by_modes = self._turned(turn)
+        theta, by_modes, rate, bend = self._turned(turn)
         length = _length(self.s)
         along = length * _numbers(stretch)
         given = {
@@ -112,21 +120,17 @@ class RodMotion:
             "b_0": before.bend,
             "theta": theta,
             "theta_eta": by_modes,
-            "thetadot": mx.multiply(by_modes, self.etadot),
-            "theta_bend": mx.multiply(2.0 * _bent(turn, self.etadot), self.etadot),
+            "thetadot": rate,
+            "theta_bend": bend,
             "tangent": mx.array([length, 0.0, 0.0]) + mx.multiply(along, self.eta),
             "stretch": along,
             "stretchdot": mx.multiply(along, self.etadot),
         }
         return Section(*self.s.lower("section", given, *SECTION))
 
-    def place(self, s: float) -> tuple[Array, Array, Array, Array]:
-        """Position, displacement by each mode, velocity and acceleration at constant rates of the point at s."""
-        start = self.s.lower("link", {}, "start")[0] if self.s.key.frame_at else mx.zeros(1)
-        weights = self.points.reach(s)
-        sums = [_weighted(weights, [getattr(x, n) for x in self.at]) for n in ("t", "t_eta", "tdot", "t_bend")]
-        sums[0] = sums[0] + mx.array([start[0], 0.0, 0.0])
-        return sums[0], sums[1], sums[2], sums[3]
+    def sum_of(self, weights: Sequence[Value], *names: str) -> list[Array]:
+        """The sums of some quantities of the sections."""
+        return [_weighted(weights, [getattr(x, name) for x in self.at]) for name in names]
 
 
 def _base(modes: int) -> Section:
@@ -134,10 +138,10 @@ def _base(modes: int) -> Section:
     return Section(mx.identity(3), shapes, none, none, none, shapes, none, none)
 
 
-def _weighted(weights: np.ndarray, values: Sequence[Array]) -> Array:
-    total = float(weights[0]) * values[0]
-    for w, x in zip(weights[1:], values[1:], strict=True):
-        total = total + float(w) * x
+def _weighted(weights: Sequence[Value], values: Sequence[Array]) -> Array:
+    total = mx.zeros(*values[0].shape)
+    for w, x in zip(weights, values, strict=True):
+        total = total + w * x
     return total
 
 
@@ -145,9 +149,13 @@ def _numbers(x: np.ndarray) -> Array:
     return mx.array(x.tolist(), x.shape)
 
 
-def _bent(turn: Turn, x: Array) -> Array:
-    """(3, r): the rows ``x^T B_c``."""
-    return mx.array([mx.multiply(_numbers(B), x) for B in turn.bilinear], turn.linear.shape)
+def _along(C: np.ndarray, x: Array) -> Array:
+    return mx.multiply(_numbers(C), x)
+
+
+def _crossed(a: Array, C: np.ndarray) -> Array:
+    """(3, r): ``a x`` each column."""
+    return mx.array([mx.cross(a, column) for column in C.T.tolist()]).T
 
 
 def _length(s: Recorder) -> object:
@@ -183,7 +191,10 @@ def along_rod(s: Recorder, block: str, inputs: Mapping[str, Array]) -> Mapping[s
 
 def tip(motion: RodMotion, at: float) -> dict[str, Array]:
     """Pose, shapes and motion of the section at s, as the blocks of the tip ask for them."""
-    end, (r, P, rdot, bend) = motion.end(at), motion.place(at)
+    key, s, end = motion.s.key, motion.s, motion.end(at)
+    r, P, rdot, bend = motion.sum_of(motion.points.reach(at).tolist(), "t", "t_eta", "tdot", "t_bend")
+    if key.frame_at:
+        r = r + mx.array([s.lower("link", {}, "start")[0][0], 0.0, 0.0])
     shapes = {"Phi_c": P * motion.scale, "Psi_c": end.W * motion.scale, "J_l": mx.identity(3)}
     rates = {"udot_T": rdot, "bend_T": bend, "omega_s": end.w, "alpha_s": end.bend}
     return {"R_T": end.R, "r_T": r, **shapes, **rates}
@@ -191,26 +202,35 @@ def tip(motion: RodMotion, at: float) -> dict[str, Array]:
 
 def sums(motion: RodMotion, inputs: Mapping[str, Array]) -> dict[str, Array]:
     """The sums over masses and sections in the equations of the link."""
-    s, key = motion.s, motion.s.key
+    s, key, points = motion.s, motion.s.key, motion.points
     omega, alpha = inputs["omega"], inputs.get("alpha", mx.zeros(3))
-    square = mx.multiply(mx.hat(omega), mx.hat(omega))
-    (Omega,) = s.lower("turning_link", {"omega": omega, "alpha": alpha}, "Omega") if "alpha" in inputs else [square]
-    total: dict[str, Array] = {}
-    for dm, (place, _) in zip(s.lower("link", {}, "dm")[0], motion.points.masses, strict=True):
-        r, P, rdot, bend = motion.place(place)
-        given = {"dm": mx.array([dm]), "r_k": r, "P_k": P, "rdot_k": rdot, "r_bend": bend}
-        _add(s, total, "element", given | {"omega": omega, "Omega": Omega})
+    block = "turning_link" if "alpha" in inputs else "link"
+    (Omega,) = s.lower(block, {"omega": omega, "alpha": alpha}, "Omega")
+    for x in motion.at:
+        x.a = mx.multiply(Omega, x.t) + 2.0 * mx.cross(omega, x.tdot) + x.t_bend
+    if points.masses is None:
+        rows, shares, centre = points.uniform.tolist(), [1.0] * len(points.places), points.centre.tolist()
+    else:
+        rows = [points.reach(place).tolist() for place, _ in points.masses]
+        shares, centre = (s.lower("link", {}, name)[0] for name in ("shares", "centre"))
+    total: dict[str, Array] = dict(zip(("r_rod", "P_rod", "a_rod"), motion.sum_of(centre, "t", "t_eta", "a"), strict=True))
+    for row, share in zip(rows, shares, strict=True):
+        r, P, a = motion.sum_of(row, "t", "t_eta", "a")
+        _add(s, total, "element", {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a})
     if key.turned:
         pieces = [s.lower("link", {}, f"dI_{axis}")[0] for axis in key.turned]
         for k, x in enumerate(motion.at):
             given = {f"dI_{axis}": mx.array([dI[k]]) for axis, dI in zip(key.turned, pieces, strict=True)}
             given |= {"R_k": x.R, "W_k": x.W, "w_k": x.w, "b_k": x.bend, "omega": omega, "alpha": alpha}
             _add(s, total, "section_spin", given)
-    z = motion.scale
-    total["C_rod"] = total["C_rod"] * z
-    total["M_rod"] = mx.symmetric(len(z), lambda i, j: total["M_rod"][i, j] * (z[i] * z[j]))
-    total["h_rod_eta"] = total["h_rod_eta"] * z
-    return total
+    return {name: _scaled(value, name, motion.scale) for name, value in total.items()}
+
+
+def _scaled(value: Array, name: str, z: Array) -> Array:
+    """A sum whose columns are of modal coordinates of unit length, for those of the link."""
+    if name in ("M_rod", "M_spin"):
+        return mx.symmetric(len(z), lambda i, j: value[i, j] * (z[i] * z[j]))
+    return value * z if name in ("P_rod", "C_rod", "C_spin", "h_rod", "h_spin") else value
 
 
 def _add(s: Recorder, total: dict[str, Array], block: str, given: Mapping[str, Array]) -> None:

@@ -62,7 +62,7 @@ def link_answers(s: Scope) -> Load:
     own, slopes = link_wrench(s, link)
     with s.step("link: wrench at F_i that the motion needs, its inertia and its change with omega"):
         carried = Load(own["wrench"], own["M_V"], slopes["omega"][:6])
-        rows, coupling, inertia = slopes["omega"][6:], own["M_D"], mx.zeros(s.key.modes, s.key.modes)
+        rows, coupling, inertia = slopes["omega"][6:], own["M_D"], own["M_bent"]
         for x in loaded:
             reach = np.vstack([-mx.hat(x.t.omega_s), swing(link.omega, x.r_T, x.udot)])
             with_omega = x.load.Gamma + mx.multiply(x.load.Lambda, reach)
@@ -156,16 +156,17 @@ def link_wrench(s: Scope, link: Motion) -> tuple[dict[str, Array], dict[str, Arr
     """Wrench and modal force of the link alone, and their derivatives with omega, eta and etadot."""
     eta, etadot, etaddot = (s.read(name) for name in ("eta", "etadot", "etaddot"))
     state = {"omega": link.omega, "v": mx.zeros(3), "g": mx.zeros(3), "eta": eta, "etadot": etadot}
-    I, S, M_D, h_V, h_eta, m = s.lower("link", state, "I", "S", "M_D", "h_V", "h_eta", "m")
+    names = ("I", "S", "M_D", "h_V", "h_eta", "m", "M_bent")
+    I, S, M_D, h_V, h_eta, m, M_bent = s.lower("link", state, *names)
     with s.step("link: wrench and modal forces of the link alone, and their slopes"):
         M_V = mx.blocks(I, mx.hat(S), mx.identity(3) * m.item())
         wrench = mx.multiply(M_V, link.stacked) + mx.multiply(M_D, etaddot) + h_V
-        force = mx.multiply(M_D.T, link.stacked) + h_eta
+        force = mx.multiply(M_D.T, link.stacked) + mx.multiply(M_bent, etaddot) + h_eta
         both = [*wrench, *force]
         variables = {"omega": link.omega, "eta": eta, "etadot": etadot}
         shape = lambda x: (len(x), 6 + s.key.modes)  # noqa: E731
         slopes = {n: mx.array(columns(both, x), shape(x)).T for n, x in variables.items()}
-    return {"M_V": M_V, "M_D": M_D, "wrench": wrench}, slopes
+    return {"M_V": M_V, "M_D": M_D, "M_bent": M_bent, "wrench": wrench}, slopes
 
 
 def changed_by_modes(link: Motion, z: Motion, t: Turning, Phi: Array) -> Array:

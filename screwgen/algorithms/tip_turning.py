@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..ir.derivative import stumpff_slope
+from ..ir.derivative import columns, stumpff_slope, tangents
 from ..ir.program import Array
+from ..spec.link_class import EXACT
 from . import matrices as mx
 from .phases import tip_state
 from .scope import Scope
@@ -24,6 +25,8 @@ class Turning:
 def turning(s: Scope) -> Turning:
     """The rotation's columns ``phi_k = J_l Psi_k`` with two time derivatives, and the relative motion."""
     r = s.key.modes
+    if s.key.order == EXACT:
+        return _traced(s)
     if not s.key.section_rotation:
         return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3))
     names = "theta thetadot x xdot c2 c3 c2dot c3dot J_l Psi_c omega_s".split()
@@ -38,6 +41,22 @@ def turning(s: Scope) -> Turning:
         return Turning(mx.multiply(J, Psi), phidot, phiddot, values["omega_s"])
 
 
+def _traced(s: Scope) -> Turning:
+    """The same of a rod whose kinematics are not expanded: its turns are recorded, and so are their rates."""
+    Psi, omega_s = s.lower("tip", tip_state(s, mx.zeros(6)), "Psi_c", "omega_s")
+    return Turning(Psi, *_rates(s, Psi), omega_s)
+
+
+def _rates(s: Scope, shapes: Array) -> tuple[Array, Array]:
+    """The first and second time derivative of what depends on the modal coordinates alone."""
+    eta, etadot, etaddot = (s.read(name) for name in ("eta", "etadot", "etaddot"))
+    with s.step("shapes of the tip: their rates by the modal rates and accelerations"):
+        along = dict(zip(eta, etadot, strict=True))
+        first = tangents(shapes.ravel(), along)
+        second = tangents(first, along | dict(zip(etadot, etaddot, strict=True)))
+        return mx.array(first, shapes.shape), mx.array(second, shapes.shape)
+
+
 def shape_rates(s: Scope, name: str) -> tuple[Array, Array]:
     """The first and second time derivative of the tip's shapes ``Phi_c`` or ``Psi_c``; zero at first order.
 
@@ -46,6 +65,8 @@ def shape_rates(s: Scope, name: str) -> tuple[Array, Array]:
     if s.key.order == 1:
         return mx.zeros(3, s.key.modes), mx.zeros(3, s.key.modes)
     state = tip_state(s, mx.zeros(6))
+    if s.key.order == EXACT:
+        return _rates(s, s.lower("tip", state, "Phi_c")[0])
     first, second = (s.lower("tip", state | {"etadot": s.read(rate)}, name)[0] for rate in ("etadot", "etaddot"))
     return first, second
 
@@ -55,6 +76,8 @@ def held_load(s: Scope, moment: Array, force: Array) -> Array:
     if s.key.order == 1:
         return mx.zeros(s.key.modes, s.key.modes)
     state = tip_state(s, mx.zeros(6))
+    if s.key.order == EXACT:
+        return _held(s, s.lower("tip", state, "Phi_c")[0], force) + _held(s, s.lower("tip", state, "Psi_c")[0], moment)
     parts = [(force, s.lower("tip", state, "H_x", "H_y", "H_z"))]
     if s.key.section_rotation:
         J, *turned = s.lower("tip", state, "J_l", "T_x", "T_y", "T_z")
@@ -62,6 +85,14 @@ def held_load(s: Scope, moment: Array, force: Array) -> Array:
     with s.step("shapes of the tip: a held load on their change with the modes"):
         loaded = (H * x for load, rows in parts for H, x in zip(rows, load, strict=True))
         return sum(loaded, mx.zeros(s.key.modes, s.key.modes))
+
+
+def _held(s: Scope, shapes: Array, load: Array) -> Array:
+    """(r, r): the derivatives of ``shapes^T load`` with the modal coordinates, the load held; row of a force."""
+    with s.step("shapes of the tip: a held load on their change with the modes"):
+        slopes = columns(shapes.ravel(), s.read("eta"))
+        found = [mx.multiply(mx.array(slope, shapes.shape).T, load) for slope in slopes]
+        return mx.array(found, (s.key.modes,) * 2).T
 
 
 def _rates_of_J(s: Scope, t: dict[str, Array], thetaddot: Array) -> tuple[Array, Array]:
@@ -91,7 +122,7 @@ def _stumpff(s: Scope, t: dict[str, Array]) -> list:
 
 def turned_moment(s: Scope, moment: Array) -> Array:
     """``d(phi_l . moment)/d eta_k`` for a constant moment: (r, r), row l, column k."""
-    if not s.key.section_rotation:
+    if not s.key.section_rotation or s.key.order == EXACT:
         return mx.zeros(s.key.modes, s.key.modes)
     names = ("theta", "x", "c2", "c3", "Psi_c")
     t = dict(zip(names, s.lower("tip", tip_state(s, mx.zeros(6)), *names), strict=True))

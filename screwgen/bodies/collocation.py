@@ -1,7 +1,7 @@
 """The numbers of a rod whose kinematics are kept whole: Gauss points, integration along them, turns between them.
 
-Everything is dimensionless, for a rod of unit length and *strains per unit of each mode*: with ``z = 1/l`` for modes in
-metres and 1 for torsion, ``eta_hat = z eta``, the curvature times the length of a piece is ``kappa(s) eta_hat ds``.
+Everything is dimensionless, for a rod of unit length and *modal coordinates of unit length* ``z eta``: z is one over the
+length for modes in metres, and 1 for torsion.
 """
 
 from __future__ import annotations
@@ -11,28 +11,31 @@ from functools import cache, cached_property
 
 import numpy as np
 
+from ..bases import Shapes
 from ..spec.link_class import TURN, LinkClass
 from ..spec.markers import TIP
 from .varying_fields import weights
 
-FINE = 16
-"""Points of the quadrature between two sections: exact for polynomials up to 15 modes."""
+FINE = 20
+"""Points of the quadratures: exact for polynomials up to degree 39."""
 STRAINED = {"axial": 0, "shear_y": 1, "shear_z": 2}
 """The component of the stretch ``gamma`` that each direction strains."""
+NEGLIGIBLE = 1e-14
 
 
 @dataclass(frozen=True)
 class Turn:
-    """The turn from one section to the next, ``Omega = linear eta_hat + [eta_hat^T bilinear_c eta_hat]``, in rad.
+    """The turn from one section to the next, ``Omega = C eta + sum of (A eta) x (B eta)``, rad.
 
-    The first two terms of the Magnus expansion: ``∫kappa`` and ``1/2 ∫(psi - psi_0) x kappa``, psi the integral of
-    kappa.
+    The first two terms of the Magnus expansion, ``∫kappa`` and ``1/2 ∫(psi - psi_0) x kappa`` with psi the integral of
+    kappa. The second has few products: as many as an antisymmetric form on the modes' shapes has planes, one with up to
+    three modes in a direction.
     """
 
     linear: np.ndarray
-    """(3, r)."""
-    bilinear: np.ndarray
-    """(3, r, r), symmetric in the last two."""
+    """C, (3, r)."""
+    crossed: tuple[tuple[np.ndarray, np.ndarray], ...]
+    """The pairs A, B, (3, r) each."""
 
 
 @dataclass(frozen=True)
@@ -57,34 +60,46 @@ class Collocation:
         return list(zip(self.places.tolist(), self.weights.tolist(), strict=True))
 
     @cached_property
-    def masses(self) -> list[tuple[float, float]]:
-        """Places and integration weights of the rod's masses, exact for its straight shape.
+    def masses(self) -> list[tuple[float, float]] | None:
+        """Places and integration weights of the masses of a rod that varies, exact for its straight shape.
 
-        The Gauss points where the section is uniform or varies along one polynomial, else points in each piece.
+        None for a uniform rod, whose masses are :attr:`uniform`.
         """
-        n = max(self.key.counts) + 2
-        pieces, degree = [(0.0, 1.0)], 0
-        if self.key.stations:
-            w = weights(self.key)
-            pieces, degree = w.ends(), w.degree
-        n = max(n, max(self.key.counts) + 1 + (degree + 2) // 2)
-        if len(pieces) == 1 and n <= len(self.places):
-            return self.sections
-        x, w_x = _gauss(n)
-        return [(float(a + (b - a) * s), float((b - a) * w)) for a, b in pieces for s, w in zip(x, w_x, strict=True)]
+        if not self.key.stations:
+            return None
+        own = weights(self.key)
+        x, w = _gauss(max(self.key.counts) + 1 + (own.degree + 2) // 2)
+        return [(float(a + (b - a) * s), float((b - a) * v)) for a, b in own.ends() for s, v in zip(x, w, strict=True)]
+
+    @cached_property
+    def uniform(self) -> np.ndarray:
+        """(N, N): combinations of the tangents whose squares add up to the integral of the squared position.
+
+        The transposed Cholesky factor of ``∫ a a^T ds``, a the weights of :meth:`reach`: exact, and half as many
+        products as with the masses at points.
+        """
+        s, w = _gauss(FINE)
+        reach = np.array([self.reach(x) for x in s])
+        return np.linalg.cholesky(reach.T @ (w[:, None] * reach)).T
+
+    @cached_property
+    def centre(self) -> np.ndarray:
+        """(N,): the weights of the tangents in the mean position of a uniform rod."""
+        s, w = _gauss(FINE)
+        return w @ np.array([self.reach(x) for x in s])
 
     def reach(self, s: float) -> np.ndarray:
         """(N,): the weights of the integral from 0 to s, exact for polynomials of degree N - 1."""
         if s == TIP:
             return self.weights
         x, n = self.places, len(self.places)
-        fine, weights = _gauss(n)
-        powers = np.vander(2.0 * x - 1.0, increasing=True)
-        lagrange = np.linalg.solve(powers.T, np.vander(2.0 * s * fine - 1.0, n, increasing=True).T)
-        return s * lagrange @ weights
+        fine, own = _gauss(n)
+        legendre = np.polynomial.legendre.legvander
+        values = np.linalg.solve(legendre(2.0 * x - 1.0, n - 1).T, legendre(2.0 * s * fine - 1.0, n - 1).T)
+        return s * values @ own
 
     def stretch(self, k: int) -> np.ndarray:
-        """(3, r): the stretch ``gamma`` at point k per unit of each mode."""
+        """(3, r): the stretch ``gamma`` at point k by each mode."""
         out = np.zeros((3, self.key.modes))
         for m, (direction, i) in enumerate(self.key.directions):
             if direction in STRAINED:
@@ -93,43 +108,54 @@ class Collocation:
 
     def turn(self, a: float, b: float) -> Turn:
         """From the section at a to that at b."""
-        fine, weights = _gauss(FINE)
-        psi_a, s = self._psi(a), a + (b - a) * fine
-        psi, kappa = (np.array([f(x) for x in s]) for f in (self._psi, self._kappa))
-        crossed = np.cross((psi - psi_a)[:, :, :, None], kappa[:, :, None, :], axis=1)
-        whole = 0.5 * (b - a) * np.tensordot(weights, crossed, 1)
-        both = 0.5 * (whole + whole.transpose(0, 2, 1))
-        return Turn(self._psi(b) - psi_a, np.where(np.abs(both) < 1e-15, 0.0, both))
+        fine, own = _gauss(FINE)
+        s, psi_a = a + (b - a) * fine, self._turned(a, 0)
+        psi, kappa = (np.array([self._turned(x, n) for x in s]) for n in (0, 1))
+        once = 0.5 * (b - a) * (psi - psi_a).T @ (own[:, None] * kappa)
+        return Turn(self._about(self._turned(b, 0) - psi_a), tuple(self._pairs(0.5 * (once - once.T))))
 
-    def _psi(self, s: float) -> np.ndarray:
-        return self._turned(s, 0)
+    def _pairs(self, K: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
+        """The pairs a, b with ``K = 1/2 sum of (a b^T - b a^T)``, by antisymmetric elimination, largest pivots first."""
+        out, size = [], np.max(np.abs(K), initial=0.0)
+        while size and np.max(np.abs(K)) > 1e-11 * size and np.max(np.abs(K)) > NEGLIGIBLE:
+            i, j = np.unravel_index(np.argmax(np.abs(K)), K.shape)
+            a, b = 2.0 * K[:, i] / K[i, j], K[:, j].copy()
+            K = K - 0.5 * (np.outer(a, b) - np.outer(b, a))
+            out.append((self._about(a), self._about(b)))
+        return [pair for pair in out if _cross(*pair)]
 
-    def _kappa(self, s: float) -> np.ndarray:
-        return self._turned(s, 1)
+    def _about(self, values: np.ndarray) -> np.ndarray:
+        """(3, r): a number for each mode about the axis that it turns the sections about."""
+        out = np.zeros((3, self.key.modes))
+        for m, (direction, _) in enumerate(self.key.directions):
+            if direction in TURN and abs(values[m]) > NEGLIGIBLE:
+                row, sign = TURN[direction]
+                out[row, m] = sign * values[m]
+        return out
 
     def _turned(self, s: float, derivative: int) -> np.ndarray:
-        """(3, r): turn of the section at s, or its derivative along the rod, per unit of each mode."""
-        out = np.zeros((3, self.key.modes))
-        for m, (direction, i) in enumerate(self.key.directions):
-            if direction in TURN:
-                row, sign = TURN[direction]
-                order = derivative + (direction != "torsion")
-                out[row, m] = sign * self._shape(direction, i, s, order)
-        return out
+        """(r,): how far each mode turns the section at s about its axis, or the derivative of that along the rod."""
+        shape = lambda d, i: self._shape(d, i, s, derivative + (d != "torsion"))  # noqa: E731
+        return np.array([shape(d, i) if d in TURN else 0.0 for d, i in self.key.directions])
 
     def _shape(self, direction: str, i: int, s: float, order: int) -> float:
         return _evaluated(self.key.shapes(direction), float(s), order)[i]
 
 
 def points(key: LinkClass) -> int:
-    """The number of Gauss points: two more than the most modes of a direction."""
-    return max(key.counts) + 2
+    """The number of Gauss points: as the file states, or two more than the most modes of a direction."""
+    return key.points or max(key.counts) + 2
 
 
 @cache
 def collocation(key: LinkClass) -> Collocation:
     """The numbers of a link class; those of a station are the link's."""
     return Collocation(key)
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> bool:
+    """Whether the modes of a pair turn sections about more than one axis."""
+    return len(set(np.nonzero(np.abs(a) + np.abs(b))[0].tolist())) > 1
 
 
 @cache
@@ -140,5 +166,5 @@ def _gauss(n: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 @cache
-def _evaluated(shapes, s: float, order: int) -> tuple[float, ...]:  # type: ignore[no-untyped-def]
+def _evaluated(shapes: Shapes, s: float, order: int) -> tuple[float, ...]:
     return tuple(row[0] for row in shapes.evaluate((s,), order))

@@ -22,6 +22,7 @@ from ..algebra.expression import (
     hat,
     identity,
     is_zero,
+    matrix,
     stack,
     unit,
     zeros,
@@ -81,22 +82,19 @@ def _rate_of_tangent(b: Block, theta: Symbol, thetadot: Symbol) -> Expression:
 
 
 def element_block(key: LinkClass) -> Block:
-    """A mass of the rod at a point of its centreline: what it adds to the sums of the link."""
-    b = Block("element", "Mass of the rod at a point")
+    """A mass of the rod: what it adds to the sums of the link, about the base of the rod and per mass of the rod."""
+    b = Block("element", "Mass of the rod")
     if key.order != EXACT:
         return b
     r = key.modes
-    dm, r_k, P = b.input("dm", (1, 1)), b.input("r_k", (3, 1)), b.input("P_k", (3, r))
-    rdot, bend = b.input("rdot_k", (3, 1)), b.input("r_bend", (3, 1))
-    omega, Omega = b.input("omega", (3, 1)), b.input("Omega", (3, 3))
-    S = b.step("S_k", dm @ r_k)
+    share, r_k, P = b.input("share", (1, 1)), b.input("r_k", (3, 1)), b.input("P_k", (3, r))
+    a = b.input("a_k", (3, 1))
+    S, C = b.step("S_k", share @ r_k), b.step("C_F", share @ P)
     b.step("J_k", S @ r_k.T, symmetric=True)
-    C = b.step("C_F", dm @ P)
-    b.step("C_k", stack(hat(r_k) @ C, C))
+    b.step("C_k", hat(r_k) @ C)
     b.step("M_k", P.T @ C, symmetric=True)
-    f = b.step("f_k", dm @ b.step("a_k", Omega @ r_k + 2 * (hat(omega) @ rdot) + bend))
-    b.step("h_k", stack(hat(r_k) @ f, f))
-    b.step("h_eta_k", P.T @ f)
+    b.step("tau_k", hat(S) @ a)
+    b.step("h_eta_k", C.T @ a)
     return b
 
 
@@ -123,35 +121,60 @@ def spin_block(key: LinkClass) -> Block:
         M.append(j @ (dI @ j.T))
         torques.append(own @ (d.T @ nudot) + (d.T @ nu) @ (hat(nu) @ own))
     b.step("I_k", add(*I), symmetric=True)
-    b.step("C_k", stack(add(*C), zeros(3, r)))
+    b.step("C_k", add(*C))
     b.step("M_k", add(*M), symmetric=True)
-    torque = b.step("torque_k", add(*torques))
-    b.step("h_k", stack(torque, zeros(3)))
+    torque = b.step("tau_k", add(*torques))
     b.step("h_eta_k", W.T @ torque)
     return b
 
 
 SUMS = {
-    "element": {"S_k": "S_rod", "J_k": "J_rod", "C_k": "C_rod", "M_k": "M_rod", "h_k": "h_rod", "h_eta_k": "h_rod_eta"},
-    "section_spin": {"I_k": "I_rod", "C_k": "C_rod", "M_k": "M_rod", "h_k": "h_rod", "h_eta_k": "h_rod_eta"},
+    "element": {"J_k": "J_rod", "C_k": "C_rod", "M_k": "M_rod", "tau_k": "tau_rod", "h_eta_k": "h_rod"},
+    "section_spin": {"I_k": "I_spin", "C_k": "C_spin", "M_k": "M_spin", "tau_k": "tau_spin", "h_eta_k": "h_spin"},
 }
 """What a mass and a section contribute, and the sum that takes it: the inputs of the link's equations."""
 
 
 class ExactLinkBlock(LinkBlock):
-    """The equations of a link over the sums of its masses and sections, which are inputs."""
+    """The equations of a link over the sums along its rod, which are inputs: those per mass, about the rod's base."""
 
     def _constants(self) -> None:
         super()._constants()
         masses(self, self.key, self.body)
 
     def _moments(self) -> None:
-        r = self.key.modes
-        self.S = self.step("S", self.input("S_rod", (3, 1)) + self.base[1])
-        self.J = self.step("J", self.input("J_rod", (3, 3)) + self.base[2], symmetric=True)
-        self.turned = self.input("I_rod", (3, 3)) if self.key.turned else zeros(3, 3)
-        self.C, self.M = self.input("C_rod", (6, r)), self.input("M_rod", (r, r))
-        self.h, self.h_modes = self.input("h_rod", (6, 1)), self.input("h_rod_eta", (r, 1))
+        r, mu = self.key.modes, self.symbol("mu")
+        self.a_B = self._acceleration_of_base()
+        s = self.step("S_rod", mu @ self.input("r_rod", (3, 1)))
+        C_F = self.step("F_rod", mu @ self.input("P_rod", (3, r)))
+        J, C = mu @ self.input("J_rod", (3, 3)), mu @ self.input("C_rod", (3, r))
+        f = self.step("f_rod", mu @ (self.a_B + self.input("a_rod", (3, 1))))
+        tau = hat(s) @ self.a_B + mu @ self.input("tau_rod", (3, 1))
+        self.M = mu @ self.input("M_rod", (r, r))
+        self.h_modes = C_F.T @ self.a_B + mu @ self.input("h_rod", (r, 1))
+        if not is_zero(self.start):
+            offset = self.start @ unit(0)
+            s, first = s + mu @ offset, s
+            J = J + offset @ first.T + first @ offset.T + mu @ (offset @ offset.T)
+            C, tau = C + hat(offset) @ C_F, tau + hat(offset) @ f
+        spun = zeros(3, 3)
+        if self.key.turned:
+            spun = self.input("I_spin", (3, 3))
+            C, tau = C + self.input("C_spin", (3, r)), tau + self.input("tau_spin", (3, 1))
+            self.M = self.M + self.input("M_spin", (r, r))
+            self.h_modes = self.h_modes + self.input("h_spin", (r, 1))
+        _, S_B, J_B = self.base
+        self.S = self.step("S", s + S_B)
+        self.J = self.step("J", J + J_B, symmetric=True)
+        self.turned, self.C, self.wrench = spun, stack(C, C_F), stack(tau, f)
+
+    def _acceleration_of_base(self) -> Expression:
+        """That of the rod's base at constant rates, less free fall."""
+        self.step("a_0", hat(self.omega) @ self.vel - self.g)
+        self._turn_operator()
+        if is_zero(self.start):
+            return self.symbol("a_0")
+        return self.step("a_start", self.symbol("a_0") + self.symbol("Omega") @ (self.start @ unit(0)))
 
     def _inertia(self) -> None:
         inertia = Trace(self.J) @ identity(3) - self.J + self.turned
@@ -160,38 +183,50 @@ class ExactLinkBlock(LinkBlock):
         self.step("M_DPsi", M_V - self.M_star, symmetric=True)
         self.step("M_D", self.C)
         self.step("M_Dphi", self.symbol("M_D").T)
-        self.step("M_bent", self.M - self.symbol("M_Wphi"), symmetric=True)
+        full = self.step("M_bent_full", self.M, symmetric=True)
+        self.step("M_bent", full - self.symbol("M_Wphi"), symmetric=True)
 
     def _bias(self) -> None:
-        omega, (m_B, S_B, J_B) = self.omega, self.base
-        a_0 = self.step("a_0", hat(omega) @ self.vel - self.g)
-        Omega = self._turn_operator()
+        (m_B, S_B, J_B), omega, a_0, Omega = self.base, self.omega, self.symbol("a_0"), self.symbol("Omega")
         I_B = Trace(J_B) @ identity(3) - J_B
-        spun = hat(omega) @ (I_B @ omega)
-        rigid = add(spun, I_B @ self.alpha) if self.turning else spun
-        own = zeros(6) if is_zero(J_B) and is_zero(S_B) else stack(rigid, Omega @ S_B)
-        self.step("h_V", add(self.h, own, stack(hat(self.S) @ a_0, self.m @ a_0)))
-        self.step("h_eta", self.h_modes + self.C.T @ stack(zeros(3), a_0))
+        turned = hat(omega) @ (I_B @ omega)
+        if self.turning:
+            turned = turned + I_B @ self.alpha
+        bodies = stack(add(hat(S_B) @ a_0, turned), add(m_B @ a_0, Omega @ S_B))
+        self.step("h_V", add(self.wrench, bodies) if self.key.bodies_at("base") or self.key.body else self.wrench)
+        self.step("h_eta", self.h_modes)
         if not self.turning:
             self._modal_force()
-
 
     def twice_kinetic(self) -> Expression:
         """Twice the kinetic energy of the link and its base bodies, J."""
         V = stack(self.omega, self.vel)
-        return add(V.T @ (self.symbol("M_V") @ V + 2 * (self.C @ self.etadot)), self.etadot.T @ (self.M @ self.etadot))
+        full = self.symbol("M_bent_full")
+        return add(V.T @ (self.symbol("M_V") @ V + 2 * (self.C @ self.etadot)), self.etadot.T @ (full @ self.etadot))
 
 
 def masses(b: Block, key: LinkClass, body: RodBody) -> None:
-    """The masses at points, and the inertia of the sections at the Gauss points, as steps of the link's block."""
+    """The masses at points, and the inertia of the sections at the Gauss points, as steps of the link's block.
+
+    Of a uniform rod the masses are known.
+    """
     c, l = collocation(key), b.values[body.length.name].item()
     b.step("per_length", Inverse(body.length))
     at_points = lambda name, points: [l * number(w) * body.sampled(name, s) for s, w in points]  # noqa: E731
-    b.step("dm", _at_points(b, "dm", at_points("rhoA", c.masses)))
+    if c.masses is not None:
+        dm = b.step("dm", _at_points(b, "dm", at_points("rhoA", c.masses)))
+        b.step("shares", dm @ Inverse(b.symbol("mu")))
+        centre = matrix_of(np.array([c.reach(s) for s, _ in c.masses]).T, r"\mathbf{A}^{\top}")
+        b.step("centre", centre @ b.symbol("shares"))
     for axis in key.turned:
         words = {"unit": "kg*m^2", "meaning": f"inertia of the pieces about axis {'xyz'[axis]} of their sections"}
         values = at_points(TURNED[axis][0], c.sections)
         b.step(f"dI_{axis}", _at_points(b, f"dI_{axis}", values), rf"\mathrm{{d}}\mathbf{{I}}_{{{'xyz'[axis]}}}", **words)
+
+
+def matrix_of(values: np.ndarray, display: str) -> Expression:
+    """A matrix of numbers."""
+    return matrix([[number(x) for x in row] for row in values], values.shape, display)
 
 
 def _at_points(b: Block, name: str, values: list[sp.Expr]) -> Symbol:

@@ -97,6 +97,8 @@ class LinkClass:
     """A flexible body given by numbers; they are part of the class."""
     order: int | str = 1
     """The order of the rod's shape in its strains, 1 or 2, or EXACT."""
+    points: int = 0
+    """The number of Gauss points of a rod of order EXACT that the robot file states; 0: by the number of modes."""
     measured: tuple[str, ...] = ()
     """The directions whose stiffness is stated by natural frequencies."""
     stations: tuple[float, ...] = ()
@@ -341,6 +343,7 @@ def link_class(link: Link, section_rotation: bool, order: int | str = 1, segment
         section_rotation=section_rotation and (any(counts[1:4]) or body is not None),
         bodies=tuple(bodies) if any(bodies) else (),
         order=1 + body.geometric if body else (link.order or order) if any(counts) else 1,
+        points=(modes.points or 0) if (link.order or order) == EXACT else 0,
         measured=modes.measured,
         stations=stations,
         between=link.section.between if link.section else "linear",

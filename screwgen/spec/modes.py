@@ -8,7 +8,7 @@ from pydantic import Field, PlainValidator, model_validator
 from ..bases import BASES, DEFAULT, NATURAL, ORDER, Basis, Shapes, shapes
 from .frequencies import Frequencies
 from .part import Part
-from .values import choice, count, quoted, refuse
+from .values import choice, count, gauss_points, quoted, refuse
 
 DIRECTIONS = tuple(ORDER)
 """The directions of deflection, in the order of the modal coordinates."""
@@ -56,6 +56,9 @@ class Modes(Part):
     torsion: Count = Field(0, description="number of modes of twisting; needs GJ and rhoIp")
     shear_y: Count = Field(0, description="number of modes of shear that deflect in y; needs GAy")
     shear_z: Count = Field(0, description="number of modes of shear that deflect in z; needs GAz")
+    points: Annotated[int, PlainValidator(gauss_points)] | None = Field(
+        None, description='points of integration along a link of order "exact"; without it two more than modes'
+    )
     frequencies: Frequencies | None = Field(None, description="measured natural frequencies in place of stiffness")
 
     @model_validator(mode="before")
@@ -66,6 +69,14 @@ class Modes(Part):
         stated = dict(frequencies) if isinstance(frequencies, dict | Frequencies) else {}
         bends = stated.get("bending_y") or stated.get("bending_z")
         return {"basis": NATURAL} | given if bends else given
+
+    @model_validator(mode="after")
+    def _points_for_the_modes(self) -> Self:
+        """With fewer points than that even a straight link would have the wrong inertia."""
+        least = max(self.counts) + 1
+        if self.points is not None and self.points < least:
+            raise refuse(f"is {self.points}; it must be at least {least}, one more than modes", at=("points",))
+        return self
 
     @model_validator(mode="after")
     def _one_frequency_per_mode(self) -> Self:

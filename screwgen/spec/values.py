@@ -15,6 +15,7 @@ from pydantic_core import PydanticCustomError
 
 Path = tuple[str | int, ...]
 
+MAX_POINTS = 40
 MAX_MODES = 32
 LONGEST_SHOWN = 40
 
@@ -84,6 +85,13 @@ def count(value: Any) -> int:
         raise refuse(f"is {shown(value)}; it must be a whole number from 0 to {MAX_MODES}")
     if not 0 <= int(value) <= MAX_MODES:
         raise refuse(f"is {shown(value)}; it must be from 0 to {MAX_MODES}")
+    return int(value)
+
+
+def gauss_points(value: Any) -> int:
+    """A number of points of integration."""
+    if not isinstance(value, Integral) or isinstance(value, bool) or not 2 <= int(value) <= MAX_POINTS:
+        raise refuse(f"is {shown(value)}; it must be a whole number from 2 to {MAX_POINTS}")
     return int(value)
 
 

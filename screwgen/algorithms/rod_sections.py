@@ -42,7 +42,7 @@ class Recorder(Protocol):
 
 @dataclass
 class Section:
-    """A section: rotation, turn by each mode, angular velocity and its rate at constant rates; the tangent's likewise."""
+    """A section: rotation, turn by each mode, angular velocity and its rate at constant rates; and its tangent's."""
 
     R: Array
     W: Array
@@ -213,7 +213,8 @@ def sums(motion: RodMotion, inputs: Mapping[str, Array]) -> dict[str, Array]:
     else:
         rows = [points.reach(place).tolist() for place, _ in points.masses]
         shares, centre = (s.lower("link", {}, name)[0] for name in ("shares", "centre"))
-    total: dict[str, Array] = dict(zip(("r_rod", "P_rod", "a_rod"), motion.sum_of(centre, "t", "t_eta", "a"), strict=True))
+    means = motion.sum_of(centre, "t", "t_eta", "a")
+    total: dict[str, Array] = dict(zip(("r_rod", "P_rod", "a_rod"), means, strict=True))
     for row, share in zip(rows, shares, strict=True):
         r, P, a = motion.sum_of(row, "t", "t_eta", "a")
         _add(s, total, "element", {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a})

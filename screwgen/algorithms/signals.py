@@ -204,6 +204,7 @@ STORE = {
     "h_V": Signal((6,), WRENCH, F_I, "bias force of the twist rows"),
     "h_T": Signal((6,), WRENCH, TIP, "bias force of the bodies at the tip"),
     "h_eta": Signal(("r",), "N", "-", "gyroscopic force and weight on the modes"),
+    "M_bent": Signal(("r", "r"), "kg", "-", "modal inertia less that of the straight link"),
     "b_T": Signal((6,), ACCELERATION, TIP, "velocity-dependent acceleration of the tip section"),
     "omega_i": Signal((3,), "rad/s", F_I, "angular velocity"),
     "acc_i": Signal((6,), ACCELERATION, F_I, "acceleration of F_i"),

@@ -1,7 +1,7 @@
 """The numbers of a rod whose kinematics are kept whole: Gauss points, integration along them, turns between them.
 
-Everything is dimensionless, for a rod of unit length and *modal coordinates of unit length* ``z eta``: z is one over the
-length for modes in metres, and 1 for torsion.
+Everything is dimensionless, for a rod of unit length and *modal coordinates of unit length* ``z eta``: z is one over
+the length for modes in metres, and 1 for torsion.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ class Collocation:
         return Turn(self._about(self._turned(b, 0) - psi_a), tuple(self._pairs(0.5 * (once - once.T))))
 
     def _pairs(self, K: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
-        """The pairs a, b with ``K = 1/2 sum of (a b^T - b a^T)``, by antisymmetric elimination, largest pivots first."""
+        """The pairs a, b with ``K = 1/2 sum of (a b^T - b a^T)``, by elimination, largest pivots first."""
         out, size = [], np.max(np.abs(K), initial=0.0)
         while size and np.max(np.abs(K)) > 1e-11 * size and np.max(np.abs(K)) > NEGLIGIBLE:
             i, j = np.unravel_index(np.argmax(np.abs(K)), K.shape)

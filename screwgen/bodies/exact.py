@@ -114,7 +114,8 @@ def spin_block(key: LinkClass) -> Block:
         words = {"unit": "kg*m^2", "meaning": f"inertia of the piece about axis {'xyz'[axis]} of its sections"}
         dI = b.input(f"dI_{axis}", (1, 1), rf"\mathrm{{d}}I_{{{'xyz'[axis]}k}}", **words)
         d = R @ unit(axis)
-        j = b.step(f"j_{axis}", W.T @ d, rf"\mathbf{{j}}_{{{axis}}}", unit="-", meaning="turn about the axis by each mode")
+        words = {"unit": "-", "meaning": f"turn about axis {'xyz'[axis]} of the section by each mode"}
+        j = b.step(f"j_{axis}", W.T @ d, rf"\mathbf{{j}}_{{{'xyz'[axis]},k}}", **words)
         own = dI @ d
         I.append(own @ d.T)
         C.append(own @ j.T)
@@ -221,7 +222,8 @@ def masses(b: Block, key: LinkClass, body: RodBody) -> None:
     for axis in key.turned:
         words = {"unit": "kg*m^2", "meaning": f"inertia of the pieces about axis {'xyz'[axis]} of their sections"}
         values = at_points(TURNED[axis][0], c.sections)
-        b.step(f"dI_{axis}", _at_points(b, f"dI_{axis}", values), rf"\mathrm{{d}}\mathbf{{I}}_{{{'xyz'[axis]}}}", **words)
+        display = rf"\mathrm{{d}}\mathbf{{I}}_{{{'xyz'[axis]}}}"
+        b.step(f"dI_{axis}", _at_points(b, f"dI_{axis}", values), display, **words)
 
 
 def matrix_of(values: np.ndarray, display: str) -> Expression:

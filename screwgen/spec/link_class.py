@@ -310,7 +310,9 @@ def stops(joint: Joint) -> tuple[Stop, ...]:
     return tuple((axis, side) for axis, x in firm for side in SIDES if getattr(x, side) is not None)
 
 
-def link_class(link: Link, section_rotation: bool, order: int | str = 1, segment: int = 0, free: bool = False) -> LinkClass:
+def link_class(
+    link: Link, section_rotation: bool, order: int | str = 1, segment: int = 0, free: bool = False
+) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given.
 
     ``free``: whether it is the segment that floats.

@@ -14,6 +14,7 @@ from ...topology.chain import Chain
 from . import step_derivatives
 from .code import Place, entries, literal, singular
 from .pieces import piece_place, pieces
+from .stumpff_slopes import slopes
 
 FILES = ("derivatives.h", "derivatives.c", "wrench_derivatives.c")
 """The files that derivatives add, without the robot's name; their templates have the same names."""
@@ -23,8 +24,6 @@ RATE = 1_500
 
 LIMIT = 45_000
 """The operations, worth half a minute, above which the time is said."""
-
-SLOPES_OF_STUMPFF = {"c6", "c7"}
 
 UNROLLED = 16
 """Up to this many coordinates the solver is written out: values in registers, two to three times as fast as loops."""
@@ -57,7 +56,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "rows": rows,
         "sharing": _sharing() if chain.overconstrained else None,
         "closing": chain.closures[-1].second if rows else None,
-        "stumpff": bool(chain.curved) or bool(SLOPES_OF_STUMPFF & program.operations.keys()),
+        "stumpff": slopes([program], bool(chain.curved)),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
         "wrenches": _wrenches(chain, baked, place),
@@ -86,8 +85,7 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     }
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"))
-    stumpff = bool(SLOPES_OF_STUMPFF & program.operations.keys())
-    return made | {"missing": "", "product": product, "stumpff": stumpff}
+    return made | {"missing": "", "product": product, "stumpff": slopes([program])}
 
 
 def say_time(chain: Chain, what: str, count: int) -> None:

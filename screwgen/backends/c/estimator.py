@@ -16,6 +16,7 @@ from .code import Place, Writer, entries, literal, singular, trimmed, with_unuse
 from .curved import plus, stem
 from .derivatives import say_time
 from .pieces import piece_place, pieces
+from .stumpff_slopes import slopes
 
 FILES = ("estimator.h", "estimator.c")
 """The files that an estimator adds, without the robot's name; their templates have the same names."""
@@ -32,7 +33,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     return (
         pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work"))
         | {
-            "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys()),
+            "slopes_of_stumpff": slopes([program]),
             "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
             "per_entry": 6 * chain.nv**2,
             "gauges": [_gauge(chain, g) for g in gauges(chain)],

@@ -21,6 +21,7 @@ from .derivatives import say_time
 from .fields import fused_place
 from .pieces import piece_place, pieces
 from .project import CProject
+from .stumpff_slopes import slopes
 
 FILES = ("mpc.h", "mpc.c", "qp.h", "qp.c")
 """The files that a controller adds, without the robot's name; their templates have the same names."""
@@ -241,7 +242,7 @@ def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
         "moving_at": at.get("tip_velocity"),
     }
     if not weighed:
-        return out | {"tip": {"pieces": [], "kept": 1}, "slopes_of_stumpff": False}
+        return out | {"tip": {"pieces": [], "kept": 1}, "slopes_of_stumpff": []}
     program = tip_terms(chain, out["turning"], out["moving"], "baked" if baked else "constants")
     say_time(chain, "terms of the tip", program.operation_count)
     own = {
@@ -253,7 +254,7 @@ def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
         "u_q": entries("m->u_q", 3),
     }
     written = pieces(program, piece_place(chain, "m->kept", own, fused_place), ("c", "state", "m"))
-    return out | {"tip": written, "slopes_of_stumpff": bool({"c6", "c7"} & program.operations.keys())}
+    return out | {"tip": written, "slopes_of_stumpff": slopes([program])}
 
 
 def _curvatures(chain: Chain, found: Sequence[Gauge]) -> list[str]:

@@ -15,6 +15,7 @@ from ..c.derivatives import LIMIT
 from ..c.fields import fused_place
 from ..c.pieces import piece_place, pieces
 from ..c.project import CProject
+from ..c.stumpff_slopes import slopes
 from ..numpy.closing import OPENED, extent
 from ..numpy.numeric import Numeric
 from ..templates import folder, render
@@ -83,7 +84,7 @@ def content(project: CProject) -> dict:
         "response": answers.sizes,
         "reports": answers.reports,
         "tips": project.chain.lasts,
-        "slopes_of_stumpff": any({"c6", "c7"} & program.operations.keys() for program in programs.values()),
+        "slopes_of_stumpff": slopes(programs.values()),
     }
 
 

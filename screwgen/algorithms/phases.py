@@ -114,6 +114,17 @@ def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
     return mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()), M_D, h_V, h_eta
 
 
+def link_load(s: Scope, omega: Array, acc: Array) -> tuple[Array, Array]:
+    """Wrench and modal forces that a link alone needs for an acceleration of F_i and its modal accelerations.
+
+    Of an exact rod, whose inertia need not be formed for that.
+    """
+    state = {"omega": omega, "alpha": acc[:3], "v": mx.zeros(3), "g": -acc[3:]}
+    state |= {name: s.read(name) for name in ("eta", "etadot", "etaddot")}
+    wrench, force = s.lower("turning_link", state, "h_V", "h_eta")
+    return wrench, force
+
+
 def tip_bodies(s: Scope) -> tuple[Array, Array, Array]:
     """Mass, first moment and inertia of the bodies at the tip, F_i axes, about the tip point."""
     R, rest = s.kept("R_T"), {"omega_T": mx.zeros(3), "v_T": mx.zeros(3), "g_T": mx.zeros(3)}

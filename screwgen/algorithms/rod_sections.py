@@ -20,7 +20,7 @@ from ..ir.program import Array, Tracer, Value
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 
-SECTION = ("R_k", "W_k", "w_k", "b_k", "t_k", "t_eta", "tdot", "t_bend")
+SECTION = ("R_k", "W_k", "w_k", "b_k", "t_k", "t_eta", "tdot", "t_bend", "G_k")
 LINKS = ("link", "turning_link", "energy")
 TIPS = ("tip", "tip_motion", "tip_pose")
 
@@ -52,8 +52,17 @@ class Section:
     t_eta: Array
     tdot: Array
     t_bend: Array
+    G: Array
+    theta_eta: Array
+    """The derivative of the turn from the section before with each mode."""
+    stretch: Array
+    """That of the tangent in axes of the section."""
     a: Array = field(default_factory=lambda: mx.zeros(3))
-    """The acceleration of the tangent's end, at constant rates, relative to its start."""
+    """The acceleration of the tangent's end relative to its start."""
+    u: Array = field(default_factory=lambda: mx.zeros(3))
+    """The velocity of the tangent's end relative to its start, in space."""
+    tau: Array = field(default_factory=lambda: mx.zeros(3))
+    """The gyroscopic moment of the section."""
 
 
 @dataclass
@@ -63,6 +72,7 @@ class RodMotion:
     s: Recorder
     eta: Array
     etadot: Array
+    etaddot: Array
     scale: Array
     """(r,): coordinates of unit length per modal coordinate."""
     at: list[Section] = field(default_factory=list)
@@ -99,13 +109,14 @@ class RodMotion:
         return [self._turned(piece)[0] for piece in pieces]
 
     def _turned(self, turn: Turn) -> tuple[Array, Array, Array, Array]:
-        """A turn, its derivative with the modes, its rate, and its second rate at constant modal rates."""
+        """A turn, its derivative with the modes, its rate, and its second rate."""
         theta, by_modes = _along(turn.linear, self.eta), _numbers(turn.linear)
-        rate, bend = _along(turn.linear, self.etadot), mx.zeros(3)
+        rate, bend = (_along(turn.linear, x) for x in (self.etadot, self.etaddot))
         for A, B in turn.crossed:
-            (a, b), (adot, bdot) = ((_along(A, x), _along(B, x)) for x in (self.eta, self.etadot))
+            motion = (self.eta, self.etadot, self.etaddot)
+            (a, b), (adot, bdot), (addot, bddot) = ((_along(A, x), _along(B, x)) for x in motion)
             theta, rate = theta + mx.cross(a, b), rate + mx.cross(adot, b) + mx.cross(a, bdot)
-            bend = bend + 2.0 * mx.cross(adot, bdot)
+            bend = bend + 2.0 * mx.cross(adot, bdot) + mx.cross(addot, b) + mx.cross(a, bddot)
             by_modes = by_modes + _crossed(a, B) - _crossed(b, A)
         return theta, by_modes, rate, bend
 
@@ -125,8 +136,9 @@ class RodMotion:
             "tangent": mx.array([length, 0.0, 0.0]) + mx.multiply(along, self.eta),
             "stretch": along,
             "stretchdot": mx.multiply(along, self.etadot),
+            "stretchddot": mx.multiply(along, self.etaddot),
         }
-        return Section(*self.s.lower("section", given, *SECTION))
+        return Section(*self.s.lower("section", given, *SECTION), by_modes, along)
 
     def sum_of(self, weights: Sequence[Value], *names: str) -> list[Array]:
         """The sums of some quantities of the sections."""
@@ -135,7 +147,7 @@ class RodMotion:
 
 def _base(modes: int) -> Section:
     none, shapes = mx.zeros(3), mx.zeros(3, modes)
-    return Section(mx.identity(3), shapes, none, none, none, shapes, none, none)
+    return Section(mx.identity(3), shapes, none, none, none, shapes, none, none, mx.identity(3), shapes, shapes)
 
 
 def _weighted(weights: Sequence[Value], values: Sequence[Array]) -> Array:
@@ -166,12 +178,13 @@ def motion_along(s: Recorder, inputs: Mapping[str, Array]) -> RodMotion:
     """The motion along the rod in the state of some inputs, found once in a scope."""
     rod = s.rod
     eta = np.asarray(inputs["eta"], dtype=object)
-    etadot = np.asarray(inputs.get("etadot", mx.zeros(len(eta))), dtype=object)
-    asked = (*eta, *etadot)
+    still = mx.zeros(len(eta))
+    etadot, etaddot = (np.asarray(inputs.get(name, still), dtype=object) for name in ("etadot", "etaddot"))
+    asked = (*eta, *etadot, *etaddot)
     if asked not in rod.swept:
         one = rod.lower("link", {}, "per_length")[0].item()
         scale = mx.array([1.0 if d == "torsion" else one for d, _ in rod.key.directions])
-        rod.swept[asked] = RodMotion(rod, scale * eta, scale * etadot, scale).run()
+        rod.swept[asked] = RodMotion(rod, scale * eta, scale * etadot, scale * etaddot, scale).run()
     return rod.swept[asked]
 
 
@@ -185,7 +198,7 @@ def along_rod(s: Recorder, block: str, inputs: Mapping[str, Array]) -> Mapping[s
     if "eta" not in inputs or block not in (*LINKS, *TIPS):
         return inputs
     motion = motion_along(s, inputs)
-    found = sums(motion, inputs) if block in LINKS else tip(motion, s.key.section_at)
+    found = sums(motion, block, inputs) if block in LINKS else tip(motion, s.key.section_at)
     return {**inputs, **found}
 
 
@@ -200,41 +213,59 @@ def tip(motion: RodMotion, at: float) -> dict[str, Array]:
     return {"R_T": end.R, "r_T": r, **shapes, **rates}
 
 
-def sums(motion: RodMotion, inputs: Mapping[str, Array]) -> dict[str, Array]:
+def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str, Array]:
     """The sums over masses and sections in the equations of the link."""
     s, key, points = motion.s, motion.s.key, motion.points
     omega, alpha = inputs["omega"], inputs.get("alpha", mx.zeros(3))
-    block = "turning_link" if "alpha" in inputs else "link"
-    (Omega,) = s.lower(block, {"omega": omega, "alpha": alpha}, "Omega")
+    base = {name: inputs[name] for name in ("omega", "alpha", "v", "g") if name in inputs}
+    Omega, a_0 = s.lower(block, base, "Omega", "a_start" if key.frame_at else "a_0")
     for x in motion.at:
         x.a = mx.multiply(Omega, x.t) + 2.0 * mx.cross(omega, x.tdot) + x.t_bend
-    if points.masses is None:
-        rows, shares, centre = points.uniform.tolist(), [1.0] * len(points.places), points.centre.tolist()
-    else:
-        rows = [points.reach(place).tolist() for place, _ in points.masses]
-        shares, centre = (s.lower("link", {}, name)[0] for name in ("shares", "centre"))
-    means = motion.sum_of(centre, "t", "t_eta", "a")
-    total: dict[str, Array] = dict(zip(("r_rod", "P_rod", "a_rod"), means, strict=True))
+        x.u = mx.cross(omega, x.t) + x.tdot
+    rows, shares, centre = _masses(motion)
+    names = ("r_rod", "P_rod", "a_rod", "u_rod")
+    total = dict(zip(names, motion.sum_of(centre, "t", "t_eta", "a", "u"), strict=True))
+    forces = [w * a_0 for w in centre]
     for row, share in zip(rows, shares, strict=True):
-        r, P, a = motion.sum_of(row, "t", "t_eta", "a")
-        _add(s, total, "element", {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a})
+        r, P, a, u = motion.sum_of(row, "t", "t_eta", "a", "u")
+        _add(s, total, "element", {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a, "u_k": u})
+        forces = [f + (w * share) * a for f, w in zip(forces, row, strict=True)]
     if key.turned:
         pieces = [s.lower("link", {}, f"dI_{axis}")[0] for axis in key.turned]
         for k, x in enumerate(motion.at):
             given = {f"dI_{axis}": mx.array([dI[k]]) for axis, dI in zip(key.turned, pieces, strict=True)}
             given |= {"R_k": x.R, "W_k": x.W, "w_k": x.w, "b_k": x.bend, "omega": omega, "alpha": alpha}
-            _add(s, total, "section_spin", given)
+            (x.tau,) = _add(s, total, "section_spin", given, "tau_k")
+    mu, moment = s.lower("link", {}, "mu")[0], mx.zeros(3)
+    for x, f in zip(reversed(motion.at), reversed(forces), strict=True):
+        given = {"R_k": x.R, "G_k": x.G, "t_k": x.t, "theta_eta": x.theta_eta, "stretch": x.stretch}
+        given |= {"m_1": moment, "tau_k": x.tau, "f_k": mu[0] * f}
+        (moment,) = _add(s, total, "section_load", given, "m_k")
     return {name: _scaled(value, name, motion.scale) for name, value in total.items()}
+
+
+def _masses(motion: RodMotion) -> tuple[Sequence[Sequence[Value]], Sequence[Value], Sequence[Value]]:
+    """Of each mass the weights of the tangents in its position, and its share of the rod's; the weights of the mean."""
+    points = motion.points
+    if points.masses is None:
+        return points.uniform.tolist(), [1.0] * len(points.places), points.centre.tolist()
+    shares, centre = (motion.s.lower("link", {}, name)[0] for name in ("shares", "centre"))
+    return [points.reach(place).tolist() for place, _ in points.masses], shares, centre
 
 
 def _scaled(value: Array, name: str, z: Array) -> Array:
     """A sum whose columns are of modal coordinates of unit length, for those of the link."""
     if name in ("M_rod", "M_spin"):
         return mx.symmetric(len(z), lambda i, j: value[i, j] * (z[i] * z[j]))
-    return value * z if name in ("P_rod", "C_rod", "C_spin", "h_rod", "h_spin") else value
+    return value * z if name in ("P_rod", "C_rod", "C_spin", "h_rod") else value
 
 
-def _add(s: Recorder, total: dict[str, Array], block: str, given: Mapping[str, Array]) -> None:
+def _add(
+    s: Recorder, total: dict[str, Array], block: str, given: Mapping[str, Array], *more: str
+) -> list[Array]:
+    """Add what a block contributes to the sums; returns further results."""
     names = SUMS[block]
-    for own, value in zip(names.values(), s.lower(block, given, *names), strict=True):
+    values = s.lower(block, given, *names, *more)
+    for own, value in zip(names.values(), values, strict=False):
         total[own] = total[own] + value if own in total else value
+    return values[len(names) :]

@@ -22,7 +22,7 @@ from math import prod
 import numpy as np
 
 from ..bodies.energy import energy_block
-from ..bodies.exact import element_block, link_block, section_block, spin_block
+from ..bodies.exact import element_block, link_block, load_block, section_block, spin_block
 from ..bodies.joint import joint_block, motion_block, posture_block
 from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_block
 from ..bodies.validity import validity_block
@@ -53,9 +53,10 @@ BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
     "section": section_block,
     "element": element_block,
     "section_spin": spin_block,
+    "section_load": load_block,
 }
 """The blocks of a link class by name."""
-OTHERS = ("turning_link", "energy", "link_rows", "section", "element", "section_spin")
+OTHERS = ("turning_link", "energy", "link_rows", "section", "element", "section_spin", "section_load")
 """Blocks without constants of their own."""
 
 

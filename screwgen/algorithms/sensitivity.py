@@ -19,11 +19,13 @@ import numpy as np
 
 from ..ir.derivative import columns
 from ..ir.program import Array
+from ..spec.link_class import EXACT
 from . import elastic_travels
 from . import matrices as mx
 from .given_motion import Motion, tip_motion_in_link, tip_point, tip_rotation
 from .joint_terms import joint_offset, joint_point, rotation
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
+from .phases import link_load
 from .scope import Scope
 from .subspace_changes import subspace_rates, turned_rows
 from .tip_turning import Turning, held_load, shape_rates, turned_moment, turning
@@ -158,10 +160,13 @@ def link_wrench(s: Scope, link: Motion) -> tuple[dict[str, Array], dict[str, Arr
     state = {"omega": link.omega, "v": mx.zeros(3), "g": mx.zeros(3), "eta": eta, "etadot": etadot}
     names = ("I", "S", "M_D", "h_V", "h_eta", "m", "M_bent")
     I, S, M_D, h_V, h_eta, m, M_bent = s.lower("link", state, *names)
+    M_V = mx.blocks(I, mx.hat(S), mx.identity(3) * m.item())
     with s.step("link: wrench and modal forces of the link alone, and their slopes"):
-        M_V = mx.blocks(I, mx.hat(S), mx.identity(3) * m.item())
-        wrench = mx.multiply(M_V, link.stacked) + mx.multiply(M_D, etaddot) + h_V
-        force = mx.multiply(M_D.T, link.stacked) + mx.multiply(M_bent, etaddot) + h_eta
+        if s.key.order == EXACT:
+            wrench, force = link_load(s, state["omega"], link.stacked)
+        else:
+            wrench = mx.multiply(M_V, link.stacked) + mx.multiply(M_D, etaddot) + h_V
+            force = mx.multiply(M_D.T, link.stacked) + h_eta
         both = [*wrench, *force]
         variables = {"omega": link.omega, "eta": eta, "etadot": etadot}
         shape = lambda x: (len(x), 6 + s.key.modes)  # noqa: E731

@@ -2,8 +2,8 @@
 
 Strains are linear in the modal coordinates, as at any order; rotations and positions are not expanded. The rod is
 collocated at Gauss points: :func:`section_block` steps from the section at one point to that at the next,
-:func:`element_block` and :func:`spin_block` have the inertia there, and the equations of the link are sums over the
-points. One block of each serves all points. :mod:`..algorithms.rod_sections` runs them along the rod.
+:func:`element_block` and :func:`spin_block` have the inertia there, :func:`load_block` what acts on the modes, and the
+equations of the link are sums over the points. One block of each serves all points. :mod:`..algorithms.rod_sections` runs them along the rod.
 """
 
 from __future__ import annotations
@@ -50,7 +50,8 @@ def section_block(key: LinkClass) -> Block:
     w_0, b_0 = b.input("w_0", (3, 1)), b.input("b_0", (3, 1))
     turn, by_modes = b.input("theta", (3, 1)), b.input("theta_eta", (3, r))
     rate_of_turn, bend = b.input("thetadot", (3, 1)), b.input("theta_bend", (3, 1))
-    along, stretch, stretched = b.input("tangent", (3, 1)), b.input("stretch", (3, r)), b.input("stretchdot", (3, 1))
+    along, stretch = b.input("tangent", (3, 1)), b.input("stretch", (3, r))
+    stretched, restretched = b.input("stretchdot", (3, 1)), b.input("stretchddot", (3, 1))
     _, c1, c2, c3, square = angle_steps(b, turn, "x", "k", "turn from section to section")
     R = b.step("R_k", R_0 @ (identity(3) + c1 @ hat(turn) + c2 @ square))
     G = b.step("G_k", R_0 @ (identity(3) + c2 @ hat(turn) + c3 @ square))
@@ -63,7 +64,7 @@ def section_block(key: LinkClass) -> Block:
     b.step("t_eta", R @ stretch - hat(t) @ W)
     lengthened = b.step("lengthened", R @ stretched)
     b.step("tdot", lengthened + hat(w) @ t)
-    b.step("t_bend", hat(angular) @ t + hat(w) @ (hat(w) @ t + 2 * lengthened))
+    b.step("t_bend", hat(angular) @ t + hat(w) @ (hat(w) @ t + 2 * lengthened) + R @ restretched)
     return b
 
 
@@ -88,13 +89,13 @@ def element_block(key: LinkClass) -> Block:
         return b
     r = key.modes
     share, r_k, P = b.input("share", (1, 1)), b.input("r_k", (3, 1)), b.input("P_k", (3, r))
-    a = b.input("a_k", (3, 1))
+    a, u = b.input("a_k", (3, 1)), b.input("u_k", (3, 1))
     S, C = b.step("S_k", share @ r_k), b.step("C_F", share @ P)
     b.step("J_k", S @ r_k.T, symmetric=True)
     b.step("C_k", hat(r_k) @ C)
     b.step("M_k", P.T @ C, symmetric=True)
     b.step("tau_k", hat(S) @ a)
-    b.step("h_eta_k", C.T @ a)
+    b.step("K_k", share @ (u.T @ u))
     return b
 
 
@@ -109,7 +110,7 @@ def spin_block(key: LinkClass) -> Block:
     omega, alpha = b.input("omega", (3, 1)), b.input("alpha", (3, 1))
     nu = b.step("nu_k", omega + w)
     nudot = b.step("nudot_k", alpha + hat(omega) @ w + bend)
-    I, C, M, torques = [], [], [], []
+    I, C, M, torques, energies = [], [], [], [], []
     for axis in key.turned:
         words = {"unit": "kg*m^2", "meaning": f"inertia of the piece about axis {'xyz'[axis]} of its sections"}
         dI = b.input(f"dI_{axis}", (1, 1), rf"\mathrm{{d}}I_{{{'xyz'[axis]}k}}", **words)
@@ -120,18 +121,39 @@ def spin_block(key: LinkClass) -> Block:
         I.append(own @ d.T)
         C.append(own @ j.T)
         M.append(j @ (dI @ j.T))
-        torques.append(own @ (d.T @ nudot) + (d.T @ nu) @ (hat(nu) @ own))
+        along = d.T @ nu
+        torques.append(own @ (d.T @ nudot) + along @ (hat(nu) @ own))
+        energies.append(dI @ (along @ along))
     b.step("I_k", add(*I), symmetric=True)
     b.step("C_k", add(*C))
     b.step("M_k", add(*M), symmetric=True)
-    torque = b.step("tau_k", add(*torques))
-    b.step("h_eta_k", W.T @ torque)
+    b.step("tau_k", add(*torques))
+    b.step("K_k", add(*energies))
+    return b
+
+
+def load_block(key: LinkClass) -> Block:
+    """What forces on the tangents and moments on the sections do to the modes, from the tip to the base.
+
+    The power of a force ``f`` on a tangent and of a moment ``tau`` on a section: each turn carries the moments of all
+    sections behind it.
+    """
+    b = Block("section_load", "Load of a section on the modes")
+    if key.order != EXACT:
+        return b
+    r = key.modes
+    R, G, t = b.input("R_k", (3, 3)), b.input("G_k", (3, 3)), b.input("t_k", (3, 1))
+    by_modes, stretch = b.input("theta_eta", (3, r)), b.input("stretch", (3, r))
+    behind, tau, f = b.input("m_1", (3, 1)), b.input("tau_k", (3, 1)), b.input("f_k", (3, 1))
+    m = b.step("m_k", behind + tau + hat(t) @ f)
+    b.step("h_eta_k", by_modes.T @ (G.T @ m) + stretch.T @ (R.T @ f))
     return b
 
 
 SUMS = {
-    "element": {"J_k": "J_rod", "C_k": "C_rod", "M_k": "M_rod", "tau_k": "tau_rod", "h_eta_k": "h_rod"},
-    "section_spin": {"I_k": "I_spin", "C_k": "C_spin", "M_k": "M_spin", "tau_k": "tau_spin", "h_eta_k": "h_spin"},
+    "element": {"J_k": "J_rod", "C_k": "C_rod", "M_k": "M_rod", "tau_k": "tau_rod", "K_k": "K_rod"},
+    "section_spin": {"I_k": "I_spin", "C_k": "C_spin", "M_k": "M_spin", "tau_k": "tau_spin", "K_k": "K_spin"},
+    "section_load": {"h_eta_k": "h_rod"},
 }
 """What a mass and a section contribute, and the sum that takes it: the inputs of the link's equations."""
 
@@ -152,7 +174,7 @@ class ExactLinkBlock(LinkBlock):
         f = self.step("f_rod", mu @ (self.a_B + self.input("a_rod", (3, 1))))
         tau = hat(s) @ self.a_B + mu @ self.input("tau_rod", (3, 1))
         self.M = mu @ self.input("M_rod", (r, r))
-        self.h_modes = C_F.T @ self.a_B + mu @ self.input("h_rod", (r, 1))
+        self.h_modes = self.input("h_rod", (r, 1))
         if not is_zero(self.start):
             offset = self.start @ unit(0)
             s, first = s + mu @ offset, s
@@ -163,7 +185,6 @@ class ExactLinkBlock(LinkBlock):
             spun = self.input("I_spin", (3, 3))
             C, tau = C + self.input("C_spin", (3, r)), tau + self.input("tau_spin", (3, 1))
             self.M = self.M + self.input("M_spin", (r, r))
-            self.h_modes = self.h_modes + self.input("h_spin", (r, 1))
         _, S_B, J_B = self.base
         self.S = self.step("S", s + S_B)
         self.J = self.step("J", J + J_B, symmetric=True)
@@ -194,16 +215,22 @@ class ExactLinkBlock(LinkBlock):
         if self.turning:
             turned = turned + I_B @ self.alpha
         bodies = stack(add(hat(S_B) @ a_0, turned), add(m_B @ a_0, Omega @ S_B))
-        self.step("h_V", add(self.wrench, bodies) if self.key.bodies_at("base") or self.key.body else self.wrench)
+        self.step("h_V", add(self.wrench, bodies) if self._carries_at_base() else self.wrench)
         self.step("h_eta", self.h_modes)
         if not self.turning:
             self._modal_force()
 
     def twice_kinetic(self) -> Expression:
         """Twice the kinetic energy of the link and its base bodies, J."""
-        V = stack(self.omega, self.vel)
-        full = self.symbol("M_bent_full")
-        return add(V.T @ (self.symbol("M_V") @ V + 2 * (self.C @ self.etadot)), self.etadot.T @ (full @ self.etadot))
+        omega, v, (m_B, S_B, J_B) = self.omega, self.vel, self.base
+        start = v if is_zero(self.start) else v + hat(omega) @ (self.start @ unit(0))
+        rod = start.T @ (start + 2 * self.input("u_rod", (3, 1))) + self.input("K_rod", (1, 1))
+        spun = self.input("K_spin", (1, 1)) if self.key.turned else zeros(1)
+        bodies = v.T @ (m_B @ v + 2 * (hat(omega) @ S_B)) + omega.T @ ((Trace(J_B) @ identity(3) - J_B) @ omega)
+        return add(self.symbol("mu") @ rod, spun, bodies if self._carries_at_base() else zeros(1))
+
+    def _carries_at_base(self) -> bool:
+        return bool(self.key.bodies_at("base") or self.key.body)
 
 
 def masses(b: Block, key: LinkClass, body: RodBody) -> None:

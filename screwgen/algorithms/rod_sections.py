@@ -16,7 +16,7 @@ import numpy as np
 
 from ..bodies.collocation import Collocation, Turn, collocation
 from ..bodies.exact import SUMS
-from ..ir.program import Array, Tracer, Value
+from ..ir.program import Array, Tracer, Vector
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 
@@ -138,9 +138,9 @@ class RodMotion:
             "stretchdot": mx.multiply(along, self.etadot),
             "stretchddot": mx.multiply(along, self.etaddot),
         }
-        return Section(*self.s.lower("section", given, *SECTION), by_modes, along)
+        return Section(*self.s.lower("section", given, *SECTION), theta_eta=by_modes, stretch=along)
 
-    def sum_of(self, weights: Sequence[Value], *names: str) -> list[Array]:
+    def sum_of(self, weights: Vector, *names: str) -> list[Array]:
         """The sums of some quantities of the sections."""
         return [_weighted(weights, [getattr(x, name) for x in self.at]) for name in names]
 
@@ -150,7 +150,7 @@ def _base(modes: int) -> Section:
     return Section(mx.identity(3), shapes, none, none, none, shapes, none, none, mx.identity(3), shapes, shapes)
 
 
-def _weighted(weights: Sequence[Value], values: Sequence[Array]) -> Array:
+def _weighted(weights: Vector, values: Sequence[Array]) -> Array:
     total = mx.zeros(*values[0].shape)
     for w, x in zip(weights, values, strict=True):
         total = total + w * x
@@ -215,7 +215,7 @@ def tip(motion: RodMotion, at: float) -> dict[str, Array]:
 
 def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str, Array]:
     """The sums over masses and sections in the equations of the link."""
-    s, key, points = motion.s, motion.s.key, motion.points
+    s, key = motion.s, motion.s.key
     omega, alpha = inputs["omega"], inputs.get("alpha", mx.zeros(3))
     base = {name: inputs[name] for name in ("omega", "alpha", "v", "g") if name in inputs}
     Omega, a_0 = s.lower(block, base, "Omega", "a_start" if key.frame_at else "a_0")
@@ -244,7 +244,7 @@ def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str
     return {name: _scaled(value, name, motion.scale) for name, value in total.items()}
 
 
-def _masses(motion: RodMotion) -> tuple[Sequence[Sequence[Value]], Sequence[Value], Sequence[Value]]:
+def _masses(motion: RodMotion) -> tuple[Sequence[Vector], Vector, Vector]:
     """Of each mass the weights of the tangents in its position, and its share of the rod's; the weights of the mean."""
     points = motion.points
     if points.masses is None:
@@ -260,9 +260,7 @@ def _scaled(value: Array, name: str, z: Array) -> Array:
     return value * z if name in ("P_rod", "C_rod", "C_spin", "h_rod") else value
 
 
-def _add(
-    s: Recorder, total: dict[str, Array], block: str, given: Mapping[str, Array], *more: str
-) -> list[Array]:
+def _add(s: Recorder, total: dict[str, Array], block: str, given: Mapping[str, Array], *more: str) -> list[Array]:
     """Add what a block contributes to the sums; returns further results."""
     names = SUMS[block]
     values = s.lower(block, given, *names, *more)

@@ -24,8 +24,8 @@ from . import elastic_travels
 from . import matrices as mx
 from .given_motion import Motion, tip_motion_in_link, tip_point, tip_rotation
 from .joint_terms import joint_offset, joint_point, rotation
-from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .phases import link_load
+from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .scope import Scope
 from .subspace_changes import subspace_rates, turned_rows
 from .tip_turning import Turning, held_load, shape_rates, turned_moment, turning

@@ -3,10 +3,13 @@
 Strains are linear in the modal coordinates, as at any order; rotations and positions are not expanded. The rod is
 collocated at Gauss points: :func:`section_block` steps from the section at one point to that at the next,
 :func:`element_block` and :func:`spin_block` have the inertia there, :func:`load_block` what acts on the modes, and the
-equations of the link are sums over the points. One block of each serves all points. :mod:`..algorithms.rod_sections` runs them along the rod.
+equations of the link are sums over the points. One block of each serves all points.
+:mod:`..algorithms.rod_sections` runs them along the rod.
 """
 
 from __future__ import annotations
+
+from typing import Any, cast
 
 import numpy as np
 import sympy as sp
@@ -72,7 +75,7 @@ def _rate_of_tangent(b: Block, theta: Symbol, thetadot: Symbol) -> Expression:
     """The rate of the tangent operator ``I + c2 hat(theta) + c3 hat(theta)^2`` times ``thetadot``."""
     c2, c3 = b.symbol("c2"), b.symbol("c3")
     xdot = b.step("xdot", 2 * (theta.T @ thetadot))
-    words = {"unit": "1/s", "meaning": "rate of the Stumpff function"}
+    words: dict[str, Any] = {"unit": "1/s", "meaning": "rate of the Stumpff function"}
     slopes = {
         f"c{k}": b.step(f"c{k}dot", rate(Stumpff(k, b.symbol("x")), {"x": xdot}), rf"\dot{{c}}_{k}", **words)
         for k in (2, 3)
@@ -112,7 +115,10 @@ def spin_block(key: LinkClass) -> Block:
     nudot = b.step("nudot_k", alpha + hat(omega) @ w + bend)
     I, C, M, torques, energies = [], [], [], [], []
     for axis in key.turned:
-        words = {"unit": "kg*m^2", "meaning": f"inertia of the piece about axis {'xyz'[axis]} of its sections"}
+        words: dict[str, Any] = {
+            "unit": "kg*m^2",
+            "meaning": f"inertia of the piece about axis {'xyz'[axis]} of its sections",
+        }
         dI = b.input(f"dI_{axis}", (1, 1), rf"\mathrm{{d}}I_{{{'xyz'[axis]}k}}", **words)
         d = R @ unit(axis)
         words = {"unit": "-", "meaning": f"turn about axis {'xyz'[axis]} of the section by each mode"}
@@ -163,12 +169,12 @@ class ExactLinkBlock(LinkBlock):
 
     def _constants(self) -> None:
         super()._constants()
-        masses(self, self.key, self.body)
+        masses(self, self.key, cast(RodBody, self.body))
 
     def _moments(self) -> None:
         r, mu = self.key.modes, self.symbol("mu")
         self.a_B = self._acceleration_of_base()
-        s = self.step("S_rod", mu @ self.input("r_rod", (3, 1)))
+        s: Expression = self.step("S_rod", mu @ self.input("r_rod", (3, 1)))
         C_F = self.step("F_rod", mu @ self.input("P_rod", (3, r)))
         J, C = mu @ self.input("J_rod", (3, 3)), mu @ self.input("C_rod", (3, r))
         f = self.step("f_rod", mu @ (self.a_B + self.input("a_rod", (3, 1))))
@@ -180,7 +186,7 @@ class ExactLinkBlock(LinkBlock):
             s, first = s + mu @ offset, s
             J = J + offset @ first.T + first @ offset.T + mu @ (offset @ offset.T)
             C, tau = C + hat(offset) @ C_F, tau + hat(offset) @ f
-        spun = zeros(3, 3)
+        spun: Expression = zeros(3, 3)
         if self.key.turned:
             spun = self.input("I_spin", (3, 3))
             C, tau = C + self.input("C_spin", (3, r)), tau + self.input("tau_spin", (3, 1))
@@ -247,7 +253,10 @@ def masses(b: Block, key: LinkClass, body: RodBody) -> None:
         centre = matrix_of(np.array([c.reach(s) for s, _ in c.masses]).T, r"\mathbf{A}^{\top}")
         b.step("centre", centre @ b.symbol("shares"))
     for axis in key.turned:
-        words = {"unit": "kg*m^2", "meaning": f"inertia of the pieces about axis {'xyz'[axis]} of their sections"}
+        words: dict[str, Any] = {
+            "unit": "kg*m^2",
+            "meaning": f"inertia of the pieces about axis {'xyz'[axis]} of their sections",
+        }
         values = at_points(TURNED[axis][0], c.sections)
         display = rf"\mathrm{{d}}\mathbf{{I}}_{{{'xyz'[axis]}}}"
         b.step(f"dI_{axis}", _at_points(b, f"dI_{axis}", values), display, **words)

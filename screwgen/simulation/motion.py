@@ -10,12 +10,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..algorithms.rod_line import lengths, rod_line
 from ..arguments import Numbers, parameters_keyword
+from ..backends.numpy.numeric import EPSILON, function_of
 from ..bodies import markers
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from ..spec.link_class import EXACT
 from ..spec.parameters import coordinate_names
-from ..spec.reduced import end
+from ..spec.reduced import end, reach
 from ..spec.segments import owner
 
 
@@ -84,8 +87,20 @@ def twist(model: RobotModel, q: np.ndarray, link: int, points: Numbers) -> np.nd
 
 def _bent(model: RobotModel, q: np.ndarray, i: int, points: np.ndarray) -> np.ndarray:
     """The displacements of a segment."""
+    key = model.chain.keys[i]
+    if key.order == EXACT:
+        return _bent_exactly(model, q, i, points)
     shapes = markers.displacement(model.chain.keys[i], tuple(points))
     return np.einsum("nr,pkr->npk", _modal(model, q, i), shapes)
+
+
+def _bent_exactly(model: RobotModel, q: np.ndarray, i: int, points: np.ndarray) -> np.ndarray:
+    """Those of a rod whose kinematics are not expanded, by the program that places its points."""
+    key, link = model.chain.keys[i], model.robot.links[model.chain.segments[i].link]
+    length = reach(link) / link.pieces
+    place, constants = function_of(rod_line(key, tuple(points.tolist()))), lengths(key, length)
+    lines = [place({"eta": eta, **constants}, EPSILON)[0]["line"] for eta in _modal(model, q, i).tolist()]
+    return np.reshape(lines, (len(lines), len(points), 3)) - np.outer(points, [length, 0.0, 0.0])
 
 
 def _modal(model: RobotModel, q: np.ndarray, i: int) -> np.ndarray:

@@ -138,8 +138,12 @@ class LinkClass:
 
     @property
     def bends(self) -> bool:
-        """Whether the link has modes of bending, or of a body from a file whose tip is not at its base."""
-        return any(self.counts[1:3]) or (self.elastic is not None and self.elastic.reach > 0)
+        """Whether the link has modes of bending whose model ends at large ones, or a body from a file that has a reach.
+
+        A rod of order EXACT bends as far as it likes.
+        """
+        rod = any(self.counts[1:3]) and self.order != EXACT
+        return rod or (self.elastic is not None and self.elastic.reach > 0)
 
     @property
     def turned(self) -> tuple[int, ...]:

@@ -160,6 +160,8 @@ def refuse_rod(link: Any) -> None:
             raise refuse("is stated beside body, which has modes of its own; leave it out", at=(name,))
     if link.damping is not None and body.data.damping.any():
         raise refuse("is stated beside body, whose file has De; leave one of them out", at=("damping",))
+    if link.order == "exact":
+        raise refuse('is "exact", which only rods are; leave it out beside body', at=("order",))
     if link.order == 2 and not body.data.geometric:
         raise refuse("is 2, but the body's file has no geometric stiffness; leave it out", at=("order",))
 

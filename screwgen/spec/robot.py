@@ -89,7 +89,7 @@ class Link(Part):
     modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
     order: Annotated[int | str, PlainValidator(shape_order)] | None = Field(
-        None, description="the order of the link's shape, 1 or 2; without it the robot's"
+        None, description="the order of the link's shape, 1, 2 or \"exact\"; without it the robot's"
     )
     segments: Annotated[int, PlainValidator(segment_count)] = Field(
         1, description="number of equal segments, welded to each other, each with these modes, for large deflections"
@@ -176,7 +176,9 @@ class Robot(Part):
         True, description="whether tip frames turn with the slope of the deflected link, and next links with them"
     )
     order: Annotated[int | str, PlainValidator(shape_order)] = Field(
-        1, description="1: shapes linear in the modes; 2: to second order, with foreshortening and geometric stiffness"
+        1,
+        description="1: shapes linear in the modes; 2: to second order, with foreshortening and geometric stiffness; "
+        '"exact": rods that bend as far as they like',
     )
     base: Annotated[str, PlainValidator(choice(FIXED, FLOATING))] = Field(
         FIXED, description='"fixed", or "floating": the first link moves freely, its pose is part of the state'
@@ -230,6 +232,12 @@ class Robot(Part):
             if link.pieces > 1 and not self.section_rotation:
                 what = "is stated with section_rotation = false, but segments follow the slope of those before them"
                 raise refuse(f"{what}; leave one of them out", at=("links", i, "segments"))
+            if link.modes.total and (link.order or self.order) == "exact" and not self.section_rotation:
+                what = 'is "exact" with section_rotation = false, but its sections turn; leave one of them out'
+                raise refuse(what, at=("links", i, "order") if link.order else ("order",))
+            if link.modes.points is not None and (link.order or self.order) != "exact":
+                what = 'is stated of a link that is not of order "exact", which has no points; leave it out'
+                raise refuse(what, at=("links", i, "modes", "points"))
         return self
 
     @model_validator(mode="after")

@@ -148,10 +148,10 @@ class Chain(Coordinates):
     @property
     def caution(self) -> str:
         """What else than a posture may make the mass matrix singular, for the end of a message."""
-        if all(key.order == 1 for key in self.keys):
+        if all(key.order != 2 for key in self.keys):
             return ""
         bent = "a link of order 2 bends so far that its mass matrix is no longer positive definite"
-        return f", or {bent}; then give it more segments"
+        return f', or {bent}; then give it order = "exact", or more segments'
 
     @property
     def sliding(self) -> bool:

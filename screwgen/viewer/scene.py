@@ -7,14 +7,16 @@ the model's own poses at zero coordinates, with the parameters of the run.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..errors import TargetWarning
 from ..model import Model
-from ..spec.link_class import LinkClass
+from ..spec.link_class import EXACT, LinkClass
 from ..spec.robot import Body, Link
 from ..spec.segments import Segment
 from .pack import floats
@@ -33,6 +35,9 @@ DENSITY = 2700.0
 def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
     """The robot for the page; `p`: values of its parameters, those of the file by default."""
     robot, chain = model.robot, model.chain
+    if any(key.order == EXACT for key in chain.keys):
+        said = f"robot '{robot.name}': links of order \"exact\" are drawn to second order, large bends not as far"
+        warnings.warn(f"{said} as they go; centrelines in plots are exact", TargetWarning, stacklevel=3)
     values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     numeric, rest = model.numpy(p), chain.home
     (R, r), (R_tip, r_tip) = numeric.link_pose(rest), numeric.tip_poses(rest)

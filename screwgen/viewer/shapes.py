@@ -1,7 +1,7 @@
 """What the modes do to the sections of a link, to the order of its model: as columns that a shader sums up.
 
 The pose of a section is linear in the modes and, at order 2, in products of two of them; a product counts as one more
-coordinate, so one table serves both.
+coordinate, so one table serves both. Exact rods are drawn to second order.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 
 from ..bases import ORDER
 from ..bodies import markers
-from ..spec.link_class import AXIS, LinkClass
+from ..spec.link_class import AXIS, EXACT, LinkClass
 
 DENSE = np.linspace(0.0, 1.0, 2001)
 """Places at which strains are evaluated to integrate their products."""
@@ -36,7 +36,7 @@ def sections(key: LinkClass, length: float, places: np.ndarray) -> Sections:
     """The sections of a link, or of a segment, of that length in m, at places s in [0, 1]."""
     linear = np.concatenate([markers.displacement(key, tuple(places)), _turns(key, length, places)], axis=1)
     pairs, quadratic = np.empty((0, 2), int), np.empty((len(places), 0, 6))
-    if key.order == 2 and key.modes:
+    if key.order in (2, EXACT) and key.modes:
         whole = _from_file(key, places) if key.elastic is not None else _of_rod(key, length, places)
         first, second = np.triu_indices(key.modes)
         both = whole[:, :, first, second] + whole[:, :, second, first]

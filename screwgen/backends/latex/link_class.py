@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
+from ...bodies.collocation import collocation
 from ...ir.block import Binding, Block
 from ...reduction.invariants import Invariants
-from ...spec.link_class import AXIS, LinkClass
+from ...spec.link_class import AXIS, EXACT, LinkClass
 from ..templates import render
 from .content import Display, DocumentSection, Heading, Item, Paragraph, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
@@ -125,6 +126,9 @@ def _field(key: LinkClass) -> Iterator[Item]:
         yield from parse(render("latex/timoshenko.tex.jinja", shear=sheared, rotary=key.rotary))
     if key.order == 2:
         yield from parse(render("latex/second_order.tex.jinja", shear=sheared))
+    if key.order == EXACT:
+        count = len(collocation(key).places)
+        yield from parse(render("latex/exact_rod.tex.jinja", shear=sheared, points=count, stations=key.stations))
     alike: dict[tuple, list[str]] = {}
     for direction in dict.fromkeys(d for d, _ in key.directions):
         shapes = key.shapes(direction)

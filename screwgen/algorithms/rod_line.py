@@ -1,0 +1,29 @@
+"""The centreline of an exact rod: a program that places points of it, for pictures and tables of deflections."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from ..ir.program import Program, Tracer
+from ..spec.link_class import LinkClass
+from . import matrices as mx
+from .rod_sections import motion_along
+from .scope import Scope
+
+
+@cache
+def rod_line(key: LinkClass, places: tuple[float, ...]) -> Program:
+    """``eta`` (r) to ``line`` (3 per place): positions of the centreline at s in [0, 1] from the rod's base, m, F_i.
+
+    Its constants are those of :func:`lengths`.
+    """
+    scope = Scope(key, Tracer(), {})
+    motion = motion_along(scope, {"eta": scope.read("eta")})
+    line = [motion.sum_of(motion.points.reach(s).tolist(), "t")[0] if s else mx.zeros(3) for s in places]
+    scope.outputs["line"] = [x for point in line for x in point]
+    return scope.program("rod_line")
+
+
+def lengths(key: LinkClass, length: float) -> dict[str, list[float]]:
+    """The constants of :func:`rod_line` for a link, or a segment, of that length in m."""
+    return {"c.length" if key.segments == 1 else "c.segment": [length], "c.per_length": [1.0 / length]}

@@ -1,0 +1,104 @@
+"""Rods of order "exact" around the dynamics: what files may say of them, their points, what documents show."""
+
+import re
+
+import numpy as np
+import pytest
+from helpers import arm, link, model_of
+
+from screwgen import RobotFileError
+from screwgen.backends.latex import document
+from screwgen.bodies.collocation import collocation
+from screwgen.errors import TargetWarning
+from screwgen.simulation.motion import centrelines, displacements
+from screwgen.spec.load import loads
+from screwgen.viewer.scene import scene
+
+TEXT = """name = "arm"
+gravity = [0, 0, -9.81]
+{robot}
+[[links]]
+name = "rod"
+length = 1.0
+section = {{ rhoA = 1.0, EIz = 1.0 }}
+modes = {{ bending_y = 2{modes} }}
+joint = {{ axes = ["z"] }}
+"""
+
+
+def bent(modes: int = 3, **more):
+    """A rod of unit length and stiffness without gravity, clamped."""
+    section = {"EIy": 1.0, "EIz": 1.0}
+    rod = link("rod", 1.0, [], 1.0, {"bending_y": modes}, section=section, **more)
+    return model_of(arm(rod, gravity=(0, 0, 0), order="exact"))
+
+
+@pytest.mark.parametrize(
+    "robot, modes, said",
+    [
+        ('order = "exakt"', "", 'order: is "exakt"; it must be 1, 2 or "exact"'),
+        ("order = 3", "", 'order: is 3; it must be 1, 2 or "exact"'),
+        ('order = "exact"\nsection_rotation = false', "", "order: .*but its sections turn; leave one of them out"),
+        ('order = "exact"', ", points = 2", "points .*: is 2; it must be at least 3"),
+        ('order = "exact"', ", points = 99", "points .*: is 99; it must be a whole number from 2 to 40"),
+        ('order = "exact"', ", points = true", "points .*: is true; it must be a whole number"),
+        ("order = 2", ", points = 6", 'points .*: is stated of a link that is not of order "exact"'),
+    ],
+)
+def test_wrong_files_are_refused_in_a_line(robot, modes, said):
+    with pytest.raises(RobotFileError, match=said) as error:
+        loads(TEXT.format(robot=robot, modes=modes), "arm.toml", ".")
+    assert "\n" not in str(error.value) and str(error.value).startswith("arm.toml: ")
+
+
+def test_the_line_of_a_bent_rod_ends_at_its_tip():
+    """Where plots and tables put the centreline and where the dynamics puts the tip are one place."""
+    for model in (bent(), bent(frame_at=0.2), bent(segments=2)):
+        q = np.random.default_rng(3).normal(size=model.nq) * 0.2
+        assert np.allclose(centrelines(model, q, [0.0, 1.0])[0, 1], model.numpy().tip_pose(q)[1], atol=1e-14)
+    assert np.abs(displacements(bent(), np.zeros((1, 3)), 0, [0.0, 0.3, 1.0])).max() < 1e-15
+
+
+def test_a_circle_with_one_mode():
+    """The strain of one mode is constant: with a slope of 2 pi at the tip the rod is a circle."""
+    model = bent(1)
+    slope = model.chain.keys[0].shapes("bending_y").tip_slope[0]
+    R, _ = model.numpy().tip_pose([2 * np.pi / slope])
+    assert np.abs(R - np.eye(3)).max() < 1e-14
+    section = {"EIz": 1.0}
+    rod = link("rod", 1.0, [], 1.0, {"bending_y": 1, "points": 14}, section=section)
+    _, place = model_of(arm(rod, gravity=(0, 0, 0), order="exact")).numpy().tip_pose([2 * np.pi / slope])
+    assert np.linalg.norm(place) < 1e-9
+
+
+def test_points_make_the_mass_of_a_straight_rod_exact():
+    """Combinations of tangents give the second moment of the rod, and its centre, with any number of points."""
+    for count in (1, 3, 6):
+        c = collocation(bent(count).chain.keys[0])
+        tangents = np.ones(len(c.places))
+        assert abs(np.sum((c.uniform @ tangents) ** 2) - 1 / 3) < 1e-14
+        assert abs(c.centre @ tangents - 0.5) < 1e-14 and abs(c.reach(0.3) @ tangents - 0.3) < 1e-14
+
+
+def test_turns_have_one_cross_product_for_three_modes():
+    """Two with five; in a plane none, since its axes are parallel."""
+
+    def products(**modes):
+        section = {"EIy": 1.0, "EIz": 1.0, "GJ": 1.0, "rhoIp": 1e-3}
+        rod = link("rod", 1.0, [], 1.0, modes, section=section)
+        return len(collocation(model_of(arm(rod, order="exact")).chain.keys[0]).turn(0.2, 0.5).crossed)
+
+    assert products(bending_y=3, bending_z=3) == products(bending_y=2, bending_z=3, torsion=2) == 1
+    assert products(bending_y=5, bending_z=5, torsion=1) == 2 and products(bending_y=4) == 0
+
+
+def test_documents_show_the_recursion():
+    text = document.tex(document.content(bent().robot))
+    for title in ("Section of the rod", "Mass of the rod", "Load of a section on the modes"):
+        assert title in text
+    assert re.search(r"collocated at the 5\s+Gauss points", text)
+
+
+def test_the_page_says_that_it_draws_to_second_order():
+    with pytest.warns(TargetWarning, match="drawn to second order"):
+        scene(bent())

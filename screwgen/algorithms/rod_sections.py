@@ -44,6 +44,10 @@ class Recorder(Protocol):
 class Section:
     """A section: rotation, turn by each mode, angular velocity and its rate at constant rates; and its tangent's."""
 
+    theta_eta: Array
+    """The derivative of the turn from the section before with each mode."""
+    stretch: Array
+    """That of the tangent in axes of the section."""
     R: Array
     W: Array
     w: Array
@@ -53,10 +57,6 @@ class Section:
     tdot: Array
     t_bend: Array
     G: Array
-    theta_eta: Array
-    """The derivative of the turn from the section before with each mode."""
-    stretch: Array
-    """That of the tangent in axes of the section."""
     a: Array = field(default_factory=lambda: mx.zeros(3))
     """The acceleration of the tangent's end relative to its start."""
     u: Array = field(default_factory=lambda: mx.zeros(3))
@@ -138,7 +138,7 @@ class RodMotion:
             "stretchdot": mx.multiply(along, self.etadot),
             "stretchddot": mx.multiply(along, self.etaddot),
         }
-        return Section(*self.s.lower("section", given, *SECTION), theta_eta=by_modes, stretch=along)
+        return Section(by_modes, along, *self.s.lower("section", given, *SECTION))
 
     def sum_of(self, weights: Vector, *names: str) -> list[Array]:
         """The sums of some quantities of the sections."""
@@ -147,7 +147,7 @@ class RodMotion:
 
 def _base(modes: int) -> Section:
     none, shapes = mx.zeros(3), mx.zeros(3, modes)
-    return Section(mx.identity(3), shapes, none, none, none, shapes, none, none, mx.identity(3), shapes, shapes)
+    return Section(shapes, shapes, mx.identity(3), shapes, none, none, none, shapes, none, none, mx.identity(3))
 
 
 def _weighted(weights: Vector, values: Sequence[Array]) -> Array:

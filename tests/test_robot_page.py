@@ -16,7 +16,7 @@ WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
     shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu body sid npz
     interface base tip parent drives friction transmission four_bar branch limits elements loops couplings
-    axis of markers""".split()
+    axis of markers points""".split()
 )
 """Keys that are no physical quantity in some table."""
 IN_AXES = {"slide", "screw", "pitch"}

@@ -11,7 +11,8 @@ import numpy as np
 
 from ..elements import gear
 from ..ir.program import Array, Value
-from ..spec.link_class import DriveClass, LinkClass
+from ..spec.drive_class import DriveClass
+from ..spec.link_class import LinkClass
 from . import elastic_travels as et
 from . import matrices as mx
 from . import travels as tm

@@ -17,6 +17,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..ir.program import Array, Value
+from ..spec.link_class import EXACT
 from . import matrices as mx
 from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia
 from .elastic_travels import carrying_along
@@ -112,6 +113,12 @@ def rows(s: Scope) -> tuple[Array, Array, Array, Array]:
     m, I, S, M_D, h_V, h_eta, M_bent = s.lower("turning_link", state, *names)
     s.keep("M_bent", M_bent)
     return mx.blocks(I, mx.hat(S), mx.identity(3) * m.item()), M_D, h_V, h_eta
+
+
+def no_rows(s: Scope) -> tuple[Array, Array, Array, Array]:
+    """The same of a link whose load :func:`link_load` has whole; of its modal inertia that is not the given one."""
+    s.keep("M_bent", -s.lower("link", {}, "M_Wphi")[0])
+    return mx.zeros(6, 6), mx.zeros(6, s.key.modes), mx.zeros(6), mx.zeros(s.key.modes)
 
 
 def link_load(s: Scope, omega: Array, acc: Array) -> tuple[Array, Array]:
@@ -259,9 +266,11 @@ def inverse_outward(s: Scope) -> None:
 def inverse_inward(s: Scope) -> None:
     """Tip to base: the joint wrenches of given accelerations, and the generalised forces."""
     qddot, etaddot, delta = s.read("qddot"), s.read("etaddot"), s.kept("delta")
-    M_V, M_D, h_V, h_eta = rows(s)
+    exact = s.key.order == EXACT
+    M_V, M_D, h_V, h_eta = no_rows(s) if exact else rows(s)
     load = tip_reaction(s)
-    needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + h_V
+    bias, bias_eta = link_load(s, s.kept("omega"), s.kept("acc_0") + delta) if exact else (h_V, h_eta)
+    needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + bias
     if s.key.unstiffened:
         own = needed[3]
         for station in s.stations:
@@ -271,7 +280,7 @@ def inverse_inward(s: Scope) -> None:
     modal = mx.multiply(M_D.T, delta) + mx.multiply(s.modal_inertia(), etaddot)
     turned = mx.multiply(s.kept("Psi_c").T, mx.multiply(s.kept("J_l").T, load[:3]))
     moved = mx.multiply(s.kept("Phi_c").T, load[3:])
-    modal = modal + h_eta + s.read("f_eta") + turned + moved
+    modal = modal + bias_eta + s.read("f_eta") + turned + moved
     for station in s.stations:
         load = station.read("tip.p")
         total = total + mx.shift_wrench(station.kept("r_T"), load)

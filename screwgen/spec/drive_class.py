@@ -1,0 +1,54 @@
+"""What drives and stops of a joint state, without their numbers: their part of a link class."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..elements import Travel
+from .axis_laws import SIDES
+from .drive import NO_FRICTION
+from .joint import Joint
+
+
+@dataclass(frozen=True)
+class DriveClass:
+    """What the drive of an axis states."""
+
+    ratio: bool = False
+    rotor_inertia: bool = False
+    stiffness: bool = False
+    damping: bool = False
+    coulomb: bool = False
+    viscous: bool = False
+    travel: Travel | None = None
+    """Its transmission, if its ratio depends on the posture."""
+
+    @property
+    def elastic(self) -> bool:
+        """Whether its gear is, which then adds a coordinate."""
+        return self.stiffness
+
+    def stated(self, name: str) -> float:
+        """1 for a key that it states, and for the ratio, else 0: what formulas are of these is there or not."""
+        return float(getattr(self, name) or name == "ratio")
+
+
+Stop = tuple[int, str]
+"""A compliant stop: the axis, and the limit at which it acts, "lower" or "upper"."""
+
+
+def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
+    """What the drives of a joint state, axis by axis; none where they state nothing."""
+    out = []
+    for drive in joint.drives or ():
+        friction = drive.friction or NO_FRICTION
+        stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
+        stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous")}
+        out.append(DriveClass(**stated, travel=drive.travel))
+    return tuple(out) if any(drive != DriveClass() for drive in out) else ()
+
+
+def stops(joint: Joint) -> tuple[Stop, ...]:
+    """The stops of a joint, axis by axis."""
+    firm = [(axis, x) for axis, x in enumerate(joint.limits or ()) if x.stiffness is not None]
+    return tuple((axis, side) for axis, x in firm for side in SIDES if getattr(x, side) is not None)

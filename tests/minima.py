@@ -67,7 +67,7 @@ def check_python() -> None:
     if not screwgen.rollout(model, np.zeros(2 * model.nq), step=1e-3, steps=3, threads=2).ok.all():
         raise SystemExit("minima: the rollout failed")
     model.linearise(q).scipy()
-    model._repr_html_()
+    model._repr_markdown_()
 
 
 def check_commands() -> None:

@@ -107,8 +107,8 @@ def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Bl
 def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
     seen: dict[str, str] = {}
-    known = structure(key, blocks)
-    return tuple(block_view(blocks[name], seen, tables.named_axes(key), known) for name in ordered(blocks))
+    given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes))
+    return tuple(block_view(blocks[name], seen, *given) for name in ordered(blocks))
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:

@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sp
-from textbook_robots import TEXTBOOKS, Textbook, lump
+from textbook_robots import DIGESTS, TEXTBOOKS, Textbook, digests, lump
 
 import screwgen
 from screwgen.backends.equations.equations import Equations
@@ -132,6 +132,11 @@ def test_an_angle_of_a_mount_is_a_symbol_unless_roots_express_its_sine():
         rest = screwgen.derive(Robot(**robot)).numpy().mass_matrix([0.2, 0.7])
         found = np.array(e.M.subs(e.parameters).subs({"q_1": 0.2, "q_2": 0.7}), dtype=float)
         np.testing.assert_allclose(found, rest, rtol=1e-12)
+
+
+def test_the_same_bytes_with_all_versions():
+    """`make minima` compares the same digests with the lowest versions of sympy and of all else."""
+    assert digests() == DIGESTS.read_text(encoding="utf-8"), "python tests/textbook_robots.py writes them"
 
 
 def test_what_it_shows():

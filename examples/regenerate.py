@@ -1,8 +1,7 @@
 """Writes generated/: the committed output of the example robots. Usage: regenerate.py [FOLDER].
 
-C, LaTeX and READMEs are kept in full. Of CasADi's functions, without those of sensors, and of the HTML, which depend
-on the versions of CasADi and latex2mathml, digests are kept: in each robot's MANIFEST.sha256, and with sizes,
-signatures and values in left_out.json.
+C, LaTeX and READMEs are kept in full. Of CasADi's functions, without those of sensors, and of the HTML, which is large,
+digests are kept: in each robot's MANIFEST.sha256, and with sizes, signatures and values in left_out.json.
 """
 
 import hashlib
@@ -20,8 +19,7 @@ from screwgen.simulation.measured import MEASURED
 
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES = ("ella", "six_link")
-MADE_BY = {".casadi": "casadi", ".html": "latex2mathml"}
-"""The package on whose version the bytes of a kind of file depend."""
+LEFT_OUT = (".casadi", ".html")
 
 
 def main(folder: Path) -> None:
@@ -30,11 +28,11 @@ def main(folder: Path) -> None:
         model = screwgen.derive(screwgen.load(ROOT / "examples" / f"{name}.toml"))
         files = model.write(folder / name, functions=[x for x in chosen("all", model.casadi()) if x not in MEASURED])
         for path in (Path(name) / file for file in files):
-            if path.suffix in MADE_BY:
+            if path.suffix in LEFT_OUT:
                 left_out[path.as_posix()] = described(folder / path, model.parameter_values)
                 (folder / path).unlink()
         print(f"{folder / name}: {len(files)} files")
-    versions = {package: version(package) for package in MADE_BY.values()}
+    versions = {"casadi": version("casadi")}  # on which the bytes of its functions depend
     text = json.dumps({"versions": versions, "files": left_out}, indent=1)
     (folder / "left_out.json").write_text(text + "\n")
 

@@ -186,8 +186,8 @@ class RobotModel:
     def __repr__(self) -> str:
         return f"<Model '{self.robot.name}': {self.robot.summary}; q has {self.nq} entries>"
 
-    def _repr_html_(self) -> str:
-        """The equations, as a notebook shows them."""
+    def _repr_markdown_(self) -> str:
+        """Links, and the blocks of the equations of every class of links."""
         from .backends.latex import document as latex
 
         return latex.notebook(self.robot)

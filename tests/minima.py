@@ -67,7 +67,26 @@ def check_python() -> None:
     if not screwgen.rollout(model, np.zeros(2 * model.nq), step=1e-3, steps=3, threads=2).ok.all():
         raise SystemExit("minima: the rollout failed")
     model.linearise(q).scipy()
-    model._repr_html_()
+    model._repr_markdown_()
+
+
+def check_bytes() -> None:
+    """Equations have the bytes that the newest versions give: documents of the examples, scalars of textbook robots."""
+    sys.path.insert(0, str(ROOT / "tests"))
+    from textbook_robots import DIGESTS, digests
+
+    import screwgen
+
+    for name in ("ella", "six_link"):
+        kept = (ROOT / "generated" / name / "MANIFEST.sha256").read_text(encoding="utf-8").splitlines()
+        with tempfile.TemporaryDirectory() as folder:
+            model = screwgen.derive(screwgen.load(ROOT / "examples" / f"{name}.toml"))
+            model.write(folder, targets=["latex"])
+            found = (Path(folder) / "MANIFEST.sha256").read_text(encoding="utf-8").splitlines()
+        if found != [line for line in kept if "  latex/" in line]:
+            raise SystemExit(f"minima: the documents of {name} have other bytes than those of the newest versions")
+    if digests() != DIGESTS.read_text(encoding="utf-8"):
+        raise SystemExit("minima: equations in scalars are other ones than with the newest versions")
 
 
 def check_commands() -> None:
@@ -92,4 +111,5 @@ if __name__ == "__main__":
     else:
         check_versions()
         check_python()
+        check_bytes()
         check_commands()

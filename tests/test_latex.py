@@ -122,6 +122,9 @@ def test_the_table_says_shape_frame_and_origin_of_every_symbol(name):
     assert all(cell for row in table.rows for cell in row)
     rows = {row[0]: row[1:] for row in table.rows}
     assert rows[r"$\mathbf{M}_i$"][2:] == (r"$\mathcal{F}_i$", r"$(6 + r_i) \times (6 + r_i)$", "state")
+    if name == "ella":
+        sizes = {r"\boldsymbol{\tau}_i": "$n_{q,i}$", r"\mathbf{S}_i": r"$6 \times n_{q,i}$"}
+        assert {symbol: rows[f"${symbol}$"][3] for symbol in sizes} == sizes
     no_origin = {row[0] for row in table.rows if row[-1] == "–"}
     assert no_origin == {r"$\xi$", "$s$"}, "what does not follow from anything"
 

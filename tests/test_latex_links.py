@@ -198,7 +198,7 @@ def test_a_reader_finds_a_way(tmp_path):
         assert "wrench that modal accelerations need" in browser.run("card.textContent")
         browser.run("tell(document.querySelector('#s5-S_0 .formula [data-s]'))")
         assert f"{0.95**2 * 1.6302 / 2:.5g}" in browser.run("card.textContent")
-        for words, place in (("inertia forearm mode 3", "mode-forearm-3"), ("torque joint forearm", "guide-forearm")):
+        for words, place in (("inertia forearm mode 3", "mode-forearm-3"), ("forearm", "s6")):
             browser.run(f"find.value = '{words}'; search()")
             assert browser.run("document.querySelector('#found a').getAttribute('href')") == f"#{place}"
         browser.run("document.querySelector('[data-switch=n]').click()")
@@ -213,3 +213,42 @@ def test_a_reader_finds_a_way(tmp_path):
         assert browser.run("document.documentElement.scrollWidth") <= 390
         assert not browser.complaints
         assert all(url in ("about:blank",) or url.startswith(file.as_uri()) for url in browser.requests)
+
+
+SEARCHES = {
+    "third mode": ("mode-upper_arm-3", "mode-forearm-3"),
+    "second link third mode": ("mode-forearm-3",),
+    "inertia of the 2nd link's third mode": ("mode-forearm-3",),
+    "elbow torque": ("{torque}", "{torque}"),
+    "joint bias": ("{bias upper_arm}", "{bias forearm}"),
+    "bias of joint 2": ("{bias forearm}",),
+    "M_D": ("s5-M_D",),
+    "eta": ("{eta}",),
+}
+"""What readers type, and where the first hits lead; the elbow has no name in the file."""
+
+
+@pytest.mark.examples
+def test_what_readers_type_is_found(tmp_path):
+    """Ordinals, names of links and letters by name are known; a word that is nowhere is said and left out."""
+    from browser import Browser
+
+    file = tmp_path / "page.html"
+    file.write_text(shown("ella"), encoding="utf-8")
+    guide = re.findall(r'<tr id="guide-(\w+)">(.*?)</tr>', body("ella"))
+    links = {name: re.findall(r'href="#([^"]+)"', cells) for name, cells in guide}
+    places = {f"{{bias {name}}}": found[3] for name, found in links.items()} | {"{torque}": links["forearm"][1]}
+    places["{eta}"] = re.search(r'<tr id="(y\d+)"><td><math><mrow[^>]*><msub><mrow><mi>\U0001d73c<', body("ella"))[1]
+    with Browser(require_tool("chromium"), tmp_path / "profile", (1280, 900)) as browser:
+        browser.open(file)
+        for words, expected in SEARCHES.items():
+            browser.run(f"find.value = {words!r}; search()")
+            hits = browser.run("[...document.querySelectorAll('#found a')].map(a => a.getAttribute('href').slice(1))")
+            assert tuple(hits[: len(expected)]) == tuple(places.get(place, place) for place in expected), words
+            said = browser.run("$('#found .none').filter(x => x.offsetHeight).map(x => x.textContent).join()")
+            assert said == ("nowhere: elbow" if "elbow" in words else ""), words
+        browser.run("find.value = 'elbow torque'; search(); document.querySelector('#found a').click()")
+        assert browser.run(f"byId('{places['{torque}']}').getBoundingClientRect().height") > 5
+        browser.run("go('s5-M_D'); tell(document.querySelector('#s5-M_D .formula [data-s]'))")
+        told = browser.run("words(card)")
+        assert all(part in told for part in ("unit kg, kg\u2009m", "frame \u2131i", "shape 6\u00d7")), told

@@ -6,11 +6,18 @@ symbols are those of the tool; where a book has another letter or zero, the docs
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import sympy as sp
 
+import screwgen
+from screwgen import Robot
+
+DIGESTS = Path(__file__).with_suffix(".sha256")
+"""`python tests/textbook_robots.py` writes it."""
 DOWN = [0.0, 1.5707963267948966, 0.0]
 """A mount that lets the x axis of a link hang down where gravity is along -z."""
 
@@ -251,3 +258,17 @@ TEXTBOOKS: dict[str, Callable[[], Textbook]] = {
         flexible_arm,
     )
 }
+
+
+def digests() -> str:
+    """A line for every robot, with the digest of its equations as text and as LaTeX: the same with all versions."""
+    lines = []
+    for name, make in TEXTBOOKS.items():
+        equations = screwgen.derive(Robot(**make().robot)).equations()
+        data = f"{equations}\n{equations.latex()}\n{equations.linearised()}".encode()
+        lines.append(f"{hashlib.sha256(data).hexdigest()}  {name}\n")
+    return "".join(lines)
+
+
+if __name__ == "__main__":
+    DIGESTS.write_text(digests(), encoding="utf-8")

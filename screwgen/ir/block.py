@@ -17,6 +17,8 @@ import sympy as sp
 
 from ..algebra.components import Array, components
 from ..algebra.expression import Expression, Symbol
+from ..algebra.notation import latex
+from ..notebook import code, formula, plain, steps_table
 from .program import Label, component
 from .quantities import QUANTITIES, Quantity, described
 
@@ -87,6 +89,20 @@ class Step:
     def uses(self) -> dict[str, set[str]]:
         """The names of the symbols that the step defines, each with the names of the symbols that it depends on."""
         return {symbol.name: {s.name for s in e.free_symbols} for symbol, e in self.assignments}
+
+    @property
+    def equation_latex(self) -> str:
+        """The step as one equation in LaTeX."""
+        s = self.signal
+        return f"{latex(Symbol(s.name, s.shape, s.display))} = {latex(self.expression)}"
+
+    def __repr__(self) -> str:
+        s = self.signal
+        numbered = f", ({self.equation}) of the paper" if self.equation else ""
+        return f"<Step {s.name}: {s.meaning}, {s.shape[0]} x {s.shape[1]}, unit {s.unit}, frame {s.frame}{numbered}>"
+
+    def _repr_latex_(self) -> str:
+        return formula(self.equation_latex)
 
 
 @dataclass
@@ -170,6 +186,15 @@ class Block:
         self.values[name] = values
         self.steps[name] = Step(signal, expression, quantity.equation, assignments)
         return Symbol(name, expression.shape, quantity.display)
+
+    def __repr__(self) -> str:
+        return f"<Block {self.name}: {self.title}, {len(self.inputs)} inputs, {len(self.steps)} steps>"
+
+    def _repr_markdown_(self) -> str:
+        """Its steps with formula, meaning, unit, frame and number in the paper."""
+        pairs = ((step, step.signal) for step in self.steps.values())
+        rows = [(s.name, step.equation_latex, s.unit, s.frame, s.meaning, step.equation) for step, s in pairs]
+        return f"**{plain(self.title)}**: block {code(self.name)}\n\n{steps_table(rows)}"
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of an earlier signal."""

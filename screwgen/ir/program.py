@@ -17,6 +17,8 @@ from typing import Any, NamedTuple, TypeGuard
 import mpmath
 import numpy as np
 
+from ..notebook import program_text
+
 Array = np.ndarray
 
 FUNCTIONS = frozenset({"sqrt", "sin", "cos", "on", "c4", "c5", "c6", "c7", "c8", "c9"})
@@ -227,7 +229,7 @@ class Tracer:
         return self._sum_or_product("mul", a, number)
 
     def div(self, a: Value, b: Value) -> Value:
-        if _both_numbers(a, b):
+        if not isinstance(a, Node) and not isinstance(b, Node):
             return a / b
         if _is(a, 0.0) or _is(b, 1.0):
             return a
@@ -271,10 +273,6 @@ def _inverse(a: Value, d: Value) -> bool:
     return isinstance(a, Node) and a.op == "div" and a.args[1] is d and _is(a.args[0], 1.0)
 
 
-def _both_numbers(a: Value, b: Value) -> bool:
-    return not isinstance(a, Node) and not isinstance(b, Node)
-
-
 def _is(a: Value, value: float) -> bool:
     return not isinstance(a, Node) and a == value
 
@@ -307,15 +305,23 @@ class Program:
     def __post_init__(self) -> None:
         values = [v for entries in self.outputs.values() for v in entries] + self.guards
         self.nodes = live(values)
+        self._computed = [n for n in self.nodes if n.op not in ("input", "epsilon")]
 
     @property
     def operations(self) -> Counter:
         """The number of operations of each kind."""
-        return Counter(n.op for n in self.nodes if n.op not in ("input", "epsilon"))
+        return Counter(n.op for n in self._computed)
 
     @property
     def operation_count(self) -> int:
-        return sum(self.operations.values())
+        return len(self._computed)
+
+    def __repr__(self) -> str:
+        return f"<Program {self.name}: {self.operation_count} operations, {len(self.guards)} guards>"
+
+    def _repr_markdown_(self) -> str:
+        results = {name: len(entries) for name, entries in self.outputs.items()}
+        return program_text(repr(self), self.inputs, results, Counter(self.sections[n.section] for n in self._computed))
 
 
 def give_label(value: Value, label: Label) -> None:

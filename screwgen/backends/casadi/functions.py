@@ -19,11 +19,12 @@ from ...algorithms import fused
 from ...algorithms.dae_functions import unknown_size
 from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
-from ...algorithms.robot_functions import ROTATION, RobotFunction, offered, shape
+from ...algorithms.robot_functions import BY_NAME, ROTATION, RobotFunction, offered, shape
 from ...algorithms.signals import Signal
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
+from ...notebook import code, markdown_table, plain
 from ...spec.base import POSE
 from ...spec.parameters import parameters, per_base, travels, turning
 from ...spec.robot import Robot
@@ -61,6 +62,16 @@ class Made(Mapping):
 
     def __repr__(self) -> str:
         return f"Functions({', '.join(self)})"
+
+    def _repr_markdown_(self) -> str:
+        """What the functions take and return; the parameters `p` come last."""
+        known = (BY_NAME[name] for name in self if name in BY_NAME)
+        rows = [
+            (code(f"{row.name}({', '.join(row.names)}, p)"), ", ".join(map(code, row.results)), plain(row.about))
+            for row in known
+        ]
+        others = ", ".join(code(name) for name in self if name not in BY_NAME)
+        return f"{markdown_table(('function', 'results', 'what'), rows)}\nOthers: {others}\n"
 
 
 def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:

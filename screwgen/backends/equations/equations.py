@@ -11,7 +11,6 @@ import sympy as sp
 
 from ...arguments import Numbers
 from ...spec.parameters import Parameter
-from ..latex import text as markup
 from ..latex.layout import PAGE, Formula, equation
 from .names import MEANINGS, Name, dotted
 from .trees import FormulaSum
@@ -110,6 +109,8 @@ class Shown:
             lines.append(f"{left} = {self._letters.text(entry)}")
         return "\n".join(lines)
 
+    __repr__ = __str__
+
     def grouped(self) -> dict[str, list[Formula]]:
         """By letter the entries that are not zero, as rows of cells in LaTeX; by "" the equation and common parts."""
         letters = self._letters
@@ -126,16 +127,14 @@ class Shown:
         return [formula for group in self.grouped().values() for formula in group]
 
     def latex(self) -> str:
-        """The equations as one ``aligned`` environment, for a display."""
-        rows = (" & ".join(row) for formula in self.formulas() for row in formula)
-        return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
+        """The equations as one environment for a display: the equation of motion above, the entries aligned below."""
+        _, *others = self.formulas()
+        rows = " \\\\\n".join(" & ".join(row) for formula in others for row in formula)
+        aligned = f"\\begin{{aligned}}\n{rows}\n\\end{{aligned}}"
+        return f"\\begin{{gathered}}\n{self.latex_heading} \\\\\n{aligned}\n\\end{{gathered}}"
 
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex()}$"
-
-    def _repr_html_(self) -> str:
-        shown = "".join(f'<div class="formula">{markup.html_rows(formula)}</div>' for formula in self.formulas())
-        return f'<div class="screwgen">{shown}</div>'
 
 
 def _letter(letter: str) -> str:

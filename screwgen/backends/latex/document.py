@@ -9,6 +9,7 @@ import numpy as np
 from ...algebra.components import Array
 from ...algorithms.scope import derived
 from ...ir.block import Block
+from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
 from ...spec.link_class import LinkClass
 from ...spec.parameters import parameters
@@ -18,6 +19,7 @@ from ...version import __version__
 from ..templates import render
 from . import elements, tables, text
 from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, Item, Paragraph, parse
+from .layout import one_line
 from .link_class import class_section, ordered
 from .notation import Notation, respelled
 from .page import extras as extras
@@ -50,22 +52,18 @@ def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
 
 
 def notebook(robot: Robot) -> str:
-    """A short piece of HTML: the robot's links and the blocks of each class, for notebooks."""
+    """A short piece of Markdown: the robot's links and the blocks of each class, for notebooks."""
     chain = Chain(robot)
-    classes = []
+    table = tables.links(robot, chain.keys, chain.classes)
+    cells = (tuple(map(text.in_markdown, row)) for row in (table.head, *table.rows))
+    parts = [f"**{plain(robot.name)}**: {plain(robot.summary)}\n", markdown_table(next(cells), cells)]
+    alike: dict[str, list[str]] = {}
     for number, key in enumerate(chain.classes, 1):
         steps = [s for s in block_view(derived(key)["link"]).steps if s.name in KEY_STEPS]
-        classes.append((number, [(s.meaning, s.formula[:1]) for s in steps]))
-    table = tables.links(robot, chain.keys, chain.classes)
-    return render(
-        "latex/notebook.html.jinja",
-        name=robot.name,
-        table=table,
-        classes=classes,
-        text=text.in_html,
-        rows=text.html_rows,
-        font=math_font(),
-    )
+        rows = [(s.name, one_line(s.formula), s.unit, s.frame, s.meaning, s.equation) for s in steps]
+        alike.setdefault(steps_table(rows), []).append(str(number))
+    parts += [f"Class {' and '.join(numbers)}: the blocks of its equations\n\n{it}" for it, numbers in alike.items()]
+    return "\n".join(parts)
 
 
 # -------------------------------------------------------------------------------------------- content
@@ -109,8 +107,8 @@ def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Bl
 def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
     seen: dict[str, str] = {}
-    known = structure(key, blocks)
-    return tuple(block_view(blocks[name], seen, tables.named_axes(key), known) for name in ordered(blocks))
+    given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes))
+    return tuple(block_view(blocks[name], seen, *given) for name in ordered(blocks))
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:

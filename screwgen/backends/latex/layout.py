@@ -142,6 +142,11 @@ def equation(left: str, *sides: Sequence[str]) -> Formula:
     return tuple(rows)
 
 
+def one_line(formula: Formula) -> str:
+    """A formula without its breaks."""
+    return " ".join(cell.removeprefix(r"\quad ") for row in formula for cell in row if cell)
+
+
 def fill(terms: Sequence[str], room: float) -> list[str]:
     """Terms on as few lines as hold them."""
     lines: list[str] = []

@@ -53,12 +53,13 @@ def _cell(tex: str, place: int) -> str:
 
 @cache
 def _inner(tex: str) -> str:
-    """The MathML of a formula without the element ``math``."""
+    """The MathML of a formula without the element ``math``: the same with all versions of the converter."""
     upright = re.sub(r"\\mathrm\{([A-Za-z]+)\}", r"\\text{\1}", tex.replace(r"\!", ""))
     raw = convert(BEFORE.sub(r"\1\,", FUNCTION.sub(r"\1\,", upright)))
     body = raw[raw.index(">") + 1 : raw.rindex("</math>")]
     body = re.sub(r"&#x([0-9A-Fa-f]+);", _character, body)
     body = re.sub(r'<(m[in]) mathvariant="bold(?:-italic)?">([^<]+)</m[in]>', _bold, body)
+    body = re.sub("<mi>([×·])</mi>", r"<mo>\1</mo>", body.replace('<mover accent="true">', "<mover>"))
     body = body.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
     for plain, grouped in BRACKETS:
         body = body.replace(plain, grouped)

@@ -89,8 +89,8 @@ def _number(entry: sp.Expr, known: Mapping[str, mpmath.mpf]) -> str:
 def mode_table(chain: Chain, found: Mapping[str, Mapping[str, Table]]) -> DocumentTable | None:
     """The modes of the links: inertia, stiffness, frequency with the link's base held. None if there are none."""
     rows = [row for i in range(min(chain.n, MANY_LINKS)) for row in _modes(chain, i, found)]
-    head = ("link", "mode", "direction", "inertia", "stiffness", "frequency, base held")
-    return DocumentTable(head, (0.2, 0.08, 0.2, 0.17, 0.2, 0.15), tuple(rows)) if rows else None
+    head = ("link", "name", "mode", "direction", "inertia", "stiffness", "frequency, base held")
+    return DocumentTable(head, (0.06, 0.17, 0.07, 0.18, 0.17, 0.2, 0.15), tuple(rows)) if rows else None
 
 
 def _modes(chain: Chain, i: int, found: Mapping[str, Mapping[str, Table]]) -> Iterator[tuple[str, ...]]:
@@ -104,7 +104,7 @@ def _modes(chain: Chain, i: int, found: Mapping[str, Mapping[str, Table]]) -> It
         frequency = np.sqrt(float(stiff) / float(m)) / (2 * np.pi)
         units = ("kg*m^2", "N*m") if turns else ("kg", "N/m")
         cells = (f"{_shown(m)} {unit(units[0])}", f"{_shown(stiff)} {unit(units[1])}", f"{frequency:.4g} Hz")
-        yield f"`{name}`", f"{k + 1}", direction.replace("_", " in "), *cells
+        yield f"{i + 1}", f"`{name}`", f"{k + 1}", direction.replace("_", " in "), *cells
 
 
 def _shown(value: str) -> str:

@@ -248,7 +248,7 @@ def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
         bias = next((x for x in more.code.between(i, FORWARD) if BIAS.match(x.title)), None)
         first = more.names[more.firsts[more.classes[i] - 1]]
         place = next((a for (link, title), a in places.items() if link == first and BIAS.search(title)), "")
-        modes = f"mode-{name}" if more.modes and any(row[0] == f"`{name}`" for row in more.modes.rows) else ""
+        modes = f"mode-{name}" if more.modes and any(row[1] == f"`{name}`" for row in more.modes.rows) else ""
         yield Guide(name, i + 1, of_class[more.classes[i]], modes, bias, place)
 
 

@@ -47,6 +47,8 @@ class BlockView:
     steps: tuple[StepView, ...]
     used: tuple[ex.Symbol, ...]
     defined: tuple[NamedSignal, ...]
+    counts: tuple[int, int]
+    """The numbers of joint rates and of modes in the class of links."""
 
 
 MANY = 36
@@ -54,12 +56,16 @@ MANY = 36
 
 
 def block_view(
-    block: Block, seen: dict[str, str] | None = None, axes: Axes = (), structure: Mapping[str, Array] | None = None
+    block: Block,
+    seen: dict[str, str] | None = None,
+    axes: Axes = (),
+    structure: Mapping[str, Array] | None = None,
+    counts: tuple[int, int] = (0, 0),
 ) -> BlockView:
     """The block without steps that are zero or identity, and without those that ``seen`` holds by name.
 
     ``axes`` are those that have a name: they are written so in place of their components. ``structure`` holds
-    values of inputs that other blocks give: what is zero there is left out here.
+    values of inputs that other blocks give: what is zero there is left out here. ``counts``: :attr:`BlockView.counts`.
     """
     seen = {} if seen is None else seen
     values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
@@ -74,7 +80,7 @@ def block_view(
         steps.append(_view(block, step, right, write, axes))
         used += symbols(right)
         defined.append(step.signal)
-    return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined))
+    return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined), counts)
 
 
 def _renamed(text: str, axes: Axes) -> str:

@@ -59,6 +59,10 @@ SLIDING: tuple[Named, ...] = (
 """Symbols of robots whose joints slide, in place of those above."""
 
 TIMES = r"\times"
+COUNTED = ("n_{q,i}", "r_i")
+"""The numbers of joint rates and of modes of a link."""
+Counted = tuple[NamedSignal, tuple[int, int]]
+"""A signal, and these numbers in the class of links whose block has it."""
 
 
 @dataclass(frozen=True)
@@ -78,11 +82,11 @@ def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = 
 
     A symbol that is ``named`` replaces that of the text.
     """
-    found: dict[str, list[tuple[str, NamedSignal]]] = {}
+    found: dict[str, list[Counted]] = {}
     for block, view in blocks:
         for signal in _signals(block, view):
-            found.setdefault(written(signal), []).append((block.name, signal))
-    steps = [_entry(display, [s for _, s in known]) for display, known in found.items()]
+            found.setdefault(written(signal), []).append((signal, view.counts))
+    steps = [_entry(display, known) for display, known in found.items()]
     steps.sort(key=lambda e: Binding.CONSTANT if e.binding is None else e.binding)
     text = {symbol[0]: symbol for symbol in (*SYSTEM, *named)}
     return [*(e for e in _text(text.values()) if e.display not in found), *steps]
@@ -109,19 +113,19 @@ def _signals(block: Block, view: BlockView) -> Iterator[NamedSignal]:
             yield block.along[used.name]
 
 
-def _entry(display: str, signals: list[NamedSignal]) -> Entry:
-    first = signals[0]
-    shape = _shape([s.shape for s in signals], first.name)
-    binding = max(s.binding for s in signals)
+def _entry(display: str, known: list[Counted]) -> Entry:
+    first, _ = known[0]
+    rows, cols = (_size([(s.shape[d], counts) for s, counts in known]) for d in (0, 1))
+    binding = max(s.binding for s, _ in known)
+    shape = _shape_text(rows if cols == "1" else f"{rows} × {cols}")
     return Entry(display, words(first.meaning), unit(first.unit), frame(first.frame), shape, binding)
 
 
-def _shape(shapes: list[tuple[int, int]], name: str) -> str:
-    """The shape, with a letter for dimensions in which links differ."""
-    letter = "n_{q,i}" if name in ("q", "qdot", "A") else "r_i"
-    sizes = [{s[d] for s in shapes} for d in (0, 1)]
-    rows, cols = (str(*size) if len(size) == 1 else letter for size in sizes)
-    return _shape_text(rows if cols == "1" else f"{rows} × {cols}")
+def _size(sizes: list[tuple[int, tuple[int, int]]]) -> str:
+    """A dimension: a number, or where links differ the letter of what it is the number of in each of them."""
+    found = sorted({size for size, _ in sizes})
+    letters = (letter for k, letter in enumerate(COUNTED) if all(counts[k] == size for size, counts in sizes))
+    return str(*found) if len(found) == 1 else next(letters, r"\text{ or }".join(map(str, found)))
 
 
 def _shape_text(shape: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import re
 
+from ...notebook import plain
 from ..templates import markup
 from . import mathml
 from .layout import Formula
@@ -92,6 +93,11 @@ def _html_piece(piece: str) -> str:
     if piece.startswith("`"):
         return f"<code>{html.escape(piece[1:-1])}</code>"
     return html.escape(piece)
+
+
+def in_markdown(text: str) -> str:
+    """Text for Markdown, which has the same signs for formulas and code."""
+    return "".join(piece if piece[:1] in ("$", "`") else plain(piece) for piece in PIECES.split(text))
 
 
 def html_rows(formula: Formula) -> str:

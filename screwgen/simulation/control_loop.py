@@ -77,7 +77,7 @@ class Sampled:
         found = gains_of(self.law, self.model, self.p, at, ended)
         if not found:
             return None
-        kind = LinearisedWithLoops if self.model.chain.closures else Linearised
+        kind = LinearisedWithLoops if self.model.chain.closing.rows else Linearised
         motion = kind(self.model, at.q, at.v, None, None, self.given.constant_wrenches, self.p.tolist()).trimmed()
         return PostureLoop(motion, found, method, self.step, np.log(GROWN) / self.duration)
 

@@ -57,7 +57,7 @@ class Holding:
 
     def __call__(self, q: Numbers) -> np.ndarray:
         """The torques (n_tau,), N·m, where they act, at the joint angles `q` (n_joints,), rad."""
-        m, rows = self.count, len(self.chain.closures)
+        m, rows = self.count, len(self.chain.closing.rows)
         x, forces = self.chain.with_inner(np.asarray(q, float)[:m], self.p), np.zeros(rows)
         if self.stated is None:
             self.stated = stated_joints(self.model, x, self.p)
@@ -80,7 +80,7 @@ class Holding:
         return efforts(self.chain, torques, x[:m], self.p)
 
     def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
-        if self.chain.overconstrained:  # rows share what they bear, so their forces are not unique
+        if self.chain.closing.overconstrained:  # rows share what they bear, so their forces are not unique
             return np.linalg.lstsq(A, b, rcond=1e-8)[0]
         try:
             return np.linalg.solve(A, b)

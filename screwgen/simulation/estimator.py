@@ -44,7 +44,7 @@ class Estimator:
         self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
         self._strains = self._numeric.strain_slopes()[bending(chain)]
         self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
-        self._own, self.noise, n = chain.closures, Noise(0.0), model.nv
+        self._own, self.noise, n = chain.closing.rows, Noise(0.0), model.nv
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
 
     def start(self, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any, noise: Noise) -> None:
@@ -59,7 +59,7 @@ class Estimator:
                 whose = "the base" if one.word == "base" else f"link '{chain.names[one.part.link]}'"
                 raise UsageError(f"q: the quaternion of {whose} is zero; give [1, 0, 0, 0] for no turn")
         q, P = chain.unit(q), np.diag(sizes**2)
-        if chain.closures:
+        if chain.closing.rows:
             q, v, _ = self._shut(q, v)
             q, v, T = self._shut(q, v)  # the projection is that at closed rates
             P = T @ self._conditioned(P) @ T.T
@@ -206,7 +206,7 @@ class Estimator:
 
     def _accept(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None:
         """The new estimate, closed and of full symmetry, if it is finite."""
-        if self.model.chain.closures:
+        if self.model.chain.closing.rows:
             q, v, T = self._shut(q, v)
             P = T @ P @ T.T
         if not all(np.isfinite(x).all() for x in (q, v, P)):
@@ -235,7 +235,7 @@ class Estimator:
         M = self._numeric.mass_matrix(q)
         at = slice(chain.nv - chain.n_given, None)
         M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))
-        _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closures)), self._p))
+        _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closing.rows)), self._p))
         answers = np.linalg.solve(M, J.T)
         return J, J_q, self._numeric.row_forces(J @ answers, answers.T).T
 

@@ -55,7 +55,7 @@ class LinearisedWithLoops(Linearised):
     def closing_factors(self, method: str | Method, step: float) -> np.ndarray:
         """Of `g̈ + 2 c ġ + c² g = 0`, which no method takes implicitly, for every stabilisation c of the loops."""
         x, v = np.eye(2)[:, None]
-        maps = [method_of(method).step(Gap(c.stabilisation), x, v, step) for c in self.model.chain.closures]
+        maps = [method_of(method).step(Gap(c.stabilisation), x, v, step) for c in self.model.chain.closing.rows]
         return np.concatenate([np.linalg.eigvals(np.vstack(S)) for S in maps])
 
 

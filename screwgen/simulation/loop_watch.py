@@ -55,7 +55,7 @@ class LoopWatch:
     """What a run finds of its loops, in `seen`, which its C shares."""
 
     def __init__(self, model: RobotModel, p: np.ndarray, q: np.ndarray):
-        self.names = [junction.name for junction in model.chain.junctions]
+        self.names = [junction.name for junction in model.chain.closing.junctions]
         numeric = model.numpy(p)
         self.mismatch = numeric.mismatch
         self.sizes = (extent(numeric, q), 1.0) if self.names else (1.0, 1.0)

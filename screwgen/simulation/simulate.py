@@ -221,7 +221,7 @@ def time_grid(duration: float, step: float, every: int = 1) -> np.ndarray:
 
 def check_loops(model: RobotModel, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
     """Refuse a start at which a loop is open or opens; raises UsageError."""
-    if model.chain.junctions:
+    if model.chain.closing.junctions:
         check_closed(model.numpy(p), "q0", q)
         check_staying_closed(model.chain, "v0", model.numpy(p).gaps(q, v)[1])
 

@@ -268,7 +268,7 @@ def least(statics: Statics, q: np.ndarray) -> Balance:
     """The balance of the least forces near `q`."""
     here = statics.at(q)
     none = np.zeros(len(statics.moving))
-    if statics.model.chain.closures or not none.size:  # with loops the directions change on the way
+    if statics.model.chain.closing.rows or not none.size:  # with loops the directions change on the way
         return polished(statics, here)
     at = lambda step: statics.scaled(statics.moved(here, step))  # noqa: E731
     step = least_squares(lambda s: at(s)[0], none, lambda s: at(s)[1], xtol=1e-15, ftol=1e-15, gtol=1e-15).x

@@ -47,7 +47,7 @@ class StaticsWithLoops(Statics):
         return BalanceWithLoops(**own, **more)
 
     def _loops(self, q: np.ndarray, forces: np.ndarray | None) -> list[np.ndarray]:
-        rows, rest = len(self.model.chain.closures), np.zeros(self.model.nv)
+        rows, rest = len(self.model.chain.closing.rows), np.zeros(self.model.nv)
         return [np.array(x) for x in closing(self.model)(q, rest, np.zeros(rows) if forces is None else forces, self.p)]
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:

@@ -64,10 +64,8 @@ class Holding:
         i = np.append(np.flatnonzero(~self.stated), np.arange(m, len(x)))
         for _ in range(self.STEPS):
             _, force, K, *_ = map(np.array, self.statics(x, self.still, self.p))
-            force, J, gap = force[:, 0], np.zeros((0, len(x))), np.zeros(0)
-            if rows:
-                gap, J, _, bend, _ = map(np.array, closing(self.model)(x, np.zeros(len(x)), forces, self.p))
-                force, K, gap = force - J.T @ forces, K - bend, gap[:, 0]
+            gap, J, _, bend, _ = map(np.array, closing(self.model)(x, np.zeros(len(x)), forces, self.p))
+            force, K, gap = force[:, 0] - J.T @ forces, K - bend, gap[:, 0]
             A = np.block([[K[np.ix_(i, i)], -J[:, i].T], [J[:, i], np.zeros((rows, rows))]])
             step = self._solved(A, -np.append(force[i], gap))
             moved, changed = np.split(step, [len(i)])

@@ -79,7 +79,14 @@ def by_spring(J: np.ndarray, springs: np.ndarray) -> Kinds:
 
 
 def closing(model: RobotModel) -> Callable[..., Any]:
-    """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model."""
+    """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model.
+
+    Of a robot without loops what gives its results, all of them empty or zero.
+    """
+    if not model.chain.closing.rows:
+        n = model.nv
+        nothing = tuple(map(np.zeros, ((0, 1), (0, n), (0, n), (n, n), (6, model.n_links))))
+        return lambda *_: nothing
     from ..backends.casadi.linear import closing as made
 
     return model.once("closing", lambda: made(model.chain))
@@ -87,8 +94,6 @@ def closing(model: RobotModel) -> Callable[..., Any]:
 
 def jacobian(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(rows, nv): the rates of the gaps by the rates of the coordinates."""
-    if not model.chain.closing.rows:
-        return np.zeros((0, model.nv))
     return np.array(closing(model)(q, np.zeros(model.nv), np.zeros(len(model.chain.closing.rows)), p)[1])
 
 

@@ -164,7 +164,7 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                 tau, wrench = task.given(t, q, v)
                 table.hits(t, q, v)
                 if task.sampled(k) or k % WATCH == 0:
-                    if table.loops and not table.loops.look(t, q):
+                    if not table.loops.look(t, q):
                         raise table.loops.opened()
                     joints = record.look(t, q, v, tau, wrench)
                     if joints is None:
@@ -175,8 +175,7 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                 if k < task.steps:
                     before, held = state, (tau, wrench, task.reach(k))
                     state = plant.step(before, *held)
-                    if table.loops:
-                        record.weigh(t, plant, before, state, held)
+                    record.weigh(t, plant, before, state, held)
             if task.progress and (k % often == 0 or k == task.steps):
                 task.progress(k, task.steps)
         record.check()

@@ -33,6 +33,8 @@ class BalanceWithLoops(Balance):
 class StaticsWithLoops(Statics):
     """The forces on a robot at rest whose loops hold it besides. What moves are the motions that keep these closed."""
 
+    straight = False
+
     def at(self, q: np.ndarray) -> BalanceWithLoops:
         """The balance at `q`, with the loops' forces that leave the least force unbalanced."""
         b, i, D = super().at(q), self.moving, self.units[self.moving]

@@ -171,6 +171,8 @@ def extent(numeric: Numeric, q: Numbers) -> float:
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
     """The rates nearest to `v` (nv,) that keep the loops closed at `q`."""
     v = np.array(v, float)
+    if not numeric.chain.closing.rows:
+        return v
     return v - np.linalg.lstsq(jacobian(numeric, q), numeric.gaps(q, v)[1], rcond=1e-10)[0]
 
 

@@ -139,8 +139,8 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
 
 def _row_names(chain: Chain) -> tuple[str, ...]:
     """The forces of the loops' rows, N, of angles N m: ``loop[0].force[0]``, numbered in each loop."""
-    loops = [c.loop for c in chain.closing.rows]
-    return tuple(f"{c.name}.force[{loops[:k].count(c.loop)}]" for k, c in enumerate(chain.closing.rows))
+    names = [row.name for row in chain.closing.rows]
+    return tuple(f"{name}.force[{names[:k].count(name)}]" for k, name in enumerate(names))
 
 
 def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:

@@ -44,8 +44,7 @@ class RobotModel:
         self.robot = robot
         self._given_plugins = plugins
         self.chain = Chain(robot)
-        if self.chain.closures:
-            choose_rows(self.chain)
+        choose_rows(self.chain)
         names = coordinate_names(robot)
         self.q_names, self.v_names = list(names.q), list(names.v)
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)

@@ -143,7 +143,7 @@ def start(model: Model, case: Case) -> np.ndarray:
     """The coordinates at which the law holds the robot, with closed loops."""
     joints = np.zeros(model.n_joints) if case.q is None else np.array(case.q)
     q = model.chain.complete(joints, np.array(model.parameter_values))
-    return closed(model.numpy(), q) if model.chain.closures else q
+    return closed(model.numpy(), q) if model.chain.closing.rows else q
 
 
 def law(model: Model, case: Case, q: np.ndarray, share: float = 1.0) -> Any:
@@ -160,7 +160,7 @@ def moved(model: Model, case: Case, step: float, share: float = 1.0):
     """The run of a loop from its goal with a small rate."""
     q = start(model, case)
     v = np.full(model.nv, KICK)
-    v = moving(model.numpy(), q, v) if model.chain.closures else v
+    v = moving(model.numpy(), q, v) if model.chain.closing.rows else v
     given = {"q0": q, "v0": v, "controller": law(model, case, q, share)}
     return simulate(model, max(DURATION, 50 * step), step, integrator=case.integrator, form=case.form, **given)
 

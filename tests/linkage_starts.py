@@ -30,7 +30,7 @@ def openings(model: Model, q: np.ndarray) -> float:
 
 def poses(model: Model, q: np.ndarray) -> list[tuple]:
     """Of every loop: its screws, and rotation and place of its second frame in axes of the first."""
-    (R, r), ends = model.numpy().tip_poses(q), [(j.first, j.second) for j in model.chain.junctions]
+    (R, r), ends = model.numpy().tip_poses(q), [(j.first, j.second) for j in model.chain.closing.junctions]
     joints = [loop.joint.screws for loop in model.robot.loops]
     return [(x, R[a].T @ R[b], R[a].T @ (r[b] - r[a])) for x, (a, b) in zip(joints, ends, strict=True)]
 

@@ -244,7 +244,7 @@ def described(case: Mixed) -> str:
         "order 2": sum(k.order == 2 for k in keys),
         "files": sum(k.elastic is not None for k in keys),
         "loops": len(case.robot.get("loops", [])),
-        "rows": len(chain.closures),
+        "rows": len(chain.closing.rows),
         "floating": int(case.floating),
         "tree": int(not chain.tree.is_chain),
         "stops": len(chain.acted(STOP)),

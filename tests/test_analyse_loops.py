@@ -123,7 +123,7 @@ def test_the_report_says_what_loops_leave(bent, running):
     q, v, tau = running
     a = screwgen.analyse(bent, {"moving": {"q": q, "v": v, "tau": tau}})
     state = a.states[0]
-    assert a.well_posed and state.loops.regular and state.loops.size == len(bent.chain.closures) == bent.nv - 3
+    assert a.well_posed and state.loops.regular and state.loops.size == len(bent.chain.closing.rows) == bent.nv - 3
     text = " ".join(a.text().split())
     assert f"Loops: their {state.loops.size} rows are independent in all;" in text
     assert f"3 coordinates of {bent.nv} move independently: the spectrum is theirs." in text

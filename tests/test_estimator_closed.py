@@ -91,7 +91,7 @@ def test_numpy_and_c_are_the_same_and_stay_closed(name):
         sd = np.sqrt(np.diag(P_n)) + 1e-12 * (np.diag(P_n) < 1e-24)
         assert np.max(np.abs(P - P_n) / np.outer(sd, sd)) < 1e-9 and np.array_equal(P, P.T)
         assert np.linalg.eigvalsh(P / np.outer(sd, sd))[0] > -1e-13
-        if robot.chain.closures:
+        if robot.chain.closing.rows:
             assert np.max(np.abs(robot.numpy().gaps(q, v))) < 1e-12
             J = filters[1]._rows[0]
             assert np.max(np.abs(J @ P[: robot.nv, : robot.nv] @ J.T)) < 1e-16
@@ -268,13 +268,13 @@ def independent_of(robot, q) -> np.ndarray:
     from screwgen.simulation.mobility import by_effort, jacobian, mobility
 
     own = np.arange(robot.nv)
-    if robot.chain.closures:
+    if robot.chain.closing.rows:
         own = mobility(jacobian(robot, q, robot.parameter_values), by_effort(robot.chain)).independent
     return np.append(own, robot.nv + own)
 
 
 def settled(e: Estimator, q, v):
-    return e._shut(q, v)[:2] if e.model.chain.closures else (q, v)
+    return e._shut(q, v)[:2] if e.model.chain.closing.rows else (q, v)
 
 
 # ------------------------------------------------------------------------------ what users see

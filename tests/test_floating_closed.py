@@ -148,7 +148,7 @@ def holding(planar: bool = True):
 
 def test_arms_in_a_plane_have_three_rows_and_closing_leaves_the_base_where_it_is():
     model = holding()
-    assert [row.text for row in model.chain.closures] == [
+    assert [row.text for row in model.chain.closing.rows] == [
         "loop[0], distance along x",
         "loop[0], distance along y",
         "loop[0], angle between x and y",

@@ -111,7 +111,7 @@ def test_levels_grow():
 def test_the_diagram_is_drawn_from_the_model(name):
     drawn = re.search(r'<figure class="diagram">.*?</figure>', shown(name), re.S)[0]
     assert drawn.count('<g class="box">') == drawn.count('<g class="flow">') == chain(name).n
-    assert drawn.count('<path class="loop"') == len(chain(name).junctions)
+    assert drawn.count('<path class="loop"') == len(chain(name).closing.junctions)
     assert drawn.count('class="modes"') == sum(key.modes > 0 for key in chain(name).keys)
 
 

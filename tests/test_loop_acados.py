@@ -28,7 +28,7 @@ def robot(name: str):
 def test_the_joint_form_has_the_forces_of_the_rows_as_algebraic_unknowns(name):
     model, (q, v, tau, w_ext) = robot(name)
     export, numeric = model.acados(w_ext=True), model.numpy()
-    rows, x, p = len(model.chain.closures), np.append(q, v), np.append(model.parameter_values, w_ext)
+    rows, x, p = len(model.chain.closing.rows), np.append(q, v), np.append(model.parameter_values, w_ext)
     assert export.z.numel() == rows and export.f_impl_expr.numel() == len(x) + rows
     assert export.z_labels[:2] == ("loop[0].force[0]", "loop[0].force[1]")
     J = residual(export)(x, np.ones(len(x) + rows), tau, p)[1].full()

@@ -47,7 +47,7 @@ def test_a_loop_that_no_motion_closes_is_refused(axes):
     bars = [link("crank", 0.3, "y"), link("coupler", 0.9, "y"), link("rocker", 0.6, "y") | {"parent": "world"}]
     loop = {"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": axes}}
     bars[2]["joint"]["mount"] = {"xyz": [0.8, 0.0, 0.0]}
-    assert len(model_of(arm(*bars) | {"loops": [loop]}).chain.closures) == 2
+    assert len(model_of(arm(*bars) | {"loops": [loop]}).chain.closing.rows) == 2
     bars[2]["joint"]["mount"] = {"xyz": [0.8, 0.1, 0.0]}
     with pytest.raises(UsageError, match=r"^robot 'arm': loop\[0\], distance along y: stays open by 0.1 m"):
         model_of(arm(*bars) | {"loops": [loop]})

@@ -213,7 +213,7 @@ def lagrangian(crank: float, rate: float) -> float:
 
 
 def test_a_hinge_in_a_planar_linkage_has_two_rows_that_matter(four_bar):
-    assert [row.text for row in four_bar.chain.closures] == [f"loop[0], distance along {axis}" for axis in "xz"]
+    assert [row.text for row in four_bar.chain.closing.rows] == [f"loop[0], distance along {axis}" for axis in "xz"]
     assert redundant(four_bar) == [
         "loop[0], distance along y",
         "loop[0], angle between x and y",
@@ -318,7 +318,7 @@ def test_loops_of_which_nothing_can_move(four_bar):
         assemble(four_bar, [0.1, 0.2, 0.3], hold=held)
     welded = link("a", 0.3, []), link("b", 0.3, [], parent="world")
     model = model_of(arm(*welded) | {"loops": [{"between": ["a.tip", "b.tip"], "joint": {"axes": []}}]})
-    assert model.chain.closures == () and not model.numpy().forward_dynamics([], [], [], None)[0].size
+    assert model.chain.closing.rows == () and not model.numpy().forward_dynamics([], [], [], None)[0].size
 
 
 def test_what_closes_to_first_order_alone_is_refused():
@@ -332,7 +332,7 @@ def test_what_closes_to_first_order_alone_is_refused():
             model_of(robot)
     beam["modes"]["axial"] = 1
     model = model_of(bent)
-    assert len(model.chain.closures) == 2
+    assert len(model.chain.closing.rows) == 2
     said = analyse(model, [{}]).text()
     assert "wall: has no mass" in said and "nan" not in said
 

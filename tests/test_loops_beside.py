@@ -22,7 +22,7 @@ BOOM = link("boom", 0.5, "z", 2.0, modes={"bending_y": 1, "bending_z": 1}, secti
 def test_a_linkage_is_overconstrained_whatever_else_moves(robot, rows):
     """What the loops leave free besides must not pass for a motion that does not go on."""
     model = model_of(robot)
-    assert model.chain.overconstrained and len(model.chain.closures) == rows
+    assert model.chain.closing.overconstrained and len(model.chain.closing.rows) == rows
     q = np.zeros(model.nq)
     v = moving(model.numpy(), q, np.arange(1, model.nv + 1) ** 1.5)
     run = simulate(model, 0.3, 1e-3, q0=q, v0=v / np.max(np.abs(v)), backend="casadi")
@@ -35,7 +35,7 @@ def test_loops_that_no_motion_opens_bear_no_rows(axes):
     ends = [place(name, "world", [1.0, 0.0, 0.0], np.zeros(3)) for name in ("a", "b")]
     loop = {"between": ["a.tip", "b.tip"], "joint": {"axes": axes}}
     model = model_of(arm(link("bar", 0.4, "y"), *ends) | {"loops": [loop]})
-    assert not model.chain.closures and len(model.chain.idle) == 6 - len(axes)
+    assert not model.chain.closing.rows and len(model.chain.closing.idle) == 6 - len(axes)
     quick_batch(model)
     assert not quick(model).loop_mismatch(np.zeros(1)).any()
     off = {"a.joint.mount.xyz[1]": [0.0, 0.1]}

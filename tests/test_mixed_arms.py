@@ -21,4 +21,4 @@ def test_rows_of_a_loop_that_stays_open_are_kept():
     )
     swing = link("swing", 0.3, "y", parent="world", joint={"mount": {"xyz": [0.0, 0.0, 1.0]}})
     ball = {"between": ["slider.tip", "swing.tip"], "joint": {"axes": ["x", "y", "z"]}}
-    assert [row.text[-1] for row in model_of(arm(slider, swing) | {"loops": [ball]}).chain.closures] == ["x", "z"]
+    assert [row.text[-1] for row in model_of(arm(slider, swing) | {"loops": [ball]}).chain.closing.rows] == ["x", "z"]

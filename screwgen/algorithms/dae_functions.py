@@ -135,10 +135,13 @@ class DaeFunctions(Functions):
         return links
 
     def _solve(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> list[dict[str, list]]:
-        if self.chain.closures:
-            tau, w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
+        tau, w_ext = self._borne(x, tau, w_ext)
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
         return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
+
+    def _borne(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[Sequence, Sequence]:
+        """Torques and wrenches on the tips, those of the loops included."""
+        return self.with_loops(*self.coordinates(x), tau, w_ext) if self.chain.closing.rows else (tau, w_ext)
 
     def joint_rates(self, x: Sequence) -> list:
         """The joint rates that follow from the twists."""
@@ -189,7 +192,7 @@ class DaeFunctions(Functions):
         """The state projected onto the joint constraints."""
         links, _ = self._run(PROJECTION, self.unpack(x))
         projected = self.pack(links, PLACED | {"q": "new_q"})
-        return self.place(*self.close(*self.coordinates(projected))) if self.chain.closures else projected
+        return self.place(*self.close(*self.coordinates(projected))) if self.chain.closing.rows else projected
 
     def coordinates(self, x: Sequence) -> tuple[list, list]:
         """``q`` and ``v`` of a state."""
@@ -202,8 +205,7 @@ class DaeFunctions(Functions):
 
         The wrenches of loops on the tips are part of ``W_sys``.
         """
-        if self.chain.closures:
-            tau, w_ext = self.with_loops(*self.coordinates(x), tau, w_ext)
+        tau, w_ext = self._borne(x, tau, w_ext)
         state = self._with_terms(self.unpack(x), "eta")
         links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
         return self._stacked(links)

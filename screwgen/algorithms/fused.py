@@ -228,7 +228,7 @@ def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
     """
     f.given = (x["m_eta"], x["f_eta"])
     found = f.with_loops(x["q"], x["v"], x["tau"], x["w_ext"])
-    return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.couplings else {})
+    return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.closing.couplings else {})
 
 
 @program("q v")
@@ -241,6 +241,12 @@ def correction(f: Functions, q: Sequence, v: Sequence) -> Outputs:
 def openings(f: Functions, q: Sequence) -> Outputs:
     """``(q) -> (openings)``: the squares of how far each loop is from closed, of distance and angle."""
     return {"openings": f.openings(q)}
+
+
+@program("q")
+def gaps(f: Functions, q: Sequence) -> Outputs:
+    """``(q) -> (gap)`` of every row of loops."""
+    return {"gap": f.gaps(q, [0.0] * f.chain.nv)[0]}
 
 
 @program("")

@@ -77,7 +77,7 @@ def closing(chain: Chain) -> Program:
         found = {"J": J, "J_v": [tangents(rate, way) for way in ways], "bend": [tangents(forces, way) for way in ways]}
         return {"gap": gap, "wrench": loads.w_ext} | {name: _flat(matrix) for name, matrix in found.items()}
 
-    return fuse(chain, "closing", inputs(chain, "q v") | {"forces": len(chain.closures)}, body)
+    return fuse(chain, "closing", inputs(chain, "q v") | {"forces": len(chain.closing.rows)}, body)
 
 
 def gap_accelerations(chain: Chain) -> Program:
@@ -89,11 +89,11 @@ def gap_accelerations(chain: Chain) -> Program:
     def body(f: Functions, x: Mapping[str, Sequence]) -> dict[str, Sequence[Value]]:
         (gap, loads), rate = f.loops_at(x["q"], x["forces"]), f.gaps(x["q"], x["v"])[1]
         along = tangents(rate, _moved(x["q"], f.coordinate_rates(x["q"], x["v"])) | _moved(x["v"], x["vdot"]))
-        rates = zip(chain.closures, along, rate, gap, strict=True)
+        rates = zip(chain.closing.rows, along, rate, gap, strict=True)
         rows = [a + 2.0 * c.stabilisation * b + c.stabilisation**2 * g for c, a, b, g in rates]
         return {"rows": rows, "torque": loads.tau, "wrench": loads.w_ext}
 
-    return fuse(chain, "gap_accelerations", inputs(chain, "q v vdot") | {"forces": len(chain.closures)}, body)
+    return fuse(chain, "gap_accelerations", inputs(chain, "q v vdot") | {"forces": len(chain.closing.rows)}, body)
 
 
 def statics(chain: Chain) -> Program:

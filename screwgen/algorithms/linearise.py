@@ -334,7 +334,7 @@ def linearisation(chain: Chain, constants: str = "constants", own: bool = True) 
         f.given = (x["m_eta"], x["f_eta"])
         given = x["q"], x["v"], x["tau"], x["w_ext"]
         rows: dict[str, list[Value]] = {}
-        if chain.closures:
+        if chain.closing.rows:
             vdot, found, closing = closed_slopes(f, *given, own)
             rows = {"J": list(closing.J.flat), "J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
         else:

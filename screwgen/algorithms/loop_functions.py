@@ -55,7 +55,7 @@ class LoopFunctions:
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
         """Torques and wrenches on the tips, those of the loops included."""
         given = loops.Loads(tau, w_ext)
-        if not self.chain.closures:
+        if not self.chain.closing.rows:
             return given
         shut, forces = self.loop_forces(q, v, tau, w_ext)
         with self.section("loops: their wrenches on the tips"):
@@ -88,7 +88,7 @@ class LoopFunctions:
     def offsets(self, q: Sequence, v: Sequence) -> list[loops.Offsets]:
         """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
         shut = self._shut(q, v)
-        return [loops.offsets(junction, shut.tips, shut.axes) for junction in self.chain.junctions]
+        return [loops.offsets(junction, shut.tips, shut.axes) for junction in self.chain.closing.junctions]
 
     def openings(self, q: Sequence) -> list:
         """The squares of how far each loop is from closed: of the distance, m², and of the angle; two for each loop."""
@@ -98,7 +98,7 @@ class LoopFunctions:
     def idle_gaps(self) -> list:
         """The gaps of the rows that no motion changes, which depend on parameters alone: those at home."""
         shut = self._shut(self.chain.home, [0.0] * self.chain.nv)
-        return [loops.condition(row, shut.tips, shut.axes).gap for row in self.chain.idle]
+        return [loops.condition(row, shut.tips, shut.axes).gap for row in self.chain.closing.idle]
 
     def loops_at(self, q: Sequence, forces: Sequence) -> tuple[list, loops.Loads]:
         """The gap of every row, and what forces of the rows exert."""
@@ -123,8 +123,8 @@ class LoopFunctions:
 
     def solve_rows(self, A: mx.Array, wanted: Sequence[Vector]) -> list[list]:
         """The rows' forces x of ``A x = b`` for each b that is wanted; rows may share them."""
-        solve = (loops.sharing_solver if self.chain.overconstrained else loops.solver)(len(A))
-        apply = lambda b: self.apply(self.chain.closures[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
+        solve = (loops.sharing_solver if self.chain.closing.overconstrained else loops.solver)(len(A))
+        apply = lambda b: self.apply(self.chain.closing.rows[-1].second, 0, solve, {"A": mx.pack(A), "b": list(b)})["x"]  # noqa: E731
         try:
             return [apply(b) for b in wanted]
         except SingularError:
@@ -146,6 +146,10 @@ class LoopFunctions:
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
         tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
         axes = loops.Axes(self.chain.of_joints(q), self.chain.of_joints(v, rates=True))
-        axes = axes._replace(curves={row: self._curve(second, row, axes.q) for second, row in self.chain.related})
+        axes = axes._replace(
+            curves={row: self._curve(second, row, axes.q) for second, row in self.chain.closing.related}
+        )
         with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
-            return loops.Shut(self.chain.closures, tips, axes, nodes, [mx.array(link["R"], (3, 3)) for link in links])
+            return loops.Shut(
+                self.chain.closing.rows, tips, axes, nodes, [mx.array(link["R"], (3, 3)) for link in links]
+            )

@@ -17,7 +17,7 @@ from ..ir.derivative import columns, tangents
 from ..ir.program import Array, Node, Program, Tracer, Value, Vector
 from ..joints.constraints import Ratio
 from ..topology.chain import Chain
-from ..topology.loops import Closure
+from ..topology.loops import ClosingRow
 from . import matrices as mx
 from .loops import Axes, Shut, Tip, TipsAndAxes, condition
 from .relations import row_slopes
@@ -61,7 +61,7 @@ class RowChange:
 
 def tips(chain: Chain) -> list[int]:
     """The links at whose tips loops act, in the order of the file."""
-    wrenching = (c for c in chain.closures if not isinstance(c.row, Ratio))
+    wrenching = (c for c in chain.closing.rows if not isinstance(c.row, Ratio))
     return list(dict.fromkeys(i for c in wrenching for i in (c.first, c.second)))
 
 
@@ -77,8 +77,8 @@ def loop_changes(
     """
     rows: list[list[Array]] = [[], [], []]
     bend, nv = mx.zeros(chain.nv, chain.nv), chain.nv
-    for loop in dict.fromkeys(c.loop for c in chain.closures):
-        own = [(k, c) for k, c in enumerate(chain.closures) if c.loop == loop]
+    for loop in dict.fromkeys(c.loop for c in chain.closing.rows):
+        own = [(k, c) for k, c in enumerate(chain.closing.rows) if c.loop == loop]
         if isinstance(own[0][1].row, Ratio):
             _add_coupling(chain, own[0][1], rows)
             if own[0][1].row.relation is not None:
@@ -106,7 +106,7 @@ def loop_changes(
     return RowChange(*(np.vstack([mx.zeros(0, nv), *x]) for x in rows)), bend
 
 
-def _add_coupling(chain: Chain, coupling: Closure, rows: list[list[Array]]) -> None:
+def _add_coupling(chain: Chain, coupling: ClosingRow, rows: list[list[Array]]) -> None:
     """The row of a coupling, which is linear in coordinates and rates."""
     assert isinstance(coupling.row, Ratio)
     J, c = mx.zeros(1, chain.nv), coupling.stabilisation
@@ -119,7 +119,7 @@ def _add_coupling(chain: Chain, coupling: Closure, rows: list[list[Array]]) -> N
 def _bend_coupling(
     chain: Chain,
     shut: Shut,
-    coupling: Closure,
+    coupling: ClosingRow,
     acc: Vector,
     force: Value,
     rows: list[list[Array]],
@@ -140,7 +140,7 @@ def _bend_coupling(
 
 
 @cache
-def slopes_of_rows(rows: tuple[Closure, ...]) -> Program:
+def slopes_of_rows(rows: tuple[ClosingRow, ...]) -> Program:
     """The rows of one loop, differentiated; all in tip-frame components, each end's in its own.
 
     ``R`` (9) and ``d`` (3): the pose of tip B in A; ``V_A``, ``V_B``, ``acc_A``, ``acc_B`` (6): twists and

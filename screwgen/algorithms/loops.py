@@ -25,7 +25,7 @@ import numpy as np
 from ..ir.program import Array, Program, Tracer, Value, Vector
 from ..joints.constraints import Alignment, Angle, Distance, Ratio
 from ..topology.chain import Chain
-from ..topology.loops import Closure, Junction
+from ..topology.loops import ClosingRow, Junction
 from . import matrices as mx
 from .joint_moves import integration
 from .schedule import Apply
@@ -99,9 +99,9 @@ def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: 
     return sum(parts[1:], parts[0])
 
 
-def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
+def condition(closing: ClosingRow, tips: Sequence[Tip], axes: Axes) -> Condition:
     """A row in a state of all tips and axes."""
-    row, c = closure.row, closure.stabilisation
+    row, c = closing.row, closing.stabilisation
     wrenches: dict[int, mx.Array] = {}
     torques: Mapping[int, Value] = {}
     gamma: Value = 0.0
@@ -109,9 +109,9 @@ def condition(closure: Closure, tips: Sequence[Tip], axes: Axes) -> Condition:
         gap, torques = _ratio_gap(row, axes), _torques(row, axes)
         gamma = -row.ratio * (axes.curve(row)[2] * axes.qdot[row.of] * axes.qdot[row.of]) if row.relation else 0.0
     else:
-        a, b = tips[closure.first], tips[closure.second]
+        a, b = tips[closing.first], tips[closing.second]
         gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
-        wrenches = dict(zip((closure.first, closure.second), both, strict=True))
+        wrenches = dict(zip((closing.first, closing.second), both, strict=True))
     rate = _power(wrenches, torques, TipsAndAxes({i: tips[i].twist for i in wrenches}, axes.qdot))
     return Condition(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
 
@@ -195,10 +195,10 @@ class Shut:
     """The loops in a state; `nodes` and `rotations`: the tip node of every link, and the rotation of its F_i."""
 
     def __init__(
-        self, closures: Sequence[Closure], tips: Sequence[Tip], axes: Axes, nodes: Sequence[int], rotations: Sequence
+        self, rows: Sequence[ClosingRow], tips: Sequence[Tip], axes: Axes, nodes: Sequence[int], rotations: Sequence
     ):
         self.tips, self.axes, self.nodes, self.rotations = tips, axes, nodes, rotations
-        self.conditions = [condition(c, tips, axes) for c in closures]
+        self.conditions = [condition(c, tips, axes) for c in rows]
 
     def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> TipsAndAxes:
         """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""

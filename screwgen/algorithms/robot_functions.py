@@ -175,7 +175,7 @@ FUNCTIONS = (
         programs.loop_wrenches,
         (FORWARD, MOTION),
         "The wrenches with which the loops act on the tips.",
-        offered=lambda chain: bool(chain.closures),
+        offered=lambda chain: bool(chain.closing.rows),
     ),
     RobotFunction(
         "coupling_torques",
@@ -184,7 +184,7 @@ FUNCTIONS = (
         programs.coupling_torques,
         (FORWARD, MOTION),
         "The torques with which couplings act on the joint axes.",
-        offered=lambda chain: bool(chain.couplings),
+        offered=lambda chain: bool(chain.closing.couplings),
     ),
     RobotFunction(
         "marker_pose",

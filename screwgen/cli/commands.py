@@ -150,7 +150,7 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
         found = getattr(reference, row.name)(*(getattr(s, name) for name in row.names))
         values = found if len(row.results) > 1 else (found,)
         told |= {name: (np.asarray(x) + 0.0).tolist() for name, x in zip(row.results, values, strict=True)}
-    loops = reference.loop_wrenches(*s) if model.chain.closures else None
+    loops = reference.loop_wrenches(*s) if model.chain.closing.rows else None
     return {
         "vdot": (np.ravel(vdot) + 0.0).tolist(),
         "wrench": (np.reshape(wrench, (model.n_links, 6))[model.chain.firsts] + 0.0).tolist(),
@@ -165,7 +165,7 @@ def evaluation(model: Model, s: State, backend: str = "numpy", form: str = "join
 
 def _loops(model: Model) -> list[dict]:
     """Every loop's markers, and their rows among the loops' wrenches."""
-    ends = {row.loop: [row.first, row.second] for row in model.chain.closures}
+    ends = {row.loop: [row.first, row.second] for row in model.chain.closing.rows}
     return [{"between": list(loop.between), "rows": ends.get(k, [])} for k, loop in enumerate(model.robot.loops)]
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..spec.load import entry, one_line
 from ..spec.reduced import Reduced
+from ..spec.robot import TABLES
 
 WIDTH = 120
 
@@ -25,9 +26,8 @@ def document(
     of bodies' files are relative to, `to_folder`: where the text will be.
     """
     lines = [f"# {one_line(line)}" for line in head]
-    kinds = ("links", "loops", "couplings")
-    lines += ["", *assignments("", {k: v for k, v in tables.items() if k not in kinds})]
-    for kind in kinds:
+    lines += ["", *assignments("", {k: v for k, v in tables.items() if k not in TABLES})]
+    for kind in TABLES:
         for table in tables.get(kind, ()):
             lines.append("")
             if comment := comments.get(table.get("name", "")):

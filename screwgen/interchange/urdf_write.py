@@ -19,7 +19,7 @@ from ..spec.joint import Joint
 from ..spec.markers import carried_at
 from ..spec.parents import WORLD, parents
 from ..spec.reduced import elastic, of_link
-from ..spec.robot import Link, Robot
+from ..spec.robot import CLOSING, Link, Robot
 from ..topology.chain import Chain
 from .rigid import HERE, Pose, pose
 from .tables import GRAVITY, STICKING
@@ -143,10 +143,9 @@ class _Writer:
         alone = self.robot.model_copy(
             update={
                 "links": (link.model_copy(update=update),),
-                "loops": (),
-                "couplings": (),
                 "base": FLOATING,
                 "gravity": (0.0, 0.0, 0.0),
+                **dict.fromkeys(CLOSING, ()),
             }
         )
         chain = Chain(alone)

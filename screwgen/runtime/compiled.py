@@ -267,8 +267,8 @@ class Compiled(Differentiated):
     def loop_mismatch(self, q: Numbers) -> Array:
         """(loops, 2): how far the frames of each loop are apart where its joint does not let them, m, and turned, rad
         (of an angle θ it is 2 sin(θ/2)). Both vanish where loops are closed, and only there."""
-        out = np.zeros((len(self.chain.junctions), 2), self.real)
-        if self.chain.closures:
+        out = np.zeros((len(self.chain.closing.junctions), 2), self.real)
+        if self.chain.closing.rows:
             with self._lock:
                 self._set(q, self._no_v)
                 self.check(self.library.shim_loop_mismatch(self.memory, pointer(out)))
@@ -277,7 +277,7 @@ class Compiled(Differentiated):
     def coupling_torques(self, q: Numbers, v: Numbers | None = None, tau: Loads = None, w_ext: Loads = None) -> Array:
         """(n_tau,): the torques with which couplings act on the joint axes, N·m, N on those that slide."""
         out = np.zeros(max(self.chain.n_tau, 1), self.real)
-        if self.chain.couplings:
+        if self.chain.closing.couplings:
             with self._lock:
                 self._set(q, self._no_v if v is None else v, tau, w_ext)
                 self.check(self.library.shim_coupling_torques(self.memory, pointer(out)))

@@ -247,4 +247,4 @@ class CompiledEstimator:
     def _check(self, status: int) -> None:
         if status:
             chain, lost = self.model.chain, "the filter's covariance has lost its definiteness, or its step is too long"
-            raise failure(chain, status, self.fault, lost + ", or its loops do not close" * bool(chain.closures))
+            raise failure(chain, status, self.fault, lost + ", or its loops do not close" * bool(chain.closing.rows))

@@ -77,7 +77,7 @@ def instance(model: RobotModel, p: np.ndarray, method: Method) -> Compiled:
         return compiled.fresh(p)
     except ScrewgenError:
         said = "parameters: no robot has these; lengths and stiffnesses must be > 0 and masses >= 0"
-        raise UsageError(said + ", and no loop may be opened by them" * bool(model.chain.idle)) from None
+        raise UsageError(said + ", and no loop may be opened by them" * bool(model.chain.closing.idle)) from None
 
 
 def available(model: RobotModel, method: Method) -> bool:

@@ -23,7 +23,7 @@ from .gains import Gain, Posture, gains_of, rounded_down
 from .inputs import Inputs
 from .integrate import DEFAULT
 from .linearised import Linearised
-from .linearised_loops import LinearisedWithLoops
+from .linearised_loops import linearised
 from .stable_steps import LinearisedMotions, first_failure, shown_time
 
 GROWN = 100.0
@@ -77,8 +77,7 @@ class Sampled:
         found = gains_of(self.law, self.model, self.p, at, ended)
         if not found:
             return None
-        kind = LinearisedWithLoops if self.model.chain.closures else Linearised
-        motion = kind(self.model, at.q, at.v, None, None, self.given.constant_wrenches, self.p.tolist()).trimmed()
+        motion = linearised(self.model, at.q, at.v, None, None, self.given.constant_wrenches, self.p.tolist()).trimmed()
         return PostureLoop(motion, found, method, self.step, np.log(GROWN) / self.duration)
 
     def _said(self, loops: Sequence[PostureLoop], method: Method) -> str:

@@ -57,17 +57,15 @@ class Holding:
 
     def __call__(self, q: Numbers) -> np.ndarray:
         """The torques (n_tau,), N·m, where they act, at the joint angles `q` (n_joints,), rad."""
-        m, rows = self.count, len(self.chain.closures)
+        m, rows = self.count, len(self.chain.closing.rows)
         x, forces = self.chain.with_inner(np.asarray(q, float)[:m], self.p), np.zeros(rows)
         if self.stated is None:
             self.stated = stated_joints(self.model, x, self.p)
         i = np.append(np.flatnonzero(~self.stated), np.arange(m, len(x)))
         for _ in range(self.STEPS):
             _, force, K, *_ = map(np.array, self.statics(x, self.still, self.p))
-            force, J, gap = force[:, 0], np.zeros((0, len(x))), np.zeros(0)
-            if rows:
-                gap, J, _, bend, _ = map(np.array, closing(self.model)(x, np.zeros(len(x)), forces, self.p))
-                force, K, gap = force - J.T @ forces, K - bend, gap[:, 0]
+            gap, J, _, bend, _ = map(np.array, closing(self.model)(x, np.zeros(len(x)), forces, self.p))
+            force, K, gap = force[:, 0] - J.T @ forces, K - bend, gap[:, 0]
             A = np.block([[K[np.ix_(i, i)], -J[:, i].T], [J[:, i], np.zeros((rows, rows))]])
             step = self._solved(A, -np.append(force[i], gap))
             moved, changed = np.split(step, [len(i)])
@@ -80,7 +78,7 @@ class Holding:
         return efforts(self.chain, torques, x[:m], self.p)
 
     def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
-        if self.chain.overconstrained:  # rows share what they bear, so their forces are not unique
+        if self.chain.closing.overconstrained:  # rows share what they bear, so their forces are not unique
             return np.linalg.lstsq(A, b, rcond=1e-8)[0]
         try:
             return np.linalg.solve(A, b)

@@ -44,7 +44,7 @@ class Estimator:
         self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
         self._strains = self._numeric.strain_slopes()[bending(chain)]
         self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
-        self._own, self.noise, n = chain.closures, Noise(0.0), model.nv
+        self.noise, n = Noise(0.0), model.nv
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
 
     def start(self, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any, noise: Noise) -> None:
@@ -59,10 +59,9 @@ class Estimator:
                 whose = "the base" if one.word == "base" else f"link '{chain.names[one.part.link]}'"
                 raise UsageError(f"q: the quaternion of {whose} is zero; give [1, 0, 0, 0] for no turn")
         q, P = chain.unit(q), np.diag(sizes**2)
-        if chain.closures:
-            q, v, _ = self._shut(q, v)
-            q, v, T = self._shut(q, v)  # the projection is that at closed rates
-            P = T @ self._conditioned(P) @ T.T
+        q, v, _ = self._shut(q, v)
+        q, v, T = self._shut(q, v)  # the projection is that at closed rates
+        P = T @ self._conditioned(P) @ T.T
         self.put(q, v, P)
         self.set(noise)
 
@@ -206,24 +205,27 @@ class Estimator:
 
     def _accept(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None:
         """The new estimate, closed and of full symmetry, if it is finite."""
-        if self.model.chain.closures:
-            q, v, T = self._shut(q, v)
-            P = T @ P @ T.T
+        q, v, T = self._shut(q, v)
+        P = T @ P @ T.T
         if not all(np.isfinite(x).all() for x in (q, v, P)):
             raise DivergedError("the estimate is not finite; take a shorter step, or look at the measurements")
         self.put(q, v, (P + P.T) / 2)
 
     def _shut(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The closed state, and the projection (2 nv, 2 nv) of changes onto motions that keep it closed."""
-        J = J_q = reach = np.zeros(0)
-        for n in range(ROUNDS * CHORDS):
-            if n % CHORDS == 0:
+        n = self.model.nv
+        J = J_q = reach = np.zeros((0, n))
+        self._rows = J, J_q
+        if not self.model.chain.closing.rows:
+            return q, v, np.eye(2 * n)
+        for k in range(ROUNDS * CHORDS):
+            if k % CHORDS == 0:
                 J, J_q, reach = self._directions(q, v)
             q = self._moved(q, -reach @ self._numeric.gaps(q, None)[0])
         rows, frames = self._numeric.gaps(q, None)[0], self._numeric.mismatch(q)
         if not ((np.abs(rows) < CLOSED).all() and (frames < EPSILON**0.5).all()):
             raise SingularError("the filter's loops do not close from where it leads; look at the measurements")
-        self._rows, n = (J, J_q), self.model.nv
+        self._rows = J, J_q
         keep = np.eye(n) - reach @ J
         T = np.block([[keep, np.zeros((n, n))], [-reach @ J_q @ keep, keep]])
         return q, v - reach @ (J @ v), T
@@ -235,7 +237,7 @@ class Estimator:
         M = self._numeric.mass_matrix(q)
         at = slice(chain.nv - chain.n_given, None)
         M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))
-        _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closures)), self._p))
+        _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closing.rows)), self._p))
         answers = np.linalg.solve(M, J.T)
         return J, J_q, self._numeric.row_forces(J @ answers, answers.T).T
 

@@ -83,7 +83,7 @@ class Judge:
         """A posture with closed loops; none where they cannot be closed."""
         model = self.sampled.model
         try:
-            q = closed(model.numpy(self.sampled.p), q) if model.chain.closures else q
+            q = closed(model.numpy(self.sampled.p), q)
         except OpenLoopError:
             return []
         return [Posture(t, q, np.zeros(model.nv))]

@@ -201,7 +201,7 @@ class Linearised:
         own = slice(self.model.nv - n, None)
         heavy[own, own] += self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
         factor = np.linalg.solve(heavy, self.mass_matrix - np.diag(self.armature))
-        if self.model.chain.closures:
+        if self.model.chain.closing.rows:
             J = mobility.jacobian(self.model, self.q, self.p)
             reach = np.linalg.solve(heavy, J.T)
             factor += reach @ self.numeric.row_forces(J @ reach, J @ (np.eye(len(heavy)) - factor))

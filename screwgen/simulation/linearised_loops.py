@@ -8,6 +8,7 @@ import numpy as np
 
 from ..integrators.method import Method
 from ..integrators.methods import method_of
+from ..robot_model import RobotModel
 from .linearised import Linearised
 from .mobility import motions
 
@@ -55,8 +56,13 @@ class LinearisedWithLoops(Linearised):
     def closing_factors(self, method: str | Method, step: float) -> np.ndarray:
         """Of `g̈ + 2 c ġ + c² g = 0`, which no method takes implicitly, for every stabilisation c of the loops."""
         x, v = np.eye(2)[:, None]
-        maps = [method_of(method).step(Gap(c.stabilisation), x, v, step) for c in self.model.chain.closures]
+        maps = [method_of(method).step(Gap(c.stabilisation), x, v, step) for c in self.model.chain.closing.rows]
         return np.concatenate([np.linalg.eigvals(np.vstack(S)) for S in maps])
+
+
+def linearised(model: RobotModel, *given: Any) -> Linearised:
+    """The accelerations of all motions that a robot has, with or without loops; arguments as of `Linearised`."""
+    return (LinearisedWithLoops if model.chain.closing.rows else Linearised)(model, *given)
 
 
 class Gap(NamedTuple):

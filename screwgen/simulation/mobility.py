@@ -79,7 +79,14 @@ def by_spring(J: np.ndarray, springs: np.ndarray) -> Kinds:
 
 
 def closing(model: RobotModel) -> Callable[..., Any]:
-    """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model."""
+    """The CasADi function of the loops, :func:`..backends.casadi.linear.closing`, made once for a model.
+
+    Of a robot without loops what gives its results, all of them empty or zero.
+    """
+    if not model.chain.closing.rows:
+        n = model.nv
+        nothing = tuple(map(np.zeros, ((0, 1), (0, n), (0, n), (n, n), (6, model.n_links))))
+        return lambda *_: nothing
     from ..backends.casadi.linear import closing as made
 
     return model.once("closing", lambda: made(model.chain))
@@ -87,9 +94,7 @@ def closing(model: RobotModel) -> Callable[..., Any]:
 
 def jacobian(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """(rows, nv): the rates of the gaps by the rates of the coordinates."""
-    if not model.chain.closures:
-        return np.zeros((0, model.nv))
-    return np.array(closing(model)(q, np.zeros(model.nv), np.zeros(len(model.chain.closures)), p)[1])
+    return np.array(closing(model)(q, np.zeros(model.nv), np.zeros(len(model.chain.closing.rows)), p)[1])
 
 
 def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tuple[np.ndarray, np.ndarray]:
@@ -98,9 +103,9 @@ def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tupl
     Where `J δv + (∂(J v)/∂δ) δ = 0` rates change with the posture, as loops make them.
     """
     chain = model.chain
-    if not chain.closures:
+    if not chain.closing.rows:
         return np.arange(chain.nv), np.eye(2 * chain.nv)
-    _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closures)), p))
+    _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closing.rows)), p))
     check_closed(model.numpy(p), "q", q)
     check_staying_closed(chain, "v", J @ v)
     own, D, N = mobility(J, by_effort(chain))
@@ -117,7 +122,7 @@ def stated_joints(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
     """
     out, J = np.ones(model.n_joints, bool), jacobian(model, q, p)
     dependent = mobility(J, by_effort(model.chain)).dependent - model.chain.base_v
-    if len(dependent) < len(J) and not model.chain.overconstrained:
+    if len(dependent) < len(J) and not model.chain.closing.overconstrained:
         raise model.chain.singular_loops()
     out[dependent[dependent < model.n_joints]] = False
     return out
@@ -128,7 +133,7 @@ def check_closed(numeric: Numeric, name: str, q: np.ndarray) -> None:
     apart = numeric.mismatch(q)
     if apart.size and not np.max(apart) < OPEN:
         loop, kind = divmod(int(np.argmax(apart)), 2)
-        what = f"{numeric.chain.junctions[loop].name} is open by {apart[loop, kind]:.3g} {('m', 'rad')[kind]}"
+        what = f"{numeric.chain.closing.junctions[loop].name} is open by {apart[loop, kind]:.3g} {('m', 'rad')[kind]}"
         raise UsageError(f"{name}: {what}; start from what `screwgen assemble` or screwgen.assemble gives")
 
 
@@ -136,14 +141,14 @@ def check_staying_closed(chain: Chain, name: str, rates: np.ndarray) -> None:
     """Raise UsageError, about the argument `name`, where a loop opens: `rates` (rows,) of the gaps."""
     worst = int(np.argmax(np.abs(rates))) if len(rates) else 0
     if len(rates) and not abs(rates[worst]) < OPEN:
-        what = f"{chain.closures[worst].name} opens by {abs(rates[worst]):.3g}"
+        what = f"{chain.closing.rows[worst].name} opens by {abs(rates[worst]):.3g}"
         raise UsageError(f"{name}: {what}; start at rest, or with rates that keep it closed")
 
 
 def sharing(model: RobotModel, q: np.ndarray, J: np.ndarray, p: Numbers) -> np.ndarray:
     """(rows,): factors s such that forces s·y of rows which depend on each other are those of the dynamics, out of all
     that act alike, where y is the shortest; ones where all rows are independent."""
-    if not model.chain.overconstrained:
+    if not model.chain.closing.overconstrained:
         return np.ones(len(J))
     own = np.sum(J.T * np.linalg.solve(model.numpy(p).mass_matrix(q), J.T), axis=0)
     return 1 / np.sqrt(own + LEAST * np.sum(own))
@@ -154,7 +159,7 @@ def loads_of_loops(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray |
 
     The joints that follow bear no torque.
     """
-    if not model.chain.closures:
+    if not model.chain.closing.rows:
         return None
     J, rest = jacobian(model, q, p), np.zeros(model.nv)
     D, shares = mobility(J, by_effort(model.chain)).dependent, sharing(model, q, J, p)

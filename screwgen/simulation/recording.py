@@ -169,6 +169,8 @@ class Recorder:
 
     def weigh(self, t: float, plant: EquationForm[_State], before: _State, after: _State, held: Held) -> None:
         """Note the energies of the states before and after a step at `t` under held (torques, wrenches, seconds)."""
+        if not self.table.loops:
+            return
         tau, w_ext, dt = held
 
         def energy(state: _State) -> np.ndarray:

@@ -29,7 +29,7 @@ def opened(model: RobotModel, parameters: np.ndarray, q: np.ndarray) -> np.ndarr
     among them, and all samples of scenarios that are open at one of these.
     """
     batch, samples, _ = q.shape
-    if not model.chain.junctions or not batch:
+    if not model.chain.closing.junctions or not batch:
         return np.full(batch, samples)
     most = np.array([OPENED * extent(model.numpy(parameters[0]), q[0, 0]), OPENED])
     some = np.unique(np.append(np.arange(0, samples, STRIDE), samples - 1))

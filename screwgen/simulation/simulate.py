@@ -164,7 +164,7 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                 tau, wrench = task.given(t, q, v)
                 table.hits(t, q, v)
                 if task.sampled(k) or k % WATCH == 0:
-                    if table.loops and not table.loops.look(t, q):
+                    if not table.loops.look(t, q):
                         raise table.loops.opened()
                     joints = record.look(t, q, v, tau, wrench)
                     if joints is None:
@@ -175,8 +175,7 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                 if k < task.steps:
                     before, held = state, (tau, wrench, task.reach(k))
                     state = plant.step(before, *held)
-                    if table.loops:
-                        record.weigh(t, plant, before, state, held)
+                    record.weigh(t, plant, before, state, held)
             if task.progress and (k % often == 0 or k == task.steps):
                 task.progress(k, task.steps)
         record.check()
@@ -221,7 +220,7 @@ def time_grid(duration: float, step: float, every: int = 1) -> np.ndarray:
 
 def check_loops(model: RobotModel, p: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
     """Refuse a start at which a loop is open or opens; raises UsageError."""
-    if model.chain.junctions:
+    if model.chain.closing.junctions:
         check_closed(model.numpy(p), "q0", q)
         check_staying_closed(model.chain, "v0", model.numpy(p).gaps(q, v)[1])
 

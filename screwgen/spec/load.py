@@ -16,7 +16,7 @@ from .axes import LETTERS, AxesOfKind
 from .axis_elements import known_to_files
 from .messages import explain, first_error, key_path, link_label, reason
 from .reduced import FOLDER, Reduced
-from .robot import Robot
+from .robot import TABLES, Robot
 from .values import Path
 
 SCREWS = ("slide", "screw")
@@ -129,7 +129,7 @@ def dump(robot: Robot) -> str:
     if related:
         raise UsageError(f"couplings[{related[0]}]: relation is an object made in Python; a robot file cannot state it")
     stated = robot.model_dump(exclude_none=True, exclude_defaults=True)
-    tables = [(key, table) for key in ("links", "loops", "couplings") for table in stated.pop(key, ())]
+    tables = [(key, table) for key in TABLES for table in stated.pop(key, ())]
     return "\n".join([assignments(stated), *(f"[[{key}]]\n{assignments(table)}" for key, table in tables)])
 
 

@@ -157,6 +157,10 @@ class Link(Part):
 
 
 GRAVITY = Stated("gravity", "acceleration of free fall, inertial frame", ", as [0.0, 0.0, -9.81]", components=XYZ)
+CLOSING = ("loops", "couplings")
+"""The tables of a robot file that close the tree of its links."""
+TABLES = ("links", *CLOSING)
+"""All of which a file may state several; so they come last in it."""
 
 
 class Robot(Part):
@@ -258,7 +262,7 @@ def refuse_beside_balls(robot: Robot) -> None:
         return
     joint = f"a {ball.joint.kind.name} joint, that of link '{ball.name}'"
     beside = f"is stated of a robot with {joint}, beside which it is not known yet; leave it out"
-    for name in ("loops", "couplings"):
+    for name in CLOSING:
         if getattr(robot, name):
             raise refuse(beside, at=(name,))
     for i, link in enumerate(robot.links):

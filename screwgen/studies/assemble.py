@@ -10,14 +10,13 @@ from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from ..topology.loops import closures
 from .modes import posture
 
 
 def redundant(model: RobotModel) -> list[str]:
     """The rows of the loops, in words, that follow from the other rows and are left out."""
-    stated = closures(model.robot, model.chain.junctions)
-    return [row.text for row in stated if row not in model.chain.closures]
+    closing = model.chain.closing
+    return [row.text for row in closing.stated if row not in closing.rows]
 
 
 def bent(model: RobotModel, start: Numbers, found: np.ndarray) -> list[str]:
@@ -38,7 +37,7 @@ def assemble(
     values. Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
     """
     model.chain.needs_sums("assembly", "state its coordinates")
-    if not model.chain.junctions:
+    if not model.chain.closing.junctions:
         said = f"robot '{model.robot.name}' has neither loops nor couplings"
         raise UsageError(f"{said}; state [[loops]] or [[couplings]] tables, or leave this out")
     for name in hold:

@@ -110,7 +110,7 @@ def _loaded(
     rich: RobotModel, q: np.ndarray, loads: Steady, rates: Numbers | None, loaded: bool, p: np.ndarray, held: np.ndarray
 ) -> Steady:
     """Small motions of the rich model about `q` (nq,), where the other model is under `loads`."""
-    if not rich.chain.closures:
+    if not rich.chain.closing.rows:
         return steady(rich, q, rates, loaded, p, np.setdiff1d(np.arange(rich.nv), held), settle=False)
     return about(rich, q, p, loads.loops, loads.tau)
 
@@ -137,7 +137,7 @@ def _at_rest(model: RobotModel, basis: np.ndarray, M: np.ndarray, K: np.ndarray,
 
 def _springs(model: RobotModel, basis: np.ndarray, K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The ``basis`` with its columns combined such that the stiffness is diagonal, and that diagonal."""
-    if not (model.chain.coupled or model.chain.closures):
+    if not (model.chain.coupled or model.chain.closing.rows):
         return basis, np.diag(K) @ basis**2
     change, k = uncoupled(basis.T @ K @ basis)
     return basis @ change, k

@@ -145,7 +145,7 @@ def rest(
 def closed_start(model: RobotModel, p: np.ndarray, start: np.ndarray, hold: bool) -> tuple[np.ndarray, np.ndarray]:
     """`start` (nq,) with closed loops, and which joints (n_joints,) of bool may be stated; `hold`: these stay."""
     chain = model.chain
-    if not chain.closures:
+    if not chain.closing.rows:
         return start, np.ones(chain.n_joints, bool)
     numeric, m, fixed = model.numpy(p), chain.n_joints, np.zeros(chain.nv, bool)
     fixed[m : chain.eta_v] = True
@@ -161,7 +161,7 @@ def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarra
     """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
     load[model.chain.held_places], still[model.chain.held_places] = tau, held
-    return (StaticsWithLoops if model.chain.closures else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
+    return (StaticsWithLoops if model.chain.closing.rows else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
 
 
 def _balanced(

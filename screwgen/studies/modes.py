@@ -144,7 +144,7 @@ def loaded_motion(
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
     model.chain.needs_sums("modes under load", "take model.numpy().derivatives")
     model.chain.needs_fixed(*LOADED)
-    if not model.chain.closures:
+    if not model.chain.closing.rows:
         return steady(model, q, rates, loaded, p, moving)
     if rates is not None:
         what = f"robot '{model.robot.name}' has loops, for which there is no table of modes at rates"
@@ -179,7 +179,7 @@ def closed_posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarr
     Raises UsageError where a loop is open, and SingularError where loops are singular.
     """
     chain, at = model.chain, posture(model, q, p)
-    if not chain.closures:
+    if not chain.closing.rows:
         return at
     if q is None:
         near, first = closed_softly(model.numpy(p), at, np.zeros(chain.nq, bool)), chain.base_q

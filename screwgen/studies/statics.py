@@ -68,6 +68,9 @@ class Balance:
 class Statics:
     """The forces on an arm at rest under torques `load` (nq,), wrenches on its tips, weight and springs."""
 
+    straight = True
+    """Whether the directions in which it moves stay the same on the way."""
+
     def __init__(self, model: RobotModel, p: np.ndarray, load: np.ndarray, w_ext: np.ndarray, moving: np.ndarray):
         self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
         self.springs = stiffness(model, p)
@@ -268,7 +271,7 @@ def least(statics: Statics, q: np.ndarray) -> Balance:
     """The balance of the least forces near `q`."""
     here = statics.at(q)
     none = np.zeros(len(statics.moving))
-    if statics.model.chain.closures or not none.size:  # with loops the directions change on the way
+    if not (statics.straight and none.size):
         return polished(statics, here)
     at = lambda step: statics.scaled(statics.moved(here, step))  # noqa: E731
     step = least_squares(lambda s: at(s)[0], none, lambda s: at(s)[1], xtol=1e-15, ftol=1e-15, gtol=1e-15).x

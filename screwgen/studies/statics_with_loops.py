@@ -33,6 +33,8 @@ class BalanceWithLoops(Balance):
 class StaticsWithLoops(Statics):
     """The forces on a robot at rest whose loops hold it besides. What moves are the motions that keep these closed."""
 
+    straight = False
+
     def at(self, q: np.ndarray) -> BalanceWithLoops:
         """The balance at `q`, with the loops' forces that leave the least force unbalanced."""
         b, i, D = super().at(q), self.moving, self.units[self.moving]
@@ -47,7 +49,7 @@ class StaticsWithLoops(Statics):
         return BalanceWithLoops(**own, **more)
 
     def _loops(self, q: np.ndarray, forces: np.ndarray | None) -> list[np.ndarray]:
-        rows, rest = len(self.model.chain.closures), np.zeros(self.model.nv)
+        rows, rest = len(self.model.chain.closing.rows), np.zeros(self.model.nv)
         return [np.array(x) for x in closing(self.model)(q, rest, np.zeros(rows) if forces is None else forces, self.p)]
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:

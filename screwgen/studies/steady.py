@@ -22,7 +22,7 @@ from .linear import checked
 from .stiffness import added_stiffness
 
 if TYPE_CHECKING:
-    from ..topology.loops import Closure
+    from ..topology.loops import ClosingRow
 
 ITERATIONS, SETTLED = 50, 1e-10
 """Newton steps to the steady deflection at most; a step of this size relative to the deflection is the last."""
@@ -54,7 +54,7 @@ class Steady(NamedTuple):
     """(m, r): orthonormal motions of joints and rotors, the first m coordinates, that nothing resists."""
     J: np.ndarray
     """(rows, nq): of the gaps of loops, with q."""
-    loops: Mapping[Closure, float]
+    loops: Mapping[ClosingRow, float]
     """The forces of their rows."""
     w_ext: np.ndarray | None = None
     """(n, 6): what loops exert on the tips; None without."""

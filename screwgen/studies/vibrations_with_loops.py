@@ -13,7 +13,7 @@ import scipy.linalg
 from ..algorithms.travels import efforts
 from ..robot_model import RobotModel
 from ..simulation.mobility import closing
-from ..topology.loops import Closure
+from ..topology.loops import ClosingRow
 from .equilibrium import closed_start, rest
 from .statics_with_loops import RANK, BalanceWithLoops
 from .steady import Steady, unresisted
@@ -26,15 +26,15 @@ def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
     assert isinstance(b, BalanceWithLoops)
     torques = np.where(stated, b.force[model.chain.held_places], 0.0)
     tau = efforts(model.chain, torques, b.q[: model.n_joints], p, held=True)
-    return about(model, b.q, p, dict(zip(model.chain.closures, b.forces, strict=True)), tau)
+    return about(model, b.q, p, dict(zip(model.chain.closing.rows, b.forces, strict=True)), tau)
 
 
 def about(
-    model: RobotModel, q: np.ndarray, p: np.ndarray, loops: Mapping[Closure, float], tau: np.ndarray | None = None
+    model: RobotModel, q: np.ndarray, p: np.ndarray, loops: Mapping[ClosingRow, float], tau: np.ndarray | None = None
 ) -> Steady:
     """The same about `q` (nq,) with forces of rows, zero of those left out. `tau` (n_tau,): what the drives exert."""
     numeric, m, still = model.numpy(p), model.chain.eta_v, np.zeros(model.nv)
-    forces = np.array([loops.get(row, 0.0) for row in model.chain.closures])
+    forces = np.array([loops.get(row, 0.0) for row in model.chain.closing.rows])
     tau = np.zeros(model.n_tau) if tau is None else tau
     M, K, _ = numeric.slopes(q, still, None, None, tau)
     _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))

@@ -14,7 +14,6 @@ import numpy as np
 
 from ..arguments import Numbers, Parameters, array
 from ..errors import SingularError, UsageError
-from ..joints.constraints import Ratio
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
 from ..spec.markers import TIP as END
@@ -22,7 +21,7 @@ from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
-from .loops import Closure, Junction, closures, junctions
+from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels
 from .stations import mounted
@@ -30,7 +29,7 @@ from .tree import TIP
 
 
 class Chain(Coordinates):
-    """A robot as the algorithms see it: one class per link, the coordinates, the tree and the loops."""
+    """A robot as the algorithms see it: one class per link, the coordinates, the tree and what closes it."""
 
     def __init__(self, robot: Robot):
         self.robot = robot
@@ -46,13 +45,7 @@ class Chain(Coordinates):
         own = labels(robot)
         super().__init__(keys, [own[s.link] for s in self.segments])
         self.classes = list(dict.fromkeys(self.keys))
-        self.junctions: tuple[Junction, ...] = junctions(robot, self.segments)
-        self.closures: tuple[Closure, ...] = closures(robot, self.junctions)
-        """The rows of the loops that bear forces."""
-        self.idle: tuple[Closure, ...] = ()
-        """The rows that no motion changes: parameters alone can open them."""
-        self.overconstrained = False
-        """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
+        self.closing = Closing.of(robot, self.segments)
 
     @cached_property
     def markers(self) -> tuple[PlacedMarker, ...]:
@@ -87,20 +80,14 @@ class Chain(Coordinates):
         return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
 
     @property
-    def couplings(self) -> list[Closure]:
-        """The rows of couplings, which act on axes."""
-        return [closure for closure in self.closures if isinstance(closure.row, Ratio)]
-
-    @property
-    def related(self) -> list[tuple[int, Ratio]]:
-        """The rows of couplings that have a relation, each with the link whose joint follows."""
-        pairs = [(c.second, row) for c in self.couplings if isinstance(row := c.row, Ratio)]
-        return [(second, row) for second, row in pairs if row.relation is not None]
-
-    @property
     def serial(self) -> bool:
         """Whether every link carries at most one other, on a fixed base and without loops."""
-        return self.tree.is_chain and not self.closures and not self.floating
+        return self.tree.is_chain and not self.closing.rows and not self.floating
+
+    @property
+    def needs_rates_first(self) -> bool:
+        """Whether forces depend on the joint rates, which the DAE form then finds before all else."""
+        return self.has_axis_forces or bool(self.closing.rows)
 
     @cached_property
     def parameters(self) -> Parameters:
@@ -114,7 +101,7 @@ class Chain(Coordinates):
 
     def needs_tree(self, what: str, instead: str) -> None:
         """The same where loops close the tree."""
-        if self.closures:
+        if self.closing.rows:
             raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 
     def needs_sums(self, what: str, instead: str) -> None:
@@ -128,7 +115,7 @@ class Chain(Coordinates):
 
     def needs_independent_rows(self, what: str, instead: str) -> None:
         """The same where rows of the loops depend on each other in every posture."""
-        if self.overconstrained:
+        if self.closing.overconstrained:
             said = f"robot '{self.robot.name}' is overconstrained: rows of its loops depend on each other, for which"
             raise UsageError(f"{said} there is no {what}; {instead}")
 

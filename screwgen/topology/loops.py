@@ -1,4 +1,4 @@
-"""Loops of a robot: which segments they join, and the rows that close them; couplings of axes are loops of one row."""
+"""What closes the tree of a robot: the segments that loops join, and their rows; a coupling is a loop of one row."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .stations import section
 
 
 @dataclass(frozen=True)
-class Closure:
+class ClosingRow:
     """One scalar condition of a loop between the tips of two segments, or of the axes of their joints."""
 
     loop: int
@@ -50,6 +50,39 @@ class Junction:
     name: str
 
 
+@dataclass(frozen=True)
+class Closing:
+    """What closes the tree of a robot; of one without loops and couplings all is empty."""
+
+    junctions: tuple[Junction, ...]
+    stated: tuple[ClosingRow, ...]
+    """All rows, in the order of the file."""
+    rows: tuple[ClosingRow, ...]
+    """Those that bear forces."""
+    idle: tuple[ClosingRow, ...] = ()
+    """Those that no motion changes: parameters alone can open them."""
+    overconstrained: bool = False
+    """Whether rows depend on each other wherever the loops are closed, so that they share what they bear."""
+
+    @classmethod
+    def of(cls, robot: Robot, segments: Sequence[Segment]) -> Closing:
+        """With all rows that the file states."""
+        joined = junctions(robot, segments)
+        rows = closing_rows(robot, joined)
+        return cls(joined, rows, rows)
+
+    @property
+    def couplings(self) -> list[ClosingRow]:
+        """The rows of couplings, which act on axes."""
+        return [row for row in self.rows if isinstance(row.row, Ratio)]
+
+    @property
+    def related(self) -> list[tuple[int, Ratio]]:
+        """The rows of couplings that have a relation, each with the link whose joint follows."""
+        pairs = [(c.second, row) for c in self.couplings if isinstance(row := c.row, Ratio)]
+        return [(second, row) for second, row in pairs if row.relation is not None]
+
+
 def _shown(direction: Sequence[float]) -> str:
     letter = next((x for k, x in enumerate("xyz") if direction[k] == 1.0), None)
     return letter or f"[{', '.join(f'{x:g}' for x in direction)}]"
@@ -81,15 +114,15 @@ def junctions(robot: Robot, segments: Sequence[Segment]) -> tuple[Junction, ...]
     return tuple(out)
 
 
-def closures(robot: Robot, junctions: Sequence[Junction]) -> tuple[Closure, ...]:
+def closing_rows(robot: Robot, junctions: Sequence[Junction]) -> tuple[ClosingRow, ...]:
     """All rows of all loops, in the order of the file, then those of couplings."""
     loops = (
-        Closure(j.loop, j.first, j.second, row, loop.stabilisation, j.name)
+        ClosingRow(j.loop, j.first, j.second, row, loop.stabilisation, j.name)
         for j, loop in zip(junctions, robot.loops, strict=False)
         for row in rows(loop.joint.screws)
     )
     couplings = (
-        Closure(j.loop, j.first, j.second, row, coupling.stabilisation, j.name)
+        ClosingRow(j.loop, j.first, j.second, row, coupling.stabilisation, j.name)
         for j, coupling in zip(junctions[len(robot.loops) :], robot.couplings, strict=True)
         for row in j.demands
         if isinstance(row, Ratio)

@@ -118,7 +118,7 @@ def test_what_is_no_relation_is_refused_and_files_cannot_state_one():
         Robot(**arm(*links, couplings=[table | {"relation": 3}]))
     with pytest.raises(UsageError, match=r"couplings\[0\]: relation is an object made in Python"):
         dump(MODEL.robot)
-    assert "right.joint[0] = -0.8 cam(left.joint[0]) + 0.1" in MODEL.chain.closures[0].text
+    assert "right.joint[0] = -0.8 cam(left.joint[0]) + 0.1" in MODEL.chain.closing.rows[0].text
 
 
 def test_a_urdf_says_that_it_lacks_the_relation():

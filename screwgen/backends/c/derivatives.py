@@ -6,13 +6,12 @@ import warnings
 from collections.abc import Mapping
 
 from ...algorithms.linearise import linearisation
-from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from . import step_derivatives
-from .code import Place, entries, literal, singular
+from .code import Place, entries, singular
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes
 
@@ -33,7 +32,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
     """The templates' context; ``place`` is that of the fused function, ``methods`` the integrators to differentiate."""
     program = linearisation(chain, "baked" if baked else "constants", own=False)
     say_time(chain, "derivatives", program.operation_count)
-    nv, rows = chain.nv, len(chain.closures)
+    nv, rows = chain.nv, len(chain.closing.rows)
     own = {
         "vdot": entries("out->vdot"),
         "m_eta": entries("work->m_eta"),
@@ -54,8 +53,6 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
     return made | {
         "solve": solve,
         "rows": rows,
-        "sharing": _sharing() if chain.overconstrained else None,
-        "closing": chain.closures[-1].second if rows else None,
         "stumpff": slopes([program], bool(chain.curved)),
         "unrolled": UNROLLED,
         "link_of": _owners(chain),
@@ -63,14 +60,9 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
     }
 
 
-def _sharing() -> dict:
-    """How rows that may depend on each other share what they bear, as :func:`...algorithms.loops.sharing_solver`."""
-    return {"compliance": literal(COMPLIANCE), "least": literal(LEAST), "times": SHARES}
-
-
 def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     """The same of the joint wrenches, or why they are ``missing``."""
-    if chain.closures:
+    if chain.closing.rows:
         return {"missing": "those of robots with loops are not derived"}
     program = wrench_program(chain, "baked" if baked else "constants")
     nv, count = chain.nv, program.operation_count

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from ...algorithms import fused
 from ...algorithms.gauges import Gauge, gauges
 from ...algorithms.joint_moves import midpoint_carry
 from ...algorithms.joint_sensors import PoseSensor, encoders, pose_measurements, pose_sensors
 from ...algorithms.tip_acceleration import tip_acceleration
 from ...joints.kind import JointKind
 from ...topology.chain import Chain
-from .code import Place, Writer, entries, literal, singular, trimmed, with_unused
+from .code import Place, Writer, entries, literal, trimmed, with_unused
 from .curved import plus, stem
 from .derivatives import say_time
 from .pieces import piece_place, pieces
@@ -34,12 +33,10 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work"))
         | {
             "slopes_of_stumpff": slopes([program]),
-            "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closures) * chain.nv**2,
+            "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closing.rows) * chain.nv**2,
             "per_entry": 6 * chain.nv**2,
             "gauges": [_gauge(chain, g) for g in gauges(chain)],
             "curvatures": _curvatures(chain),
-            "gaps": _gaps(chain, baked, place) if chain.closures else [],
-            "stabilisations": [literal(c.stabilisation) for c in chain.closures],
             "encoders": encoders(chain),
             "square": lambda name, at: " + ".join(f"{name}[{k}] * {name}[{k}]" for k in range(at, at + 4)),
         }
@@ -114,14 +111,6 @@ def _carry(joint: JointKind, widest: int) -> dict[str, object]:
 def _by_columns(slope: str) -> Callable[[int], str]:
     """The C expressions of the entries of a matrix with three rows, numbered column by column."""
     return lambda k: f"work->{slope}[{k % 3}][{k // 3}]"
-
-
-def _gaps(chain: Chain, baked: bool, place: Place) -> list:
-    """The functions that find the gaps of the loops, in one piece as they are short."""
-    placed = piece_place(chain, "work->kept", {"gap": entries("work->gap")}, place)
-    body = lambda f, x: {"gap": f.gaps(x["q"], [0.0] * chain.nv)[0]}  # noqa: E731
-    program = fused.fuse(chain, "gaps", {"q": chain.nq}, body, "baked" if baked else "constants")
-    return pieces(program, placed, ("c", "state", "work"), program.operation_count, fail=singular)["pieces"]
 
 
 def _gauge(chain: Chain, gauge: Gauge) -> dict:

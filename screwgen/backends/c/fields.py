@@ -269,20 +269,25 @@ def _signals(programs: Iterable[Program], there: Callable[[str], bool]) -> dict[
 
 
 def scratch(
-    c: Chain, node: Sequence[StructMember], store: Sequence[StructMember], states: int, modular: bool, kept: int | None
+    c: Chain,
+    node: Sequence[StructMember],
+    store: Sequence[StructMember],
+    states: int,
+    modular: bool,
+    further: Mapping[str, int],
 ) -> dict[str, int]:
     """The sizes in bytes of the scratch of both forms in double precision.
 
-    `states`: those that a step keeps; `kept`: the numbers that programs of loops hand on, None without loops.
+    `states`: those that a step keeps; `further`: how many structs of a name are kept besides, and numbers of none.
     """
     sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
     sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner, "NRATES": c.v_offset[-1], "NREDUNDANT": c.n_redundant}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
     own = {name: total(fields) for name, fields in structs(c).items()}
     chain = c.tree.size * total(node) + c.n * total(store)
-    loops = 0 if kept is None else 1 + own["input"] + 2 * own["state"] + kept
-    work = own["work"] + states * (own["state"] + turns(c)) + own["output"] + chain * modular + loops
-    dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain + loops
+    more = sum(count * own.get(name, 1) for name, count in further.items())
+    work = own["work"] + states * (own["state"] + turns(c)) + own["output"] + chain * modular + more
+    dae = own["dae_work"] + states * (own["dae_state"] + 6 * c.n) + chain + more
     return {"work": 8 * (work + 1), "dae_work": 8 * (dae + 1)}
 
 

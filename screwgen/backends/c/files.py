@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from .batch import FILES as BATCH
 from .derivatives import FILES as DERIVATIVES
 from .estimator import FILES as ESTIMATOR
-from .loops import FILES as LOOPS
 
 LIBRARY = (
     "real.h",
@@ -27,10 +26,13 @@ BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
 
 
 def library(
-    name: str, loops: bool, derivatives: bool, estimator: bool, batch: bool, reports: Sequence[str]
+    name: str, closing: Sequence[str], derivatives: bool, estimator: bool, batch: bool, reports: Sequence[str]
 ) -> dict[str, str]:
-    """The files of a robot's library, with the template of each; ``reports``: the files of what it reports."""
-    options = ((loops, LOOPS), (derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH))
-    files = [*LIBRARY, *(file for asked, more in options if asked for file in more)]
+    """The files of a robot's library, with the template of each.
+
+    ``closing``: the files of what closes its tree; ``reports``: those of what it reports.
+    """
+    options = ((derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH))
+    files = [*LIBRARY, *closing, *(file for asked, more in options if asked for file in more)]
     files += [f"{part}.{end}" for part in reports for end in "hc"]
     return {f"{name}.h": "model.h"} | {f"{name}_{file}": file for file in files}

@@ -164,9 +164,7 @@ class Links:
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
         out: list[dict] = []
         shares = (
-            ((self.chain.has_axis_forces or self.chain.closures) and RUNS[run].parts_if_sprung)
-            or RUNS[run].parts
-            or ((run, len(phases)),)
+            (self.chain.needs_rates_first and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
         )
         for name, count in shares:
             own, phases = phases[:count], phases[count:]

@@ -18,7 +18,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import batch, check, curved, derivatives, estimator, files, laws, levers, loops, outputs, preparation, steps
+from . import batch, check, closing, curved, derivatives, estimator, files, laws, levers, outputs, preparation, steps
 from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
@@ -112,7 +112,7 @@ class CProject:
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
         options = self.with_derivatives, self.with_estimator, self.with_batch
-        return files.library(self.name, bool(self.chain.closures), *options, self.reports)
+        return files.library(self.name, closing.files(self.chain), *options, self.reports)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -137,6 +137,7 @@ class CProject:
             **{name: getattr(chain, name) for name in ("n", "n_modes", "nq", "nv", "n_tau")},
             **{name: getattr(chain, name) for name in ("slides", "sliding")},
             "axis_forces": chain.has_axis_forces,
+            "rates_first": chain.needs_rates_first,
             **given_coordinates(chain),
             "acting": laws.content(chain),
             "spring": laws.spring,
@@ -187,7 +188,7 @@ class CProject:
             "cases": self.reference,
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
-            **loops.rows(chain, fused_place) | {"loops": self._loops},
+            **self._closing,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": levers.content(chain, self.baked is not None, fused_place),
@@ -316,12 +317,12 @@ class CProject:
     def bytes(self) -> dict[str, int]:
         """The scratch in double precision."""
         parts = node_fields(self._programs), store_fields(self._programs, self.chain)
-        kept = self._loops["kept"] if self._loops else None
-        return scratch(self.chain, *parts, 1 + len(steps.registers(self.methods)), self.layout == "modular", kept)
+        states, modular = 1 + len(steps.registers(self.methods)), self.layout == "modular"
+        return scratch(self.chain, *parts, states, modular, self._closing["scratch"])
 
     @cached_property
-    def _loops(self) -> dict | None:
-        return loops.content(self.chain, self.baked is not None, fused_place) if self.chain.closures else None
+    def _closing(self) -> dict:
+        return closing.content(self.chain, self.baked is not None, fused_place)
 
     @cached_property
     def check(self) -> dict[str, object]:

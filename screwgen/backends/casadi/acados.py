@@ -116,14 +116,14 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     q, v = x[:nq], x[nq:]
     rates = coordinate_rates(chain, q, v, p)
     vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
-    z = ca.SX.sym("force", len(chain.closures))
-    rows, torques, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closures else (ca.SX(0, 1), 0, 0)
+    z = ca.SX.sym("force", len(chain.closing.rows))
+    rows, torques, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closing.rows else (ca.SX(0, 1), 0, 0)
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
     driven[chain.effort_places] = tau * functions["levers"](q, p) if chain.travels else tau
     for joint, place in chain.elastic_travels.items():
         driven[place] = tau[joint]
-    if chain.couplings:
+    if chain.closing.couplings:
         driven[chain.base_v : chain.base_v + chain.n_joints] += torques
     implicit = ca.vertcat(xdot[:nq] - rates, force - driven, rows)
     return {
@@ -139,8 +139,8 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
 
 def _row_names(chain: Chain) -> tuple[str, ...]:
     """The forces of the loops' rows, N, of angles N m: ``loop[0].force[0]``, numbered in each loop."""
-    loops = [c.loop for c in chain.closures]
-    return tuple(f"{c.name}.force[{loops[:k].count(c.loop)}]" for k, c in enumerate(chain.closures))
+    names = [row.name for row in chain.closing.rows]
+    return tuple(f"{name}.force[{names[:k].count(name)}]" for k, name in enumerate(names))
 
 
 def _closing(chain: Chain, q: ca.SX, v: ca.SX, vdot: ca.SX, forces: ca.SX, p: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:

@@ -19,7 +19,7 @@ def linear_model(chain: Chain) -> ca.Function:
 
 def closing(chain: Chain) -> ca.Function:
     """The program :func:`..algorithms.linear_model.closing`; ``wrench`` is (6, n)."""
-    rows, nv = len(chain.closures), chain.nv
+    rows, nv = len(chain.closing.rows), chain.nv
     given = symbols(chain, "q v") | {"forces": ca.SX.sym("forces", rows)} | symbols(chain, "p")
     shapes = {"gap": (rows, 1), "J": (rows, nv), "J_v": (rows, nv), "bend": (nv, nv), "wrench": (6, chain.n)}
     found = expressions(programs.closing(chain), given)

@@ -137,7 +137,7 @@ def _dot(a: Sequence[ExactSum], b: Sequence[ExactSum]) -> ExactSum:
 def check(chain: Chain) -> None:
     """Raises UsageError for what equations in scalars do not cover."""
     reasons = (
-        (bool(chain.closures), "it has loops or couplings, whose forces are unknowns beside the motion"),
+        (bool(chain.closing.rows), "it has loops or couplings, whose forces are unknowns beside the motion"),
         (chain.nq != chain.nv, "its coordinates have a quaternion, of a ball joint or a floating base"),
         (bool(chain.travel_kinds), "an axis has a transmission, whose lever is no sum of sines and cosines"),
     )

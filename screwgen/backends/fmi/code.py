@@ -51,7 +51,7 @@ def sources(project: CProject, version: int, variables: list[Variable], programs
             "nominals": [repr(x.nominal or 1.0) for x in variables if x.group in ("q", "v")],
             "n_parameters": len(parameters(project.chain.robot)) if project.baked is None else 0,
             "segment_names": project.chain.names,
-            "opened": _opened(project.chain) if project.chain.closures else None,
+            "opened": partial(_opened, project.chain),
         }
     )
     files = {f"{project.name}_response.{end}": f"response.{end}" for end in "hc"}

@@ -128,7 +128,7 @@ class Own:
             ("tip_jacobian", "q p", self._tip_jacobian),
             ("coordinate_rates", "q v p", self._coordinate_rates),
         ]
-        if self.chain.closures:
+        if self.chain.closing.rows:
             own.append(("correct", "q v p", lambda x: tuple(self.run(fused.correction, "new_q new_v", x))))
         own += [(row.name, f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)]
         return {name: partial(self.function, inputs, body) for name, inputs, body in own}

@@ -57,7 +57,7 @@ def diagram(chain: Chain) -> str:
         Passes(*_right(places.get(parents[i], base)), places[i][0], places[i][1] + HIGH / 2, _joint(chain, i))
         for i in range(shown)
     ]
-    names = {junction.name: (junction.first, junction.second) for junction in chain.junctions}
+    names = {junction.name: (junction.first, junction.second) for junction in chain.closing.junctions}
     loops = [_loop(name, *ends, places) for name, ends in names.items() if max(ends) < shown]
     deep = max(y for _, y in places.values()) + HIGH
     blocks = _matrix(chain)

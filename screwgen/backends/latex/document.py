@@ -148,7 +148,7 @@ def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
         slides=chain.slides,
         tree=not chain.tree.is_chain,
         stations=any(chain.tree.stations),
-        loops=bool(chain.closures),
+        loops=bool(chain.closing.rows),
         joined=bool(robot.loops),
         couplings=bool(robot.couplings),
         markers=any(segment.marker is not None for segment in chain.segments),

@@ -58,7 +58,7 @@ def closed(
     much.
     """
     q, chain = np.array(q, float), numeric.chain
-    if not chain.junctions:
+    if not chain.closing.junctions:
         return q
     movable = np.ones(chain.nq, bool) if held is None else ~np.asarray(held, bool)
     movable[: chain.base_q] = False
@@ -80,7 +80,7 @@ def unwound(chain: Chain, found: np.ndarray, start: np.ndarray) -> np.ndarray:
     A search may leave one that it does not need thousands of turns away, where single precision is of no use. The
     coordinates of screws and of coupled axes are left as they are: whole turns of theirs are other postures.
     """
-    coupled = {axis for c in chain.closures if isinstance(c.row, Ratio) for axis in (c.row.axis, c.row.of)}
+    coupled = {axis for c in chain.closing.rows if isinstance(c.row, Ratio) for axis in (c.row.axis, c.row.of)}
     screws = [screw for link in chain.robot.links for screw in link.joint.screws]
     hinges = [k for k, s in enumerate(screws) if s.turn and not s.slides and k not in coupled]
     out, at = found.copy(), np.array(hinges, int) + chain.base_q
@@ -105,7 +105,7 @@ def _open(numeric: Numeric, q: np.ndarray) -> OpenLoopError:
     """The error of a search that ended at `q`: it names the loop that is farthest from closed."""
     apart = numeric.mismatch(q)
     loop, kind = divmod(int(np.argmax(apart)), 2)
-    size, name = f"{apart[loop, kind]:.3g} {('m', 'rad')[kind]}", numeric.chain.junctions[loop].name
+    size, name = f"{apart[loop, kind]:.3g} {('m', 'rad')[kind]}", numeric.chain.closing.junctions[loop].name
     if kind and apart[loop, 1] > HALF_A_TURN:
         size = "half a turn between its frames"
     remedy = "start from a posture nearer to a closed one, or hold fewer coordinates"
@@ -171,6 +171,8 @@ def extent(numeric: Numeric, q: Numbers) -> float:
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
     """The rates nearest to `v` (nv,) that keep the loops closed at `q`."""
     v = np.array(v, float)
+    if not numeric.chain.closing.rows:
+        return v
     return v - np.linalg.lstsq(jacobian(numeric, q), numeric.gaps(q, v)[1], rcond=1e-10)[0]
 
 

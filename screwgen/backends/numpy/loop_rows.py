@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
@@ -31,8 +32,7 @@ NOWHERE = "stays open by {} wherever the other rows are closed; move a mount so 
 
 
 def choose_rows(chain: Chain) -> None:
-    """Leave the rows that bear forces in `chain.closures`, and say in `chain.overconstrained` whether they share them;
-    rows that no motion changes go to `chain.idle`.
+    """Leave in `chain.closing` the rows that bear forces, those that no motion changes, and whether rows share forces.
 
     A row that follows from others wherever the robot is, such as the three that the joints of a planar loop in space
     satisfy by themselves, is left out. Where the loops are closed rows may depend on each other that do not elsewhere,
@@ -44,6 +44,9 @@ def choose_rows(chain: Chain) -> None:
     UsageError where a row that is left out stays open although those that remain are closed, and where the robot cannot
     go on in any motion that its rows allow at first.
     """
+    closing = chain.closing
+    if not closing.rows:
+        return
     numeric, rng = Numeric(chain), np.random.default_rng(0)
     starts = _starts(chain, rng)
     slopes = [jacobian(numeric, start) for start in starts]
@@ -53,20 +56,21 @@ def choose_rows(chain: Chain) -> None:
     if not places:
         _refuse_apart(numeric, rows, starts, modes(chain), NOWHERE)
     singular = [(k, place) for k, place in zip(ranks, places, strict=True) if len(k) < len(rows)]
-    chain.overconstrained = any(_goes_on(numeric, *found) for found in singular)
+    overconstrained = any(_goes_on(numeric, *found) for found in singular)
     sizes = np.max(np.abs(slopes), axis=(0, 2), initial=0.0)
     moved = sizes > RANK * np.max(sizes, initial=0.0)
-    if chain.overconstrained:
+    if overconstrained:
         rows = np.flatnonzero(moved).tolist()
     elif places:
         best, place = max(zip(ranks, places, strict=True), key=lambda found: len(found[0]))
-        if len(best) < len(chain.closures):
+        if len(best) < len(closing.rows):
             steps, reach = _motions(numeric, place, best)
             mixed = rng.standard_normal((SEEDS, len(steps))) @ steps
             _refuse_apart(numeric, best, _farther(chain, place, mixed, reach), None, AT_FIRST)
         rows = best
-    chain.idle = tuple(row for row, moves in zip(chain.closures, moved, strict=True) if not moves)
-    chain.closures = tuple(chain.closures[k] for k in rows)
+    idle = tuple(row for row, moves in zip(closing.rows, moved, strict=True) if not moves)
+    chosen = tuple(closing.rows[k] for k in rows)
+    chain.closing = replace(closing, rows=chosen, idle=idle, overconstrained=overconstrained)
 
 
 def _starts(chain: Chain, rng: np.random.Generator) -> np.ndarray:
@@ -134,7 +138,7 @@ def _refuse_apart(
     numeric: Numeric, rows: list[int], starts: Sequence[np.ndarray] | np.ndarray, held: np.ndarray | None, said: str
 ) -> None:
     """Refuse loops of which another row is open where the `rows` are closed, near any of `starts`."""
-    stated, movable = numeric.chain.closures, np.arange(numeric.chain.nq) >= numeric.chain.base_q
+    stated, movable = numeric.chain.closing.rows, np.arange(numeric.chain.nq) >= numeric.chain.base_q
     gaps, movable = np.zeros(len(stated)), movable if held is None else movable & ~held
     for start in starts:
         found = np.abs(numeric.gaps(nearest(numeric, start, movable, True, rows), None)[0])

@@ -92,7 +92,7 @@ class Numeric:
     @property
     def _closing(self) -> tuple[Algorithm, ...]:
         """The algorithms that loops need besides."""
-        return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if self.chain.closures else ()
+        return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if self.chain.closing.rows else ()
 
     def __getattr__(self, name: str) -> Callable:
         """The functions of :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`, by name."""
@@ -174,7 +174,7 @@ class Numeric:
         """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, m); with the pose by ``pose exp(δ)``."""
         given = np.eye(self.chain.nv)[:, self.chain.effort_places] * self.levers(q)
         given[list(self.chain.elastic_travels.values()), list(self.chain.elastic_travels)] = 1.0
-        if self.chain.closures:
+        if self.chain.closing.rows:
             return self._closed_derivatives(given, *self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)

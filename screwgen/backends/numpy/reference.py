@@ -189,7 +189,7 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
         q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]
     for ratio, joint in zip(chain.ratios(p), chain.added_joints, strict=True):
         tau[joint] = float(f"{tau[joint] / (ratio or 1.0):.6e}")
-    if chain.closures:
+    if chain.closing.rows:
         near = _closed(chain, pose + q + turned(q) + eta)[chain.base_q :]
         q, eta = near[:m], near[chain.eta_q - chain.base_q :]
     return {
@@ -206,7 +206,7 @@ def _closed(chain: Chain, q: list[float]) -> list[float]:
     Its numbers are rounded, so that they do not depend on the machine. Rows that share forces need twelve digits: what
     one demands beyond the others is otherwise as large as the answer. Raises OpenLoopError.
     """
-    numeric, digits = Numeric(chain), 12 if chain.overconstrained else 6
+    numeric, digits = Numeric(chain), 12 if chain.closing.overconstrained else 6
     try:
         near = closed(numeric, q, np.arange(chain.nq) >= chain.eta_q)
     except OpenLoopError as error:

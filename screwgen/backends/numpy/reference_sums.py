@@ -130,7 +130,7 @@ def sums(chain: Chain, case: Case, methods: Sequence[Method]) -> Sums:
     with mpmath.workdps(fused.DIGITS), np.errstate(all="ignore"):
         soft = _Soft(chain, case)
         q, v = np.array(case["q"]), HASTE * np.array(case["v"])
-        found, dt, defect = None, _length(soft, q, v), SLIGHT if soft.chain.overconstrained else DEFECT
+        found, dt, defect = None, _length(soft, q, v), SLIGHT if soft.chain.closing.overconstrained else DEFECT
         while found is None:
             found = _steps(soft, methods, q, v, dt, defect)
             dt, defect = (dt, defect) if found else (dt / 4, defect / 4)

@@ -17,8 +17,8 @@ from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...backends.numpy.dae_step import SERIES
 from ...errors import SingularError, UsageError
 from ...robot_model import RobotModel
-from ...simulation.linearised import Law, Linearised, check_step, speed
-from ...simulation.linearised_loops import LinearisedWithLoops
+from ...simulation.linearised import Law, check_step, speed
+from ...simulation.linearised_loops import linearised
 from ...simulation.mobility import loads_of_loops
 from ...simulation.state import State, state_of
 from ...simulation.validity import validity
@@ -92,14 +92,13 @@ def analyse_state(
     measures: tuple[tuple[float, ...], ...] = ()
     singular = ""
     try:
-        loops = loops_of(model, state.q) if model.chain.closures else None
+        loops = loops_of(model, state.q)
         reference = model.numpy()
         M = reference.assemble(reference.dae_state(state.q, state.v), state.tau, state.w_ext)[0]
         system, projectors = regularity(M), regularity(with_projectors_alone(model, M), M)
         blocks = tuple(link_blocks(model, M))
         tau = state.tau if controller is None else None
-        kind = LinearisedWithLoops if model.chain.closures else Linearised
-        motion = kind(model, state.q, state.v, tau, controller, state.w_ext)
+        motion = linearised(model, state.q, state.v, tau, controller, state.w_ext)
         acceleration, found = float(np.abs(motion.vdot).max(initial=0.0)), tuple(motions(motion))
         limits = tuple(step_limits(motion, step))
         measures = _measures(model, state, controller)
@@ -109,7 +108,7 @@ def analyse_state(
         singular = "the mass matrix is lost to rounding; masses or lengths differ by too many orders of magnitude"
     if system is not None and not system.regular and not singular:
         singular = f"M_sys has rank {system.rank} of {system.size}"
-    if loops is not None and not loops.regular and not singular and not model.chain.overconstrained:
+    if loops is not None and not loops.regular and not singular and not model.chain.closing.overconstrained:
         singular = f"the rows of the loops have rank {loops.rank} of {loops.size}"
     turned = speed(model, state.v)
     return StateAnalysis(
@@ -157,7 +156,7 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
     out: dict[str, State] = {}
     base, moves = np.zeros(model.chain.base_v), np.setdiff1d(np.arange(model.nv), model.chain.flat_v)
     is_mode = np.arange(model.nq) >= model.chain.eta_q
-    for _ in range(count * (1 + TRIES * bool(model.chain.closures))):
+    for _ in range(count * (1 + TRIES)):
         if len(out) == count:
             break
         whole = lambda x: model.chain.with_added(x, model.parameter_values)  # noqa: E731
@@ -165,13 +164,12 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
         moved = np.concatenate([base, whole(drawn), deflection * rng.uniform(-1, 1, len(deflection))])
         q = model.chain.integrate(np.array(model.chain.home), moved, SERIES)
         v = np.concatenate([base, whole(rng.uniform(-1, 1, m)), rate * rng.uniform(-1, 1, len(rate))])
-        if model.chain.closures:
-            try:
-                q = closed(model.numpy(), np.where(is_mode, 0.0, q), is_mode) + np.where(is_mode, q, 0.0)
-                q = closed(model.numpy(), q)
-            except OpenLoopError:
-                continue
-            v = moving(model.numpy(), q, v)
+        try:
+            q = closed(model.numpy(), np.where(is_mode, 0.0, q), is_mode) + np.where(is_mode, q, 0.0)
+            q = closed(model.numpy(), q)
+        except OpenLoopError:
+            continue
+        v = moving(model.numpy(), q, v)
         v[moves] = 0.0  # a base has no part in the loops, and no ball joint stands beside one
         out[f"sample {len(out) + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
     return out
@@ -180,7 +178,7 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
 def first_state(model: RobotModel) -> dict[str, State]:
     """Everything zero, with loops at rest in the closed posture nearest to it, by name; raises OpenLoopError."""
     still = state_of({}, model)
-    if not model.chain.closures:
+    if not model.chain.closing.rows:
         return {"zero": still}
     return {"closed": replace(still, q=closed(model.numpy(), still.q))}
 

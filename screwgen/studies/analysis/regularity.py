@@ -114,9 +114,14 @@ def regularity(M: np.ndarray, like: np.ndarray | None = None) -> Regularity:
     return Regularity(size, rank, ratio(plain), float(plain[-1]), ratio(scaled), float(scaled[-1]))
 
 
-def loops_of(model: RobotModel, q: np.ndarray) -> Regularity:
-    """That of `J M⁻¹ Jᵀ` of the loops' rows, which must be regular for their forces to be unique, at `q` (nq,)."""
+def loops_of(model: RobotModel, q: np.ndarray) -> Regularity | None:
+    """That of `J M⁻¹ Jᵀ` of the loops' rows, which must be regular for their forces to be unique, at `q` (nq,).
+
+    None without rows.
+    """
     J = jacobian(model, q, model.parameter_values)
+    if not len(J):
+        return None
     return regularity(J @ np.linalg.solve(model.numpy().mass_matrix(q), J.T))
 
 

@@ -1,0 +1,90 @@
+"""What closes the loops of a robot in generated C: files, programs, scratch; all empty for a robot without loops."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from ...algorithms import fused
+from ...algorithms.loop_functions import ROUNDS
+from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
+from ...topology.chain import Chain
+from ..templates import FEATURES
+from .code import Place, entries, literal, singular
+from .pieces import piece_place, pieces
+
+OPEN = 1e-5
+"""m, or of cosines: the gap of such a row from which parameters count as those of another robot."""
+LOOPS = ("loops", "loops_in_derivatives", "loops_in_estimator", "loops_in_runs")
+"""What loops write in the files of every robot, as :class:`..templates.Places` finds it."""
+IDLE_ROWS = ("idle_rows",)
+"""What rows write that no motion changes."""
+
+
+def files(chain: Chain) -> tuple[str, ...]:
+    """The files that loops add, without the robot's name; their templates have the same names."""
+    return ("loops.c",) if chain.closing.rows else ()
+
+
+def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
+    """The templates' context; ``place`` is that of the fused function.
+
+    ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
+    """
+    written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle)
+    out: dict[str, object] = {FEATURES: written, "scratch": {}}
+    out |= _loops(chain, baked, place) if chain.closing.rows else {}
+    return out | ({"idle": _idle_rows(chain, place)} if chain.closing.idle else {})
+
+
+def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
+    """Their wrenches on the tips, the correction of an open state, and how far they are open, as programs."""
+    own = {
+        "m_eta": lambda k: f"m_eta[{k}]",
+        "f_eta": lambda k: f"f_eta[{k}]",
+        "closed": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]",
+        "closed_tau": lambda k: f"work->input.tau[{k}]",
+        "new_q": lambda k: f"work->state.q[{k}]",
+        "new_v": lambda k: f"work->state.v[{k}]",
+        "openings": lambda k: f"mismatch[{k // 2}][{k % 2}]",
+    }
+    placed, constants = piece_place(chain, "work->kept", own, place), "baked" if baked else "constants"
+    made = {
+        name: pieces(make(chain, constants), placed, ("c", "state", *more), fail=singular)
+        for name, make, more in (
+            ("wrenches", fused.loop_wrenches, ("input", "m_eta", "f_eta", "work")),
+            ("correction", fused.correction, ("input", "m_eta", "f_eta", "work")),
+            ("openings", fused.openings, ("work", "mismatch")),
+        )
+    }
+    kept = max(part["kept"] for part in made.values())
+    loops = made | {
+        "kept": kept,
+        "rounds": ROUNDS,
+        "count": len(chain.closing.junctions),
+        "rows": [row.text for row in chain.closing.rows],
+        "couplings": bool(chain.closing.couplings),
+        "sharing": _sharing() if chain.closing.overconstrained else None,
+        "last_link": chain.closing.rows[-1].second,
+        "stabilisations": [literal(row.stabilisation) for row in chain.closing.rows],
+        "gaps": partial(_gaps, chain, constants, place),
+    }
+    return {"loops": loops, "scratch": {"input": 1, "state": 2, "": 1 + kept}}
+
+
+def _sharing() -> dict:
+    """How rows that may depend on each other share what they bear, as :func:`...algorithms.loops.sharing_solver`."""
+    return {"compliance": literal(COMPLIANCE), "least": literal(LEAST), "times": SHARES}
+
+
+def _gaps(chain: Chain, constants: str, place: Place) -> list[list[str]]:
+    """The functions of an estimator that find the gaps of the rows, in one piece as they are short."""
+    placed = piece_place(chain, "work->kept", {"gap": entries("work->gap")}, place)
+    program = fused.gaps(chain, constants)
+    return pieces(program, placed, ("c", "state", "work"), program.operation_count, fail=singular)["pieces"]
+
+
+def _idle_rows(chain: Chain, place: Place) -> dict[str, object]:
+    """The statements that find their gaps in ``gap``."""
+    placed = piece_place(chain, "kept", {"gaps": lambda k: f"gap[{k}]"}, place)
+    (lines,) = pieces(fused.idle_gaps(chain, "constants"), placed, ("c",))["pieces"]
+    return {"count": len(chain.closing.idle), "lines": lines, "limit": literal(OPEN**2)}

@@ -5,7 +5,6 @@ Drawings, strain gauges and the strains of a linearisation ask here, and know no
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -84,5 +83,6 @@ def _columns(key: LinkClass, direction: str) -> list[int]:
     return [k for k, (d, _) in enumerate(key.directions) if d == direction]
 
 
-def _values(key: LinkClass, direction: str, points: Sequence[float], order: int = 0) -> np.ndarray:
-    return np.array(key.shapes(direction).evaluate(list(points), order)).T
+@lru_cache(maxsize=512)
+def _values(key: LinkClass, direction: str, points: tuple[float, ...], order: int = 0) -> np.ndarray:
+    return np.array(key.shapes(direction).evaluate(points, order)).T

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
+from itertools import accumulate, pairwise
 
 import numpy as np
 import pytest
@@ -30,9 +32,9 @@ def equations(name: str) -> Equations:
     return model(name).equations()
 
 
-def same(ours: sp.Matrix, published: sp.Matrix) -> bool:
+def same(ours: sp.Matrix, theirs: sp.Matrix) -> bool:
     """Equal term by term: brackets are multiplied out, no identity is used."""
-    return (ours - published).applyfunc(sp.expand) == sp.zeros(*published.shape)
+    return (ours - theirs).applyfunc(sp.expand) == sp.zeros(*theirs.shape)
 
 
 def straight(e: Equations, matrix: sp.Matrix) -> sp.Matrix:
@@ -41,14 +43,14 @@ def straight(e: Equations, matrix: sp.Matrix) -> sp.Matrix:
 
 
 @EVERY
-def test_the_inertia_is_the_published_one(name):
+def test_the_inertia_is_the_textbook_s(name):
     e, book = equations(name), textbook(name)
     M = e.expanded(e.M)
     assert same(straight(e, M) if name == "flexible_arm" else M, book.M), book.source
 
 
 @EVERY
-def test_velocity_terms_and_forces_at_rest_are_the_published_ones(name):
+def test_velocity_terms_and_forces_at_rest_are_the_textbook_s(name):
     e, book = equations(name), textbook(name)
     if name != "flexible_arm":
         assert same(e.expanded((e.C + e.D) * sp.Matrix(e.qdot)), book.velocity), book.source
@@ -132,6 +134,27 @@ def test_an_angle_of_a_mount_is_a_symbol_unless_roots_express_its_sine():
         rest = screwgen.derive(Robot(**robot)).numpy().mass_matrix([0.2, 0.7])
         found = np.array(e.M.subs(e.parameters).subs({"q_1": 0.2, "q_2": 0.7}), dtype=float)
         np.testing.assert_allclose(found, rest, rtol=1e-12)
+
+
+def degree(e: Equations, term: str) -> int:
+    """The lowest power of modal coordinates in a term."""
+    names = {str(x): x for x in e.M.free_symbols | {*e.q, *e.qdot}}
+    etas = [q for q in e.q if q.name.startswith("eta")]
+    return min(map(sum, sp.Poly(sp.sympify(term, names), *etas).monoms()))
+
+
+def summands(text: str) -> list[str]:
+    """The terms of a sum, as they are written: what stands between signs outside brackets."""
+    depths = list(accumulate((c == "(") - (c == ")") for c in text))
+    cuts = [m.start() for m in re.finditer(r" [+-] ", text) if depths[m.start()] == 0]
+    return [text[i:j].strip(" +-") for i, j in pairwise([0, *cuts, len(text)])]
+
+
+def test_polynomials_in_modal_coordinates_rise_by_degree():
+    e = equations("flexible_arm")
+    lines = [line.split(" = ")[-1] for line in str(e).splitlines() if line.startswith("M_")]
+    degrees = [[degree(e, term) for term in summands(line)] for line in lines]
+    assert all(d == sorted(d) for d in degrees) and set(degrees[0]) == {0, 1, 2}, degrees
 
 
 def test_the_same_bytes_with_all_versions():

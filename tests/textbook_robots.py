@@ -1,7 +1,10 @@
-"""Robots of textbooks, as robot files state them, and their equations as the books print them.
+"""Robots of textbooks, as robot files state them, and their equations in the textbooks' form.
 
-Each has a published form: inertia matrix, matrix of Christoffel's symbols or velocity terms, forces at rest. The
-symbols are those of the tool; where a book has another letter or zero, the docstring says which.
+Each has inertia matrix, velocity terms (of Christoffel's symbols) and forces at rest, and names where the form stands.
+The symbols are those of the tool; where a source has another letter or zero, the docstring says which. The books were
+not at hand when these were written down. Two forms were compared with pages that print them: `two_link` with M, C and
+g of the two-link arm of ME 621 (solutioninn.com, question 17609215), `elastic_joint` with the single link with a
+flexible joint, I q1'' + m g l sin(q1) + k (q1 - q2) = 0, J q2'' - k (q1 - q2) = u (askfilo.com).
 """
 
 from __future__ import annotations
@@ -24,7 +27,7 @@ DOWN = [0.0, 1.5707963267948966, 0.0]
 
 @dataclass(frozen=True)
 class Textbook:
-    """A robot with its published equations.
+    """A robot with its equations in the textbook's form.
 
     ``M``: the inertia matrix; ``velocity``: the terms of Coriolis, centrifugal and damping forces; ``rest``: those of
     weight and springs.

@@ -5,8 +5,8 @@
 
 The arm of examples/ella.toml, torsion rigid on both sides, rests under gravity and PD with its reference at zero; then
 the reference moves to the set points of `MOTION` by minimum jerk. --modes lists basis, modes per plane and, where they
-are not 1, order (1, 2 or exact) and pieces of a link; --softer divides the bending stiffness on both sides. --record writes the finest mesh's motion, against
-which a test holds the modes without Exudyn. Some minutes.
+are not 1, order (1, 2 or exact) and pieces of a link; --softer divides the bending stiffness on both sides. --record
+writes the finest mesh's motion, against which a test holds the modes without Exudyn. Some minutes.
 """
 
 from __future__ import annotations
@@ -283,7 +283,9 @@ def report(name: str, run: Samples, judge: Samples, seconds: float) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--elements", default="8,16,32")
-    parser.add_argument("--modes", default="polynomial:2,polynomial:3,polynomial:2:2,polynomial:3:2,polynomial:3:exact,clamped_free:1")
+    parser.add_argument(
+        "--modes", default="polynomial:2,polynomial:3,polynomial:2:2,polynomial:3:2,polynomial:3:exact,clamped_free:1"
+    )
     parser.add_argument("--softer", type=float, default=1.0, help="what the bending stiffness is divided by")
     parser.add_argument("--step", type=float, default=2.0, help="Exudyn's, in ms")
     parser.add_argument("--record", type=Path, help="a JSON file for the motion of the finest mesh")

@@ -4,7 +4,8 @@
 
 In the plane. `spin_up`: 10 m without weight, its base turned to 6 rad/s in 15 s. `pendulum`: hinged at its base,
 released level and straight; it bends by some 9 % of its length. --modes lists bending modes of a piece, order (1, 2
-or exact) and pieces. --record writes the finest mesh's tips, against which a test holds the modes without Exudyn. Some minutes.
+or exact) and pieces. --record writes the finest mesh's tips, against which a test holds the modes without Exudyn. Some
+minutes.
 """
 
 from __future__ import annotations
@@ -154,7 +155,9 @@ def off(run: np.ndarray, judge: np.ndarray, case: Case) -> tuple[float, float]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--elements", default="32,64,128")
-    parser.add_argument("--modes", default="2:2:1,4:2:1,2:2:2,3:2:2,2:2:4,3:exact:1,4:exact:1", help="bending modes, order, pieces")
+    parser.add_argument(
+        "--modes", default="2:2:1,4:2:1,2:2:2,3:2:2,2:2:4,3:exact:1,4:exact:1", help="bending modes, order, pieces"
+    )
     parser.add_argument("--record", type=Path, help="a JSON file for the tips of the finest mesh")
     args = parser.parse_args()
     meshes, exact, record = [int(n) for n in args.elements.split(",")], {}, {}

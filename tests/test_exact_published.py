@@ -108,32 +108,33 @@ def test_end_moments_wind_a_rod_up_to_a_helix():
     assert np.linalg.norm(tip - place) < 1e-9
 
 
-BEND = {300: (22.33, 58.84, 40.08), 600: (15.79, 47.23, 53.37)}
-"""Tips of the 45-degree bend of Bathe and Bolourchi (1979) as Simo and Vu-Quoc (1986) have them, eight elements."""
-SQUARE = {"E": 1e7, "G": 5e6, "EIy": 1e7 / 12, "EIz": 1e7 / 12, "EA": 1e7}
+BEND = {
+    300: ((22.33, 58.84, 40.08), (22.14, 58.60, 40.36)),
+    600: ((15.79, 47.23, 53.37), (15.56, 46.90, 53.60)),
+}
+"""Tips of the 45-degree bend of Bathe and Bolourchi (1979): as Simo and Vu-Quoc (1986) have them with eight elements,
+and Exudyn, with 8 elements at 300 and 32 at 600; both as Exudyn's example of its curved beam states them."""
+TORSION = 5e6 * 0.141
 
 
-def bend(load: float, pieces: int = 8, modes: int = 3):
+def bend(load: float, pieces: int = 8):
     """Chords of a circle of radius 100 in the plane x, y, each of a unit square section, welded at equal angles."""
     angle = np.pi / 4 / pieces
     section = {"EA": 1e7, "EIy": 1e7 / 12, "EIz": 1e7 / 12, "GJ": TORSION, "rhoIp": 1e-9}
-    strains = {"axial": 1, "bending_y": modes, "bending_z": modes, "torsion": 2}
+    strains = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 2}
     links = []
     for k in range(pieces):
         mount = {"mount": {"rpy": [0.0, 0.0, np.pi / 2 - angle / 2 if k == 0 else -angle]}}
         body = [{"at": "tip", "mass": 1.0}] if k == pieces - 1 else None
-        length = 200 * np.sin(angle / 2)
-        links.append(link(f"piece{k}", length, [], 1e-9, strains, body, mount, section))
+        links.append(link(f"piece{k}", 200 * np.sin(angle / 2), [], 1e-9, strains, body, mount, section))
     return model_of(arm(*links, gravity=(0, 0, load), order="exact"))
 
 
-TORSION = 5e6 * 0.1406
-
-
-@pytest.mark.parametrize("load", swept(BEND, 600))
+@pytest.mark.parametrize("load", swept(BEND, 300))
 def test_a_bend_of_45_degrees_comes_where_published(load):
     tip = screwgen.equilibrium(bend(load)).tip_position
-    assert np.linalg.norm(tip - [BEND[load][1 - 1], BEND[load][1], BEND[load][2]]) < 0.3, tip
+    apart = [np.linalg.norm(tip - judge) for judge in BEND[load]]
+    assert apart[0] < 0.5 and apart[1] < 0.1, tip
 
 
 # ------------------------------------------------------------------------------------ geometrically exact elements

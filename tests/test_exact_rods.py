@@ -119,7 +119,9 @@ def unlike(size: float) -> np.ndarray:
     forces = [x.inverse_dynamics(q, v, 0 * v, np.zeros((1, 6))) for x in (exact, graded)]
     apart = np.abs(forces[0] - forces[1])
     energies = [x.energy(q, v)[1] for x in (exact, graded)]
-    return np.array([np.abs(r - r2).max(), np.abs(R - R2).max(), abs(np.subtract(*energies)), apart[0], apart[1:].max()])
+    return np.array(
+        [np.abs(r - r2).max(), np.abs(R - R2).max(), abs(np.subtract(*energies)), apart[0], apart[1:].max()]
+    )
 
 
 def test_order_2_leaves_out_the_third_order():

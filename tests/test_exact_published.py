@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import test_exact_beams as beams
-from conftest import swept
 from helpers import arm, link, model_of
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, root
@@ -130,7 +129,8 @@ def bend(load: float, pieces: int = 8):
     return model_of(arm(*links, gravity=(0, 0, load), order="exact"))
 
 
-@pytest.mark.parametrize("load", swept(BEND, 300))
+@pytest.mark.long
+@pytest.mark.parametrize("load", BEND)
 def test_a_bend_of_45_degrees_comes_where_published(load):
     tip = screwgen.equilibrium(bend(load)).tip_position
     apart = [np.linalg.norm(tip - judge) for judge in BEND[load]]
@@ -140,6 +140,7 @@ def test_a_bend_of_45_degrees_comes_where_published(load):
 # ------------------------------------------------------------------------------------ geometrically exact elements
 
 
+@pytest.mark.long
 def test_an_arm_that_hangs_through_moves_as_exact_beams_do():
     """ELLA, its bending stiffness a ninth, in one piece a link: the tip within 0.05 % of the sag, over the motion."""
     tip, moments = beams.compared(beams.SOFT, beams.exact_beams.arm("polynomial", 3, "exact", beams.SOFT["softer"]))

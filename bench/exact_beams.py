@@ -4,9 +4,9 @@
                                 [--softer 9] [--step MS] [--record FILE]
 
 The arm of examples/ella.toml, torsion rigid on both sides, rests under gravity and PD with its reference at zero; then
-the reference moves to the set points of `MOTION` by minimum jerk. --modes lists basis, modes per plane and, where it is
-not 1, order; --softer divides the bending stiffness on both sides. --record writes the finest mesh's motion, against
-which a test holds the modes without Exudyn. Some minutes.
+the reference moves to the set points of `MOTION` by minimum jerk. --modes lists basis, modes per plane and, where they
+are not 1, order (1, 2 or exact) and pieces of a link; --softer divides the bending stiffness on both sides. --record
+writes the finest mesh's motion, against which a test holds the modes without Exudyn. Some minutes.
 """
 
 from __future__ import annotations
@@ -37,6 +37,8 @@ END, SAMPLE, RECORDED = 2.5, 0.01, 0.1
 """The run's length, and between samples and recorded samples, s."""
 EA = 4.38e7
 """Axial stiffness in N, which ella.toml leaves out: stretching is rigid there."""
+DEFAULTS = ("1", "1")
+"""Of --modes: order and pieces."""
 SHEAR, TWIST = 1e9, 1e8
 """Stiffness in N and N·m² where the modes have none to give way: at the tip they give less than a micrometre."""
 
@@ -70,7 +72,7 @@ def softened(softer: float) -> screwgen.Robot:
     return robot.model_copy(update={"links": tuple(links)})
 
 
-def arm(basis: str, bending: int, order: int = 1, softer: float = 1.0) -> screwgen.Robot:
+def arm(basis: str, bending: int, order: int | str = 1, softer: float = 1.0) -> screwgen.Robot:
     """ELLA with so many bending modes per plane, else rigid; PD's gains `kp` are springs of its joints."""
     robot, links, gains = softened(softer), [], list(MOTION["kp"])
     modes = screwgen.Modes(basis=basis, bending_y=bending, bending_z=bending)
@@ -111,6 +113,11 @@ def modes_run(robot: screwgen.Robot, sample: float = SAMPLE) -> Samples:
     elbow = len(robot.links) // 2
     moments = np.array([m.full().T[[0, elbow]] for m in moments])
     return Samples(times, np.array([m.full()[:, 0] for m in tips]), moments)
+
+
+def order_of(text: str) -> int | str:
+    """As robot files write it: a number, or "exact"."""
+    return int(text) if text.isdigit() else text
 
 
 def reference(t, axis: int):
@@ -276,7 +283,9 @@ def report(name: str, run: Samples, judge: Samples, seconds: float) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--elements", default="8,16,32")
-    parser.add_argument("--modes", default="polynomial:2,polynomial:3,polynomial:2:2,polynomial:3:2,clamped_free:1")
+    parser.add_argument(
+        "--modes", default="polynomial:2,polynomial:3,polynomial:2:2,polynomial:3:2,polynomial:3:exact,clamped_free:1"
+    )
     parser.add_argument("--softer", type=float, default=1.0, help="what the bending stiffness is divided by")
     parser.add_argument("--step", type=float, default=2.0, help="Exudyn's, in ms")
     parser.add_argument("--record", type=Path, help="a JSON file for the motion of the finest mesh")
@@ -288,13 +297,16 @@ def main() -> int:
     finest = runs[meshes[-1]][0]
     if args.record:
         record(args.record, meshes[-1], args.step / 1e3, args.softer, finest)
+    sag = -1e3 * finest.tip[1, 2]
     print(f"{'against ' + str(meshes[-1]) + ' elements':24} {'tip, mm':>9} {'base, %':>9} {'elbow, %':>9}")
+    print(f"the tip hangs {sag:.2f} mm below the base at rest; modes: count and basis, order, pieces", flush=True)
     for n in meshes[:-1]:
         report(f"{n} elements", runs[n][0], finest, runs[n][1])
-    for basis, *numbers in (m.split(":") for m in args.modes.split(",") if m):
-        clock, (count, order) = time.perf_counter(), (*map(int, numbers), 1)[:2]
-        own = modes_run(arm(basis, count, order, args.softer))
-        report(f"{count} {basis}, order {order}", own, finest, time.perf_counter() - clock)
+    for text in filter(None, args.modes.split(",")):
+        basis, count, order, pieces = (*text.split(":"), *DEFAULTS[text.count(":") - 1 :])
+        clock, robot = time.perf_counter(), arm(basis, int(count), order_of(order), args.softer)
+        own = modes_run(pieced(robot, int(pieces)))
+        report(f"{count} {basis}, {order}, {pieces}", own, finest, time.perf_counter() - clock)
     return 0
 
 

@@ -3,8 +3,9 @@
     python bench/exact_swings.py [--elements 32,64] [--modes 4:2:1,2:2:2] [--record FILE]
 
 In the plane. `spin_up`: 10 m without weight, its base turned to 6 rad/s in 15 s. `pendulum`: hinged at its base,
-released level and straight; it bends by some 9 % of its length. --modes lists bending modes of a piece, order and
-pieces. --record writes the finest mesh's tips, against which a test holds the modes without Exudyn. Some minutes.
+released level and straight; it bends by some 9 % of its length. --modes lists bending modes of a piece, order (1, 2
+or exact) and pieces. --record writes the finest mesh's tips, against which a test holds the modes without Exudyn. Some
+minutes.
 """
 
 from __future__ import annotations
@@ -63,7 +64,7 @@ def times(case: Case) -> np.ndarray:
 # --------------------------------------------------------------------------------------------- screwgen
 
 
-def rod(case: Case, modes: int, order: int, pieces: int) -> screwgen.Robot:
+def rod(case: Case, modes: int, order: int | str, pieces: int) -> screwgen.Robot:
     """The beam in welded pieces, each with so many bending modes and one in stretching."""
     section = {"rhoA": case.rhoA, "EA": case.EA, "EIz": case.EI, "rhoIp": 1e-6}
     shape = {"basis": "polynomial", "axial": 1, "bending_y": modes}
@@ -76,7 +77,7 @@ def rod(case: Case, modes: int, order: int, pieces: int) -> screwgen.Robot:
     return screwgen.Robot.model_validate(robot)
 
 
-def modes_run(case: Case, modes: int, order: int, pieces: int = 1) -> np.ndarray:
+def modes_run(case: Case, modes: int, order: int | str, pieces: int = 1) -> np.ndarray:
     """The tip (SAMPLES, 2) by CasADi's functions and CVODES, m."""
     model = screwgen.derive(rod(case, modes, order, pieces))
     functions, p, n = model.casadi(), model.parameter_values, model.nq
@@ -154,7 +155,9 @@ def off(run: np.ndarray, judge: np.ndarray, case: Case) -> tuple[float, float]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--elements", default="32,64,128")
-    parser.add_argument("--modes", default="2:2:1,4:2:1,2:2:2,3:2:2,2:2:4", help="bending modes, order, pieces")
+    parser.add_argument(
+        "--modes", default="2:2:1,4:2:1,2:2:2,3:2:2,2:2:4,3:exact:1,4:exact:1", help="bending modes, order, pieces"
+    )
     parser.add_argument("--record", type=Path, help="a JSON file for the tips of the finest mesh")
     args = parser.parse_args()
     meshes, exact, record = [int(n) for n in args.elements.split(",")], {}, {}
@@ -170,7 +173,8 @@ def main() -> int:
     for name, runs in exact.items():
         for n in meshes[:-1]:
             report(f"{name}, {n} elements", off(runs[n], runs[meshes[-1]], CASES[name]))
-        for modes, order, pieces in (map(int, m.split(":")) for m in args.modes.split(",") if m):
+        for modes, order, pieces in (m.split(":") for m in args.modes.split(",") if m):
+            modes, order, pieces = int(modes), int(order) if order.isdigit() else order, int(pieces)
             title = f"{name}, {modes} modes, order {order}, {pieces} pieces"
             try:
                 report(title, off(modes_run(CASES[name], modes, order, pieces), runs[meshes[-1]], CASES[name]))

@@ -11,7 +11,7 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from ..bases import Shapes
+from ..bases import DEFAULT, Shapes
 from ..spec.link_class import TURN, LinkClass
 from ..spec.markers import TIP
 from .varying_fields import weights
@@ -143,8 +143,12 @@ class Collocation:
 
 
 def points(key: LinkClass) -> int:
-    """The number of Gauss points: as the file states, or two more than the most modes of a direction."""
-    return key.points or max(key.counts) + 2
+    """The number of Gauss points: as the file states, or two more than the most modes of a direction.
+
+    Shapes that are no polynomials take more to have their inertia to eight digits.
+    """
+    most = max(key.counts)
+    return key.points or (most + 2 if set(key.bases) <= {"", DEFAULT} else 2 * most + 4)
 
 
 @cache

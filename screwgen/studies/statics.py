@@ -11,6 +11,7 @@ from scipy.optimize import least_squares
 from ..algorithms.travels import travels
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from ..spec.link_class import EXACT
 from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
 from .stiffness import from_travels, stiffness, stiffness_matrix
@@ -134,8 +135,9 @@ class Statics:
         return np.linalg.norm(self.p[:3]) * np.linalg.norm(weight, axis=1)
 
     def bent(self, q: np.ndarray) -> float:
-        """The largest modal coordinate over its link's length."""
-        return float(np.max(np.abs(q / self.reach)[self.model.chain.eta_q :], initial=0.0))
+        """The largest modal coordinate over its link's length, of links whose deflections are to be small."""
+        small = [key.order != EXACT for key in self.model.chain.keys for _ in range(key.modes)]
+        return float(np.max(np.abs(q / self.reach)[self.model.chain.eta_q :][small], initial=0.0))
 
     @cached_property
     def reach(self) -> np.ndarray:

@@ -58,7 +58,8 @@ class Modes(Part):
     shear_z: Count = Field(0, description="number of modes of shear that deflect in z; needs GAz")
     points: Annotated[int, PlainValidator(gauss_points)] | None = Field(
         None,
-        description='points of integration along a link of order "exact"; without it two more than modes, of other bases twice as many',
+        description='points of integration along a link of order "exact"; without it two more than modes, of '
+        "other bases twice as many",
     )
     frequencies: Frequencies | None = Field(None, description="measured natural frequencies in place of stiffness")
 

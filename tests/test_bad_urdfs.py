@@ -189,7 +189,7 @@ SIDES = [
     ('[[links]]\nname = "fore"\nat = "tip"', "links[0].at (link fore): is stated, but its carrier has no length"),
     ('base = "free"', 'base: is "free"; it must be "fixed" or "floating"'),
     ("gravity = 9.81", "gravity: is 9.81; it must be an array of 3 numbers"),
-    ("order = 7", "order: is 7; it must be 1 or 2"),
+    ("order = 7", 'order: is 7; it must be 1, 2 or "exact"'),
     ("[[links", "line 1: is not valid TOML"),
 ]
 

@@ -14,7 +14,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ..bodies.collocation import Collocation, Turn, collocation
+from ..bodies.collocation import Collocation, RodTurn, collocation
 from ..bodies.exact import SUMS
 from ..ir.program import Array, Tracer, Vector
 from ..spec.link_class import LinkClass
@@ -25,7 +25,7 @@ LINKS = ("link", "turning_link", "energy")
 TIPS = ("tip", "tip_motion", "tip_pose")
 
 
-class Recorder(Protocol):
+class RodScope(Protocol):
     """What of a scope is needed here."""
 
     key: LinkClass
@@ -33,7 +33,7 @@ class Recorder(Protocol):
     swept: dict[tuple, RodMotion]
 
     @property
-    def rod(self) -> Recorder: ...
+    def rod(self) -> RodScope: ...
 
     def lower(self, block: str, inputs: Mapping[str, Array], *outputs: str) -> list[Array]: ...
 
@@ -41,7 +41,7 @@ class Recorder(Protocol):
 
 
 @dataclass
-class Section:
+class RodSection:
     """A section: rotation, turn by each mode, angular velocity and its rate at constant rates; and its tangent's."""
 
     theta_eta: Array
@@ -69,13 +69,13 @@ class Section:
 class RodMotion:
     """The sections of a rod in a state; modal coordinates are those of unit length, in axes of F_i."""
 
-    s: Recorder
+    s: RodScope
     eta: Array
     etadot: Array
     etaddot: Array
     scale: Array
     """(r,): coordinates of unit length per modal coordinate."""
-    at: list[Section] = field(default_factory=list)
+    at: list[RodSection] = field(default_factory=list)
 
     @property
     def points(self) -> Collocation:
@@ -90,7 +90,7 @@ class RodMotion:
             place = float(s)
         return self
 
-    def end(self, s: float) -> Section:
+    def end(self, s: float) -> RodSection:
         """The section at the place s, with its rotation alone; its point is that of :meth:`place`."""
         before, start = self._last_before(s)
         known = self.at[before - 1] if before else _base(len(self.eta))
@@ -108,7 +108,7 @@ class RodMotion:
         pieces = [self.points.turn(a, b) for a, b in pairwise(places[: before + 1])] + [self.points.turn(start, s)]
         return [self._turned(piece)[0] for piece in pieces]
 
-    def _turned(self, turn: Turn) -> tuple[Array, Array, Array, Array]:
+    def _turned(self, turn: RodTurn) -> tuple[Array, Array, Array, Array]:
         """A turn, its derivative with the modes, its rate, and its second rate."""
         theta, by_modes = _along(turn.linear, self.eta), _numbers(turn.linear)
         rate, bend = (_along(turn.linear, x) for x in (self.etadot, self.etaddot))
@@ -120,7 +120,7 @@ class RodMotion:
             by_modes = by_modes + _crossed(a, B) - _crossed(b, A)
         return theta, by_modes, rate, bend
 
-    def next(self, before: Section, turn: Turn, stretch: np.ndarray) -> Section:
+    def next(self, before: RodSection, turn: RodTurn, stretch: np.ndarray) -> RodSection:
         theta, by_modes, rate, bend = self._turned(turn)
         length = _length(self.s)
         along = length * _numbers(stretch)
@@ -138,16 +138,16 @@ class RodMotion:
             "stretchdot": mx.multiply(along, self.etadot),
             "stretchddot": mx.multiply(along, self.etaddot),
         }
-        return Section(by_modes, along, *self.s.lower("section", given, *SECTION))
+        return RodSection(by_modes, along, *self.s.lower("section", given, *SECTION))
 
     def sum_of(self, weights: Vector, *names: str) -> list[Array]:
         """The sums of some quantities of the sections."""
         return [_weighted(weights, [getattr(x, name) for x in self.at]) for name in names]
 
 
-def _base(modes: int) -> Section:
+def _base(modes: int) -> RodSection:
     none, shapes = mx.zeros(3), mx.zeros(3, modes)
-    return Section(shapes, shapes, mx.identity(3), shapes, none, none, none, shapes, none, none, mx.identity(3))
+    return RodSection(shapes, shapes, mx.identity(3), shapes, none, none, none, shapes, none, none, mx.identity(3))
 
 
 def _weighted(weights: Vector, values: Sequence[Array]) -> Array:
@@ -170,11 +170,11 @@ def _crossed(a: Array, C: np.ndarray) -> Array:
     return mx.array([mx.cross(a, column) for column in C.T.tolist()]).T
 
 
-def _length(s: Recorder) -> object:
+def _length(s: RodScope) -> object:
     return s.constant("length" if s.key.segments == 1 else "segment")
 
 
-def motion_along(s: Recorder, inputs: Mapping[str, Array]) -> RodMotion:
+def motion_along(s: RodScope, inputs: Mapping[str, Array]) -> RodMotion:
     """The motion along the rod in the state of some inputs, found once in a scope."""
     rod = s.rod
     eta = np.asarray(inputs["eta"], dtype=object)
@@ -188,12 +188,12 @@ def motion_along(s: Recorder, inputs: Mapping[str, Array]) -> RodMotion:
     return rod.swept[asked]
 
 
-def turns_to(s: Recorder, inputs: Mapping[str, Array]) -> list[Array]:
+def turns_to(s: RodScope, inputs: Mapping[str, Array]) -> list[Array]:
     """The turns from section to section, rotation vectors, as far as the section of the tip."""
     return motion_along(s, inputs).turns(s.key.section_at)
 
 
-def along_rod(s: Recorder, block: str, inputs: Mapping[str, Array]) -> Mapping[str, Array]:
+def along_rod(s: RodScope, block: str, inputs: Mapping[str, Array]) -> Mapping[str, Array]:
     """The inputs of a block, with those that are sums along the rod, or its end."""
     if "eta" not in inputs or block not in (*LINKS, *TIPS):
         return inputs
@@ -260,7 +260,7 @@ def _scaled(value: Array, name: str, z: Array) -> Array:
     return value * z if name in ("P_rod", "C_rod", "C_spin", "h_rod") else value
 
 
-def _add(s: Recorder, total: dict[str, Array], block: str, given: Mapping[str, Array], *more: str) -> list[Array]:
+def _add(s: RodScope, total: dict[str, Array], block: str, given: Mapping[str, Array], *more: str) -> list[Array]:
     """Add what a block contributes to the sums; returns further results."""
     names = SUMS[block]
     values = s.lower(block, given, *names, *more)

@@ -40,7 +40,7 @@ FEATURES = "features"
 """The value that lists the features of a robot, and the folder beside a template that has what they write."""
 
 
-class Places(jinja2.ext.Extension):
+class TemplatePlaces(jinja2.ext.Extension):
     """Tags of places where the features of a robot write; the template that has a place names none of them.
 
     ``{% added sizes %}`` is what every feature adds there.  ``{% replaced start %}…{% endreplaced %}`` is what a
@@ -106,6 +106,6 @@ def _environment(kind: str, below: Path) -> jinja2.Environment:
         keep_trailing_newline=True,
         trim_blocks=True,
         lstrip_blocks=True,
-        extensions=(Places,),
+        extensions=(TemplatePlaces,),
         **(ANGLES if kind == ".tex" else BRACES),
     )

@@ -24,7 +24,7 @@ NEGLIGIBLE = 1e-14
 
 
 @dataclass(frozen=True)
-class Turn:
+class RodTurn:
     """The turn from one section to the next, ``Omega = C eta + sum of (A eta) x (B eta)``, rad.
 
     The first two terms of the Magnus expansion, ``∫kappa`` and ``1/2 ∫(psi - psi_0) x kappa`` with psi the integral of
@@ -106,13 +106,13 @@ class Collocation:
                 out[STRAINED[direction], m] = self._shape(direction, i, self.places[k], 1)
         return out
 
-    def turn(self, a: float, b: float) -> Turn:
+    def turn(self, a: float, b: float) -> RodTurn:
         """From the section at a to that at b."""
         fine, own = _gauss(FINE)
         s, psi_a = a + (b - a) * fine, self._turned(a, 0)
         psi, kappa = (np.array([self._turned(x, n) for x in s]) for n in (0, 1))
         once = 0.5 * (b - a) * (psi - psi_a).T @ (own[:, None] * kappa)
-        return Turn(self._about(self._turned(b, 0) - psi_a), tuple(self._pairs(0.5 * (once - once.T))))
+        return RodTurn(self._about(self._turned(b, 0) - psi_a), tuple(self._pairs(0.5 * (once - once.T))))
 
     def _pairs(self, K: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
         """The pairs a, b with ``K = 1/2 sum of (a b^T - b a^T)``, by elimination, largest pivots first."""

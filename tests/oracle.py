@@ -163,10 +163,8 @@ class Oracle:
         return ca.DM(self.D) @ self.v + self.drives.friction(self.q, self.v) + self.stops.losses(self.q, self.v)
 
     def _virtual_power(self, cloud: Cloud, trial: Cloud) -> ca.SX:
-        if cloud.sections is not None:
-            return self._virtual_power_of_sections(cloud, trial)
-        momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), cloud.spin]
-        acceleration, base, tip, twist = self.along_motion(momenta)
+        momenta = [cloud.rate["points"], cloud.intrinsic_momentum(), cloud.tip_momentum(), cloud.turning[0]]
+        acceleration, base, tip, turned = self.along_motion(momenta)
         weight = ca.repmat(ca.DM(self.gravity), 1, len(cloud.masses))
         power = ca.dot(per_column(acceleration - weight, cloud.masses), trial.rate["points"])
         if cloud.second is not None:
@@ -174,17 +172,7 @@ class Oracle:
             power += ca.dot(per_column(later, cloud.masses), trial.rate["bare"])
             power += ca.dot(per_column(undeformed - weight, cloud.masses), trial.rate["second"])
         power += ca.dot(base, trial.R @ trial.omega) + ca.dot(tip, trial.tip_R @ trial.tip_omega)
-        return power + ca.dot(twist, trial.rate["twist"])
-
-    def _virtual_power_of_sections(self, cloud: Cloud, trial: Cloud) -> ca.SX:
-        """The same of a link whose sections have momenta of their own."""
-        base = cloud.R @ (ca.DM(cloud.base_inertia) @ cloud.omega)
-        momenta = [cloud.rate["points"], base, cloud.tip_momentum(), cloud.section_spin[0]]
-        acceleration, base, tip, spins = self.along_motion(momenta)
-        weight = ca.repmat(ca.DM(self.gravity), 1, len(cloud.masses))
-        power = ca.dot(per_column(acceleration - weight, cloud.masses), trial.rate["points"])
-        power += ca.dot(base, trial.R @ trial.omega) + ca.dot(tip, trial.tip_R @ trial.tip_omega)
-        return power + ca.dot(spins, trial.section_spin[1])
+        return power + ca.dot(turned, trial.turning[1])
 
     @cached_property
     def _wrench(self) -> ca.Function:

@@ -129,6 +129,14 @@ class Cloud:
             rates.append(R @ nu)
         return ca.horzcat(*momenta), ca.horzcat(*rates)
 
+    @property
+    def turning(self) -> tuple[ca.SX, ca.SX]:
+        """Angular momentum of every section, 3×N, and its angular velocity relative to F_i, in the same axes."""
+        if self.sections is None:
+            return self.spin, self.rate["twist"]
+        momenta, rates = self.section_spin
+        return momenta, rates - ca.repmat(self.R @ self.omega, 1, rates.shape[1])
+
     def kinetic(self) -> ca.SX:
         velocity = self.rate["points"]
         points = ca.dot(per_column(velocity, self.masses), velocity)

@@ -9,6 +9,7 @@ import numpy as np
 from oracle import Oracle
 from random_linkages import replace_cylinders
 from random_sections import add_shear, chance, log_uniform, random_modes, random_section, soften, varied
+from robot_toml import to_toml as to_toml
 
 LETTERS = ("x", "y", "z")
 LIMITS = {
@@ -330,28 +331,3 @@ def draw_regular(rng, n_links=None, limit=1e8, robots=random_robot, states=rando
         if oracle.condition(state["q"]) <= limit:
             return robot, state, oracle
     raise RuntimeError(f"no robot with cond(M) <= {limit:g} in 200 draws")
-
-
-# -------- TOML
-
-
-def to_toml(robot: dict) -> str:
-    """The robot file of a robot; numbers are written so that they read back bit for bit."""
-    head = [f"{key} = {_value(value)}" for key, value in robot.items() if key != "links"]
-    tables = [
-        "\n".join(["", "[[links]]", *(f"{key} = {_value(value)}" for key, value in link.items())])
-        for link in robot["links"]
-    ]
-    return "\n".join([*head, *tables]) + "\n"
-
-
-def _value(value) -> str:
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, str):
-        return f'"{value}"'
-    if isinstance(value, dict):
-        return "{ " + ", ".join(f"{k} = {_value(v)}" for k, v in value.items()) + " }"
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(_value(v) for v in value) + "]"
-    return repr(float(value)) if isinstance(value, float) else repr(value)

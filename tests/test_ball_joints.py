@@ -298,16 +298,8 @@ def test_dampers_of_a_ball_joint_take_its_energy(tmp_path):
 
 
 REFUSED = [
-    (
-        {"axes": "ball", "stiffness": [1.0, 1.0, 1.0]},
-        {},
-        "links[1].joint.stiffness (link fore): is stated of a ball",
-    ),
-    (
-        {"axes": "ball", "armature": [1.0, 1.0, 1.0]},
-        {},
-        "links[1].joint.armature (link fore): is stated of a ball",
-    ),
+    ({"axes": "ball", "stiffness": [1.0, 1.0, 1.0]}, {}, "links[1].joint.stiffness (link fore): is stated of a ball"),
+    ({"axes": "ball", "armature": [1.0, 1.0, 1.0]}, {}, "links[1].joint.armature (link fore): is stated of a ball"),
     ({"axes": "ball", "damping": [1.0]}, {}, "it must hold one number per axis, 3"),
     ({"axes": "bal"}, {}, 'is "bal"; it must be an array of axes, as ["y", "z"], or "ball"'),
     (

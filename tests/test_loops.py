@@ -12,16 +12,7 @@ from helpers import arm, casadi_forward, example, link, model_of, quick
 from oracle import Oracle
 from oracle_stations import named
 
-from screwgen import (
-    OpenLoopError,
-    SingularError,
-    UsageError,
-    analyse,
-    assemble,
-    dump,
-    load,
-    simulate,
-)
+from screwgen import OpenLoopError, SingularError, UsageError, analyse, assemble, dump, load, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
 from screwgen.spec.loops import STABILISATION

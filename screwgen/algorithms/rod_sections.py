@@ -1,4 +1,4 @@
-"""The motion along a rod whose kinematics are kept whole, and the sums over its points: MODEL's exact rod.
+"""The motion along a rod whose kinematics are kept whole, and the sums over its points.
 
 The blocks of :mod:`..bodies.exact` have the equations of one section and of one mass. Here they are run along the rod,
 from the base to the tip. What the equations of the link and of its tip need of that are inputs of their blocks, so the
@@ -16,7 +16,7 @@ import numpy as np
 
 from ..bodies.collocation import Collocation, RodTurn, collocation
 from ..bodies.exact import SUMS
-from ..ir.program import Array, Tracer, Vector
+from ..ir.program import Array, Vector
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 
@@ -29,7 +29,6 @@ class RodScope(Protocol):
     """What of a scope is needed here."""
 
     key: LinkClass
-    tracer: Tracer
     swept: dict[tuple, RodMotion]
 
     @property
@@ -57,12 +56,6 @@ class RodSection:
     tdot: Array
     t_bend: Array
     G: Array
-    a: Array = field(default_factory=lambda: mx.zeros(3))
-    """The acceleration of the tangent's end relative to its start."""
-    u: Array = field(default_factory=lambda: mx.zeros(3))
-    """The velocity of the tangent's end relative to its start, in space."""
-    tau: Array = field(default_factory=lambda: mx.zeros(3))
-    """The gyroscopic moment of the section."""
 
 
 @dataclass
@@ -91,7 +84,7 @@ class RodMotion:
         return self
 
     def end(self, s: float) -> RodSection:
-        """The section at the place s, with its rotation alone; its point is that of :meth:`place`."""
+        """The section at the place s, of which the rotation alone is of use: points are sums of tangents."""
         before, start = self._last_before(s)
         known = self.at[before - 1] if before else _base(len(self.eta))
         return self.next(known, self.points.turn(start, s), np.zeros((3, len(self.eta))))
@@ -121,6 +114,7 @@ class RodMotion:
         return theta, by_modes, rate, bend
 
     def next(self, before: RodSection, turn: RodTurn, stretch: np.ndarray) -> RodSection:
+        """The section that follows another by a turn, with the stretch (3, r) there by each mode."""
         theta, by_modes, rate, bend = self._turned(turn)
         length = _length(self.s)
         along = length * _numbers(stretch)
@@ -141,7 +135,7 @@ class RodMotion:
         return RodSection(by_modes, along, *self.s.lower("section", given, *SECTION))
 
     def sum_of(self, weights: Vector, *names: str) -> list[Array]:
-        """The sums of some quantities of the sections."""
+        """The weighted sums over the sections of some of their quantities."""
         return [_weighted(weights, [getattr(x, name) for x in self.at]) for name in names]
 
 
@@ -219,27 +213,29 @@ def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str
     omega, alpha = inputs["omega"], inputs.get("alpha", mx.zeros(3))
     base = {name: inputs[name] for name in ("omega", "alpha", "v", "g") if name in inputs}
     Omega, a_0 = s.lower(block, base, "Omega", "a_start" if key.frame_at else "a_0")
-    for x in motion.at:
-        x.a = mx.multiply(Omega, x.t) + 2.0 * mx.cross(omega, x.tdot) + x.t_bend
-        x.u = mx.cross(omega, x.t) + x.tdot
+    # acceleration and velocity of every tangent's end relative to its start, in space
+    a = [mx.multiply(Omega, x.t) + 2.0 * mx.cross(omega, x.tdot) + x.t_bend for x in motion.at]
+    u = [mx.cross(omega, x.t) + x.tdot for x in motion.at]
     rows, shares, centre = _masses(motion)
-    names = ("r_rod", "P_rod", "a_rod", "u_rod")
-    total = dict(zip(names, motion.sum_of(centre, "t", "t_eta", "a", "u"), strict=True))
+    r_mean, P_mean = motion.sum_of(centre, "t", "t_eta")
+    total = {"r_rod": r_mean, "P_rod": P_mean, "a_rod": _weighted(centre, a), "u_rod": _weighted(centre, u)}
     forces = [w * a_0 for w in centre]
     for row, share in zip(rows, shares, strict=True):
-        r, P, a, u = motion.sum_of(row, "t", "t_eta", "a", "u")
-        _add(s, total, "element", {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a, "u_k": u})
-        forces = [f + (w * share) * a for f, w in zip(forces, row, strict=True)]
+        (r, P), a_k = motion.sum_of(row, "t", "t_eta"), _weighted(row, a)
+        given = {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a_k, "u_k": _weighted(row, u)}
+        _add(s, total, "element", given)
+        forces = [f + (w * share) * a_k for f, w in zip(forces, row, strict=True)]
+    torques = [mx.zeros(3) for _ in motion.at]
     if key.turned:
         pieces = [s.lower("link", {}, f"dI_{axis}")[0] for axis in key.turned]
         for k, x in enumerate(motion.at):
             given = {f"dI_{axis}": mx.array([dI[k]]) for axis, dI in zip(key.turned, pieces, strict=True)}
             given |= {"R_k": x.R, "W_k": x.W, "w_k": x.w, "b_k": x.bend, "omega": omega, "alpha": alpha}
-            (x.tau,) = _add(s, total, "section_spin", given, "tau_k")
+            (torques[k],) = _add(s, total, "section_spin", given, "tau_k")
     mu, moment = s.lower("link", {}, "mu")[0], mx.zeros(3)
-    for x, f in zip(reversed(motion.at), reversed(forces), strict=True):
+    for x, f, tau in zip(motion.at[::-1], forces[::-1], torques[::-1], strict=True):
         given = {"R_k": x.R, "G_k": x.G, "t_k": x.t, "theta_eta": x.theta_eta, "stretch": x.stretch}
-        given |= {"m_1": moment, "tau_k": x.tau, "f_k": mu[0] * f}
+        given |= {"m_1": moment, "tau_k": tau, "f_k": mu[0] * f}
         (moment,) = _add(s, total, "section_load", given, "m_k")
     return {name: _scaled(value, name, motion.scale) for name, value in total.items()}
 

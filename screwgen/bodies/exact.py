@@ -17,11 +17,9 @@ import sympy as sp
 from ..algebra.expression import (
     Expression,
     Inverse,
-    Stumpff,
     Symbol,
     Trace,
     add,
-    block,
     hat,
     identity,
     is_zero,
@@ -30,20 +28,20 @@ from ..algebra.expression import (
     unit,
     zeros,
 )
-from ..algebra.rate import rate
 from ..ir.block import Block
 from ..spec.link_class import EXACT, LinkClass
 from .collocation import collocation
 from .fields import number
 from .link import LinkBlock
 from .rod import TURNED, RodBody
-from .rotation import angle_steps
+from .rotation import angle_steps, rate_of_turning, turning
 
 
 def section_block(key: LinkClass) -> Block:
     """From the section at one point to that at the next: rotation, its derivatives, and the tangent there.
 
-    ``hat`` coordinates: modes in metres over the length. All in axes of F_i. Links of other orders have no steps.
+    In axes of F_i; derivatives are those with modal coordinates of unit length, modes in metres over the length.
+    Links of other orders have no steps.
     """
     b = Block("section", "Section of the rod")
     if key.order != EXACT:
@@ -61,7 +59,7 @@ def section_block(key: LinkClass) -> Block:
     W = b.step("W_k", W_0 + G @ by_modes)
     turned = b.step("turn_k", G @ rate_of_turn)
     w = b.step("w_k", w_0 + turned)
-    curved = _rate_of_tangent(b, turn, rate_of_turn)
+    curved = b.step("G_bend", rate_of_turning(b, turn, rate_of_turn, turning(b, turn, rate_of_turn)))
     angular = b.step("b_k", b_0 + hat(w_0) @ turned + G @ bend + R_0 @ curved)
     t = b.step("t_k", R @ along)
     b.step("t_eta", R @ stretch - hat(t) @ W)
@@ -69,20 +67,6 @@ def section_block(key: LinkClass) -> Block:
     b.step("tdot", lengthened + hat(w) @ t)
     b.step("t_bend", hat(angular) @ t + hat(w) @ (hat(w) @ t + 2 * lengthened) + R @ restretched)
     return b
-
-
-def _rate_of_tangent(b: Block, theta: Symbol, thetadot: Symbol) -> Expression:
-    """The rate of the tangent operator ``I + c2 hat(theta) + c3 hat(theta)^2`` times ``thetadot``."""
-    c2, c3 = b.symbol("c2"), b.symbol("c3")
-    xdot = b.step("xdot", 2 * (theta.T @ thetadot))
-    words: dict[str, Any] = {"unit": "1/s", "meaning": "rate of the Stumpff function"}
-    slopes = {
-        f"c{k}": b.step(f"c{k}dot", rate(Stumpff(k, b.symbol("x")), {"x": xdot}), rf"\dot{{c}}_{k}", **words)
-        for k in (2, 3)
-    }
-    operated = c2 @ (hat(theta) @ thetadot) + c3 @ (hat(theta) @ (hat(theta) @ thetadot))
-    rates: dict[str, Expression] = {"theta": thetadot, **slopes}
-    return b.step("G_bend", rate(operated, rates))
 
 
 def element_block(key: LinkClass) -> Block:
@@ -179,22 +163,21 @@ class ExactLinkBlock(LinkBlock):
         J, C = mu @ self.input("J_rod", (3, 3)), mu @ self.input("C_rod", (3, r))
         f = self.step("f_rod", mu @ (self.a_B + self.input("a_rod", (3, 1))))
         tau = hat(s) @ self.a_B + mu @ self.input("tau_rod", (3, 1))
-        self.M = mu @ self.input("M_rod", (r, r))
-        self.h_modes = self.input("h_rod", (r, 1))
+        M = mu @ self.input("M_rod", (r, r))
         if not is_zero(self.start):
             offset = self.start @ unit(0)
             s, first = s + mu @ offset, s
             J = J + offset @ first.T + first @ offset.T + mu @ (offset @ offset.T)
             C, tau = C + hat(offset) @ C_F, tau + hat(offset) @ f
-        spun: Expression = zeros(3, 3)
+        self.spin = zeros(3, 3)
         if self.key.turned:
-            spun = self.input("I_spin", (3, 3))
+            self.spin = self.input("I_spin", (3, 3))
             C, tau = C + self.input("C_spin", (3, r)), tau + self.input("tau_spin", (3, 1))
-            self.M = self.M + self.input("M_spin", (r, r))
+            M = M + self.input("M_spin", (r, r))
         _, S_B, J_B = self.base
         self.S = self.step("S", s + S_B)
         self.J = self.step("J", J + J_B, symmetric=True)
-        self.turned, self.C, self.wrench = spun, stack(C, C_F), stack(tau, f)
+        self.coupling, self.modal_inertia, self.wrench = stack(C, C_F), M, stack(tau, f)
 
     def _acceleration_of_base(self) -> Expression:
         """That of the rod's base at constant rates, less free fall."""
@@ -204,36 +187,37 @@ class ExactLinkBlock(LinkBlock):
             return self.symbol("a_0")
         return self.step("a_start", self.symbol("a_0") + self.symbol("Omega") @ (self.start @ unit(0)))
 
-    def _inertia(self) -> None:
-        inertia = Trace(self.J) @ identity(3) - self.J + self.turned
-        I = self.step("I", inertia, symmetric=True)
-        M_V = self.step("M_V", block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]), symmetric=True)
-        self.step("M_DPsi", M_V - self.M_star, symmetric=True)
-        self.step("M_D", self.C)
-        self.step("M_Dphi", self.symbol("M_D").T)
-        full = self.step("M_bent_full", self.M, symmetric=True)
-        self.step("M_bent", full - self.symbol("M_Wphi"), symmetric=True)
+    def _coupling(self) -> Expression:
+        return self.coupling
+
+    def _added_inertia(self) -> Expression:
+        return self.step("M_rod_eta", self.modal_inertia, symmetric=True) - self.symbol("M_Wphi")
 
     def _bias(self) -> None:
-        (m_B, S_B, J_B), omega, a_0, Omega = self.base, self.omega, self.symbol("a_0"), self.symbol("Omega")
-        I_B = Trace(J_B) @ identity(3) - J_B
-        turned = hat(omega) @ (I_B @ omega)
+        (m_B, S_B, _), omega, a_0, Omega = self.base, self.omega, self.symbol("a_0"), self.symbol("Omega")
+        turned = hat(omega) @ (self._base_inertia @ omega)
         if self.turning:
-            turned = turned + I_B @ self.alpha
+            turned = turned + self._base_inertia @ self.alpha
         bodies = stack(add(hat(S_B) @ a_0, turned), add(m_B @ a_0, Omega @ S_B))
         self.step("h_V", add(self.wrench, bodies) if self._carries_at_base() else self.wrench)
-        self.step("h_eta", self.h_modes)
+        self.step("h_eta", self.input("h_rod", (self.key.modes, 1)))
         if not self.turning:
             self._modal_force()
 
     def twice_kinetic(self) -> Expression:
         """Twice the kinetic energy of the link and its base bodies, J."""
-        omega, v, (m_B, S_B, J_B) = self.omega, self.vel, self.base
+        omega, v, (m_B, S_B, _) = self.omega, self.vel, self.base
         start = v if is_zero(self.start) else v + hat(omega) @ (self.start @ unit(0))
         rod = start.T @ (start + 2 * self.input("u_rod", (3, 1))) + self.input("K_rod", (1, 1))
         spun = self.input("K_spin", (1, 1)) if self.key.turned else zeros(1)
-        bodies = v.T @ (m_B @ v + 2 * (hat(omega) @ S_B)) + omega.T @ ((Trace(J_B) @ identity(3) - J_B) @ omega)
+        bodies = v.T @ (m_B @ v + 2 * (hat(omega) @ S_B)) + omega.T @ (self._base_inertia @ omega)
         return add(self.symbol("mu") @ rod, spun, bodies if self._carries_at_base() else zeros(1))
+
+    @property
+    def _base_inertia(self) -> Expression:
+        """(3, 3): that of the base bodies about the origin."""
+        J_B = self.base[2]
+        return Trace(J_B) @ identity(3) - J_B
 
     def _carries_at_base(self) -> bool:
         return bool(self.key.bodies_at("base") or self.key.body)

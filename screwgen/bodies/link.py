@@ -141,12 +141,19 @@ class LinkBlock(Block):
         I = self.step("I", inertia, symmetric=True)
         M_V = self.step("M_V", block([I, hat(self.S)], [-hat(self.S), self.m @ identity(3)]), symmetric=True)
         self.step("M_DPsi", M_V - self.M_star, symmetric=True)
+        M_D = self.step("M_D", self._coupling())
+        self.step("M_Dphi", M_D.T)
+        self.step("M_bent", self._added_inertia(), symmetric=True)
+
+    def _coupling(self) -> Expression:
+        """(6, r): the wrench that modal accelerations need."""
         moved = self.body.moved
         coupling = self.integral(stack(hat(self.rho) @ moved, moved)) if self.key.modes else zeros(6, 0)
-        turned = _moment(self.key.modes, *(unit(t.axis) @ t.momentum for t in self.body.turnings))
-        M_D = self.step("M_D", add(coupling, turned))
-        self.step("M_Dphi", M_D.T)
-        self.step("M_bent", zeros(self.key.modes, self.key.modes))
+        return add(coupling, _moment(self.key.modes, *(unit(t.axis) @ t.momentum for t in self.body.turnings)))
+
+    def _added_inertia(self) -> Expression:
+        """(r, r): what bending adds to the inertia of the modes; shapes that are expanded leave it as it is."""
+        return zeros(self.key.modes, self.key.modes)
 
     def _bias(self) -> None:
         """Gyroscopic terms, weight and stress: h_MD, H*, h_phi."""

@@ -1,8 +1,9 @@
-"""The steps of a rotation's exponential: squared angle, Stumpff functions of it, squared skew matrix."""
+"""The steps of a rotation's exponential: squared angle, Stumpff functions of it, squared skew matrix; and its rates."""
 
 from __future__ import annotations
 
-from ..algebra.expression import Stumpff, Symbol, hat
+from ..algebra.expression import Expression, Stumpff, Symbol, hat
+from ..algebra.rate import rate
 from ..ir.block import Block
 
 
@@ -29,3 +30,28 @@ def angle_steps(
         symmetric=True,
     )
     return squared, c1, c2, c3, square
+
+
+def turning(b: Block, theta: Symbol, thetadot: Expression) -> Expression:
+    """The angular velocity ``J_l thetadot`` of ``exp(hat(theta))``, after :func:`angle_steps`."""
+    c2, c3 = b.symbol("c2"), b.symbol("c3")
+    return thetadot + c2 @ (hat(theta) @ thetadot) + c3 @ (hat(theta) @ (hat(theta) @ thetadot))
+
+
+def rate_of_turning(b: Block, theta: Symbol, thetadot: Symbol, turned: Expression) -> Expression:
+    """The rate of ``J_l thetadot``, which is ``turned``, while ``thetadot`` is constant; its own steps before it."""
+    xdot = b.step("xdot", 2 * (theta.T @ thetadot))
+    slopes: dict[str, Expression] = {f"c{k}": _step_rate(b, f"c{k}", {"x": xdot}) for k in (2, 3)}
+    return rate(turned, {theta.name: thetadot, **slopes})
+
+
+def _step_rate(b: Block, name: str, rates: dict) -> Symbol:
+    """The time derivative of an earlier step, as a step of its own."""
+    step = b.steps[name]
+    return b.step(
+        f"{name}dot",
+        rate(step.expression, rates),
+        rf"\dot{{{step.signal.display}}}",
+        unit="1/s",
+        meaning=f"rate of {name}",
+    )

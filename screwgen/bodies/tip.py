@@ -9,14 +9,14 @@ import numpy as np
 import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, hat, identity, matrix, number, unit, vector, zeros
-from ..algebra.rate import acceleration, moving_rate, rate, turned_rate
+from ..algebra.rate import acceleration, moving_rate, turned_rate
 from ..ir.block import Block
 from ..spec.link_class import EXACT, LinkClass
 from ..spec.markers import BASE, TIP
 from .fields import Fields, length
 from .lumped import lumped
 from .reduced import numerals
-from .rotation import angle_steps
+from .rotation import angle_steps, rate_of_turning, turning
 from .second_order import PLACE, TURN, at_tip, forms, halves, rows
 
 
@@ -184,28 +184,14 @@ def _turning(b: Block, key: LinkClass, etadot: Symbol) -> tuple[Expression, Expr
     """The section's angular velocity ``J_l thetadot`` relative to F_i, and its rate without ``etaddot``."""
     if not key.section_rotation:
         return zeros(3), zeros(3)
-    theta, c2, c3 = (b.symbol(n) for n in ("theta", "c2", "c3"))
+    theta = b.symbol("theta")
     thetadot = b.step("thetadot", b.symbol("Psi_c") @ etadot)
-    turning = thetadot + c2 @ (hat(theta) @ thetadot) + c3 @ (hat(theta) @ (hat(theta) @ thetadot))
-    omega_s = b.step("omega_s", turning)
-    xdot = b.step("xdot", 2 * (theta.T @ thetadot))
-    slopes: dict[str, Expression] = {f"c{k}": _step_rate(b, f"c{k}", {"x": xdot}) for k in (2, 3)}
-    alpha_s = rate(turning, {"theta": thetadot, **slopes})
+    turned = turning(b, theta, thetadot)
+    omega_s = b.step("omega_s", turned)
+    alpha_s = rate_of_turning(b, theta, thetadot, turned)
     if key.order == 2:
         alpha_s = alpha_s + b.symbol("J_l") @ _bent(b, "Psi2dot", "T", etadot)
     return omega_s, b.step("alpha_s", alpha_s)
-
-
-def _step_rate(b: Block, name: str, rates: dict) -> Symbol:
-    """The time derivative of an earlier step, as a step of its own."""
-    step = b.steps[name]
-    return b.step(
-        f"{name}dot",
-        rate(step.expression, rates),
-        rf"\dot{{{step.signal.display}}}",
-        unit="1/s",
-        meaning=f"rate of {name}",
-    )
 
 
 def tip_body_block(key: LinkClass) -> Block:

@@ -53,7 +53,7 @@ def section_block(key: LinkClass) -> Block:
     rate_of_turn, bend = b.input("thetadot", (3, 1)), b.input("theta_bend", (3, 1))
     along, stretch = b.input("tangent", (3, 1)), b.input("stretch", (3, r))
     stretched, restretched = b.input("stretchdot", (3, 1)), b.input("stretchddot", (3, 1))
-    _, c1, c2, c3, square = angle_steps(b, turn, "x", "k", "turn from section to section")
+    _, c1, c2, c3, square = angle_steps(b, turn, "x", r"\mathbf{Q}_k", "turn from section to section")
     R = b.step("R_k", R_0 @ (identity(3) + c1 @ hat(turn) + c2 @ square))
     G = b.step("G_k", R_0 @ (identity(3) + c2 @ hat(turn) + c3 @ square))
     W = b.step("W_k", W_0 + G @ by_modes)

@@ -8,11 +8,11 @@ from ..ir.block import Block
 
 
 def angle_steps(
-    b: Block, theta: Symbol, x: str, index: str, what: str
+    b: Block, theta: Symbol, x: str, square: str, what: str
 ) -> tuple[Symbol, Symbol, Symbol, Symbol, Symbol]:
     """The steps ``x = theta . theta``, ``c1``, ``c2``, ``c3`` (the Stumpff functions at x) and ``theta_hat2``.
 
-    ``x`` is the LaTeX of the squared angle, ``index`` the index of the rotation vector, ``what`` the rotated body.
+    ``x`` and ``square`` are the LaTeX of the squared angle and of the squared skew matrix, ``what`` the rotated body.
     ``exp(hat(theta)) = I + c1 hat(theta) + c2 theta_hat2``; the left Jacobian is ``I + c2 hat(theta) + c3 theta_hat2``,
     the right one has ``-c2``.
     """
@@ -21,15 +21,15 @@ def angle_steps(
         b.step(f"c{k}", Stumpff(k, squared), f"c_{k}", unit="-", meaning=f"Stumpff function of order {k}")
         for k in (1, 2, 3)
     )
-    square = b.step(
+    squared_hat = b.step(
         "theta_hat2",
         hat(theta) @ hat(theta),
-        rf"\tilde{{\boldsymbol{{\theta}}}}_{index}^{{2}}",
+        square,
         unit="rad^2",
         meaning="square of the rotation vector's skew matrix",
         symmetric=True,
     )
-    return squared, c1, c2, c3, square
+    return squared, c1, c2, c3, squared_hat
 
 
 def turning(b: Block, theta: Symbol, thetadot: Expression) -> Expression:

@@ -175,7 +175,7 @@ def _tip_rotation(b: Block, key: LinkClass, end: End, eta: Symbol) -> Expression
         return identity(3)
     Psi = b.field("Psi_tip", end.Psi)
     theta = b.step("theta", _with_slopes(b, key, "Psi_c", Psi, _constants(b, "T", end.T), eta))
-    _, c1, c2, c3, square = angle_steps(b, theta, "x", "c", "tip section")
+    _, c1, c2, c3, square = angle_steps(b, theta, "x", r"\tilde{\boldsymbol{\theta}}_c^{2}", "tip section")
     b.step("J_l", identity(3) + c2 @ hat(theta) + c3 @ square)
     return b.step("R_T", (identity(3) + c1 @ hat(theta) + c2 @ square) @ end.axes)
 

@@ -49,7 +49,7 @@ def _exponential(b: Block, theta: Symbol) -> None:
 
     ``kappa = (c_3/2 - c_4) / c_2``, written in half the angle, where it does not cancel before a full turn.
     """
-    x, c1, c2, c3, square = angle_steps(b, theta, "x_i", "i", "link")
+    x, c1, c2, c3, square = angle_steps(b, theta, "x_i", r"\tilde{\boldsymbol{\theta}}_i^{2}", "link")
     b.step(
         "R",
         identity(3) + c1 @ hat(theta) + c2 @ square,

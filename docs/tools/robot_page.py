@@ -31,6 +31,7 @@ from screwgen.spec import (  # noqa: E402  # noqa: E402
     reduced,
     section,
     stations,
+    tendons,
 )
 from screwgen.spec import robot as spec  # noqa: E402
 from screwgen.spec.part import Part  # noqa: E402
@@ -57,7 +58,7 @@ PARTS = (
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
     *(drive.Friction, drive.Transmission, four_bar.FourBar, limit.Limit, spec.Body, reduced.Reduced),
-    *(loops.Loop, couplings.Coupling, markers.Marker),
+    *(loops.Loop, couplings.Coupling, markers.Marker, tendons.Tendon),
 )
 
 
@@ -77,7 +78,7 @@ def _element_rows() -> Iterator[str]:
 
 
 def _rows(part: type[Part]) -> list[str]:
-    stated = {name: field for name, field in part.model_fields.items() if not field.exclude}
+    stated = {field.alias or name: field for name, field in part.model_fields.items() if not field.exclude}
     fields = [_row(name, field.description, _default(field)) for name, field in stated.items()]
     others = [_row(name, text, "–") for name, text in getattr(part, "other_keys", {}).items()]
     return fields + others

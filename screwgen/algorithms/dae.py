@@ -25,6 +25,7 @@ from .quaternions import (
 )
 from .scope import Scope
 from .signals import PER_CHILD
+from .tendons import pulled
 
 
 def dae_kinematics(s: Scope) -> None:
@@ -312,7 +313,7 @@ def link_rows(s: Scope) -> None:
     given |= {name: s.kept(name) for name in ("J_l", "Psi_c", "Phi_c")}
     given |= {
         "m_eta": s.modal_inertia() if s.key.full_inertia else s.read("m_eta"),
-        "h_phi": s.kept("h_eta") + s.read("f_eta"),
+        "h_phi": s.kept("h_eta") + s.read("f_eta") + pulled(s),
         "w_ext": s.read("w_ext"),
     }
     given |= {"X": s.read("tip.X"), "PX": s.read("tip.PX")}

@@ -9,7 +9,7 @@ from ..elements import Law
 from ..ir.program import Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from . import dae, given_motion, travels, validity
+from . import dae, given_motion, tendons, travels, validity
 from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
@@ -34,7 +34,9 @@ MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers, INWARD))
 
 LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
-POWER: Algorithm = (Phase(drive_power, OUTWARD),)
+POWER: Algorithm = (Phase(drive_power, OUTWARD), Phase(tendons.power, OUTWARD))
+LENGTHS: Algorithm = (Phase(tendons.lengths, OUTWARD),)
+PULLS: Algorithm = (Phase(tendons.write_pulls, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
 ROTORS: Algorithm = (Phase(rotor_accelerations, OUTWARD),)
@@ -162,7 +164,10 @@ class Functions(LoopFunctions, MarkerFunctions):
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:
         offset = self.chain.tau_offset
-        return [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
+        efforts = [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
+        for link, own in zip(efforts, self.chain.tensions, strict=True):
+            link |= {"tension": [tau[self.chain.n_joints + k] for k in own]} if own else {}
+        return efforts
 
     def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:
         return [{"w_ext": list(w_ext[6 * i : 6 * i + 6])} for i in range(self.chain.n)]
@@ -214,8 +219,35 @@ class Functions(LoopFunctions, MarkerFunctions):
         return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
 
     def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
-        """The power that each drive gives to the arm."""
-        return [x for link in self._run(POWER, self._motion(q, v), self._torques(tau))[0] for x in link["power"]]
+        """The power that each drive gives to the arm, and that each tension does."""
+        links = self._run(POWER, self._motion(q, v), self._torques(tau))[0]
+        of_tendons = self._of_tendons(links, "tendon_power", self.chain.tensions, self.chain.n_tensions)
+        return [x for link in links for x in link["power"]] + of_tendons
+
+    def tendon_lengths(self, q: Sequence) -> list:
+        """The lengths of all tendons."""
+        links = self._run(LENGTHS, self.chain.split(q, "q", "eta"))[0]
+        return self._of_tendons(links, "tendon_length", self.chain.tensions, self.chain.n_tensions)
+
+    def pulls(self, q: Sequence) -> list:
+        """The derivative of the length of each tendon with all modes, tendon by tendon."""
+        chain = self.chain
+        out: list[Value] = [0.0] * (chain.n_tensions * chain.n_modes)
+        for i, link in enumerate(self._run(PULLS, chain.split(q, "q", "eta"))[0]):
+            for piece, tendon in enumerate(chain.tensions[i]):
+                for m in range(chain.keys[i].modes):
+                    place = tendon * chain.n_modes + chain.eta_offset[i] + m
+                    out[place] = out[place] + link["pull"][piece * chain.keys[i].modes + m]
+        return out
+
+    @staticmethod
+    def _of_tendons(links: Sequence[Mapping[str, list]], name: str, owners: Sequence[Sequence[int]], n: int) -> list:
+        """The sums over the pieces of each tendon."""
+        out: list[Value] = [0.0] * n
+        for link, own in zip(links, owners, strict=True):
+            for tendon, value in zip(own, link[name], strict=True):
+                out[tendon] = out[tendon] + value
+        return out
 
     def sensitivities(
         self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence

@@ -24,6 +24,7 @@ from .elastic_travels import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
 from .scope import Scope
+from .tendons import pulled
 from .travels import store
 from .validity import axial_motion
 
@@ -158,7 +159,8 @@ def body_force(omega: Array, alpha: Array, m: Value | Array, S: Array, I: Array)
 
 def eliminate(s: Scope) -> None:
     """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent."""
-    own = rows(s)
+    M_V, M_D, h_V, h_eta = rows(s)
+    own = M_V, M_D, h_V, h_eta + pulled(s)
     if s.key.unstiffened:
         s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
     loads = [(section, *tip_load(section)) for section in s.sections]

@@ -21,7 +21,7 @@ from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
-from .functions import ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES, POWER
+from .functions import ENERGY, FORWARD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
 from .gauges import strain_names
 from .loop_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
@@ -37,6 +37,8 @@ PARTS: dict[tuple, list[str]] = {
     (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
 }
 """The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
+EFFORT = re.compile(r"\.(torque|force|tension)(?=\[|$)")
+"""The kind of an input in its name."""
 WRITTEN = str.maketrans("-*23", "1·²³")
 """Signs of units in comments of C, and what stands for them elsewhere."""
 SENSED = ("marker_pose", "marker_velocity", "gyro", "accelerometer")
@@ -69,7 +71,8 @@ class RobotFunction:
 
 def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
     """The shape of a result for a robot."""
-    sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NLINKS": chain.n}
+    sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NAXES": chain.n_joints, "NLINKS": chain.n}
+    sizes |= {"NTENDONS": chain.n_tensions}
     sizes |= {"NMARKERS": len(chain.markers), "NSTRAINS": len(strain_names(chain))}
     return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)
 
@@ -162,11 +165,21 @@ FUNCTIONS = (
     RobotFunction(
         "levers",
         "q",
-        {"levers": Signal(("NTAU",), "m/rad, -", "-", "what the torque of each axis is multiplied by")},
+        {"levers": Signal(("NAXES",), "m/rad, -", "-", "what the torque of each axis is multiplied by")},
         programs.levers,
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
         offered=lambda chain: bool(chain.travels),
+    ),
+    RobotFunction(
+        "tendon_length",
+        "q",
+        {"length": Signal(("NTENDONS",), "m", "-", "length of every tendon")},
+        programs.tendon_length,
+        (LENGTHS,),
+        "The lengths of the tendons, each the sum of its pieces.",
+        offered=lambda chain: bool(chain.n_tensions),
+        c_file=OUTPUTS,
     ),
     RobotFunction(
         "loop_wrenches",
@@ -180,7 +193,7 @@ FUNCTIONS = (
     RobotFunction(
         "coupling_torques",
         "q v tau w_ext",
-        {"torque": Signal(("NTAU",), AXES, "-", "of the couplings on each joint axis")},
+        {"torque": Signal(("NAXES",), AXES, "-", "of the couplings on each joint axis")},
         programs.coupling_torques,
         (FORWARD, MOTION),
         "The torques with which couplings act on the joint axes.",
@@ -286,14 +299,16 @@ def entry_names(
     function: RobotFunction, drives: Sequence[str], markers: Sequence[str] = (), links: Sequence[str] = ()
 ) -> tuple[str, ...]:
     """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
+    of the tendon `left.tension` it is `left.power`, and its length `left.length`;
     `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot,
     `arm.effort.torque` of a link, `boom[1].effort.torque` of a segment of one that is divided.
     """
     out: list[str] = []
     for name, signal in function.results.items():
         what = f"{function.name}.{name}"
-        if signal.shape == ("NTAU",):
-            out += [re.sub(r"\.(torque|force)\[", f".{name}[", drive) for drive in drives]
+        if signal.shape in (("NTAU",), ("NTENDONS",)):
+            own = [drive for drive in drives if signal.shape == ("NTAU",) or drive.endswith(".tension")]
+            out += [EFFORT.sub(f".{name}", drive) for drive in own]
         elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
             owners = markers if signal.shape[0] == "NMARKERS" else links
             out += [f"{owner}.{what}{part}" for owner in owners for part in PARTS[signal.shape[1:]]]

@@ -15,6 +15,12 @@ def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
 
 
 @fused.program("q")
+def tendon_length(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (length)`` of every tendon."""
+    return {"length": f.tendon_lengths(q)}
+
+
+@fused.program("q")
 def levers(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (levers)``: what the torque of each axis is multiplied by."""
     return {"levers": f.levers(q)}

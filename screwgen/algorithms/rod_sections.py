@@ -77,8 +77,8 @@ class RodMotion:
     def run(self) -> RodMotion:
         """Find all sections."""
         before, place = _base(len(self.eta)), 0.0
-        for k, s in enumerate(self.points.places):
-            before = self.next(before, self.points.turn(place, float(s)), self.points.stretch(k))
+        for s in self.points.places:
+            before = self.next(before, self.points.turn(place, float(s)), self.points.stretch(s))
             self.at.append(before)
             place = float(s)
         return self

@@ -24,6 +24,7 @@ import numpy as np
 from ..bodies.energy import energy_block
 from ..bodies.exact import element_block, link_block, load_block, section_block, spin_block
 from ..bodies.joint import joint_block, motion_block, posture_block
+from ..bodies.tendon import tendon_block
 from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_block
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
@@ -54,9 +55,10 @@ BLOCKS: dict[str, Callable[[LinkClass], Block]] = {
     "element": element_block,
     "section_spin": spin_block,
     "section_load": load_block,
+    "tendon": tendon_block,
 }
 """The blocks of a link class by name."""
-OTHERS = ("turning_link", "energy", "link_rows", "section", "element", "section_spin", "section_load")
+OTHERS = ("turning_link", "energy", "link_rows", "section", "element", "section_spin", "section_load", "tendon")
 """Blocks without constants of their own."""
 
 

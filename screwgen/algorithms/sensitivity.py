@@ -28,6 +28,7 @@ from .phases import link_load
 from .rows import columns_cross, cross_columns, rotated_columns, shifted, swing, to_parent
 from .scope import Scope
 from .subspace_changes import subspace_rates, turned_rows
+from .tendons import pulled_slopes
 from .tip_turning import Turning, held_load, shape_rates, turned_moment, turning
 
 # ------------------------------------------------------------------------------------------- the link
@@ -89,7 +90,7 @@ def link_answers(s: Scope) -> Load:
             for x in () if k else loaded:
                 moment, force = np.split(x.load.wrench, 2)
                 d_force = d_force + (turned_moment(x.section, moment) + held_load(x.section, moment, force))
-            s.write(f"w.f_{name}", d_force)
+            s.write(f"w.f_{name}", d_force if k else d_force + pulled_slopes(s))
     for x in loaded:
         x.write()
     return carried

@@ -3,7 +3,8 @@
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
 phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
 a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``t`` that of its rotors, ``r`` that of its modes,
-``b`` that of its coupled pairs of modes, ``g`` that of the directions in which it has modes. Angular parts come first.
+``b`` that of its coupled pairs of modes, ``c`` that of its pieces of
+tendons, ``g`` that of the directions in which it has modes. Angular parts come first.
 Accelerations are those of material points in the inertial frame, less free fall.
 """
 
@@ -34,7 +35,12 @@ class Signal(NamedTuple):
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""
         counts: dict[Any, Any] = {"q": key.joint.nq, "m": key.joints, "a": key.torques, "t": len(key.added_axes)}
-        counts |= {"r": key.modes, "b": len(key.coupled), "g": len({d for d, _ in key.directions})}
+        counts |= {
+            "c": len(key.tendons),
+            "r": key.modes,
+            "b": len(key.coupled),
+            "g": len({d for d, _ in key.directions}),
+        }
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
@@ -115,6 +121,7 @@ CALL: dict[str, Signal] = {
     "qddot": Signal(("m",), "rad/s^2", "-", "joint accelerations"),
     "new_q": Signal(("q",), "rad", "-", "projected joint coordinates"),
     "tau": Signal(("a",), "N*m", "-", "joint torques"),
+    "tension": Signal(("c",), "N", "-", "tensions of the tendons along the link"),
     "m_q": Signal(("a",), "kg*m^2", "-", "inertia of the joint coordinates"),
     "f_q": Signal(("a",), "N*m", "-", "force of springs and dampers of the joint"),
     "force": Signal(("m",), "N*m", "-", "force of the joint coordinates"),
@@ -152,6 +159,9 @@ CALL: dict[str, Signal] = {
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
     "levers": Signal(("a",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
     "power": Signal(("a",), "W", "-", "power that each drive gives to the arm"),
+    "tendon_length": Signal(("c",), "m", "-", "lengths of the pieces of tendons along the link"),
+    "tendon_power": Signal(("c",), "W", "-", "power that the tension of each piece gives to the link"),
+    "pull": Signal(("c", "r"), "-", "-", "derivatives of the lengths of the pieces with the modes, row by row"),
     "strain": Signal(("g",), "1, 1/m, rad/m", "-", "strains of the section at the base"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
@@ -238,7 +248,7 @@ STORE = {
 """Of a link's own store."""
 
 
-MODES, JOINTS, RATES = ("NMODES",), ("NTAU",), "rad/s^2, m/s^2"
+MODES, INPUTS, AXES, RATES = ("NMODES",), ("NTAU",), ("NAXES",), "rad/s^2, m/s^2"
 GIVEN = {
     "m_eta": Signal(("NINERTIA",), "kg, kg*m^2", "-", "inertia of modes and sprung joints, implicit over a step"),
     "f_eta": Signal(("NGIVEN",), "N, N*m", "-", "stress and damping of modes and sprung joints"),
@@ -250,7 +260,7 @@ ROBOT = {
         "v": Signal(("NV",), "rad/s, m/s", "-", "rates of the coordinates"),
     },
     "input": {
-        "tau": Signal(JOINTS, "N*m", "-", "torque about each joint axis, in the order of q"),
+        "tau": Signal(INPUTS, "N*m", "-", "torque about each joint axis, in the order of q"),
         "w_ext": Signal(("NLINKS", 6), WRENCH, TIP, "[tau; F] on each tip section"),
     },
     "output": {
@@ -277,7 +287,7 @@ ROBOT = {
     "work": GIVEN | {"motion": Signal(("NLINKS", 4), *CALL["motion"][1:4])},
     "dae_work": GIVEN
     | {
-        "qdot": Signal(JOINTS, "rad/s", "-", "joint rates"),
+        "qdot": Signal(AXES, "rad/s", "-", "joint rates"),
         "qddot": Signal(("NRATES",), "rad/s^2", "-", "joint accelerations"),
         "etaddot": Signal(MODES, "m/s^2 (torsion: rad/s^2)", "-", "modal accelerations"),
         "alpha": Signal(("NLINKS", 6), ACCELERATION, F_I, "acceleration of F_i"),

@@ -47,12 +47,12 @@ class Collocation:
     @property
     def places(self) -> np.ndarray:
         """(N,) in (0, 1)."""
-        return _gauss(points(self.key))[0]
+        return gauss(points(self.key))[0]
 
     @property
     def weights(self) -> np.ndarray:
         """(N,): their integration weights, of sum one."""
-        return _gauss(points(self.key))[1]
+        return gauss(points(self.key))[1]
 
     @property
     def sections(self) -> list[tuple[float, float]]:
@@ -68,7 +68,7 @@ class Collocation:
         if not self.key.stations:
             return None
         own = weights(self.key)
-        x, w = _gauss(max(self.key.counts) + 1 + (own.degree + 2) // 2)
+        x, w = gauss(max(self.key.counts) + 1 + (own.degree + 2) // 2)
         return [(float(a + (b - a) * s), float((b - a) * v)) for a, b in own.ends() for s, v in zip(x, w, strict=True)]
 
     @cached_property
@@ -78,14 +78,14 @@ class Collocation:
         The transposed Cholesky factor of ``∫ a a^T ds``, a the weights of :meth:`reach`: exact, and half as many
         products as with the masses at points.
         """
-        s, w = _gauss(FINE)
+        s, w = gauss(FINE)
         reach = np.array([self.reach(x) for x in s])
         return np.linalg.cholesky(reach.T @ (w[:, None] * reach)).T
 
     @cached_property
     def centre(self) -> np.ndarray:
         """(N,): the weights of the tangents in the mean position of a uniform rod."""
-        s, w = _gauss(FINE)
+        s, w = gauss(FINE)
         return w @ np.array([self.reach(x) for x in s])
 
     def reach(self, s: float) -> np.ndarray:
@@ -93,22 +93,26 @@ class Collocation:
         if s == TIP:
             return self.weights
         x, n = self.places, len(self.places)
-        fine, own = _gauss(n)
+        fine, own = gauss(n)
         legendre = np.polynomial.legendre.legvander
         values = np.linalg.solve(legendre(2.0 * x - 1.0, n - 1).T, legendre(2.0 * s * fine - 1.0, n - 1).T)
         return s * values @ own
 
-    def stretch(self, k: int) -> np.ndarray:
-        """(3, r): the stretch ``gamma`` at point k by each mode."""
+    def stretch(self, s: float) -> np.ndarray:
+        """(3, r): the stretch ``gamma`` at the place s by each mode."""
         out = np.zeros((3, self.key.modes))
         for m, (direction, i) in enumerate(self.key.directions):
             if direction in STRAINED:
-                out[STRAINED[direction], m] = self._shape(direction, i, self.places[k], 1)
+                out[STRAINED[direction], m] = self._shape(direction, i, s, 1)
         return out
+
+    def curvature(self, s: float) -> np.ndarray:
+        """(3, r): the curvature ``kappa`` at the place s by each mode, times the length."""
+        return self._about(self._turned(s, 1))
 
     def turn(self, a: float, b: float) -> RodTurn:
         """From the section at a to that at b."""
-        fine, own = _gauss(FINE)
+        fine, own = gauss(FINE)
         s, psi_a = a + (b - a) * fine, self._turned(a, 0)
         psi, kappa = (np.array([self._turned(x, n) for x in s]) for n in (0, 1))
         once = 0.5 * (b - a) * (psi - psi_a).T @ (own[:, None] * kappa)
@@ -163,8 +167,8 @@ def _cross(a: np.ndarray, b: np.ndarray) -> bool:
 
 
 @cache
-def _gauss(n: int) -> tuple[np.ndarray, np.ndarray]:
-    """Places and weights on [0, 1]."""
+def gauss(n: int) -> tuple[np.ndarray, np.ndarray]:
+    """The places and weights of n Gauss points on [0, 1]."""
     x, w = np.polynomial.legendre.leggauss(n)
     return 0.5 * (x + 1.0), 0.5 * w
 

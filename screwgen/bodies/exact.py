@@ -229,7 +229,6 @@ def masses(b: Block, key: LinkClass, body: RodBody) -> None:
     Of a uniform rod the masses are known.
     """
     c, l = collocation(key), b.values[body.length.name].item()
-    b.step("per_length", Inverse(body.length))
     at_points = lambda name, points: [l * number(w) * body.sampled(name, s) for s, w in points]  # noqa: E731
     if c.masses is not None:
         dm = b.step("dm", _at_points(b, "dm", at_points("rhoA", c.masses)))

@@ -11,9 +11,9 @@ from collections.abc import Iterable
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Expression, Symbol, add, identity, is_zero, unit, zeros
+from ..algebra.expression import Expression, Inverse, Symbol, add, identity, is_zero, unit, zeros
 from ..ir.block import Binding, Block
-from ..spec.link_class import AXIS, TURN, LinkClass
+from ..spec.link_class import AXIS, EXACT, TURN, LinkClass
 from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
 from .fields import XI, Fields, length
@@ -107,6 +107,8 @@ class RodBody(Elastic, RodStiffness):
         self._name_products()
         self._products_of_shapes()
         self._stiffness()
+        if self.key.tendons or self.key.order == EXACT:
+            self.b.step("per_length", Inverse(self.length))
         if self.key.order == 2:
             self.second.moments(self.rhoA)
 

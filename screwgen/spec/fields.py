@@ -62,6 +62,7 @@ FIELDS = {
         for name, key in kind.KEYS.items()
     },
     **_numbers(Body, "bodies.", "bodies[{}]."),
+    "tendons.at": Field("tendons[{}].at[{}][{}]", "m", "offset of the tendon from the centreline"),
 }
 
 FIELDS |= {  # of a section that is stated at stations

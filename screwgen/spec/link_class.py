@@ -20,6 +20,7 @@ from .markers import TIP
 from .modes import DIRECTIONS, SHEARED
 from .reduced import damped, directions, elastic
 from .robot import Link
+from .tendons import TendonClass, tendon_classes
 
 WELD = Joint(axes=())
 EXACT = "exact"
@@ -92,6 +93,8 @@ class LinkClass:
     """The axes whose stops have damping."""
     elements: tuple[tuple[type[AxisElement], int], ...] = ()
     """The elements of the axes by their kind, each with its axis."""
+    tendons: tuple[TendonClass, ...] = ()
+    """The pieces of tendons along the link."""
     light: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
     stations_at: tuple[float, ...] = ()
@@ -311,6 +314,7 @@ def link_class(
         between=link.section.between if link.section else "linear",
         segments=count,
         segment=segment if stations else 0,
+        tendons=tendon_classes(link, segment),
         rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
         light=any(modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()),
     )

@@ -92,7 +92,7 @@ def unknown(name: str, known: tuple[str, ...], inner: dict[str, str] | None = No
 
 def known_keys(model: type[BaseModel]) -> tuple[str, ...]:
     """The keys that `model` reads, in the order of its fields, then other spellings."""
-    fields = (name for name, field in model.model_fields.items() if not field.exclude)
+    fields = (field.alias or name for name, field in model.model_fields.items() if not field.exclude)
     return (*fields, *getattr(model, "other_keys", ()))
 
 

@@ -17,6 +17,7 @@ from .section import Section
 from .segments import segments
 from .stated import stated_numbers
 from .stations import Stations
+from .tendons import tendon_names
 
 Index = tuple[int, ...]
 Value = float | tuple[float, ...] | None
@@ -28,7 +29,7 @@ class Parameter:
 
     `name`: as in `upper_arm.bodies[0].mass`; `value` in `unit`; `link`: the link's place in `robot.links`,
     None for gravity; `field`: a key of `FIELDS`, or of an element of an axis; `index`: what the name's brackets hold,
-    left to right; `sign`: of an element's key, as :class:`screwgen.elements.Key` states it.
+    left to right; `sign`: where the range of the field does not say it, as :class:`screwgen.elements.Key` states it.
     """
 
     name: str
@@ -63,11 +64,24 @@ def of_link(i: int, link: Link) -> Iterator[Parameter]:
         unit = key.unit if link.joint.screws[axis].turn else key.sliding
         own = f"{link.name}.joint.elements[{axis}].{element.KIND}.{name}"
         yield Parameter(own, value, unit, i, f"joint.elements.{element.KIND}.{name}", (axis,), key.meaning, key.sign)
+    for k, tendon in enumerate(link.tendons):
+        for end in range(2) if tendon.actuated else ():
+            for c, value in enumerate(tendon.offset(end), 1):
+                yield _offset(i, link, k, end, c, value)
     for b, body in enumerate(link.bodies):
         for field, value in mass(body):
             axes, point = BODY_FRAMES[body.at]
             frame = f"{axes}, {point}" if field == "bodies.com" else axes
             yield from spread(field, value, i, link.name, (b,), frame)
+
+
+def _offset(i: int, link: Link, number: int, end: int, component: int, value: float) -> Parameter:
+    """An offset of a tendon at one of its ends."""
+    kind, index = FIELDS["tendons.at"], (number, end, component)
+    where = f"{kind.description}, {'xyz'[component]}, where it {('begins', 'ends')[end]}"
+    return Parameter(
+        f"{link.name}.{kind.pattern.format(*index)}", value, kind.unit, i, "tendons.at", index, where, "any"
+    )
 
 
 def _of_axis(parameter: Parameter, joint: Joint) -> Parameter:
@@ -148,6 +162,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
     drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N); of one
     that a four-bar linkage drives `boom.torque[0]` (N·m), at the crank.
+    Tendons follow: `left.tension` (N).
     Of a ball joint q: `hand.joint.qw` … `hand.joint.qz`. wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
     Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
@@ -165,7 +180,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
             *per_added(robot, "_rate"),
             *per_mode(robot, "eta_rate"),
         ),
-        tau=tuple(f"{link.name}.{name}[{j}]" for link, j, name, _ in efforts(robot)),
+        tau=(*(f"{link.name}.{name}[{j}]" for link, j, name, _ in efforts(robot)), *tensions(robot)),
         wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
     )
 
@@ -200,8 +215,13 @@ def turning(robot: Robot) -> list[bool]:
 
 
 def force_units(robot: Robot) -> list[str]:
-    """The units of tau: N·m for axes that turn and for rotors, N for axes that slide and for cylinders."""
-    return [unit for *_, unit in efforts(robot)]
+    """The units of tau: N·m for axes that turn and for rotors, N for axes that slide, cylinders and tendons."""
+    return [*(unit for *_, unit in efforts(robot)), *("N" for _ in tensions(robot))]
+
+
+def tensions(robot: Robot) -> list[str]:
+    """The names of the tensions of tendons, the last entries of tau."""
+    return [f"{name}.tension" for name in tendon_names(robot)]
 
 
 def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:

@@ -28,6 +28,7 @@ from .reduced import link_body, of_link, refuse_axes, refuse_rod
 from .segments import distinct_names
 from .stated import Stated
 from .stations import AnySection
+from .tendons import Tendon, refuse_tendons
 from .values import boolean, choice, refuse, shape_order
 
 CENTRE = Stated("position", "centre of mass", ", from the point where the body sits", components=XYZ)
@@ -101,6 +102,7 @@ class Link(Part):
         "tip", description='where on its parent the joint sits: "tip", "base", { s = 0.4 } or the name of a marker'
     )
     markers: tuple[Marker, ...] = Field((), description='named places, as { name = "hook", at = 0.7 }')
+    tendons: tuple[Tendon, ...] = Field((), description="threads along the link that pull, an array of tables")
     joint: Joint = Field(description='the joint, as { axes = ["z"] }')
     bodies: tuple[Body, ...] = Field((), description="rigid bodies on the link, an array of tables")
     body: Annotated[Any, PlainValidator(link_body)] = Field(
@@ -231,6 +233,7 @@ class Robot(Part):
         refuse_beside_balls(self)
         refuse_loops(self.links, self.loops)
         refuse_couplings(self.links, self.couplings)
+        refuse_tendons(self.links)
         distinct_names(self)
         for i, link in enumerate(self.links):
             if link.pieces > 1 and not self.section_rotation:

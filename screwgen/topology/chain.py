@@ -20,6 +20,7 @@ from ..spec.markers import TIP as END
 from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
+from ..spec.tendons import tendon_names
 from .coordinates import Coordinates
 from .loops import Closing
 from .markers import PlacedMarker, markers
@@ -78,6 +79,23 @@ class Chain(Coordinates):
         if marker.at == END:
             return seen.tree.tip(i)
         return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
+
+    @property
+    def n_tau(self) -> int:
+        """The number of inputs: a torque per axis, then a tension per tendon."""
+        return self.n_joints + self.n_tensions
+
+    @property
+    def n_tensions(self) -> int:
+        """The number of tensions, the last entries of ``tau``."""
+        return len(tendon_names(self.robot))
+
+    @cached_property
+    def tensions(self) -> list[list[int]]:
+        """For every link the tension of each piece of a tendon along it, as its number among all tensions."""
+        every = tendon_names(self.robot)
+        pairs = zip(self.segments, self.keys, strict=True)
+        return [[every.index(self.robot.links[s.link].tendons[x.number].name) for x in key.tendons] for s, key in pairs]
 
     @property
     def serial(self) -> bool:

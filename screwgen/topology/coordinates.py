@@ -73,11 +73,6 @@ class Coordinates(JointCoordinates):
         return self.q_offset[-1] - self.base_q
 
     @property
-    def n_tau(self) -> int:
-        """The number of torques, one per axis."""
-        return self.n_joints
-
-    @property
     def n_modes(self) -> int:
         return self.eta_offset[-1]
 

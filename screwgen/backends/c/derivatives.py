@@ -39,6 +39,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "M": lambda k: "work->M[{}][{}]".format(*_triangle(k)),
         "f_q": entries("out->vdot_q", nv),
         "f_v": entries("out->vdot_v", nv),
+        "pull": entries("work->pull", chain.n_modes),
     }
     of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
     own |= {name: entries(f"work->{to}", nv) for name, to in of_rows.items()}

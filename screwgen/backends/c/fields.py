@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from ...algorithms.columns import link_columns, robot_columns, width
 from ...algorithms.scope import AT_TIP, derived, own_label
-from ...algorithms.signals import JOINTS, NODE, ROBOT, STORE, Signal, is_node, plain
+from ...algorithms.signals import AXES, INPUTS, NODE, ROBOT, STORE, Signal, is_node, plain
 from ...elements import STOP
 from ...ir.block import NamedSignal as Constant
 from ...ir.program import Program
@@ -18,6 +18,7 @@ from ...spec.link_class import LinkClass
 from ...spec.markers import TIP, carried_at
 from ...spec.parents import parents
 from ...topology.chain import Chain
+from . import tendons
 from .code import entries, literal
 from .curved import turns
 
@@ -56,17 +57,19 @@ def structs(chain: Chain) -> dict[str, list[StructMember]]:
     inner = "NINNER" if chain.n_added else "NMODES"
 
     def field(struct: str, name: str, s: Signal) -> StructMember:
-        sizes: dict[int | str, str] = {"NINERTIA": inertia}
-        sizes |= {} if chain.base_v else {"NRATES": "NTAU"}
-        sizes |= {} if chain.n_redundant != chain.n_joints else {"NREDUNDANT": "NTAU"}
+        axes = "NAXES" if chain.n_tensions else "NTAU"
+        sizes: dict[int | str, str] = {"NINERTIA": inertia, "NAXES": axes}
+        sizes |= {} if chain.base_v else {"NRATES": axes}
+        sizes |= {} if chain.n_redundant != chain.n_joints else {"NREDUNDANT": axes}
         sizes |= {"NMODES": inner} if struct.startswith("dae") else {}
-        comment = joint_comment(s, chain.sliding) + effort(chain) * (name == "tau")
+        comment = joint_comment(s, chain.sliding) + (effort(chain) + tendons.note(chain)) * (name == "tau")
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return StructMember(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
-    more = {"start_rate": START_RATE} if has_axis_terms(chain) else {}
+    more: dict[str, Signal] = tendons.gathered(chain)
+    more |= {"start_rate": START_RATE} if has_axis_terms(chain) else {}
     more |= {"qrate": COORDINATE_RATE} if chain.n_redundant != chain.n_joints else {}
-    own = ROBOT | {"dae_work": ROBOT["dae_work"] | more}
+    own = ROBOT | {"dae_work": ROBOT["dae_work"] | more, "work": ROBOT["work"] | tendons.gathered(chain)}
     return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
 
 
@@ -76,7 +79,7 @@ def has_axis_terms(chain: Chain) -> bool:
 
 
 COORDINATE_RATE = Signal(("NREDUNDANT",), "rad/s, 1/s", "-", "rates of the joint coordinates")
-START_RATE = Signal(JOINTS, "rad/s", "-", "joint rates at the start of a step")
+START_RATE = Signal(AXES, "rad/s", "-", "joint rates at the start of a step")
 ROTORS = {
     "eta": "rad, m: coordinates of the rotors or their gears, then modal ones",
     "etadot": "rad/s, m/s: their rates",
@@ -88,7 +91,7 @@ ROTORS = {
 def joint_comment(signal: Signal, sliding: bool) -> str:
     """The comment of a signal; one of joint coordinates names the units of slides, if the robot has any."""
     unit = SLIDING.get(signal.unit)
-    if not sliding or unit is None or not {"q", "m", "a", "NRATES", "NREDUNDANT", *JOINTS} & set(signal.shape):
+    if not sliding or unit is None or not {"q", "m", "a", "NRATES", "NREDUNDANT", *INPUTS, *AXES} & set(signal.shape):
         return signal.comment
     slides = signal._replace(unit=f"{signal.unit}, of slides {unit}").comment
     return slides.replace("torque about each joint axis", "torque about, or force along, each joint axis")
@@ -169,6 +172,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
     parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.n_added)) if there]
     return {
+        "axes": "$$_NAXES" if chain.n_tensions else "$$_NTAU",
         "n_given": chain.n_given,
         "n_inertia": chain.n_inertia,
         "inertia": "$$_NINERTIA" if parts else "$$_NGIVEN",
@@ -280,7 +284,15 @@ def scratch(
 
     `states`: those that a step keeps; `further`: how many structs of a name are kept besides, and numbers of none.
     """
-    sizes = {"NLINKS": c.n, "NQ": c.nq, "NV": c.nv, "NTAU": c.n_tau, "NMODES": c.n_modes, "NGIVEN": c.n_given}
+    sizes = {
+        "NLINKS": c.n,
+        "NQ": c.nq,
+        "NV": c.nv,
+        "NTAU": c.n_tau,
+        "NAXES": c.n_joints,
+        "NMODES": c.n_modes,
+        "NGIVEN": c.n_given,
+    }
     sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner, "NRATES": c.v_offset[-1], "NREDUNDANT": c.n_redundant}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
     own = {name: total(fields) for name, fields in structs(c).items()}

@@ -261,7 +261,17 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        tables = {"M_PLACE", "M_OFFSET", "Q_OFFSET", "V_OFFSET", "THETA_OFFSET", "BELOW_OFFSET", "BASE", "STATION"}
+        tables = {
+            "M_PLACE",
+            "M_OFFSET",
+            "Q_OFFSET",
+            "V_OFFSET",
+            "THETA_OFFSET",
+            "BELOW_OFFSET",
+            "TENSION_OFFSET",
+            "BASE",
+            "STATION",
+        }
         nodes = self.links.chain.tree.places(self.passage.link)
         return signals | tables | {"c", "link", "place", "M", *nodes}
 
@@ -307,6 +317,8 @@ class Places:
                 place = f"call->{member} + e"
             case ("t",):
                 place = f"call->{member} + t"
+            case ("c",):
+                place = f"call->{member} + TENSION_OFFSET[i]"
             case ("b",):
                 place = f"call->{member} + BELOW_OFFSET[i]"
             case shape:

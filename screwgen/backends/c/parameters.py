@@ -20,17 +20,21 @@ FEW = 6
 SLIDING_UNITS = [unit for unit, _ in SLIDING.values()]
 
 
+NESTED = ("tendons.at",)
+"""The fields whose arrays have several indices."""
+
+
 class Member(NamedTuple):
-    """The place of a parameter: a member of the struct of links, joints or bodies, perhaps one entry of an array."""
+    """The place of a parameter: a member of the struct of links, joints or bodies, perhaps an entry of an array."""
 
     struct: str
     name: str
     body: int | None
-    entry: int | None
+    entry: tuple[int, ...]
 
     def __str__(self) -> str:
         owner = {"link": "", "joint": "joint.", "body": f"bodies[{self.body}]."}[self.struct]
-        return owner + self.name + (f"[{self.entry}]" if self.entry is not None else "")
+        return owner + self.name + "".join(f"[{k}]" for k in self.entry)
 
 
 def member(p: Parameter) -> Member:
@@ -39,7 +43,7 @@ def member(p: Parameter) -> Member:
     struct = {"joint": "joint", "bodies": "body"}.get(head, "link")
     name = (p.field if struct == "link" else rest).replace(".", "_")
     body, entry = (p.index[0], p.index[1:]) if struct == "body" else (None, p.index)
-    return Member(struct, name, body, entry[0] if entry else None)
+    return Member(struct, name, body, entry if p.field in NESTED else entry[:1])
 
 
 def place(p: Parameter) -> str:
@@ -72,13 +76,18 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     for _, p in own:
         struct, name, _, entry = member(p)
         known = structs[struct].get(name)
-        shape = () if entry is None else (entry + 1,)
+        shape = tuple(k + 1 for k in entry)
         unused = "" if (struct, name) in live else "; this model does not use it"
         meanings[struct, name][p.unit] = _general(p)
         units = sorted(meanings[struct, name], key=SLIDING_UNITS.count)
         comment = ascii_unit(f"{f', of {sliding} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
-        structs[struct][name] = StructMember(name, max(shape, known.shape) if known else shape, comment)
+        structs[struct][name] = StructMember(name, _joined(shape, known.shape) if known else shape, comment)
     return {struct: list(fields.values()) for struct, fields in structs.items()}
+
+
+def _joined(shape: tuple[int, ...], other: tuple[int | str, ...]) -> tuple[int, ...]:
+    """The shape of an array that has the entries of both."""
+    return tuple(max(a, b) for a, b in zip(shape, other, strict=True) if isinstance(b, int))
 
 
 def changing_parameter(robot: Robot) -> dict[str, str]:

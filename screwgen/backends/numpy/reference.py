@@ -195,7 +195,7 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     return {
         "q": pose + _of_axes(chain, q) + turned(q) + eta,
         "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
-        "tau": tau,
+        "tau": tau + [abs(x) for x in draw(chain.n_tau, 5, 20.0)[m:]],
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }
 

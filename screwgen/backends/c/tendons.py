@@ -1,0 +1,48 @@
+"""Tendons in generated C: what they write in the files of every robot; empty for a robot without tendons."""
+
+from __future__ import annotations
+
+from itertools import accumulate
+
+from ...algorithms.signals import CALL, Signal
+from ...spec.tendons import tendon_names
+from ...topology.chain import Chain
+
+TENDONS = ("tendons",)
+"""What tendons write, as :class:`..templates.TemplatePlaces` finds it."""
+
+
+def content(chain: Chain) -> dict[str, object] | None:
+    """The templates' context: ``pieces``, the tension of every piece, link by link; whether
+    several pieces have one, ``shared``; whether no loops close the ``tree``; the first piece of every link, ``offset``."""
+    if not chain.n_tensions:
+        return None
+    offset = [0, *accumulate(len(own) for own in chain.tensions)]
+    return {
+        "axes": chain.n_joints,
+        "names": tendon_names(chain.robot),
+        "pieces": _pieces(chain),
+        "offset": offset[:-1],
+        "shared": _shared(chain),
+        "tree": not chain.closing.rows,
+    }
+
+
+def gathered(chain: Chain) -> dict[str, Signal]:
+    """The member of a call's scratch that holds the tensions of all pieces where several have one."""
+    return {"tension": CALL["tension"]._replace(shape=(len(_pieces(chain)),))} if _shared(chain) else {}
+
+
+def note(chain: Chain) -> str:
+    """What is added to the comment of inputs."""
+    names = tendon_names(chain.robot)
+    return f"; then the tension of each tendon, N: {', '.join(names)}" if names else ""
+
+
+def _pieces(chain: Chain) -> list[int]:
+    return [k for own in chain.tensions for k in own]
+
+
+def _shared(chain: Chain) -> bool:
+    """Whether the tensions of the pieces are not those of the input in their order."""
+    return _pieces(chain) != list(range(chain.n_tensions))

@@ -182,6 +182,13 @@ class RobotModel:
 
         return statics(self.chain)
 
+    @cached_property
+    def tendon_work(self) -> Callable[..., Any]:
+        """The CasADi function ``(q, tension, p) -> (work, force, slope)`` of tendons."""
+        from .backends.casadi.linear import tendon_work
+
+        return tendon_work(self.chain)
+
     def __repr__(self) -> str:
         return f"<Model '{self.robot.name}': {self.robot.summary}; q has {self.nq} entries>"
 

@@ -63,7 +63,7 @@ class LoopFunctions:
         return given.plus(found)
 
     def coupling_torques(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
-        """The torques (n_tau,) with which couplings act on the joint axes, forces on those that slide."""
+        """The torques (n_joints,) with which couplings act on the joint axes, forces on those that slide."""
         shut, forces = self.loop_forces(q, v, tau, w_ext)
         return shut.torques(forces)
 

@@ -45,9 +45,12 @@ def quadrature(key: LinkClass, tendon: TendonClass) -> list[TendonPoint]:
 def straight(key: LinkClass, tendon: TendonClass) -> list[TendonPoint]:
     """Two points, the ends, that give what all do where the link is straight: there all is linear in the offset."""
     (a, b), own = tendon.mixed, quadrature(key, tendon)
-    stretch = sum(x.share * x.stretch for x in own)
-    at_end = [sum(x.share * (x.mixed - far) / (end - far) * x.curvature for x in own) for end, far in ((a, b), (b, a))]
-    return [TendonPoint(1.0, a, np.asarray(stretch), at_end[0]), TendonPoint(1.0, b, 0.0 * stretch, at_end[1])]
+    total = lambda values: np.sum(list(values), axis=0)  # noqa: E731
+    stretch = total(x.share * x.stretch for x in own)
+    first, last = (
+        total(x.share * (x.mixed - far) / (end - far) * x.curvature for x in own) for end, far in ((a, b), (b, a))
+    )
+    return [TendonPoint(1.0, a, stretch, first), TendonPoint(1.0, b, np.zeros_like(stretch), last)]
 
 
 def lengths(s: Scope) -> None:

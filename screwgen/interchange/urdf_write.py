@@ -94,6 +94,8 @@ class _Writer:
         joint = link.joint
         if of_link(link):
             self.notes.append(f"{link.name}: is flexible; it is written as the rigid body of its undeformed shape")
+        if link.tendons:
+            self.notes.append(f"{link.name}.tendons: are left out; URDF has no tendons")
         if joint.stiffness and any(joint.stiffness):
             self.notes.append(f"{link.name}.joint.stiffness: is left out; URDF has no springs")
         if any(map(joint.between, range(len(joint.axes)))):

@@ -20,6 +20,8 @@ from ..spec.segments import owner
 from .curves import AXIS_CURVES, NOTHING, AxisCurves
 from .demands import axis_word, bounds_of, place_names, set_points
 
+TENSION = ".tension"
+"""The end of the name of a tendon's input."""
 TIPS = (
     ("Deflection of tips in y", "y", ("bending_y", "shear_y", ELASTIC)),
     ("Deflection of tips in z", "z", ("bending_z", "shear_z", ELASTIC)),
@@ -78,11 +80,28 @@ def motion_panels(
             for x in AXIS_CURVES
             if x.array in run.arrays
         ),
+        *_tendons(run),
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
         Panel("Energy", "E", "J", energy),
         *_reported(run),
         Panel("Tip, inertial frame", "r", "m", _named("xyz", run.tip_position.T)),
     ]
+
+
+def _tendons(run: Run) -> Iterator[Panel]:
+    """The inputs and the power of tendons, which are no link's."""
+    for title, symbol, unit, array in (
+        ("Tensions of tendons", "T", "N", "tau"),
+        ("Power of tendons", "P", "W", "drive_power"),
+    ):
+        kept = [k for k, name in enumerate(run.tau_names) if name.endswith(TENSION)]
+        if array in run.arrays and kept:
+            yield Panel(title, symbol, unit, _named(_of_tendons(run), run.arrays[array][:, kept].T))
+
+
+def _of_tendons(run: Run) -> list[str]:
+    """Their names."""
+    return [name.removesuffix(TENSION) for name in run.tau_names if name.endswith(TENSION)]
 
 
 def _reported(run: Run) -> Iterator[Panel]:
@@ -92,7 +111,8 @@ def _reported(run: Run) -> Iterator[Panel]:
         rows, first = run.told[name].reshape(len(run.t), -1).T, 0
         for result, signal in BY_NAME[name].results.items():
             of_links = signal.shape == ("NLINKS",)
-            labels = pieces if of_links else [part.lstrip("._") or result for part in PARTS[signal.shape]]
+            shape, whole = signal.shape, {("NLINKS",): pieces, ("NTENDONS",): _of_tendons(run)}
+            labels = whole[shape] if shape in whole else [part.lstrip("._") or result for part in PARTS[shape]]
             own = rows[first : first + len(labels)]
             whose = lambda k, a: links.index(owner(a)) if of_links else a if a in "xyz" else k  # noqa: E731, B023
             lines = [PanelCurve(x, whose(k, a), a) for k, (x, a) in enumerate(zip(own, labels, strict=True))]

@@ -254,9 +254,9 @@ class Compiled(Differentiated):
     def gravity(self, q: Numbers, w_ext: Loads = None) -> Pair:
         """The equilibrium at the joint coordinates of ``q``: ``force`` (nv,) and the posture ``q`` (nq,).
 
-        Of a fixed base the first n_tau entries of ``force`` are the torques that hold the arm, those of the modes what
-        is left of their forces, N: `<robot>_gravity` of the generated C.  The modes of ``q`` are where the search for
-        theirs starts.
+        Of a fixed base the first n_joints entries of ``force`` are the torques that hold the arm, those of the modes
+        what is left of their forces, N: `<robot>_gravity` of the generated C.  The modes of ``q`` are where the search
+        for theirs starts.
         """
         force = np.zeros(max(self.chain.nv, 1), self.real)
         with self._lock:
@@ -275,13 +275,13 @@ class Compiled(Differentiated):
         return out
 
     def coupling_torques(self, q: Numbers, v: Numbers | None = None, tau: Loads = None, w_ext: Loads = None) -> Array:
-        """(n_tau,): the torques with which couplings act on the joint axes, N·m, N on those that slide."""
-        out = np.zeros(max(self.chain.n_tau, 1), self.real)
+        """(n_joints,): the torques with which couplings act on the joint axes, N·m, N on those that slide."""
+        out = np.zeros(max(self.chain.n_joints, 1), self.real)
         if self.chain.closing.couplings:
             with self._lock:
                 self._set(q, self._no_v if v is None else v, tau, w_ext)
                 self.check(self.library.shim_coupling_torques(self.memory, pointer(out)))
-        return out[: self.chain.n_tau]
+        return out[: self.chain.n_joints]
 
     # DAE form ---------------------------------------------------------------------------------
 

@@ -75,7 +75,7 @@ class Holding:
             if settled and np.abs(changed).max(initial=0.0) <= self.SETTLED * np.abs(forces).max(initial=0.0):
                 break
         torques = self.chain.at_efforts(np.where(self.stated, force[:m], 0.0), self.p)
-        return efforts(self.chain, torques, x[:m], self.p)
+        return self.chain.with_tensions(efforts(self.chain, torques, x[:m], self.p))
 
     def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
         if self.chain.closing.overconstrained:  # rows share what they bear, so their forces are not unique
@@ -149,9 +149,10 @@ class PD:
         Raises UsageError where the law has another number of joints than the robot.
         """
         chain.needs_sums("PD law of its joints", "give a function of t, q and v")
-        if len(self.q_des) != chain.n_tau:
-            raise UsageError(f"PD: q_des has length {len(self.q_des)}; the robot has {chain.n_tau} joint coordinates")
-        ratios, ahead = 1.0 / chain.at_efforts(np.ones(chain.n_tau), p), chain.base_q - chain.base_v
+        if len(self.q_des) != chain.n_joints:
+            what = f"q_des has length {len(self.q_des)}; the robot has {chain.n_joints} joint coordinates"
+            raise UsageError(f"PD: {what}")
+        ratios, ahead = 1.0 / chain.at_efforts(np.ones(chain.n_joints), p), chain.base_q - chain.base_v
         through = partial(_efforts, chain, p) if chain.travels else None
         driven = tuple(chain.effort_places)
         own = partial(_ahead, chain, p) if chain.elastic_travels else None
@@ -164,7 +165,7 @@ class PD:
 
     @property
     def own_ratios(self) -> np.ndarray:
-        """The ratios of elastic drives (n_tau,), 1 for the others."""
+        """The ratios of elastic drives (n_joints,), 1 for the others."""
         return np.ones(len(self.q_des)) if self.ratios is None else np.array(self.ratios)
 
     def measured(self, x: np.ndarray, ahead: int = 0) -> np.ndarray:
@@ -218,8 +219,8 @@ class PD:
 
 
 def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """How far rotors behind elastic gears of transmissions are ahead of their joints (n_tau,) in `x`, `q` or `v`."""
-    out, slope = np.zeros(chain.n_tau), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
+    """How far rotors behind elastic gears of transmissions are ahead of their joints (n_joints,) in `x`, `q` or `v`."""
+    out, slope = np.zeros(chain.n_joints), travels(chain, q[chain.base_q : chain.base_q + chain.n_joints], p)[1]
     for joint, place in chain.elastic_travels.items():
         stretch = x[place + len(x) - chain.nv]
         out[joint] = stretch / slope[joint] if abs(slope[joint]) > DEAD else 0.0

@@ -92,8 +92,8 @@ def gains_of(law: Any, model: RobotModel, p: np.ndarray, at: Posture, ended: boo
 
 def _stated(law: PD, model: RobotModel) -> np.ndarray:
     """The derivatives of a law without transmissions, from its gains."""
-    places = np.arange(model.chain.base_v, model.chain.base_v + model.n_tau) if law.driven is None else law.driven
-    G, rows = np.zeros((model.n_tau, 2 * model.nv)), np.arange(model.n_tau)
+    places = np.arange(model.chain.base_v, model.chain.base_v + model.n_joints) if law.driven is None else law.driven
+    G, rows = np.zeros((model.n_tau, 2 * model.nv)), np.arange(model.n_joints)
     for gains, first in ((law.kp, 0), (law.kd, model.nv)):
         G[rows, first + np.array(places, int)] = -np.array(gains) / law.own_ratios**2
     return G

@@ -41,7 +41,7 @@ class Equilibrium:
     q: np.ndarray
     """(nq,): joint coordinates, those of rotors, then modal ones."""
     tau: np.ndarray
-    """(n_tau,): the torques where they act, N·m, of slides forces, N; for held joints those that hold them."""
+    """(n_tau,): torques where they act, N·m, of slides forces, N; for held joints those that hold them; tensions, N."""
     held: bool
     """Whether joints are held; if not, they are free under `tau`."""
     passive: tuple[str, ...]
@@ -100,9 +100,9 @@ def equilibrium(
 
     `hold`: the joints are held at `q` (n_joints,) and the torques follow. An axis with a spring, a stiffness > 0, is
     passive: nothing drives it, and it settles on its spring, from `q` on; "all" holds such axes too. Otherwise the
-    torques `tau` (n_tau,), N·m, zero by default, act besides joint springs, and the angles follow: the search goes
-    down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium itself. `q` may
-    hold the modes' start too (nq,).
+    torques and tensions `tau` (n_tau,), N·m and N, zero by default, act besides joint springs, and the angles follow:
+    the search goes down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium
+    itself. `q` may hold the modes' start too (nq,).
     Where there are loops they are closed. Held are then as many joints as the loops leave to state, those with drives
     before others and those first in the file before later ones; the others follow.
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
@@ -124,7 +124,7 @@ def equilibrium(
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
     alone = q is not None and np.size(q) == m != model.nq
     start = model.chain.with_inner(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
-    values, torques = model.chain.parameters.vector(parameters), checked(tau, "tau", m)
+    values, torques = model.chain.parameters.vector(parameters), checked(tau, "tau", model.n_tau)
     springs = stiffness(model, values)[:m] > 0
     start, stated = closed_start(model, values, start, bool(hold))
     held = np.full(m, bool(hold)) & (~springs | (hold == "all")) & stated
@@ -158,10 +158,12 @@ def closed_start(model: RobotModel, p: np.ndarray, start: np.ndarray, hold: bool
 
 
 def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
-    """The forces under torques (n_tau,) where they act, with the drives of the axes in `held` (n_tau,) at rest."""
+    """The forces under `tau` (n_tau,) where it acts, with the drives of the axes in `held` (n_joints,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
-    load[model.chain.held_places], still[model.chain.held_places] = tau, held
-    return (StaticsWithLoops if model.chain.closing.rows else Statics)(model, p, load, w_ext, np.flatnonzero(~still))
+    torques, tensions = np.split(tau, [model.n_joints])
+    load[model.chain.held_places], still[model.chain.held_places] = torques, held
+    kind = StaticsWithLoops if model.chain.closing.rows else Statics
+    return kind(model, p, load, w_ext, np.flatnonzero(~still), tensions)
 
 
 def _balanced(
@@ -182,12 +184,13 @@ def _rested(
     chain, stiff = model.chain, model.once("rigid gears", lambda: RobotModel(rigid(model.robot)))
     values = dict(zip(model.parameter_names, p, strict=True))
     own, added = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
-    at_joints = tau / chain.at_efforts(np.ones(chain.n_tau), p)
-    _, b = _balanced(stiff, own, at_joints, w_ext, held, np.delete(start, added))
-    holding = efforts(chain, np.where(held, b.force[: chain.n_tau], 0.0), b.q[: chain.n_joints], p)
-    torques = np.where(held, holding, at_joints)
+    at_joints, held = tau / chain.at_efforts(np.ones(chain.n_tau), p), np.append(held, np.zeros(chain.n_tensions, bool))
+    m = chain.n_joints
+    _, b = _balanced(stiff, own, at_joints, w_ext, held[:m], np.delete(start, added))
+    holding = efforts(chain, np.where(held[:m], b.force[:m], 0.0), b.q[:m], p)
+    torques = np.where(held[:m], holding, at_joints[:m])
     q = np.concatenate([chain.with_added(b.q[: chain.n_joints], p), b.q[chain.n_joints :]])
-    statics = _statics(model, p, np.where(held, 0.0, tau), w_ext, held)
+    statics = _statics(model, p, np.where(held, 0.0, tau), w_ext, held[:m])
     return statics, statics.at(wound(model, q, torques, p))
 
 
@@ -207,7 +210,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: 
     stability, eigenvalues, loose = _stability(statics, b)
     return Equilibrium(
         q=b.q,
-        tau=np.where(held, holding + 0.0, statics.load[driven]),
+        tau=np.append(np.where(held, holding + 0.0, statics.load[driven]), statics.tensions),
         held=hold,
         passive=tuple(
             name for name, h, k in zip(model.q_names, held, statics.springs, strict=False) if hold > h and k > 0

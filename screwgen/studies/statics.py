@@ -31,6 +31,9 @@ PARTS = np.linspace(0.1, 1.0, 10)
 """Of a load that grows."""
 
 
+NONE = np.zeros(0)
+
+
 class NoEquilibriumError(UsageError):
     """Torques that no posture balances; the text names the joint."""
 
@@ -67,13 +70,22 @@ class Balance:
 
 
 class Statics:
-    """The forces on an arm at rest under torques `load` (nq,), wrenches on its tips, weight and springs."""
+    """The forces on an arm at rest under torques `load` (nq,), `tensions`, wrenches on its tips, weight and springs."""
 
     straight = True
     """Whether the directions in which it moves stay the same on the way."""
 
-    def __init__(self, model: RobotModel, p: np.ndarray, load: np.ndarray, w_ext: np.ndarray, moving: np.ndarray):
+    def __init__(
+        self,
+        model: RobotModel,
+        p: np.ndarray,
+        load: np.ndarray,
+        w_ext: np.ndarray,
+        moving: np.ndarray,
+        tensions: np.ndarray = NONE,
+    ):
         self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
+        self.tensions = tensions
         self.springs = stiffness(model, p)
         self.turning = np.array([unit == "rad" for unit in coordinate_units(model.robot)], bool)
         self.bending = ~(self.turning | (np.arange(model.nq) < model.chain.eta_q))
@@ -88,11 +100,18 @@ class Statics:
         return Balance(q, energy.item() - work, force - load, slope - softening, scale, **places)
 
     def driven(self, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray | float]:
-        """The work of the torques up to `q`, their generalised forces (nq,), and the derivative of these with q.
+        """The work of the torques and tensions up to `q`, their generalised forces (nq,), and the derivative of these.
 
         The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
         Behind an elastic gear it acts on the rotor's travel, see :meth:`_from_travels`.
         """
+        if self.tensions.any():
+            work, force, own = (x.full() for x in self.model.tendon_work(q, self.tensions, self.p))
+            rest = self._by_drives(q)
+            return rest[0] + work.item(), rest[1] + force[:, 0], rest[2] + own
+        return self._by_drives(q)
+
+    def _by_drives(self, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray | float]:
         chain, m = self.model.chain, self.model.n_joints
         if not chain.travels:
             return self.load @ q, self.load, 0.0
@@ -188,7 +207,8 @@ class Statics:
     def share(self, part: float, wrenches: float) -> Statics:
         """The same with a part of gravity and torques, and one of the wrenches."""
         p = np.concatenate([part * self.p[:3], self.p[3:]])
-        return type(self)(self.model, p, part * self.load, wrenches * self.w_ext, self.moving)
+        loads = part * self.load, wrenches * self.w_ext, self.moving, part * self.tensions
+        return type(self)(self.model, p, *loads)
 
     def bounded(self, b: Balance, step: np.ndarray) -> np.ndarray:
         """`step` made so short that it turns, slides and bends nothing by more than `MOST_TURN`."""

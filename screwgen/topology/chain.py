@@ -90,6 +90,10 @@ class Chain(Coordinates):
         """The number of tensions, the last entries of ``tau``."""
         return len(tendon_names(self.robot))
 
+    def with_tensions(self, torques: np.ndarray) -> np.ndarray:
+        """The inputs (n_tau,) of torques (n_joints,) alone: tendons are slack."""
+        return np.append(torques, np.zeros(self.n_tensions))
+
     @cached_property
     def tensions(self) -> list[list[int]]:
         """For every link the tension of each piece of a tendon along it, as its number among all tensions."""

@@ -73,6 +73,7 @@ class Fitted:
             (bool(chain.curved), "a ball joint"),
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
+            (bool(chain.n_tensions), "tendons"),
         ):
             if asked:
                 raise UsageError(

@@ -13,8 +13,8 @@ TENDONS = ("tendons",)
 
 
 def content(chain: Chain) -> dict[str, object] | None:
-    """The templates' context: ``pieces``, the tension of every piece, link by link; whether
-    several pieces have one, ``shared``; whether no loops close the ``tree``; the first piece of every link, ``offset``."""
+    """The templates' context: ``pieces``, the tension of every piece, link by link, and the first piece of every link,
+    ``offset``; whether several pieces have one, ``shared``; whether no loops close the ``tree``."""
     if not chain.n_tensions:
         return None
     offset = [0, *accumulate(len(own) for own in chain.tensions)]

@@ -120,7 +120,10 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     rows, torques, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closing.rows else (ca.SX(0, 1), 0, 0)
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
-    driven[chain.effort_places] = tau * functions["levers"](q, p) if chain.travels else tau
+    torques_of_axes, tensions = ca.vertsplit(tau, [0, chain.n_joints, chain.n_tau])
+    driven[chain.effort_places] = torques_of_axes * functions["levers"](q, p) if chain.travels else torques_of_axes
+    if chain.n_tensions:
+        driven[chain.eta_v :] = -ca.jtimes(functions["tendon_length"](q, p), q, tensions, True)[chain.eta_q :]
     for joint, place in chain.elastic_travels.items():
         driven[place] = tau[joint]
     if chain.closing.couplings:

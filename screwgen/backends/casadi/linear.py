@@ -5,6 +5,7 @@ from __future__ import annotations
 import casadi as ca
 
 from ...algorithms import linear_model as programs
+from ...algorithms.robot_programs import tendon_length
 from ...topology.chain import Chain
 from .expressions import expressions
 from .functions import function, symbols
@@ -24,6 +25,16 @@ def closing(chain: Chain) -> ca.Function:
     shapes = {"gap": (rows, 1), "J": (rows, nv), "J_v": (rows, nv), "bend": (nv, nv), "wrench": (6, chain.n)}
     found = expressions(programs.closing(chain), given)
     return function("closing", given, **{name: ca.reshape(found[name], *shape) for name, shape in shapes.items()})
+
+
+def tendon_work(chain: Chain) -> ca.Function:
+    """``(q, tension, p) -> (work, force, slope)``: what tensions do from straight tendons of no length to ``q``, J, its
+    derivative with q (nq), which is their generalised force, and the derivative of that (nq, nq)."""
+    given = symbols(chain, "q p")
+    tension = ca.SX.sym("tension", chain.n_tensions)
+    work = -ca.dot(tension, expressions(tendon_length(chain), given)["length"])
+    slope, force = ca.hessian(work, given["q"])
+    return ca.Function("tendon_work", [given["q"], tension, given["p"]], [work, force, slope])
 
 
 def statics(chain: Chain) -> ca.Function:

@@ -172,7 +172,7 @@ def terminals(chain: Chain, variables: Sequence[Variable]) -> bytes:
     root = Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     listed = SubElement(root, "Terminals")
     first = first_references(variables)
-    for k in range(chain.n_tau):
+    for k in range(chain.n_joints):
         members = {
             "coordinate": first["q"] + chain.base_q + k,
             "rate": first["v"] + chain.base_v + k,

@@ -171,7 +171,8 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
             continue
         v = moving(model.numpy(), q, v)
         v[moves] = 0.0  # a base has no part in the loops, and no ball joint stands beside one
-        out[f"sample {len(out) + 1}"] = State(q, v, holding(model, q) if hold else np.zeros(m), np.zeros((n, 6)))
+        tau = holding(model, q) if hold else np.zeros(model.n_tau)
+        out[f"sample {len(out) + 1}"] = State(q, v, tau, np.zeros((n, 6)))
     return out
 
 
@@ -213,4 +214,4 @@ def holding(model: RobotModel, q: np.ndarray) -> np.ndarray:
     chain, p, still = model.chain, model.parameter_values, np.zeros(model.nv)
     straight = np.append(q[: chain.base_q], chain.with_inner(q[chain.base_q : chain.q_offset[-1]], p))
     force = chain.of_joints(model.numpy().bias(straight, still, loads_of_loops(model, straight, p)), rates=True)
-    return efforts(chain, chain.at_efforts(force, p), chain.of_joints(q), p)
+    return chain.with_tensions(efforts(chain, chain.at_efforts(force, p), chain.of_joints(q), p))

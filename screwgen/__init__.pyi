@@ -41,6 +41,7 @@ from .spec.robot import Link as Link
 from .spec.robot import Modes as Modes
 from .spec.robot import Robot as Robot
 from .spec.section import Section as Section
+from .spec.tendons import Tendon as Tendon
 from .spec.transmission import Transmission as Transmission
 from .studies.analysis import Analysis as Analysis
 from .studies.analysis import analyse as analyse

@@ -1,4 +1,4 @@
-"""A soft arm that two tendons bend, beside its measured shapes: E, nu and the density of its silicone from half of them.
+"""A soft arm that two tendons bend, beside its measured shapes; half of them tell E, nu and density of its silicone.
 
 The model is examples/tentacle.toml, two cones of order "exact". Three numbers are fitted to eight measured shapes by
 least squares over the markers; the other eight judge them. Writes a figure and a table to build/tentacle.

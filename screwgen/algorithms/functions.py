@@ -163,10 +163,12 @@ class Functions(LoopFunctions, MarkerFunctions):
         return {"m_below": list(M), "f_eta": out}
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:
+        """The inputs of each link; of torques alone tendons are slack."""
         offset = self.chain.tau_offset
         efforts = [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
+        tensions = list(tau[self.chain.n_joints :]) or [0.0] * self.chain.n_tensions
         for link, own in zip(efforts, self.chain.tensions, strict=True):
-            link |= {"tension": [tau[self.chain.n_joints + k] for k in own]} if own else {}
+            link |= {"tension": [tensions[k] for k in own]} if own else {}
         return efforts
 
     def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:

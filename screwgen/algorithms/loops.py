@@ -181,7 +181,7 @@ def _offset(demand: Distance | Angle | Alignment, a: Tip, b: Tip) -> tuple[list[
 
 
 class Loads(NamedTuple):
-    """What acts on a tree: torques of the axes, perhaps with tensions, and wrenches on all tips, in their frames (6 n,)."""
+    """What acts on a tree: torques of axes, perhaps with tensions, and wrenches on all tips in their frames (6 n,)."""
 
     tau: Sequence
     w_ext: Sequence

@@ -104,6 +104,7 @@ class PD:
     the joint's, and its torque acts on the rotor, less by the ratio. A cylinder is given the force that exerts the
     torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m. Behind an
     elastic gear the law measures the joint where a rigid one would have it, to first order in the stretch.
+    Tendons stay slack: `through` counts them.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -120,6 +121,7 @@ class PD:
     ratios: tuple[float, ...] | None = None
     efforts: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
     ahead_of_joints: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
+    slack: int = 0
 
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
@@ -157,7 +159,13 @@ class PD:
         driven = tuple(chain.effort_places)
         own = partial(_ahead, chain, p) if chain.elastic_travels else None
         return replace(
-            self, driven=driven, ahead=ahead, ratios=tuple(ratios.tolist()), efforts=through, ahead_of_joints=own
+            self,
+            driven=driven,
+            ahead=ahead,
+            ratios=tuple(ratios.tolist()),
+            efforts=through,
+            ahead_of_joints=own,
+            slack=chain.n_tensions,
         )
 
     def _stretched(self, q: np.ndarray, x: np.ndarray) -> np.ndarray | float:
@@ -213,9 +221,12 @@ class PD:
         tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self.own_ratios
         if self.efforts is not None:
             tau = self.efforts(tau, there)
+        tau = np.append(tau, np.zeros(self.slack))
         if self.gravity is not None:
             tau = tau + self.gravity(there)
-        return tau if most is None else np.clip(tau, -most, most)
+        if most is not None:
+            tau[: len(most)] = np.clip(tau[: len(most)], -most, most)
+        return tau
 
 
 def _ahead(chain: Chain, p: Numbers, q: np.ndarray, x: np.ndarray) -> np.ndarray:

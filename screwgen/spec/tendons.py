@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import ConfigDict, Field, PlainValidator, model_validator
+from pydantic import Field, PlainValidator, model_validator
 
 from .names import link_name
 from .part import Part
@@ -47,13 +47,11 @@ class Tendon(Part):
     along. Tables of one name, on one link or several, are pieces of one tendon: its length is the sum of theirs.
     """
 
-    model_config = ConfigDict(populate_by_name=True)
-
     name: Annotated[str, PlainValidator(link_name)] = Field(
         description="the tendon's name, a C identifier; pieces of one tendon have one name"
     )
     start: Annotated[float, PlainValidator(place)] = Field(
-        0.0, alias="from", description="where it begins, s from 0 at the base to 1 at the tip"
+        0.0, alias="from", description="where it begins: s from 0 at the base to 1 at the tip"
     )
     to: Annotated[float, PlainValidator(place)] = Field(1.0, description="where it ends")
     at: Annotated[Offsets, PlainValidator(offsets)] = Field(

@@ -2,10 +2,9 @@
 
     python bench/soft_rod.py      # some 30 s; on one core, of which other work must keep off
 
-SoRoMoX, a simulator on JAX, states for geometric variable strain of six degrees of freedom 85,000 steps/s on an RTX 5090
-for 256 environments, and 36 s for 3 s of simulation on a processor. Rod, solver and step are not stated with these
-figures, so they are an order of magnitude and no race. A step here evaluates the dynamics once (modal_midpoint), or four
-times (rk4).
+SoRoMoX, a simulator on JAX, states for geometric variable strain of six degrees of freedom 85,000 steps/s on an RTX
+5090 for 256 environments, and 36 s for 3 s of simulation on a processor. Rod, solver and step are not stated with these
+figures: they are an order of magnitude, no race. A step here evaluates the dynamics once (modal_midpoint), or four times.
 """
 
 from __future__ import annotations

@@ -35,6 +35,9 @@ ROBOTS = {
         order=2,
     ),
     "rods": arm(*(link(n, axes=a) | {"section": {"rhoA": 1.0}} for n, a in (("rod", "x"), ("blade", "z")))),
+    "exact": arm(
+        link("rod", axes="yz", modes={"bending_y": 1, "bending_z": 1}, section=SOFT, bodies=[BODY]), order="exact"
+    ),
     "eleven links": equal_links(11),
     "drives": MIXED | {"links": MIXED["links"][:2]},
 }

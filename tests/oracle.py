@@ -70,6 +70,8 @@ class Oracle:
             [link.joint_damping for link in self.links] + [rotors] + [link.damping for link in self.links]
         )
         self.D = self.drives.D + np.diag(self.damping)
+        for link, table, modal in zip(self.links, robot["links"], self.modal_slices, strict=True):
+            self.D[modal, modal] += table.get("damping", {}).get("time", 0.0) * link.K
         self.armature = self.drives.inertia.copy()
         self.armature[: self.n_joint] += np.concatenate([link.armature for link in self.links])
         self.q, self.v, self.a, self.trial = (ca.SX.sym(name, self.nv) for name in ("q", "v", "a", "trial"))

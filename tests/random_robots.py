@@ -37,6 +37,7 @@ LIMITS = {
     "no_gravity": 0.15,
     "second_order": 0.0,  # of a link, or of a robot
     "exact": 0.0,  # of a link: order "exact", drawn from a stream of its own
+    "time": 0.0,  # of a flexible link: Kelvin–Voigt damping, drawn from a stream of its own
     "stations": 0.0,  # of a link: a section that varies
     "shear": 0.0,  # of each of: modes of shear in a plane, rotary inertia about an axis
     "basis": None,  # 'clamped_free' or 'polynomial'; None: drawn per link
@@ -74,6 +75,11 @@ def random_robot(rng, n_links: int | None = None, **limits) -> dict:
         for link in robot["links"]:
             if chance(own, limits["exact"]):
                 link["order"] = "exact"
+    if limits["time"]:
+        own = np.random.default_rng([int(robot["name"][5:]), 1])
+        for link in robot["links"]:
+            if link.get("modes") and chance(own, limits["time"]):
+                link["damping"] = {**link.get("damping", {}), "time": float(own.uniform(0.0, 0.01))}
     return robot if any(link["joint"]["axes"] for link in robot["links"]) else _unweld(rng, robot, limits)
 
 

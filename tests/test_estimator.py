@@ -119,8 +119,11 @@ class Truth:
     ],
 )
 def test_equals_a_dense_filter(name, binding, steps):
+    as_the_dense_filter(model(name), compiled(name, binding=binding), steps)
+
+
+def as_the_dense_filter(robot, e: CompiledEstimator, steps: int) -> None:
     """Every entry of the measurement there or not by chance; mean and covariance in standard deviations."""
-    robot, e = model(name), compiled(name, binding=binding)
     truth, rng = Truth(robot, 1), np.random.default_rng(2)
     w_ext, h, n = rng.normal(size=(robot.n_links, 6)), 1e-3, robot.nq
     start = (truth.q + 0.01 * np.r_[rng.normal(size=robot.n_joints), np.zeros(n - robot.n_joints)], truth.v)

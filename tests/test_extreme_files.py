@@ -49,7 +49,7 @@ name = "a"
 length = {x("length", 1.0)}
 section = {{ rhoA = {x("rhoA", 1.0)}, rhoIp = {x("rhoIp", 1e-2)}, {section} }}
 modes = {{ bending_y = 2 }}
-damping = {{ ratio = {x("damping ratio", 0.01)} }}
+damping = {{ ratio = {x("damping ratio", 0.01)}, time = {x("damping time", 0.001)} }}
 bodies = [{{ at = "tip", mass = {x("mass", 1.0)}, com = [0, {x("position", 0.1)}, 0], inertia = {inertia} }}]
 [links.joint]
 axes = ["y"]

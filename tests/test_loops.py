@@ -22,12 +22,12 @@ from screwgen.studies.modes import mode_shapes
 JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
 
 
-def looped(rng, joint: list, count: int, s: float = 1.0) -> tuple[dict, dict]:
+def looped(rng, joint: list, count: int, s: float = 1.0, **limits) -> tuple[dict, dict]:
     """A random tree with a loop that is closed in a random state: a welded bridge leads from one tip to another link.
 
     It ends at the tip of that link, or at a marker at `s`.
     """
-    tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1)
+    tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1, **limits)
     return bridged(rng, joint, tree, state, oracle, s)
 
 

@@ -19,6 +19,7 @@ KEYS = {
     "dimension": "outer = ",
     "frequency": r"frequencies = \{ bending_y = \[",
     "damping ratio": "ratio = ",
+    "damping time": "time = ",
     "armature": r"armature = \[",
     "coupling ratio": r"\bratio = ",
     "coupling offset": r"\boffset = ",
@@ -54,6 +55,7 @@ TEXTS["stabilisation"] = (
 )
 COUPLED = f'couplings = [{{ axis = "fore.joint[0]", of = "upper.joint[0]", ratio = 2.0, offset = 0.5 }}]\n{GOOD}'
 TEXTS |= dict.fromkeys(("coupling ratio", "coupling offset"), COUPLED)
+TEXTS["damping time"] = GOOD.replace("{ ratio = 0.01 }", "{ time = 0.01 }")
 TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""
 

@@ -67,7 +67,7 @@ def robots(draw):
             length=draw(st.floats(0.5, 10)),
             frame_at=draw(maybe() | st.floats(0, 0.5)),
             **draw(flexible()),
-            damping=draw(maybe() | st.builds(Damping, ratio=amounts)),
+            damping=draw(maybe() | st.builds(Damping, ratio=amounts, time=maybe() | amounts)),
             joint=draw(joints()),
             bodies=draw(st.lists(bodies, max_size=2)),
         )

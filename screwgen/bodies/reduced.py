@@ -12,9 +12,10 @@ from typing import ClassVar
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Diagonal, Expression, Root, Symbol, matrix, number, vector, zeros
+from ..algebra.expression import Expression, Symbol, matrix, number, vector, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
+from ..spec.reduced import FILE
 from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
 from .moments import Moments
@@ -103,22 +104,24 @@ class ReducedBody(Elastic):
         step("K_full", self._matrix(d.stiffness, r"\mathbf{K}_e"), symmetric=True)
         self.M_eta = step("M_eta", self._column(d.inertia, r"\mathrm{diag}\,\mathbf{M}_e"))
         self.K = step("K", self._column(d.stiffness, r"\mathrm{diag}\,\mathbf{K}_e"))
-        self._damping()
-        for name, full in (("M", d.inertia), ("K", d.stiffness), ("D", d.damping)):
-            if self.key.coupled and (name != "D" or self.key.damping):
-                low = [full[place] for place in self.key.coupled]
-                step(f"{name}_below", vector(numerals(low), rf"\mathrm{{low}}\,\mathbf{{{name}}}_e"))
+        self._below("M", d.inertia)
+        self._below("K", d.stiffness)
+        self._damping(self.M_eta)
         if self.key.order == 2:
             self.second.momenta(self.rhoA)
 
-    def _damping(self) -> None:
-        """That of the file, or a ratio for each mode."""
-        self.D: Expression = zeros(self.key.modes)
-        if self.data.damping.any():
+    def _damping(self, inertia: Expression) -> None:
+        """That of the file, or else as the link states it."""
+        super()._damping(inertia)
+        if FILE in self.key.damping:
             self.D = self.b.step("D", self._column(self.data.damping, r"\mathrm{diag}\,\mathbf{D}_e"))
-        elif self.key.damping:
-            ratio = self.b.parameter("damping_ratio", (1, 1))
-            self.D = self.b.step("D", (2 * ratio) @ Root(Diagonal(self.K) @ self.M_eta))
+            self._below("D", self.data.damping)
+
+    def _below(self, name: str, full: np.ndarray) -> None:
+        """The entries of a matrix below its diagonal."""
+        if self.key.coupled:
+            low = [full[place] for place in self.key.coupled]
+            self.b.step(f"{name}_below", vector(numerals(low), rf"\mathrm{{low}}\,\mathbf{{{name}}}_e"))
 
     @property
     def stiffness(self) -> Expression:
@@ -128,9 +131,7 @@ class ReducedBody(Elastic):
     @property
     def resistance(self) -> Expression:
         """The (r, r) damping of the modes."""
-        if self.data.damping.any():
-            return self._matrix(self.data.damping, r"\mathbf{D}_e")
-        return Diagonal(self.D)
+        return self._matrix(self.data.damping, r"\mathbf{D}_e") if FILE in self.key.damping else super().resistance
 
     def _matrix(self, values: np.ndarray, display: str) -> Expression:
         return matrix([numerals(row) for row in values], values.shape, display)

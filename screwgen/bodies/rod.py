@@ -106,7 +106,7 @@ class RodBody(Elastic, RodStiffness):
         self._name_turns()
         self._name_products()
         self._products_of_shapes()
-        self._stiffness()
+        self._damping(self._stiffness())
         if self.key.tendons or self.key.order == EXACT:
             self.b.step("per_length", Inverse(self.length))
         if self.key.order == 2:

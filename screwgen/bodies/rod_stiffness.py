@@ -1,11 +1,11 @@
-"""Stiffness and damping of a link's modes: from its section, or from measured natural frequencies."""
+"""Stiffness of a link's modes: from its section, or from measured natural frequencies."""
 
 from __future__ import annotations
 
 import numpy as np
 import sympy as sp
 
-from ..algebra.expression import Diagonal, Expression, Integral, Root, Symbol, block, stack, zeros
+from ..algebra.expression import Diagonal, Expression, Integral, Symbol, block, stack, zeros
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
 from ..spec.modes import DIRECTIONS
@@ -16,7 +16,7 @@ SECTION = ("EA", "EIz", "EIy", "GJ", "GAy", "GAz")
 
 
 class RodStiffness:
-    """The stiffness K and damping D of a rod, both diagonal and stored as columns."""
+    """The stiffness K of a rod, diagonal and stored as a column."""
 
     form: str
     b: Block
@@ -31,8 +31,8 @@ class RodStiffness:
         """A property of the section: a parameter."""
         return self.b.parameter(name, (1, 1))
 
-    def _stiffness(self) -> None:
-        """``K = ∫ B^T C B dξ``, with measured frequencies ``K_kk = M_kk (2π f_k)^2``, and ``D``."""
+    def _stiffness(self) -> Symbol:
+        """``K = ∫ B^T C B dξ``, with measured frequencies ``K_kk = M_kk (2π f_k)^2``. Returns the column ``M_kk``."""
         full = self._section_stiffness()
         if self.key.measured:
             inertia = self._modal_inertia()
@@ -40,7 +40,7 @@ class RodStiffness:
         else:
             self.K = self._column("K", full)
             inertia = self._modal_inertia()
-        self._damping(inertia)
+        return inertia
 
     def _section_stiffness(self) -> Symbol:
         stated = zip(DIRECTIONS, SECTION, self.key.counts, strict=False)
@@ -75,22 +75,10 @@ class RodStiffness:
                 parts.append(zeros(n))
         return stack(*parts) if len(parts) > 1 else parts[0]
 
-    def _damping(self, inertia: Symbol) -> None:
-        if not self.key.damping:
-            self.D: Expression = zeros(self.key.modes)
-            return
-        ratio = self.b.parameter("damping_ratio", (1, 1))
-        self.D = self.b.step("D", (2 * ratio) @ Root(Diagonal(self.K) @ inertia))
-
     @property
     def stiffness(self) -> Expression:
         """The (r, r) stiffness of the modes."""
         return Diagonal(self.K)
-
-    @property
-    def resistance(self) -> Expression:
-        """The (r, r) damping of the modes."""
-        return Diagonal(self.D)
 
     def _column(self, name: str, full: Symbol) -> Symbol:
         """The diagonal of a modal matrix."""

@@ -57,7 +57,8 @@ class LinkClass:
     stiffness: bool
     frame_at: bool
     spin: bool
-    damping: bool
+    damping: tuple[str, ...]
+    """The terms of the damping of the modes, see `reduced.damped`; none: the modes are undamped."""
     section_rotation: bool
     bodies: tuple[BodyClass | None, ...]
     """The link's bodies; None for those on other segments."""
@@ -264,7 +265,7 @@ MARKER = LinkClass(
     stiffness=False,
     frame_at=False,
     spin=False,
-    damping=False,
+    damping=(),
     section_rotation=False,
     bodies=(),
     length=False,
@@ -304,7 +305,7 @@ def link_class(
         body=link.body if here["base"] and not body else None,
         elastic=body,
         spin=stated("rhoIp"),
-        damping=damped(link) and (any(counts) or body is not None),
+        damping=damped(link) if any(counts) or body is not None else (),
         section_rotation=section_rotation and (any(counts[1:4]) or body is not None),
         bodies=tuple(bodies) if any(bodies) else (),
         order=1 + body.geometric if body else (link.order or order) if any(counts) else 1,

@@ -65,6 +65,7 @@ RANGES = {
     "nu": Range(non_negative, 0.0, 0.5, "1"),
     "frequency": Range(positive, 1e-6, 1e9, "Hz"),
     "damping ratio": Range(non_negative, 1e-12, 1e6, "1"),
+    "damping time": Range(non_negative, 1e-12, 1e6, "s"),
     "stabilisation": Range(non_negative, 1e-6, 1e6, "1/s"),
     "coupling ratio": Range(number, 0.0, 1e6, "1, rad/m or m/rad"),
     "coupling offset": Range(number, 0.0, 1e6, "rad or m"),

@@ -23,6 +23,8 @@ FOLDER = "folder"
 MESH = ("modes", "frequency", "interface")
 ELASTIC = "elastic"
 """The direction of the modes of a body from a file, which have no single one."""
+FILE = "De"
+"""The damping matrix of a body's file."""
 OF_A_ROD = ("length", "frame_at", "section")
 
 
@@ -124,10 +126,10 @@ def of_link(link: Any) -> tuple[tuple[str, int], ...]:
     return directions(link.modes.counts, elastic(link))
 
 
-def damped(link: Any) -> bool:
-    """Whether a link states a damping of its modes, or the file of its body does."""
+def damped(link: Any) -> tuple[str, ...]:
+    """The terms of the damping of a link's modes: those that it states, or `FILE` where its body's file has one."""
     body = elastic(link)
-    return link.damping is not None or (body is not None and bool(body.damping.any()))
+    return (FILE,) if body is not None and body.damping.any() else link.damping.terms if link.damping else ()
 
 
 def end(link: Any) -> np.ndarray:

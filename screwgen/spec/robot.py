@@ -26,7 +26,7 @@ from .physics import inertia
 from .profile import profiled
 from .reduced import link_body, of_link, refuse_axes, refuse_rod
 from .segments import distinct_names
-from .stated import Stated
+from .stated import Stated, stated_numbers
 from .stations import AnySection
 from .tendons import Tendon, refuse_tendons
 from .values import boolean, choice, refuse, shape_order
@@ -44,9 +44,24 @@ STATE_SECTION = "state the section, at least { rhoA = … } or { density = …, 
 
 
 class Damping(Part):
-    """Modal damping: `ratio` ζ >= 0 of each of the link's own base-clamped, unloaded modes (1: critical)."""
+    """Damping of the modes: `ratio` ζ of each of the link's own base-clamped, unloaded ones, `time` of the material.
 
-    ratio: Annotated[float, Stated("damping ratio", "damping ratio of each mode")]
+    D_kk = 2 ζ √(K_kk M_kk) of the ratio (1: critical), and by Kelvin and Voigt the whole matrix `time` K.
+    """
+
+    ratio: Annotated[float, Stated("damping ratio", "damping ratio of each mode")] | None = None
+    time: Annotated[float, Stated("damping time", "damping of the modes over their stiffness")] | None = None
+
+    @property
+    def terms(self) -> tuple[str, ...]:
+        """The names of those that are stated."""
+        return tuple(name for name, _ in stated_numbers(Damping) if getattr(self, name) is not None)
+
+    @model_validator(mode="after")
+    def _of_one_term_at_least(self) -> Self:
+        if not self.terms:
+            raise refuse("states nothing; state ratio or time, or leave damping out")
+        return self
 
 
 class Body(Part):
@@ -88,7 +103,7 @@ class Link(Part):
         "without it only bodies have mass",
     )
     modes: Modes = Field(Modes(), description="how many mode shapes; without it the link is rigid")
-    damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 }")
+    damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 } or { time = 0.001 }")
     order: Annotated[int | str, PlainValidator(shape_order)] | None = Field(
         None, description="the order of the link's shape, 1, 2 or \"exact\"; without it the robot's"
     )

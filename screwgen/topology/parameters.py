@@ -12,8 +12,8 @@ def label(parameter: Parameter) -> str:
     """The label under which the blocks know a parameter of a link."""
     index = parameter.index
     match parameter.field:
-        case "damping.ratio":
-            return "damping_ratio"
+        case "damping.ratio" | "damping.time":
+            return parameter.field.replace(".", "_")
         case "joint.mount.xyz" | "joint.mount.rpy":
             return f"mount_{parameter.field[-3:]}_{_component(parameter)}"
         case "joint.armature":

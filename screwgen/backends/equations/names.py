@@ -27,6 +27,7 @@ LETTERS: dict[str, tuple[str, str]] = {
     "rhoIy": ("rhoIy", r"\rho I_y"),
     "rhoIz": ("rhoIz", r"\rho I_z"),
     "damping.ratio": ("zeta", r"\zeta"),
+    "damping.time": ("t_d", "t_d"),
     "joint.mount.xyz": ("p", "p"),
     "joint.mount.rpy": ("alpha", r"\alpha"),
     "joint.armature": ("J_a", "J_a"),

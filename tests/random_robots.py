@@ -73,7 +73,7 @@ def random_robot(rng, n_links: int | None = None, **limits) -> dict:
         own = np.random.default_rng(int(robot["name"][5:]))
         robot.pop("section_rotation", None)
         for link in robot["links"]:
-            if chance(own, limits["exact"]):
+            if chance(own, limits["exact"]) and any(n for d, n in link.get("modes", {}).items() if d != "basis"):
                 link["order"] = "exact"
     if limits["time"]:
         own = np.random.default_rng([int(robot["name"][5:]), 1])

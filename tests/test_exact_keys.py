@@ -5,8 +5,9 @@ import re
 import numpy as np
 import pytest
 from helpers import arm, link, model_of
+from test_reduced import arm_of, free_cloud
 
-from screwgen import RobotFileError
+from screwgen import Robot, RobotFileError
 from screwgen.backends.latex import document
 from screwgen.bodies.collocation import collocation
 from screwgen.errors import TargetWarning
@@ -49,6 +50,49 @@ def test_wrong_files_are_refused_in_a_line(robot, modes, said):
     with pytest.raises(RobotFileError, match=said) as error:
         loads(TEXT.format(robot=robot, modes=modes), "arm.toml", ".")
     assert "\n" not in str(error.value) and str(error.value).startswith("arm.toml: ")
+
+
+SECTION = "section = { rhoA = 1.0, EIz = 1.0 }\n"
+MODES = "modes = { bending_y = 2 }\n"
+JOINT = 'joint = { axes = ["z"] }\n'
+
+
+@pytest.mark.parametrize(
+    "old, new, said",
+    [
+        (JOINT, f'{JOINT}order = "Exact"\n', r'links\[0\].order \(link rod\): is "Exact"; it must be 1, 2 or "exact"'),
+        (MODES, 'order = "exact"\n', "order .link rod.: is stated for a rigid link; state modes with it"),
+        (MODES, "modes = { points = 5 }\n", "modes.points .link rod.: is stated for a rigid link; state modes with it"),
+        (SECTION, "", "section .link rod.: is missing; state the section"),
+        (", EIz = 1.0", "", "section.EIz .link rod.: is missing, but modes.bending_y needs it; it must be > 0"),
+        ("length = 1.0\n", "", "length .link rod.: is missing; state the length of the centreline, m"),
+        ("= 2 }", "= 2, points = 5.5 }", "modes.points .link rod.: is 5.5; it must be a whole number from 2 to 40"),
+        ("= 2 }", '= 2, points = "5" }', 'modes.points .link rod.: is "5"; it must be a whole number from 2 to 40'),
+        ("= 2 }", "= 2, points = -3 }", "modes.points .link rod.: is -3; it must be a whole number from 2 to 40"),
+        ("= 2 }", "= 2, point = 5 }", r"modes.point .link rod.: is an unknown key; did you mean points\?"),
+        (JOINT, f"{JOINT}points = 5\n", "points .link rod.: is an unknown key here; it belongs in modes"),
+        ("= 2 }", "= 2, points = 5 }\norder = 1", "modes.points .link rod.: is stated of a link that is not of order"),
+        (JOINT, f"{JOINT}damping = {{}}\n", "damping .link rod.: states nothing; state ratio or time"),
+        (JOINT, f"{JOINT}damping = {{ time = -1 }}\n", "damping.time .link rod.: is -1; it must be >= 0"),
+    ],
+)
+def test_links_that_cannot_be_exact_are_refused_in_a_line(old, new, said):
+    good = TEXT.format(robot='order = "exact"', modes="")
+    loads(good, "arm.toml", ".")
+    with pytest.raises(RobotFileError, match=f"^arm.toml: .*{said}") as error:
+        loads(good.replace(old, new), "arm.toml", ".")
+    assert "\n" not in str(error.value)
+
+
+def test_bodies_from_files_are_not_exact(tmp_path):
+    with pytest.raises(RobotFileError, match=r'order.*: is "exact", which only rods are; leave it out beside body'):
+        Robot(**arm_of(tmp_path, free_cloud(3), order="exact"))
+
+
+def test_a_link_that_loses_its_modes_is_no_longer_exact():
+    model = bent(3, order="exact")
+    rigid = model.robot.without("bending_y")
+    assert rigid.links[0].order is None and Robot.model_validate(rigid.model_dump()) == rigid
 
 
 def test_the_line_of_a_bent_rod_ends_at_its_tip():

@@ -15,6 +15,7 @@ REMEDIES = dict.fromkeys(("GAy", "GAz"), "it is κGA, N; a profile with nu or G 
     ("rhoIy", "rhoIz"), "several polynomials of shear beside bending turn sections alone, which must resist"
 )
 MOST_SEGMENTS = 64
+RIGID = "is stated for a rigid link; state modes with it, or leave it out"
 
 
 def segment_count(value: Any) -> int:
@@ -58,7 +59,7 @@ def require(section: AnySection, name: str, direction: str, at: Path = ()) -> No
 def require_divisible(link: "Link") -> None:
     """Refuse segments of a link that is rigid, has measured frequencies, or a frame away from its base."""
     if not link.modes.total:
-        raise refuse("is stated for a rigid link; state modes with it, or leave it out", at=("segments",))
+        raise refuse(RIGID, at=("segments",))
     for direction in link.modes.measured:
         what = f"is stated beside segments = {link.segments}, but frequencies are those of the whole link"
         remedy = f"state {NEEDS[direction][0]} in the section, or leave segments out"
@@ -66,3 +67,10 @@ def require_divisible(link: "Link") -> None:
     if link.frame_at is not None:
         what = f"is stated beside segments = {link.segments}, of which each has its frame at its base"
         raise refuse(f"{what}; leave one of them out", at=("frame_at",))
+
+
+def require_rigid(link: "Link") -> None:
+    """Refuse what only rods of order "exact" that bend can state, of a link without modes."""
+    for stated, at in ((link.order == "exact", ("order",)), (link.modes.points is not None, ("modes", "points"))):
+        if stated:
+            raise refuse(RIGID, at=at)

@@ -19,7 +19,7 @@ from .loops import Loop, refuse_loops
 from .markers import TIP, Marker, Place, carried_at, check_markers, marker, written
 from .modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from .names import distinct, link_name, robot_name
-from .needs import require, require_divisible, require_uniform, segment_count
+from .needs import require, require_divisible, require_rigid, require_uniform, segment_count
 from .parents import parent_name, parents
 from .part import Part
 from .physics import inertia
@@ -159,6 +159,12 @@ class Link(Part):
             require_divisible(self)
         return self
 
+    @model_validator(mode="after")
+    def _exact_where_it_bends(self) -> Self:
+        if not self.modes.total:
+            require_rigid(self)
+        return self
+
     @property
     def pieces(self) -> int:
         """The number of segments that dynamics see: one of a rigid link."""
@@ -220,8 +226,7 @@ class Robot(Part):
         for name in directions:
             if name not in DIRECTIONS:
                 raise UsageError(f"there is no direction '{name}'; choose {' or '.join(DIRECTIONS)}")
-        links = tuple(link.model_copy(update={"modes": without(link.modes, directions)}) for link in self.links)
-        return self.model_copy(update={"links": links})
+        return self.model_copy(update={"links": tuple(stiffened(link, directions) for link in self.links)})
 
     @property
     def summary(self) -> str:
@@ -287,6 +292,15 @@ def refuse_beside_balls(robot: Robot) -> None:
         for name in ("drives", "limits", "elements"):
             if getattr(link.joint, name) is not None:
                 raise refuse(beside, at=("links", i, "joint", name))
+
+
+def stiffened(link: Link, directions: tuple[str, ...]) -> Link:
+    """A link without modes in these directions; what only flexible links state goes with the last mode."""
+    modes = without(link.modes, directions)
+    if modes.total:
+        return link.model_copy(update={"modes": modes})
+    rigid = {"modes": modes.model_copy(update={"points": None}), "segments": 1}
+    return link.model_copy(update=rigid | {"order": None if link.order == "exact" else link.order})
 
 
 def without(modes: Modes, directions: tuple[str, ...]) -> Modes:

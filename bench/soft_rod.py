@@ -4,7 +4,7 @@
 
 SoRoMoX, a simulator on JAX, states for geometric variable strain of six degrees of freedom 85,000 steps/s on an RTX
 5090 for 256 environments, and 36 s for 3 s of simulation on a processor. Rod, solver and step are not stated with these
-figures: they are an order of magnitude, no race. A step here evaluates the dynamics once (modal_midpoint), or four times.
+figures: they are an order of magnitude, no race. A step here evaluates the dynamics once, or of rk4 four times.
 """
 
 from __future__ import annotations

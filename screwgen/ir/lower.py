@@ -32,9 +32,9 @@ def lower(
             continue
         for symbol, value in zip(block.values[name].flat, np.asarray(array, dtype=object).flat, strict=True):
             known[symbol.name] = value
-    for step, entries in needed(block, outputs, known, constant is not None):
+    for step in needed(block, outputs, known, constant is not None):
         with tracer.section(title(step)):
-            for symbol, expression in entries:
+            for symbol, expression in step.assignments:
                 value = recipe(expression)(known, tracer)
                 give_label(value, step.labels[symbol.name])
                 known[symbol.name] = value
@@ -47,12 +47,8 @@ def title(step: Step) -> str:
     return f"{step.signal.name}: {step.signal.meaning}{number}"
 
 
-def needed(
-    block: Block, outputs: Sequence[str], given: Mapping, sliced: bool
-) -> list[tuple[Step, list[tuple[sp.Symbol, sp.Expr]]]]:
-    """The steps that ``outputs`` depend on, in their order, each with the entries that these take.
-
-    With ``sliced`` only those that depend on the state.
+def needed(block: Block, outputs: Sequence[str], given: Mapping, sliced: bool) -> list[Step]:
+    """The steps that ``outputs`` depend on, whole and in order; with ``sliced`` those alone that depend on the state.
 
     ``given`` holds the names of the symbols that need no step.
     """
@@ -61,10 +57,9 @@ def needed(
     for step in reversed(block.steps.values()):
         if sliced and step.signal.binding <= Binding.PARAMETER:
             continue
-        entries = [(symbol, e) for symbol, e in step.assignments if symbol.name in wanted]
-        if any(symbol.name not in given for symbol, _ in entries):
-            kept.append((step, entries))
-            wanted.update(*(step.uses[symbol.name] for symbol, _ in entries))
+        if any(name in wanted and name not in given for name in step.uses):
+            kept.append(step)
+            wanted.update(*step.uses.values())
     return kept[::-1]
 
 

@@ -49,6 +49,8 @@ LATIN = {"omicron", "sigmaf", *(name for name in LETTERS if name[0].isupper())} 
 }
 """Greek letters for which LaTeX has no name."""
 SPECIAL |= {letter: rf"$\{name}$" for name, letter in LETTERS.items() if name not in LATIN}
+TOGETHER = 4
+"""A display of up to that many rows stays on a page."""
 RUN = 10
 """An identifier may be broken after that many characters, and after any that is no letter."""
 
@@ -78,7 +80,8 @@ def _breakable(name: str) -> str:
 def tex_rows(formula: Formula) -> str:
     """Aligned rows of cells."""
     pairs = max(len(row) + 1 for row in formula) // 2
-    rows = " \\\\\n".join("  " + " & ".join(row) for row in formula)
+    end = r" \\*" if len(formula) <= TOGETHER else r" \\"
+    rows = f"{end}\n".join("  " + " & ".join(row) for row in formula)
     return f"\\begin{{alignat*}}{{{pairs}}}\n{rows}\n\\end{{alignat*}}"
 
 

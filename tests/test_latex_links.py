@@ -241,7 +241,7 @@ def test_what_readers_type_is_found(tmp_path):
 
     file = tmp_path / "page.html"
     file.write_text(shown("ella"), encoding="utf-8")
-    guide = re.findall(r'<tr id="guide-(\w+)">(.*?)</tr>', body("ella"))
+    guide = re.findall(r'<tr id="guide-(\w+)"[^>]*>(.*?)</tr>', body("ella"))
     links = {name: re.findall(r'href="#([^"]+)"', cells) for name, cells in guide}
     places = {f"{{bias {name}}}": found[2] for name, found in links.items()}
     places["{eta}"] = re.search(r'<tr id="(y\d+)"><td><math><mrow[^>]*><msub><mrow><mi>\U0001d73c<', body("ella"))[1]

@@ -82,7 +82,10 @@ def block_view(
         if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == text or _vanishes(block, step):
             continue
         seen[step.signal.name] = text
-        steps.append(_view(block, step, right, write, axes, parts))
+        view = _view(block, step, right, write, axes, parts)
+        if len(view.formula) == 1 and not view.formula[0][1]:
+            continue  # its symbol says it all
+        steps.append(view)
         used += symbols(right)
         defined.append(step.signal)
     return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined), counts)
@@ -103,7 +106,11 @@ def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: 
     s = step.signal
     left = latex(ex.Symbol(s.name, s.shape, s.display))
     # a step that only names what its symbol says (omega~ squared) is shown by its entries alone
-    sides = [] if latex(right) == left else [[_renamed(term, axes) for term in _terms(right)]]
+    sides = (
+        []
+        if latex(right).replace(r"\,", "") == left.replace(r"\,", "")
+        else [[_renamed(term, axes) for term in _terms(right)]]
+    )
     bracket, below = _components(block, step, right, write, parts)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
     return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below)
@@ -131,13 +138,13 @@ def _components(block: Block, step: Step, right: ex.Expression, write: Scalars, 
         return "", ()
     if width(bracket) <= PAGE - 8.0 and max(entries.shape) <= TALL:
         return bracket, ()
-    if entries.shape[1] > 1:
+    evaluated = step.signal.binding <= Binding.PARAMETER or has_integral(right)
+    if entries.shape[1] > 1 and evaluated:
         whole, blocks = by_blocks(step.signal, entries, write, parts, lambda block: _bracket(block, write))
         if whole:
             return whole, blocks
     if width(bracket) <= PAGE - 8.0:
         return bracket, ()
-    evaluated = step.signal.binding <= Binding.PARAMETER or has_integral(right)
     return "", _rows(step, made, write) if evaluated else ()
 
 

@@ -139,7 +139,7 @@ def _besides(chain: Chain, i: int) -> Iterator[str]:
         yield f"On its axes act besides, as their sections say: {', '.join(acting)}."
     if any(chain.tree.stations[i : i + 1]):
         yield r"What a section before the tip carries enters with the $\mathbf{J}_{TV}$ of that section."
-    stated = [p for p in parameters(chain.robot) if p.link == link and p.field.startswith("joint.")]
+    stated = [p for p in parameters(chain.robot) if p.link == link and re.match(r"joint\.(?!mount)", p.field)]
     if stated and chain.segments[i].first:
         shown = ", ".join(f"`{p.name}` {decimal(p.value)} {plain_unit(p.unit)}".strip() for p in stated)
         yield f"Its parameters: {shown}."

@@ -308,4 +308,4 @@ def test_latex_writes_equations_in_scalars(capsys, folder, name):
     Path("swing.toml").write_text(f'name = "swing"\ngravity = [0.0, 0.0, -9.81]\n\n{links}')
     assert run(capsys, "latex", "swing.toml", "--scalar", "--about", "1.5707963267948966", "-o", name) == f"{name}\n"
     text = Path(name).read_text()
-    assert "Small motions about rest" in text and "rod.bodies[0].mass" in text.replace(r"\allowbreak{}", "")
+    assert "Small motions about rest" in text and "rod.bodies[0].mass" in text.replace(r"\cut{}", "")

@@ -13,12 +13,13 @@ import numpy as np
 import pytest
 from conftest import require_tool, swept
 from fontTools.ttLib import TTFont
-from helpers import arm, link
+from helpers import arm, example_file, link
 from latex_documents import NAMES, page, robot, tex, too_wide
 
-from screwgen import Robot, ScrewgenError
+from screwgen import Robot, ScrewgenError, load
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex import engine, mathml
+from screwgen.backends.latex.style import style
 from screwgen.backends.templates import folder, render
 from screwgen.cli.main import main
 
@@ -66,13 +67,18 @@ def test_pages_are_set_in_their_own_font(tmp_path):
 
     formula = mathml.inline(r"\begin{bmatrix} a \\ b \\ c \\ d \end{bmatrix}")
     style = re.search(r"<style>(.*?)</style>", page("ella"), re.S)[1]
-    (tmp_path / "page.html").write_text(f'<meta charset="utf-8"><style>{style}</style><p>{formula}</p>')
+    aligned = mathml.display((("a", "= b"), ("c + d", "= e")))
+    (tmp_path / "page.html").write_text(f'<meta charset="utf-8"><style>{style}</style><p>{formula}</p>{aligned}')
     with Browser(require_tool("chromium"), tmp_path / "profile") as browser:
         browser.call("Page.navigate", url=(tmp_path / "page.html").as_uri())
         browser.until("document.readyState === 'complete' && document.fonts.size")
         assert browser.run("document.fonts.ready.then(fonts => [...fonts].map(x => x.status).join())") == "loaded"
         high = "document.querySelector('{}').getBoundingClientRect().height"
         assert browser.run(high.format("mo")) > 0.95 * browser.run(high.format("mtable")) > 60
+        left, right = (f"document.querySelectorAll('mtd.{side} > *')" for side in ("right", "left"))
+        ends = browser.run(f"[...{left}].map(x => x.getBoundingClientRect().right)")
+        starts = browser.run(f"[...{right}].map(x => x.getBoundingClientRect().left)")
+        assert np.ptp(ends) < 1.0 and np.ptp(starts) < 1.0, "sides end and begin at the equals signs"
         assert browser.requests == [(tmp_path / "page.html").as_uri()]
 
 
@@ -123,6 +129,23 @@ def test_the_templates_are_where_they_belong():
 @pytest.mark.parametrize("name", swept(NAMES, "strange"))
 def test_pdflatex_compiles_and_nothing_runs_off_the_page(name, tmp_path):
     assert too_wide(tex(name), tmp_path) <= 5.0
+
+
+FRAME = r"""\documentclass{article}
+\usepackage{amsmath,amssymb,array,booktabs,longtable}
+\usepackage[textwidth=155mm]{geometry}
+\begin{document}
+FRAGMENT
+\end{document}
+"""
+
+
+@pytest.mark.parametrize("chosen", swept(("fragment", "scrartcl", "report[12pt]", "article[twocolumn]"), "fragment"))
+@pytest.mark.parametrize("name", ["ella", "crane_loop"])
+def test_lines_fit_other_classes_and_a_text_of_44_em(name, chosen, tmp_path):
+    alone = chosen == "fragment"
+    text = latex.tex(latex.content(load(example_file(name))), style(None if alone else chosen, alone))
+    assert too_wide(FRAME.replace("FRAGMENT", text) if alone else text, tmp_path) == 0.0
 
 
 @pytest.mark.long

@@ -2,9 +2,8 @@
 
 Each has inertia matrix, velocity terms (of Christoffel's symbols) and forces at rest, and names where the form stands.
 The symbols are those of the tool; where a source has another letter or zero, the docstring says which. The books were
-not at hand when these were written down. Two forms were compared with pages that print them: `two_link` with M, C and
-g of the two-link arm of ME 621 (solutioninn.com, question 17609215), `elastic_joint` with the single link with a
-flexible joint, I q1'' + m g l sin(q1) + k (q1 - q2) = 0, J q2'' - k (q1 - q2) = u (askfilo.com).
+not at hand when these were written down. The forms that were compared with pages that print them are listed with their
+addresses in `docs/research.md`; De Luca and Siciliano's arm with all its terms: `tests/test_published_arm.py`.
 """
 
 from __future__ import annotations

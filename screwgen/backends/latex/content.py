@@ -33,6 +33,8 @@ class Display:
     kind: ClassVar[str] = "display"
     formula: Formula
     essential: bool = False
+    link: int = 0
+    """The number of the one link whose torques it says; 0 if it says none."""
 
 
 @dataclass(frozen=True)

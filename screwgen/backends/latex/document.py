@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -18,7 +19,9 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..templates import render
 from . import elements, tables, text
+from .blocks import LETTERS
 from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, Item, Paragraph, parse
+from .joints import joints
 from .layout import one_line
 from .link_class import class_section, ordered
 from .notation import Notation, respelled
@@ -81,6 +84,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     for number, key in enumerate(chain.classes, 1):
         members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
         sections.append(class_section(number, key, members, views[key], printed))
+    sections += filter(None, [joints(chain)])
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
     named = [
@@ -107,7 +111,9 @@ def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Bl
 def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
     seen: dict[str, str] = {}
-    given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes))
+    letters = [LETTERS[direction] for direction, _ in key.directions if direction in LETTERS]
+    parts = tuple(Counter(letters).items())
+    given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes), parts)
     return tuple(block_view(blocks[name], seen, *given) for name in ordered(blocks))
 
 

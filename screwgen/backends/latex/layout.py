@@ -27,8 +27,8 @@ WIDE = {
     r"\ ": 0.33,
     r"\int": 1.0,
     r"\exp": 1.6,
-    r"\cos": 1.5,
-    r"\sin": 1.4,
+    r"\cos": 1.7,
+    r"\sin": 1.6,
     r"\tan": 1.5,
     r"\cosh": 2.0,
     r"\sinh": 1.9,
@@ -54,6 +54,8 @@ NOTHING = {
     r"\!",
     r"\displaystyle",
 }
+SPACE = 0.06
+"""Behind every index."""
 FRACTIONS = {r"\frac", r"\tfrac", r"\dfrac"}
 
 
@@ -79,7 +81,7 @@ class _Measure:
                 break
             if token in ("_", "^"):
                 self.at += 1
-                script = max(script, 0.75 * self.atom())
+                script = max(script, 0.75 * self.atom() + SPACE)
                 continue
             total, script = total + script, 0.0
             total += self.atom()
@@ -123,7 +125,9 @@ def _character(token: str) -> float:
         return 0.5
     if token.isupper():
         return 0.8
-    return 0.33 if token in ",.|()[]/'!" else 0.55
+    if token in "()":
+        return 0.4
+    return 0.33 if token in ",.|[]/'!" else 0.55
 
 
 # ------------------------------------------------------------------------------------------ breaking

@@ -18,6 +18,7 @@ from .steps import BlockView
 from .tables import DIRECTION, decimal, modes, named_axes, stations
 
 ORDER = (
+    *("section", "element", "section_spin", "section_load"),
     *("link", "turning_link", "tip", "tip_body", "tip_pose", "joint", "posture"),
     *("energy", "link_rows", "joint_rows"),
 )

@@ -12,18 +12,20 @@ from . import mathml
 Element = ElementTree.Element
 FORMULA = re.compile(r"<math>.*?</math>", re.DOTALL)
 SCRIPTED = {"msub", "msup", "msubsup", "mover", "munder", "munderover"}
-SYMBOL, ENTRY = "data-s", "data-e"
+SYMBOL, ENTRY, LINK = "data-s", "data-e", "data-l"
 Entries = Mapping[str, tuple[str, tuple[int, int]]]
 """By the LaTeX of an entry: the LaTeX of its symbol, and its row and column."""
+Instances = Mapping[str, tuple[str, str]]
+"""By the LaTeX of a symbol with the number of a link: the LaTeX with the index i, and the link's name."""
 
 
 class Marks:
     """Marks what a page shows of the symbols whose LaTeX is given, and of their entries; a mark is a symbol's place
-    in the list, and of an entry its row and column.
+    in the list, and of an entry its row and column, of a symbol of one link the link.
     """
 
-    def __init__(self, symbols: Sequence[str], entries: Entries | None = None):
-        self.symbols, self.entries = symbols, entries or {}
+    def __init__(self, symbols: Sequence[str], entries: Entries | None = None, instances: Instances | None = None):
+        self.symbols, self.entries, self.instances = symbols, entries or {}, instances or {}
         self._done: dict[str, str] = {}
 
     @cached_property
@@ -37,6 +39,9 @@ class Marks:
             if symbol in number_of:
                 mark = {SYMBOL: str(number_of[symbol]), ENTRY: f"{i},{j}"}
                 out.setdefault(tuple(map(_plain, _parts(entry))), mark)
+        for text, (symbol, link) in self.instances.items():
+            mark = {SYMBOL: str(number_of[symbol]), LINK: link}
+            out.setdefault(tuple(map(_plain, _parts(text))), mark)
         return out
 
     @cached_property

@@ -24,9 +24,11 @@ FUNCTION = re.compile(r"(\\(?:cosh|sinh|cos|sin)(?![a-z]))(?!\s*[\^(]|\s*\\left)
 BEFORE = re.compile(r"([\w}])(?=\\(?:cosh|sinh|cos|sin)(?![a-z]))")
 """A function needs a space before it, and one behind it if its argument stands without brackets."""
 
+BESIDE = '<mspace width="0.15em"></mspace>'
+"""The room beside a matrix, as TeX leaves it."""
 BRACKETS = (
-    ("<mo>[</mo><mtable>", "<mrow><mo>[</mo><mtable>"),
-    ("</mtable><mo>]</mo>", "</mtable><mo>]</mo></mrow>"),
+    ("<mo>[</mo><mtable>", f"<mrow>{BESIDE}<mo>[</mo><mtable>"),
+    ("</mtable><mo>]</mo>", f"</mtable><mo>]</mo>{BESIDE}</mrow>"),
 )
 """A matrix is a group of its own, because brackets grow with the content of their group."""
 

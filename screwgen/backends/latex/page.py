@@ -30,6 +30,7 @@ from .content import (
     Paragraph,
     StepEquation,
 )
+from .joints import called, instance
 from .layout import Formula
 from .marks import Entries, Marks
 from .numbers import MANY_LINKS, Table
@@ -43,6 +44,7 @@ SOLUTION = "Its solution"
 BIAS = re.compile(r"joint: .*eliminated")
 """The heading, in generated C, of what has the bias of a joint."""
 FORWARD = "forward_dynamics"
+BOLD = r"(?:\\\w+\{)*\\(?:mathbf|boldsymbol)\{"
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,12 @@ class Guide:
     bias: CodeLines | None
     place: str
     """The anchor of the lines of C of the joint's bias."""
+    torque: str
+    """The anchor of the equation of the joint's torques."""
+    efforts: Sequence[int]
+    """The numbers of these torques."""
+    word: str
+    """What people call the joint, if the link's name says it."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +80,8 @@ class Extras:
     classes: Sequence[int]
     """The number of every link's class, from 1."""
     entries: Entries
+    efforts: Sequence[Sequence[int]]
+    """The numbers of the torques of every link's joint, from 1."""
 
 
 def extras(chain: Chain) -> Extras:
@@ -81,7 +91,9 @@ def extras(chain: Chain) -> Extras:
     classes = [chain.classes.index(key) + 1 for key in chain.keys]
     table = numbers.mode_table(chain, found)
     drawn, code = diagram.diagram(chain), code_lines.generated(chain)
-    return Extras(drawn, found, table, code, firsts, chain.names, classes, numbers.entries(chain))
+    places = chain.tau_offset
+    efforts = [range(places[i] + 1, places[i + 1] + 1) for i in range(chain.n)]
+    return Extras(drawn, found, table, code, firsts, chain.names, classes, numbers.entries(chain), efforts)
 
 
 @dataclass
@@ -95,6 +107,8 @@ class PageItem:
     code: CodeLines | None = None
     codes: Sequence[tuple[str, str, CodeLines]] = ()
     """Anchors, links and lines of what has no step of its own; of the heading of the solution."""
+    link: str = ""
+    """The name of the one link that it is about."""
 
     @property
     def kind(self) -> str:
@@ -143,7 +157,7 @@ def page(shown: Document, more: Extras | None = None) -> str:
         data=markup(json.dumps(data, separators=(",", ":"), ensure_ascii=False).translate(SAFE)),
         font=math_font(),
     )
-    return Marks(symbols, more.entries if more else None)(body)
+    return Marks(symbols, more.entries if more else None, _instances(symbols, more))(body)
 
 
 SAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&"}
@@ -155,6 +169,13 @@ def math_font() -> str:
 
 
 # ------------------------------------------------------------------------------------------ sections
+
+
+def _instances(symbols: Sequence[str], more: Extras | None) -> dict[str, tuple[str, str]]:
+    """By the LaTeX of a symbol of one link: that of the symbol of link i, and the link's name."""
+    links = enumerate(more.names[:MANY_LINKS], 1) if more else ()
+    bold = [symbol for symbol in symbols if re.match(BOLD, symbol)]
+    return {instance(symbol, n): (symbol, name) for n, name in links for symbol in bold}
 
 
 def _symbols(shown: Document) -> list[str]:
@@ -188,7 +209,8 @@ def _items(
             solving = item.text == SOLUTION
         if not isinstance(item, StepEquation):
             level = ESSENCE if first or getattr(item, "essential", False) else CLASSES
-            yield PageItem(item, f"{anchor}-{place}", level)
+            link = more.names[item.link - 1] if more and isinstance(item, Display) and item.link else ""
+            yield PageItem(item, f"torque-{link}" if link else f"{anchor}-{place}", level, link=link)
             continue
         seen[item.step.name] += 1
         name = item.step.name if seen[item.step.name] == 1 else f"{item.step.name}-{seen[item.step.name]}"
@@ -244,12 +266,15 @@ def _anchor_of(sections: Sequence[PageSection], part: str) -> str:
 def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
     of_class = {s.section.link_class: s.anchor for s in sections}
     places = {(link, lines.title): anchor for s in sections for x in s.items for anchor, link, lines in x.codes}
+    torques = {item.link: item.anchor for s in sections for item in s.items if item.link}
     for i, name in enumerate(more.names[:MANY_LINKS]):
         bias = next((x for x in more.code.between(i, FORWARD) if BIAS.match(x.title)), None)
         first = more.names[more.firsts[more.classes[i] - 1]]
         place = next((a for (link, title), a in places.items() if link == first and BIAS.search(title)), "")
         modes = f"mode-{name}" if more.modes and any(row[1] == f"`{name}`" for row in more.modes.rows) else ""
-        yield Guide(name, i + 1, of_class[more.classes[i]], modes, bias, place)
+        torque = torques.get(name, "")
+        known = (of_class[more.classes[i]], modes, bias, place, torque, more.efforts[i], called(name))
+        yield Guide(name, i + 1, *known)
 
 
 def _data(sections: Sequence[PageSection], symbols: Sequence[str], more: Extras | None) -> dict[str, Any]:

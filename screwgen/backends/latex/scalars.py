@@ -29,12 +29,16 @@ def entry(signal: NamedSignal, index: tuple[int, int]) -> str:
 
 
 @lru_cache(maxsize=20000)
-def subscripted(display: str, place: str) -> str:
-    """The letter of ``display`` with ``place`` among its subscripts; a power stays inside a bracket."""
-    bold = re.search(r"\\(?:mathbf|boldsymbol)", display)
-    if not place and not bold:
+def subscripted(display: str, place: str, bold: bool = False) -> str:
+    """The letter of ``display`` with ``place`` among its subscripts; a power stays inside a bracket.
+
+    Entries are not ``bold``, blocks are.
+    """
+    written = re.search(r"\\(?:mathbf|boldsymbol)", display)
+    if not place and not written:
         return display
-    head, below, above = _scripts(re.sub(r"\\(?:mathbf|boldsymbol)\{([^{}]*)\}", r"\1", display))
+    plain = display if bold else re.sub(r"\\(?:mathbf|boldsymbol)\{([^{}]*)\}", r"\1", display)
+    head, below, above = _scripts(plain)
     below = "" if OWN_LINK.fullmatch(below) else re.sub(r",i$", "", below)
     if above not in ("", "*"):
         inner = f"_{{{below}}}" if below else ""

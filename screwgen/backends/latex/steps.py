@@ -13,7 +13,8 @@ from ...algebra.components import Array
 from ...algebra.notation import axis_latex, latex, terms, tilde
 from ...algebra.rewrite import symbols
 from ...ir.block import Binding, Block, NamedSignal, Step
-from .layout import PAGE, Formula, abridged, columns, dots, equation, matrix, width
+from .blocks import Parts, by_blocks
+from .layout import PAGE, TALL, Formula, abridged, columns, dots, equation, matrix, width
 from .scalars import Scalars, entry, scalars
 from .tidy import has_integral, is_elementwise, is_symbols_product, tidy
 
@@ -51,6 +52,8 @@ class BlockView:
     """The numbers of joint rates and of modes in the class of links."""
 
 
+DIAGONAL = 4
+"""From that size on a diagonal matrix is written by its diagonal."""
 MANY = 36
 """Of more components than that only the first and the last are shown."""
 
@@ -61,11 +64,13 @@ def block_view(
     axes: Axes = (),
     structure: Mapping[str, Array] | None = None,
     counts: tuple[int, int] = (0, 0),
+    parts: Parts = (),
 ) -> BlockView:
     """The block without steps that are zero or identity, and without those that ``seen`` holds by name.
 
     ``axes`` are those that have a name: they are written so in place of their components. ``structure`` holds
     values of inputs that other blocks give: what is zero there is left out here. ``counts``: :attr:`BlockView.counts`.
+    ``parts``: the directions of the modes, by which wide matrices are shown.
     """
     seen = {} if seen is None else seen
     values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
@@ -77,7 +82,10 @@ def block_view(
         if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == text or _vanishes(block, step):
             continue
         seen[step.signal.name] = text
-        steps.append(_view(block, step, right, write, axes))
+        view = _view(block, step, right, write, axes, parts)
+        if len(view.formula) == 1 and not view.formula[0][1]:
+            continue  # its symbol says it all
+        steps.append(view)
         used += symbols(right)
         defined.append(step.signal)
     return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined), counts)
@@ -94,12 +102,16 @@ def _vanishes(block: Block, step: Step) -> bool:
     return not any(value != 0 for value in block.values[step.signal.name].flat)
 
 
-def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes) -> StepView:
+def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes, parts: Parts) -> StepView:
     s = step.signal
     left = latex(ex.Symbol(s.name, s.shape, s.display))
     # a step that only names what its symbol says (omega~ squared) is shown by its entries alone
-    sides = [] if latex(right) == left else [[_renamed(term, axes) for term in _terms(right)]]
-    bracket, below = _components(block, step, right, write)
+    sides = (
+        []
+        if latex(right).replace(r"\,", "") == left.replace(r"\,", "")
+        else [[_renamed(term, axes) for term in _terms(right)]]
+    )
+    bracket, below = _components(block, step, right, write, parts)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
     return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below)
 
@@ -114,8 +126,8 @@ def _terms(right: ex.Expression) -> list[str]:
 # ----------------------------------------------------------------------------------------- components
 
 
-def _components(block: Block, step: Step, right: ex.Expression, write: Scalars) -> tuple[str, Formula]:
-    """The components in brackets, or entry by entry below the equation, or neither."""
+def _components(block: Block, step: Step, right: ex.Expression, write: Scalars, parts: Parts) -> tuple[str, Formula]:
+    """The components in brackets, by blocks or entry by entry below the equation, or none."""
     made = dict(step.assignments)
     values = block.values[step.signal.name]
     entries = np.vectorize(lambda v: made.get(v, v), otypes=[object])(values)
@@ -124,9 +136,15 @@ def _components(block: Block, step: Step, right: ex.Expression, write: Scalars) 
     bracket = _bracket(entries, write)
     if bracket == latex(right):
         return "", ()
-    if width(bracket) <= PAGE - 8.0:
+    if width(bracket) <= PAGE - 8.0 and max(entries.shape) <= TALL:
         return bracket, ()
     evaluated = step.signal.binding <= Binding.PARAMETER or has_integral(right)
+    if entries.shape[1] > 1 and evaluated:
+        whole, blocks = by_blocks(step.signal, entries, write, parts, lambda block: _bracket(block, write))
+        if whole:
+            return whole, blocks
+    if width(bracket) <= PAGE - 8.0:
+        return bracket, ()
     return "", _rows(step, made, write) if evaluated else ()
 
 
@@ -172,6 +190,9 @@ def _bracket(entries: np.ndarray, write: Scalars) -> str:
     common = _common(entries)
     if common != 1 and _is_identity(entries / common):
         return rf"{_before(common, write)}\mathbf{{I}}_{{{len(entries)}}}"
+    if (diagonal := _diagonal(entries)) is not None:
+        inside = r",\ ".join(write(value / common) for value in diagonal)
+        return rf"{_before(common, write)}\mathrm{{diag}}\left({inside}\right)"
     shown = [[_entry(entries, i, j, common, write) for j in abridged(entries.shape[1])] for i in abridged(len(entries))]
     return _before(common, write) + matrix(shown)
 
@@ -183,6 +204,15 @@ def _entry(entries: np.ndarray, i: int | None, j: int | None, common: sp.Expr, w
 def _is_identity(entries: np.ndarray) -> bool:
     square = entries.shape[0] == entries.shape[1]
     return square and all(value == int(i == j) for (i, j), value in np.ndenumerate(entries))
+
+
+def _diagonal(entries: np.ndarray) -> np.ndarray | None:
+    """The diagonal of a large matrix that has nothing else."""
+    n = len(entries)
+    if not DIAGONAL <= n <= TALL or entries.shape[1] != n:
+        return None
+    beside = any(value != 0 for (i, j), value in np.ndenumerate(entries) if i != j)
+    return None if beside else np.diagonal(entries)
 
 
 def _before(common: sp.Expr, write: Scalars) -> str:

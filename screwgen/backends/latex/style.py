@@ -10,6 +10,9 @@ from ...errors import UsageError, one_line
 CLASS = re.compile(r"(?P<name>[A-Za-z][A-Za-z0-9-]*)(?:\[(?P<options>[A-Za-z0-9=.,\- ]*)\])?")
 MARGINS = {"11pt": "17mm", "12pt": "10mm"}
 """A line of formulas is 42 em wide: of larger letters the margins are smaller."""
+ELEVEN = ("scrartcl", "scrreprt", "scrbook", "scrlttr2")
+"""Classes whose letters are of 11 pt unless an option says otherwise."""
+SIZE = re.compile(r"(?:fontsize=)?(\d+pt)")
 
 
 @dataclass(frozen=True)
@@ -23,7 +26,10 @@ class DocumentStyle:
     @property
     def margin(self) -> str:
         """The margins of the page."""
-        return next((m for size, m in MARGINS.items() if size in self.options.split(",")), "22mm")
+        options = (SIZE.fullmatch(option.strip()) for option in self.options.split(","))
+        stated = [match[1] for match in options if match]
+        own = "11pt" if self.documentclass in ELEVEN else "10pt"
+        return MARGINS.get(stated[-1] if stated else own, "22mm")
 
 
 def style(documentclass: str | None, fragment: bool) -> DocumentStyle:

@@ -58,10 +58,11 @@ def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:
 
 
 def _axes(key: LinkClass) -> str:
-    return ", ".join(map(_screw, key.screws)) or key.joint.name or "welded"
+    return ", ".join(map(axis_text, key.screws)) or key.joint.name or "welded"
 
 
-def _screw(screw: Screw) -> str:
+def axis_text(screw: Screw) -> str:
+    """An axis of a joint in words."""
     axis = _axis(screw.axis)
     if not screw.slides:
         return axis

@@ -11,6 +11,8 @@ from . import mathml
 from .layout import Formula
 
 PIECES = re.compile(r"(\$[^$]*\$|`[^`]*`)")
+TIED = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)]+)", re.DOTALL)
+"""A formula and the sign behind it, between which no line ends."""
 SPECIAL: dict[str, str] = {
     "\\": r"\textbackslash{}",
     "_": r"\_",
@@ -49,8 +51,10 @@ LATIN = {"omicron", "sigmaf", *(name for name in LETTERS if name[0].isupper())} 
 }
 """Greek letters for which LaTeX has no name."""
 SPECIAL |= {letter: rf"$\{name}$" for name, letter in LETTERS.items() if name not in LATIN}
+TOGETHER = 4
+"""A display of up to that many rows stays on a page."""
 RUN = 10
-"""An identifier may be broken after that many characters, and after any that is no letter."""
+"""An identifier may be broken after that many characters, and after what parts its words; brackets stay with theirs."""
 
 
 def tex(text: str) -> str:
@@ -71,20 +75,21 @@ def _escaped(text: str) -> str:
 
 
 def _breakable(name: str) -> str:
-    parts = re.findall(rf"[A-Za-z0-9]{{1,{RUN}}}|.", name)
-    return r"\allowbreak{}".join(map(_escaped, parts))
+    parts = re.findall(rf"[A-Za-z0-9]{{1,{RUN}}}(?:\[\w+\])?[^A-Za-z0-9\[]*|.", name)
+    return r"\cut{}".join(map(_escaped, parts))
 
 
 def tex_rows(formula: Formula) -> str:
     """Aligned rows of cells."""
     pairs = max(len(row) + 1 for row in formula) // 2
-    rows = " \\\\\n".join("  " + " & ".join(row) for row in formula)
+    end = r" \\*" if len(formula) <= TOGETHER else r" \\"
+    rows = f"{end}\n".join("  " + " & ".join(row) for row in formula)
     return f"\\begin{{alignat*}}{{{pairs}}}\n{rows}\n\\end{{alignat*}}"
 
 
 def in_html(text: str) -> str:
     """Text for HTML."""
-    return markup("".join(_html_piece(p) for p in PIECES.split(text)))
+    return markup(TIED.sub(r'<span class="tie">\1</span>', "".join(_html_piece(p) for p in PIECES.split(text))))
 
 
 def _html_piece(piece: str) -> str:

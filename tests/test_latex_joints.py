@@ -1,0 +1,75 @@
+"""The torques of the joints in the document: the printed rows are those of the program, and joints have their names."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from latex_documents import content, robot
+
+import screwgen
+from screwgen.backends.latex.content import Display, Document
+from screwgen.backends.latex.joints import JOINTS, called, instance
+
+
+def displays(document: Document) -> dict[int, Display]:
+    """By the number of a link: the equation of its joint."""
+    (section,) = (s for s in document.sections if s.title == JOINTS)
+    return {item.link: item for item in section.items if isinstance(item, Display)}
+
+
+def rows(text: str, q: np.ndarray) -> np.ndarray:
+    """A printed matrix whose entries are numbers, sines and cosines of coordinates."""
+    (inside,) = re.findall(r"= \\begin\{bmatrix\} (.*?) \\end\{bmatrix\}", text)
+    entry = re.compile(r"(-?)(?:\\(sin|cos) q_\{(\d)\}|([\d.]+))")
+
+    def value(cell: str) -> float:
+        sign, function, number, constant = entry.fullmatch(cell.strip()).groups()
+        size = getattr(np, function)(q[int(number) - 1]) if function else float(constant)
+        return -size if sign else size
+
+    return np.array([[value(cell) for cell in row.split("&")] for row in inside.split(r"\\")])
+
+
+def test_the_torques_are_these_parts_of_the_joints_wrenches():
+    model = screwgen.derive(robot("ella"))
+    rng = np.random.default_rng(2)
+    n = len(model.q_names)
+    q = np.concatenate([rng.uniform(-1.0, 1.0, 3), 0.01 * rng.normal(size=n - 3)])
+    tau = rng.normal(size=3)
+    _, wrench = model.numpy().forward_dynamics(q, 0.1 * rng.normal(size=n), tau, None)
+    shown = displays(content("ella"))
+    found = [rows(shown[i + 1].formula[0][1], q) @ wrench[i] for i in range(2)]
+    np.testing.assert_allclose(np.concatenate(found), tau, atol=1e-9)
+
+
+def test_an_equation_has_what_its_joint_has():
+    ella, six = (displays(content(name)) for name in ("ella", "six_link"))
+    carried = r"\mathbf{X}_{2}^{\top}\,\mathbf{w}_{2}"
+    text = {i: " ".join(cell for row in x.formula for cell in row) for i, x in ella.items()}
+    assert carried in text[1] and "mathbf{X}" not in text[2]
+    assert any("mathbf{D}_{q," in cell for x in six.values() for row in x.formula for cell in row)
+    assert list(six) == [1, 2, 3, 4, 5, 6]
+
+
+@pytest.mark.parametrize(
+    ("link", "word"),
+    [("forearm", "elbow"), ("left_fore", "elbow"), ("upper_arm", "shoulder"), ("boom", ""), ("r_hand", "wrist")],
+)
+def test_joints_have_the_names_that_people_give_them(link, word):
+    assert called(link) == word
+
+
+@pytest.mark.parametrize(
+    ("symbol", "of_link"),
+    [
+        (r"\mathbf{V}_i", r"\mathbf{V}_2"),
+        (r"\mathbf{M}_{D,i}", r"\mathbf{M}_{D,2}"),
+        (r"\mathbf{J}_{TV}", r"\mathbf{J}_{TV,2}"),
+        (r"\mathbf{M}_T", r"\mathbf{M}_{T,2}"),
+        (r"\mathbf{p}", r"\mathbf{p}_2"),
+    ],
+)
+def test_a_symbol_of_one_link_has_its_number(symbol, of_link):
+    assert instance(symbol, 2) == of_link

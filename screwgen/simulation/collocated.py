@@ -1,4 +1,4 @@
-"""What the points of rods of order EXACT leave out in states: their tips beside those with two points more."""
+"""What the points of rods of order EXACT leave out in states: their tips beside those with twice as many."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from .validity import ModelValidityWarning
 
 TOLERANCE = 1e-4
 """The error of a tip, over the length of its link, that is worth a warning."""
-MORE = 2
 MOST_STATES = 20
 """Of so many states, those where the link bends most, the tips are compared."""
 
@@ -27,7 +26,7 @@ class LeftOut:
 
     link: str
     error: float
-    """How far the tip is from where two points more put it, over the length of the link or of its segment."""
+    """How far the tip is from where twice as many points put it, over the length of the link or of its segment."""
     points: int
     """How many points the link has."""
     enough: int | None
@@ -69,7 +68,7 @@ def _of_segment(model: RobotModel, q: np.ndarray, i: int, key: LinkClass) -> Lef
     eta, length, count = modal(model, q, i), own_length(model, i), points(key)
     eta = eta[np.argsort(-np.linalg.norm(eta, axis=1))[:MOST_STATES]]
     tips = lambda n: bent_rod(replace(key, points=n), length, eta, (1.0,))[:, 0]  # noqa: E731
-    error = lambda n: float(np.linalg.norm(tips(n + MORE) - tips(n), axis=1).max(initial=0.0)) / length  # noqa: E731
+    error = lambda n: float(np.linalg.norm(tips(2 * n) - tips(n), axis=1).max(initial=0.0)) / length  # noqa: E731
     first = error(count)
     more = range(count + 1, MAX_POINTS + 1)
     enough = count if first <= TOLERANCE else next((n for n in more if error(n) <= TOLERANCE), None)

@@ -95,7 +95,7 @@ def _bent(model: RobotModel, q: np.ndarray, i: int, points: np.ndarray) -> np.nd
 
 
 def bent_rod(key: LinkClass, length: float, eta: np.ndarray, points: tuple[float, ...]) -> np.ndarray:
-    """Those (N, points, 3) of a rod of order EXACT at modal coordinates (N, r), by the program that places its points."""
+    """Those (N, points, 3) of a rod of order EXACT at modal coordinates (N, r), by the program of its line."""
     place, constants = function_of(rod_line(key, points)), lengths(key, length)
     lines = [place({"eta": one, **constants}, EPSILON)[0]["line"] for one in eta.tolist()]
     return np.reshape(lines, (len(lines), len(points), 3)) - np.outer(points, [length, 0.0, 0.0])

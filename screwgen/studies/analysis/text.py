@@ -187,9 +187,7 @@ def _structure(a: Findings) -> str:
 def _validity(a: Findings) -> list[str]:
     """The limits of the model at the states that are named."""
     shown = [s for s in a.states if s.measures and not s.label.startswith("sample ")][:SHOWN]
-    return [
-        limits_of_model(f"state '{s.label}'", Validity(a.links, np.array(s.measures)), s.left_out) for s in shown
-    ]
+    return [limits_of_model(f"state '{s.label}'", Validity(a.links, np.array(s.measures)), s.left_out) for s in shown]
 
 
 def limits_of_model(what: str, v: Validity, rods: Sequence[LeftOut] = ()) -> str:

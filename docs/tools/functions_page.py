@@ -16,7 +16,8 @@ from screwgen.algorithms.robot_functions import FUNCTIONS, OUTPUTS, SENSED, Robo
 
 PAGE = ROOT / "docs" / "functions.md"
 ROWS = re.compile(r"(?:^\| `.*\n)+", re.MULTILINE)
-SIZES = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NLINKS": "n", "NMARKERS": "m", "NSTRAINS": "n_strains"}
+SIZES = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NAXES": "n_joints", "NTENDONS": "n_tendons", "NLINKS": "n"}
+SIZES |= {"NMARKERS": "m", "NSTRAINS": "n_strains"}
 
 
 def table(text: str) -> str:

@@ -106,10 +106,12 @@ class Run:
         return RobotModel(self.robot) if self.model is None else self.model
 
     def __repr__(self) -> str:
-        joints, modes = self.tau.shape[1], self.q.shape[1] - self.tau.shape[1]
+        tendons = sum(name.endswith(".tension") for name in self.tau_names)
+        joints = self.tau.shape[1] - tendons
+        modes, pulled = self.q.shape[1] - joints, f", {tendons} tendons" * bool(tendons)
         early = ", ended early" if self.ended else ""
         return (
-            f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s{early}, {joints} joints, {modes} modes>"
+            f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s{early}, {joints} joints, {modes} modes{pulled}>"
         )
 
     def _repr_html_(self) -> str:

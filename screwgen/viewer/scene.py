@@ -7,20 +7,18 @@ the model's own poses at zero coordinates, with the parameters of the run.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..errors import TargetWarning
 from ..model import Model
 from ..spec.link_class import EXACT, LinkClass
 from ..spec.robot import Body, Link
 from ..spec.segments import Segment
 from .pack import floats
-from .shapes import sections
+from .shapes import FINE, sections, strains
 
 ROWS = 25
 """Sections at which a flexible link is drawn; links with segments have about as many in all."""
@@ -35,9 +33,6 @@ DENSITY = 2700.0
 def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
     """The robot for the page; `p`: values of its parameters, those of the file by default."""
     robot, chain = model.robot, model.chain
-    if any(key.order == EXACT for key in chain.keys):
-        said = f"robot '{robot.name}': links of order \"exact\" are drawn to second order, large bends not as far"
-        warnings.warn(f"{said} as they go; centrelines in plots are exact", TargetWarning, stacklevel=3)
     values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     numeric, rest = model.numpy(p), chain.home
     (R, r), (R_tip, r_tip) = numeric.link_pose(rest), numeric.tip_poses(rest)
@@ -48,7 +43,9 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
     for i, (segment, key) in enumerate(zip(chain.segments, chain.keys, strict=True)):
         own, parent, reach = robot.links[segment.link], chain.tree.parents[i], tips[i] - bases[i]
         places = _places(key, own.pieces)
-        table = sections(key, float(np.linalg.norm(reach)) or 1.0, places)
+        length, exact = float(np.linalg.norm(reach)) or 1.0, key.order == EXACT
+        table = sections(key, length, places)
+        columns = strains(key, length, places) if exact else table.columns
         at, carried = _carried(model, i)
         mount = _between(carried, (R, r), i, parent, R_tip, r_tip, tips, np.array(bases))
         links.append(
@@ -71,7 +68,8 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
                 "axes": _quaternion(R[i].T @ R_tip[i]),
                 "turns": robot.section_rotation,
                 "places": places.tolist(),
-                "columns": floats(table.columns.swapaxes(0, 1)),
+                "fine": FINE * exact,
+                "columns": floats(columns.swapaxes(0, 1)),
                 "radius": 0.0 if segment.marker is not None else _radius(own, values, size),
                 "bodies": list(_bodies(own, segment)),
             }

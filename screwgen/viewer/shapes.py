@@ -1,7 +1,7 @@
 """What the modes do to the sections of a link, to the order of its model: as columns that a shader sums up.
 
 The pose of a section is linear in the modes and, at order 2, in products of two of them; a product counts as one more
-coordinate, so one table serves both. Exact rods are drawn to second order.
+coordinate, so one table serves both. Of exact rods the page and films integrate the strains by each mode.
 """
 
 from __future__ import annotations
@@ -12,10 +12,12 @@ import numpy as np
 
 from ..bases import ORDER
 from ..bodies import markers
-from ..spec.link_class import AXIS, EXACT, LinkClass
+from ..spec.link_class import AXIS, LinkClass
 
 DENSE = np.linspace(0.0, 1.0, 2001)
 """Places at which strains are evaluated to integrate their products."""
+FINE = 4
+"""Steps from section to section in which the strains of an exact rod are integrated."""
 NOTHING = 1e-14
 """A product whose columns are smaller than this, over the largest, is left out."""
 
@@ -36,7 +38,7 @@ def sections(key: LinkClass, length: float, places: np.ndarray) -> Sections:
     """The sections of a link, or of a segment, of that length in m, at places s in [0, 1]."""
     linear = np.concatenate([markers.displacement(key, tuple(places)), _turns(key, length, places)], axis=1)
     pairs, quadratic = np.empty((0, 2), int), np.empty((len(places), 0, 6))
-    if key.order in (2, EXACT) and key.modes:
+    if key.order == 2 and key.modes:
         whole = _from_file(key, places) if key.elastic is not None else _of_rod(key, length, places)
         first, second = np.triu_indices(key.modes)
         both = whole[:, :, first, second] + whole[:, :, second, first]
@@ -44,6 +46,13 @@ def sections(key: LinkClass, length: float, places: np.ndarray) -> Sections:
         kept = np.abs(both).max(axis=(0, 1)) > NOTHING * max(np.abs(both).max(), NOTHING)
         pairs, quadratic = np.column_stack([first, second])[kept], both[:, :, kept].swapaxes(1, 2)
     return Sections(places, np.concatenate([linear.swapaxes(1, 2), quadratic], axis=1), pairs)
+
+
+def strains(key: LinkClass, length: float, places: np.ndarray) -> np.ndarray:
+    """(FINE (S - 1), r, 6): stretch and curvature, 1/m, of an exact rod by each mode, in the middle of every step."""
+    steps = np.diff(places)[:, None] * (np.arange(FINE) + 0.5) / FINE
+    _, bend, strain = _slopes(key, length, (places[:-1, None] + steps).ravel())
+    return np.concatenate([strain, bend], axis=1).swapaxes(1, 2)
 
 
 def _turns(key: LinkClass, length: float, places: np.ndarray) -> np.ndarray:

@@ -31,12 +31,17 @@ class Solid(NamedTuple):
     rows: np.ndarray = np.empty(0)
 
 
+AHEAD = np.array([1.0, 0.0, 0.0])
+
+
 class Bend:
     """The centreline of a link of a scene: where its sections are at given modal coordinates."""
 
     def __init__(self, link: dict[str, Any]):
         rows = len(link["places"])
         count = link["modes"] + len(link["pairs"]) // 2
+        self.fine, self.places = link["fine"], np.array(link["places"])
+        rows = self.fine * (rows - 1) or rows
         self.columns = np.frombuffer(b64decode(link["columns"]), "<f4").reshape(count, rows, 6).astype(float)
         self.pairs = np.array(link["pairs"], int).reshape(-1, 2)
         self.eta = slice(link["eta"], link["eta"] + link["modes"])
@@ -47,10 +52,32 @@ class Bend:
         eta = q[self.eta]
         products = eta[self.pairs[:, 0]] * eta[self.pairs[:, 1]]
         table = np.einsum("k,ksc->sc", np.append(eta, products), self.columns)
+        table = self._integrated(table) if self.fine else table
         first = np.minimum(solid.rows.astype(int), len(table) - 2)
         share = (solid.rows - first)[:, None]
         u, line = ((1 - share) * x[first] + share * x[first + 1] for x in (table, self.straight))
         return line + u[:, :3] + Rotation.from_rotvec(u[:, 3:]).apply(solid.points)
+
+    def _integrated(self, strains: np.ndarray) -> np.ndarray:
+        """(S, 6): displacement and rotation vector of the sections of an exact rod, of its strains step by step."""
+        length = float(np.linalg.norm(self.straight[-1] - self.straight[0]))
+        steps = np.repeat(np.diff(self.places) * length / self.fine, self.fine)
+        turn, place, out = Rotation.identity(), np.zeros(3), [np.zeros(6)]
+        for k, (h, (stretch, bend)) in enumerate(zip(steps, strains.reshape(-1, 2, 3), strict=True), 1):
+            middle = turn * Rotation.from_rotvec(h / 2 * bend)
+            place = place + h * middle.apply(stretch + AHEAD)
+            turn = turn * Rotation.from_rotvec(h * bend)
+            if k % self.fine == 0:
+                along = self.places[k // self.fine] * length * AHEAD
+                out.append(np.append(place - along, _near(turn.as_rotvec(), out[-1][3:])))
+        return np.array(out)
+
+
+def _near(turn: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """A rotation vector, or one full turn less, whichever is nearer to another: so turns go on beyond half of one."""
+    size = float(np.linalg.norm(turn))
+    beyond = turn * (1 - 2 * np.pi / size) if size > 0 else turn
+    return min(turn, beyond, key=lambda x: float(np.linalg.norm(x - other)))
 
 
 def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:

@@ -104,14 +104,20 @@ function table(width, height, data) {
   return out;
 }
 
+/** The columns of a link into the data of their texture; an exact rod has one, its sections. */
+function put(shapes, link, columns) {
+  const width = Math.max(link.count, 1);
+  for (let k = 0; k < link.count; k++)
+    for (let row = 0; row < link.rows; row++)
+      for (let c = 0; c < 6; c++)
+        shapes[((row * width + k) * 2 + (c > 2 ? 1 : 0)) * 4 + (c % 3)] = columns[(k * link.rows + row) * 6 + c];
+}
+
 /** The uniforms of a link: its columns as a texture, and its modal coordinates, which change. */
 function uniformsOf(link) {
   const width = Math.max(link.count, 1);
   const shapes = new Float32Array(2 * width * link.rows * 4);
-  for (let k = 0; k < link.count; k++)
-    for (let row = 0; row < link.rows; row++)
-      for (let c = 0; c < 6; c++)
-        shapes[((row * width + k) * 2 + (c > 2 ? 1 : 0)) * 4 + (c % 3)] = link.shape[(k * link.rows + row) * 6 + c];
+  if (!link.fine) put(shapes, link, link.shape);
   return {
     shapes: { value: table(2 * width, link.rows, shapes) }, modal: { value: table(width, 1, new Float32Array(4 * width)) },
     base: { value: vector(link.base) }, reach: { value: vector(link.reach) }, count: { value: link.count },
@@ -254,9 +260,13 @@ class Robot {
       part.frame.quaternion.set(...frame.turn);
       part.tip.position.set(...tip.at);
       part.tip.quaternion.set(...tip.turn);
-      const { data } = part.uniforms.modal.value.image;
-      coordinates.forEach((x, k) => { data[4 * k] = x; });
-      part.uniforms.modal.value.needsUpdate = true;
+      const { shapes, modal } = part.uniforms;
+      if (part.link.fine) {
+        put(shapes.value.image.data, part.link, coordinates);
+        shapes.value.needsUpdate = true;
+      }
+      (part.link.fine ? [1] : coordinates).forEach((x, k) => { modal.value.image.data[4 * k] = x; });
+      modal.value.needsUpdate = true;
       if (part.rail) {
         const way = plus(plus(frame.at, turned(frame.turn, part.link.base)), times(-1, joint.at));
         const long = norm(way);

@@ -43,7 +43,7 @@ function unpacked(scene) {
   for (const link of scene.links) {
     link.shape = floats(link.columns);
     link.rows = link.places.length;
-    link.count = link.modes + link.pairs.length / 2;
+    link.count = link.fine ? 1 : link.modes + link.pairs.length / 2; // an exact rod has its sections as one column
     [link.corners, link.ends] = [[], []]; // what rigid parts reach: in the frame of the link, and in that of its tip
   }
   scene.corners = [];
@@ -68,8 +68,40 @@ function surrounding(body, place) {
   return points.map((x) => plus(plus(x, body.at), place));
 }
 
-/** The modal coordinates of a link, magnified, and behind them their products. */
+/** A rotation vector of a unit quaternion, the one near another: turns go on beyond half of one. */
+function logarithm(q, other) {
+  const size = norm(q.slice(0, 3));
+  if (size < 1e-12) return [0, 0, 0];
+  const angle = 2 * Math.atan2(size, q[3]);
+  const full = 2 * Math.PI * Math.round((dot(other, q) / size - angle) / (2 * Math.PI));
+  return times((angle + full) / size, q.slice(0, 3));
+}
+
+/** The sections of an exact rod, six numbers a row: displacement and rotation vector, of its strains step by step. */
+function integrated(link, q, magnified) {
+  const out = new Float64Array(6 * link.rows);
+  const steps = link.fine * (link.rows - 1);
+  const length = norm(link.reach);
+  let [at, turn] = [[0, 0, 0], ORIGIN.turn];
+  for (let step = 0; step < steps; step++) {
+    const row = Math.floor(step / link.fine) + 1;
+    const h = ((link.places[row] - link.places[row - 1]) * length) / link.fine;
+    const strain = [1, 0, 0, 0, 0, 0];
+    for (let k = 0; k < link.modes; k++)
+      for (let c = 0; c < 6; c++) strain[c] += magnified * q[link.eta + k] * link.shape[(k * steps + step) * 6 + c];
+    const bend = strain.slice(3);
+    at = plus(at, times(h, turned(chain(turn, exponential(times(h / 2, bend))), strain.slice(0, 3))));
+    turn = chain(turn, exponential(times(h, bend)));
+    if ((step + 1) % link.fine) continue;
+    const before = Array.from(out.subarray(6 * row - 3, 6 * row));
+    out.set([...plus(at, [-link.places[row] * length, 0, 0]), ...logarithm(turn, before)], 6 * row);
+  }
+  return out;
+}
+
+/** The modal coordinates of a link, magnified, and behind them their products; of an exact rod its sections. */
 function modal(link, q, magnified) {
+  if (link.fine) return integrated(link, q, magnified);
   const out = new Float64Array(link.count);
   for (let k = 0; k < link.modes; k++) out[k] = magnified * q[link.eta + k];
   for (let k = link.modes, p = 0; k < link.count; k++, p += 2) out[k] = out[link.pairs[p]] * out[link.pairs[p + 1]];
@@ -78,8 +110,8 @@ function modal(link, q, magnified) {
 
 /** The pose of a section in the link's frame; with `drawn` its turn is that of the material, whatever links follow. */
 function section(link, row, coordinates, drawn = false) {
-  const moved = [0, 0, 0, 0, 0, 0];
-  for (let k = 0; k < link.count; k++)
+  const moved = link.fine ? Array.from(coordinates.subarray(6 * row, 6 * row + 6)) : [0, 0, 0, 0, 0, 0];
+  for (let k = 0; k < link.count && !link.fine; k++)
     for (let c = 0; c < 6; c++) moved[c] += coordinates[k] * link.shape[(k * link.rows + row) * 6 + c];
   const at = plus(plus(link.base, times(link.places[row], link.reach)), moved);
   const turn = link.turns || drawn ? exponential(moved.slice(3)) : [0, 0, 0, 1];

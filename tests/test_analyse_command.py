@@ -46,7 +46,7 @@ def test_the_command_prints_a_report_and_json(capsys, tmp_path):
     assert [s["label"] for s in data["states"]] == ["zero", "sample 1", "sample 2"]
     assert data["well_posed"] and data["step"] == 2e-4 and data["structure"]["labels"][:2] == ["w_1", "V_1"]
     names = {"label", "well_posed", "singular", "system", "projectors", "blocks", "acceleration", "motions", "limits"}
-    names |= {"turning", "measures", "loops"}
+    names |= {"turning", "measures", "loops", "left_out"}
     assert all(set(s) == names for s in data["states"])
     borne = {x["method"]: x["borne"] for x in data["states"][0]["limits"]}
     assert borne["rk4"] and not borne["euler"] and list(borne) == list(METHODS)

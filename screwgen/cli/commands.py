@@ -6,6 +6,7 @@ import json as json_format
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -215,12 +216,15 @@ def run_analyse(
 
 def _analyse_runs(robot: str, paths: Sequence[str], json: bool) -> None:
     """Print how far runs went from the limits of the model."""
+    from ..simulation.collocated import left_out
     from ..studies.analysis.runs import read_motion, run_validity
     from ..studies.analysis.text import limits_of_model
 
     model = derive(load_robot(robot))
-    found = {one_line(path): run_validity(model, read_motion(path, model)) for path in paths}
+    runs = {one_line(path): read_motion(path, model) for path in paths}
+    found = {path: (run_validity(model, run), left_out(model, run["q"])) for path, run in runs.items()}
     if json:
-        print(json_format.dumps({path: v.record() for path, v in found.items()}, allow_nan=False))
+        records = {path: v.record() | {"left_out": [asdict(x) for x in rods]} for path, (v, rods) in found.items()}
+        print(json_format.dumps(records, allow_nan=False))
     else:
-        print("\n\n".join(limits_of_model(path, v) for path, v in found.items()))
+        print("\n\n".join(limits_of_model(path, *both) for path, both in found.items()))

@@ -16,7 +16,7 @@ from ..backends.numpy.numeric import EPSILON, function_of
 from ..bodies import markers
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from ..spec.link_class import EXACT
+from ..spec.link_class import EXACT, LinkClass
 from ..spec.parameters import coordinate_names
 from ..spec.reduced import end, reach
 from ..spec.segments import owner
@@ -81,7 +81,7 @@ def twist(model: RobotModel, q: np.ndarray, link: int, points: Numbers) -> np.nd
     out = np.zeros((len(_samples(model, q, "q")), len(points)))
     for i in range(first, model.chain.lasts[link] + 1):
         local = np.clip(model.chain.segments[i].count * points - (i - first), 0.0, 1.0)
-        out += _modal(model, q, i) @ markers.twist(model.chain.keys[i], tuple(local)).T
+        out += modal(model, q, i) @ markers.twist(model.chain.keys[i], tuple(local)).T
     return out
 
 
@@ -89,21 +89,25 @@ def _bent(model: RobotModel, q: np.ndarray, i: int, points: np.ndarray) -> np.nd
     """The displacements of a segment."""
     key = model.chain.keys[i]
     if key.order == EXACT:
-        return _bent_exactly(model, q, i, points)
+        return bent_rod(key, own_length(model, i), modal(model, q, i), tuple(points.tolist()))
     shapes = markers.displacement(model.chain.keys[i], tuple(points))
-    return np.einsum("nr,pkr->npk", _modal(model, q, i), shapes)
+    return np.einsum("nr,pkr->npk", modal(model, q, i), shapes)
 
 
-def _bent_exactly(model: RobotModel, q: np.ndarray, i: int, points: np.ndarray) -> np.ndarray:
-    """Those of a rod whose kinematics are not expanded, by the program that places its points."""
-    key, link = model.chain.keys[i], model.robot.links[model.chain.segments[i].link]
-    length = reach(link) / link.pieces
-    place, constants = function_of(rod_line(key, tuple(points.tolist()))), lengths(key, length)
-    lines = [place({"eta": eta, **constants}, EPSILON)[0]["line"] for eta in _modal(model, q, i).tolist()]
+def bent_rod(key: LinkClass, length: float, eta: np.ndarray, points: tuple[float, ...]) -> np.ndarray:
+    """Those (N, points, 3) of a rod of order EXACT at modal coordinates (N, r), by the program of its line."""
+    place, constants = function_of(rod_line(key, points)), lengths(key, length)
+    lines = [place({"eta": one, **constants}, EPSILON)[0]["line"] for one in eta.tolist()]
     return np.reshape(lines, (len(lines), len(points), 3)) - np.outer(points, [length, 0.0, 0.0])
 
 
-def _modal(model: RobotModel, q: np.ndarray, i: int) -> np.ndarray:
+def own_length(model: RobotModel, i: int) -> float:
+    """That of a segment, m."""
+    link = model.robot.links[model.chain.segments[i].link]
+    return reach(link) / link.pieces
+
+
+def modal(model: RobotModel, q: np.ndarray, i: int) -> np.ndarray:
     """The modal coordinates (N, r) of a segment."""
     first = model.chain.eta_q + model.chain.eta_offset[i]
     return _samples(model, q, "q")[:, first : first + model.chain.keys[i].modes]

@@ -15,7 +15,7 @@ from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from . import compiled_runs, hits
+from . import collocated, compiled_runs, hits
 from .control_loop import Sampled
 from .controllers import PD, Controller
 from .dae import DaeStepper
@@ -78,7 +78,8 @@ def simulate(
     fields are those of the run) or `run.part.csv`. A run that is stopped, fails or is killed leaves that file.
 
     The samples, and every eighth step at least, are watched for the limits of the model: `run.validity`, and a
-    :class:`ModelValidityWarning` where one is passed, once for a model, link and measure.
+    :class:`ModelValidityWarning` where one is passed, once for a model, link and measure. Another says where the points
+    of a link of order "exact" were too few for its bends, and how many would do.
 
     With a controller the loop is examined beforehand as it is sampled, about the start and the set points of a
     :class:`PD`: a :class:`ControlLoopWarning` says where it is unstable at this step, and which step, gain or rotor
@@ -112,6 +113,7 @@ def simulate(
             run = table.run()
             hits.warn(run.hits)
             table.loops.warn()
+            collocated.warn(model, run.q)
             return run
     except ScrewgenError as error:
         error.run = table.run(str(error)) if table.count else None

@@ -17,6 +17,7 @@ from ...backends.numpy.closing import OpenLoopError, closed, moving
 from ...backends.numpy.dae_step import SERIES
 from ...errors import SingularError, UsageError
 from ...robot_model import RobotModel
+from ...simulation.collocated import left_out
 from ...simulation.linearised import Law, check_step, speed
 from ...simulation.linearised_loops import linearised
 from ...simulation.mobility import loads_of_loops
@@ -112,7 +113,9 @@ def analyse_state(
         singular = f"the rows of the loops have rank {loops.rank} of {loops.size}"
     turned = speed(model, state.v)
     return StateAnalysis(
-        label, singular, system, projectors, blocks, acceleration, turned, found, limits, measures, loops
+        *(label, singular, system, projectors, blocks, acceleration, turned, found, limits, measures),
+        left_out=left_out(model, state.q[None]),
+        loops=loops,
     )
 
 

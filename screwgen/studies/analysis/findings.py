@@ -7,6 +7,7 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from ...simulation.collocated import LeftOut
 from .regularity import LinkRegularity, Regularity, Structure
 from .spectrum import LinearMotion
 from .step_limits import StepLimit
@@ -33,6 +34,8 @@ class StateAnalysis:
     limits: tuple[StepLimit, ...]
     measures: tuple[tuple[float, ...], ...] = ()
     """How far every link is from the limits of the model: `derive.validity.MEASURES`, link by link."""
+    left_out: tuple[LeftOut, ...] = ()
+    """What the points of links of order "exact" leave out of their tips' places."""
     loops: Regularity | None = None
     """The matrix `J M⁻¹ Jᵀ` of the loops' rows, whose forces are unique where it is regular; None without loops."""
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...simulation.collocated import LeftOut
 from ...simulation.integrate import DEFAULT
 from ...simulation.linearised import TOLERANCE
 from ...simulation.stable_steps import shown_time
@@ -186,12 +187,16 @@ def _structure(a: Findings) -> str:
 def _validity(a: Findings) -> list[str]:
     """The limits of the model at the states that are named."""
     shown = [s for s in a.states if s.measures and not s.label.startswith("sample ")][:SHOWN]
-    return [limits_of_model(f"state '{s.label}'", Validity(a.links, np.array(s.measures))) for s in shown]
+    return [limits_of_model(f"state '{s.label}'", Validity(a.links, np.array(s.measures)), s.left_out) for s in shown]
 
 
-def limits_of_model(what: str, v: Validity) -> str:
-    """The table of a state or a run, and the measures past their bounds."""
+def limits_of_model(what: str, v: Validity, rods: Sequence[LeftOut] = ()) -> str:
+    """The table of a state or a run, the measures past their bounds, and what points of exact rods leave out."""
     notes = [_wrapped(f"- {f.text()}; {f.remedy()}", "  ") for f in v.findings]
+    if rods:
+        errors = ", ".join(f"{x.link} {x.error:.1g} ({_count(x.points, 'point')})" for x in rods)
+        notes.append(_wrapped(f"Error of the tips of exact links by their points, over the length: {errors}"))
+        notes += [_wrapped(f"- {x.text()}", "  ") for x in rods if x.past]
     return "\n".join([f"Limits of the model of first order, {what}; * is past its bound", v.table(), *notes])
 
 

@@ -10,10 +10,10 @@ from test_reduced import arm_of, free_cloud
 from screwgen import Robot, RobotFileError
 from screwgen.backends.latex import document
 from screwgen.bodies.collocation import collocation
-from screwgen.errors import TargetWarning
 from screwgen.simulation.motion import centrelines, displacements
 from screwgen.spec.load import loads
 from screwgen.viewer.scene import scene
+from screwgen.viewer.solids import Bend
 
 TEXT = """name = "arm"
 gravity = [0, 0, -9.81]
@@ -143,6 +143,14 @@ def test_documents_show_the_recursion():
     assert re.search(r"collocated at the 5\s+Gauss points", text)
 
 
-def test_the_page_says_that_it_draws_to_second_order():
-    with pytest.warns(TargetWarning, match="drawn to second order"):
-        scene(bent())
+def test_the_page_bends_rods_as_far_as_the_model_does():
+    """The sections that the page integrates, where it bends by 0.4 of its length, against the line through 12 points."""
+    rod = link("rod", 1.0, [], 1.0, {"bending_y": 3, "points": 12}, section={"EIy": 1.0, "EIz": 1.0})
+    model = model_of(arm(rod, gravity=(0, 0, 0), order="exact"))
+    q = np.zeros(model.nq)
+    q[model.chain.eta_q :] = [0.4, 0.05, -0.004]
+    drawn = Bend(scene(model)["links"][0])
+    sections = drawn.sections(q)
+    line = centrelines(model, q, drawn.places)[0]
+    R, r = (x[0] for x in model.numpy().link_pose(q))
+    assert r + (drawn.straight + sections[:, :3]) @ R.T == pytest.approx(line, abs=1e-4)

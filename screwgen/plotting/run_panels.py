@@ -96,7 +96,8 @@ def _tendons(run: Run) -> Iterator[Panel]:
     ):
         kept = [k for k, name in enumerate(run.tau_names) if name.endswith(TENSION)]
         if array in run.arrays and kept:
-            yield Panel(title, symbol, unit, _named(_of_tendons(run), run.arrays[array][:, kept].T))
+            pairs = zip(run.arrays[array][:, kept].T, _of_tendons(run), strict=True)
+            yield Panel(title, symbol, unit, [PanelCurve(x, k, name) for k, (x, name) in enumerate(pairs)])
 
 
 def _of_tendons(run: Run) -> list[str]:

@@ -110,9 +110,8 @@ class Run:
         joints = self.tau.shape[1] - tendons
         modes, pulled = self.q.shape[1] - joints, f", {tendons} tendons" * bool(tendons)
         early = ", ended early" if self.ended else ""
-        return (
-            f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s{early}, {joints} joints, {modes} modes{pulled}>"
-        )
+        size = f"{joints} joints, {modes} modes{pulled}"
+        return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s{early}, {size}>"
 
     def _repr_html_(self) -> str:
         """The run in motion, and first, last and extreme values of the coordinates and of the tip position."""

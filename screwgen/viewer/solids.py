@@ -49,14 +49,18 @@ class Bend:
 
     def moved(self, q: np.ndarray, solid: Solid) -> np.ndarray:
         """The points of a solid that is fixed to the sections, in the link's frame, at the coordinates `q` (nq,)."""
-        eta = q[self.eta]
-        products = eta[self.pairs[:, 0]] * eta[self.pairs[:, 1]]
-        table = np.einsum("k,ksc->sc", np.append(eta, products), self.columns)
-        table = self._integrated(table) if self.fine else table
+        table = self.sections(q)
         first = np.minimum(solid.rows.astype(int), len(table) - 2)
         share = (solid.rows - first)[:, None]
         u, line = ((1 - share) * x[first] + share * x[first + 1] for x in (table, self.straight))
         return line + u[:, :3] + Rotation.from_rotvec(u[:, 3:]).apply(solid.points)
+
+    def sections(self, q: np.ndarray) -> np.ndarray:
+        """(S, 6): displacement, m, and rotation vector of the sections, in the link's frame."""
+        eta = q[self.eta]
+        products = eta[self.pairs[:, 0]] * eta[self.pairs[:, 1]]
+        table = np.einsum("k,ksc->sc", np.append(eta, products), self.columns)
+        return self._integrated(table) if self.fine else table
 
     def _integrated(self, strains: np.ndarray) -> np.ndarray:
         """(S, 6): displacement and rotation vector of the sections of an exact rod, of its strains step by step."""

@@ -144,7 +144,7 @@ def test_documents_show_the_recursion():
 
 
 def test_the_page_bends_rods_as_far_as_the_model_does():
-    """The sections that the page integrates, where it bends by 0.4 of its length, against the line through 12 points."""
+    """The sections that the page integrates, bent by 0.4 of the length, against the centreline of 12 points."""
     rod = link("rod", 1.0, [], 1.0, {"bending_y": 3, "points": 12}, section={"EIy": 1.0, "EIz": 1.0})
     model = model_of(arm(rod, gravity=(0, 0, 0), order="exact"))
     q = np.zeros(model.nq)

@@ -18,9 +18,15 @@ DIRECTIONS = ("axial", "bending_y", "bending_z", "torsion")
 
 def link_class(basis="polynomial", counts=(1, 2, 1, 1), **given) -> LinkClass:
     """A class of one revolute link that has `given` besides its modes."""
-    flags = ("mount_xyz", "mount_rpy", "armature", "joint_damping", "stiffness", "frame_at", "damping")
+    flags = ("mount_xyz", "mount_rpy", "armature", "joint_damping", "stiffness", "frame_at")
     absent = dict.fromkeys(flags, False)
-    structure = {"joint": product([Screw((0.0, 0.0, 1.0))]), "spin": True, "section_rotation": True, "bodies": ()}
+    structure = {
+        "joint": product([Screw((0.0, 0.0, 1.0))]),
+        "spin": True,
+        "section_rotation": True,
+        "bodies": (),
+        "damping": (),
+    }
     return LinkClass(bases=(basis,) * 4, counts=counts, **(absent | structure | given))
 
 

@@ -16,7 +16,7 @@ WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
     shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu body sid npz
     interface base tip parent drives friction transmission four_bar branch limits elements loops couplings
-    axis of markers points""".split()
+    axis of markers points tendons from to actuated""".split()
 )
 """Keys that are no physical quantity in some table."""
 IN_AXES = {"slide", "screw", "pitch"}
@@ -24,7 +24,8 @@ IN_AXES = {"slide", "screw", "pitch"}
 
 
 def keys(part) -> list[str]:
-    return [*(name for name, field in part.model_fields.items() if not field.exclude), *getattr(part, "other_keys", ())]
+    fields = (field.alias or name for name, field in part.model_fields.items() if not field.exclude)
+    return [*fields, *getattr(part, "other_keys", ())]
 
 
 def test_the_tables_are_current():

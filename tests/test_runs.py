@@ -9,7 +9,6 @@ from test_simulate import START, soft, soft_dict
 
 from screwgen import ScrewgenError
 from screwgen.plotting import plot
-from screwgen.simulation.runs import ARRAYS
 from screwgen.simulation.simulate import simulate
 
 # -------- storage
@@ -23,8 +22,8 @@ def test_npz_holds_everything(tmp_path):
     run = short_run()
     run.save(tmp_path / "run.npz")
     with np.load(tmp_path / "run.npz") as stored:
-        for name in ARRAYS:
-            assert np.array_equal(stored[name], getattr(run, name))
+        for name, values in run.arrays.items():
+            assert np.array_equal(stored[name], values)
         assert stored["wrench"].shape == (12, 2, 6)
         assert stored["q_names"].tolist() == soft().q_names
     assert os.listdir(tmp_path) == ["run.npz"]

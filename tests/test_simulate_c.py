@@ -22,7 +22,6 @@ from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation import compiled_runs
 from screwgen.simulation.integrate import DivergedError
-from screwgen.simulation.runs import ARRAYS
 from screwgen.simulation.simulate import simulate
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -37,8 +36,9 @@ def _compiler():
 
 def assert_same(a, b, tolerance=1e-9):
     assert astuple(a)[0] == astuple(b)[0]
-    for name in ARRAYS:
-        x, y = getattr(a, name), getattr(b, name)
+    assert list(a.arrays) == list(b.arrays)
+    for name, x in a.arrays.items():
+        y = b.arrays[name]
         assert x.shape == y.shape
         assert np.abs(x - y).max(initial=0.0) <= tolerance * max(1.0, np.abs(y).max(initial=0.0)), name
 
@@ -100,8 +100,8 @@ def test_a_law_in_c_is_the_law_in_python():
 def test_samples_are_those_of_the_whole_run():
     whole, some = (simulate(soft(), 0.1, 1e-3, controller=LAW, every=n, **START) for n in (1, 30))
     places = [0, 30, 60, 90, 100]
-    for name in ARRAYS:
-        assert np.array_equal(getattr(some, name), getattr(whole, name)[places])
+    for name, values in some.arrays.items():
+        assert np.array_equal(values, whole.arrays[name][places])
 
 
 def test_c_is_taken_where_it_can_be(monkeypatch):
@@ -214,7 +214,7 @@ def read(folder, suffix):
     if suffix == ".csv":
         return np.loadtxt(folder / "run.part.csv", delimiter=",", skiprows=1)
     part = np.load(folder / "run.part.npy")
-    return np.column_stack([part[name].reshape(len(part), -1) for name in ARRAYS])
+    return np.column_stack([part[name].reshape(len(part), -1) for name in part.dtype.names])
 
 
 @pytest.mark.parametrize("backend", ["c", "casadi"])

@@ -172,6 +172,7 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     coupled = [(e + i, e + j) for e, key in modes for i, j in key.coupled]
     parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.n_added)) if there]
     return {
+        "tendons": tendons.content(chain),
         "axes": "$$_NAXES" if chain.n_tensions else "$$_NTAU",
         "n_given": chain.n_given,
         "n_inertia": chain.n_inertia,

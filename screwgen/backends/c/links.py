@@ -261,17 +261,8 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        tables = {
-            "M_PLACE",
-            "M_OFFSET",
-            "Q_OFFSET",
-            "V_OFFSET",
-            "THETA_OFFSET",
-            "BELOW_OFFSET",
-            "TENSION_OFFSET",
-            "BASE",
-            "STATION",
-        }
+        offsets = {f"{part}_OFFSET" for part in ("M", "Q", "V", "THETA", "BELOW", "TENSION")}
+        tables = offsets | {"M_PLACE", "BASE", "STATION"}
         nodes = self.links.chain.tree.places(self.passage.link)
         return signals | tables | {"c", "link", "place", "M", *nodes}
 

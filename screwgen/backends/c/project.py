@@ -18,22 +18,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from ..templates import FEATURES
-from . import (
-    batch,
-    check,
-    closing,
-    curved,
-    derivatives,
-    estimator,
-    files,
-    laws,
-    levers,
-    outputs,
-    preparation,
-    steps,
-    tendons,
-)
+from . import batch, check, closing, curved, derivatives, estimator, files, laws, levers, outputs, preparation, steps
 from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
@@ -204,8 +189,6 @@ class CProject:
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
             **self._closing,
-            FEATURES: (*self._closing[FEATURES], *tendons.TENDONS * bool(chain.n_tensions)),
-            "tendons": tendons.content(chain),
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": levers.content(chain, self.baked is not None, fused_place),

@@ -5,6 +5,7 @@ from helpers import Case, casadi_forward, quick, relative
 from test_dynamics import check, dae_errors
 
 from screwgen import Model
+from screwgen.runtime.compiled import Compiled
 
 
 def numpy_and_casadi(case: Case) -> None:
@@ -33,13 +34,18 @@ def solved_densely(case: Case) -> None:
     assert max(case.oracle.errors(case.state, found, wrench).values()) <= case.tolerance
 
 
+def compiled_dynamics(case: Case, layout: str, derivatives: bool = False) -> Compiled:
+    """Forward dynamics of the generated C, in both forms, against the oracle; returns the compiled C."""
+    library = quick(case.model, layout=layout, derivatives=derivatives)
+    results = {form: library.forward_dynamics(*case.inputs, form=form) for form in ("joint", "dae")}
+    check(case, {form: case.oracle.errors(case.state, *result) for form, result in results.items()})
+    return library
+
+
 def compiled(case: Case, layout: str) -> None:
     """The generated C: both forms against the oracle, what else it computes against NumPy."""
-    library, numeric = quick(case.model, layout=layout, derivatives=True), case.model.numpy()
+    library, numeric = compiled_dynamics(case, layout, derivatives=True), case.model.numpy()
     q, v, _, w_ext = case.inputs
-    for form in ("joint", "dae"):
-        found = library.forward_dynamics(*case.inputs, form=form)
-        assert max(case.oracle.errors(case.state, *found).values()) <= case.tolerance
     assert relative(library.mass_matrix(q), numeric.mass_matrix(q)) < 1e-13
     assert relative(library.inverse_dynamics(q, v, v, w_ext)[0], numeric.inverse_dynamics(q, v, v, w_ext)) < 1e-12
     assert np.allclose(library.energy(q, v), numeric.energy(q, v), rtol=1e-12)

@@ -10,7 +10,6 @@ from helpers import Case, arm, drawn, link, model_of, quick, relative
 from oracle import Oracle
 from scipy.integrate import solve_ivp
 from test_derivatives import by_casadi, worst
-from test_dynamics import check
 
 from screwgen import Screw
 
@@ -32,10 +31,7 @@ def test_random_robots_equal_the_oracle(seed):
 
 @pytest.mark.parametrize("seed", swept(range(6), 0, 1))
 def test_compiled_c_equals_the_oracle(seed):
-    case = case_of(seed)
-    compiled = quick(case.model, layout=("fused", "modular")[seed % 2])
-    results = {form: compiled.forward_dynamics(*case.inputs, form=form) for form in ("joint", "dae")}
-    check(case, {form: case.oracle.errors(case.state, *result) for form, result in results.items()})
+    judges.compiled_dynamics(case_of(seed), ("fused", "modular")[seed % 2])
 
 
 @pytest.mark.parametrize("seed", swept(range(12), *SHORT))

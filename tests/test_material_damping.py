@@ -7,9 +7,8 @@ import judges
 import numpy as np
 import pytest
 from conftest import package, swept
-from helpers import Case, arm, drawn, link, model_of, quick, relative
+from helpers import Case, arm, drawn, link, model_of, relative
 from test_derivatives import by_casadi, worst
-from test_dynamics import check
 from test_reduced import arm_of, free_cloud
 
 import screwgen
@@ -69,10 +68,7 @@ def test_derivatives_equal_casadi(seed):
 
 @pytest.mark.parametrize("seed", swept(range(6), 0, 1))
 def test_compiled_c_equals_the_oracle(seed):
-    case = case_of(seed)
-    compiled = quick(case.model, layout=("fused", "modular")[seed % 2])
-    results = {form: compiled.forward_dynamics(*case.inputs, form=form) for form in ("joint", "dae")}
-    check(case, {form: case.oracle.errors(case.state, *result) for form, result in results.items()})
+    judges.compiled_dynamics(case_of(seed), ("fused", "modular")[seed % 2])
 
 
 def test_the_robots_have_it_on_coupled_modes_of_every_order_and_beside_a_ratio():

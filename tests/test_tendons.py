@@ -203,3 +203,22 @@ def test_pulled_to_a_quarter_of_a_circle():
     model = screwgen.derive(loads(text.replace('axes = ["z"], damping = [0.1]', "axes = []"), "pulled.toml"))
     rest = screwgen.equilibrium(model, tau=[np.pi / 2 * 4.0 / 0.5 / 0.02, 0.0])
     assert rest.tip_position == pytest.approx([1 / np.pi, 1 / np.pi, 0.0], abs=1e-7)
+
+
+def test_segments_have_the_tendon_of_their_link():
+    """Three segments that curve as the whole link does shorten the tendons as it does."""
+    one, three = (pulled("1", more, "bending_y = 1, bending_z = 1") for more in ("", "segments = 3"))
+    bends = []
+    for model in (one, three):
+        q = np.zeros(model.nq)
+        for k, name in enumerate(model.q_names):
+            if name.startswith("arm") and "bending_y" in name:
+                q[k] = 1e-3 if model is one else 1e-3 / 9
+        bends.append(model.numpy().tendon_length(q) - model.numpy().tendon_length(0 * q))
+    assert bends[1] == pytest.approx(bends[0], rel=1e-9)
+
+
+def test_without_its_modes_a_link_has_no_tendons():
+    robot = pulled("1").robot.without("bending_y", "bending_z", "torsion")
+    assert not any(link.tendons for link in robot.links)
+    assert screwgen.derive(robot).chain.n_tau == 2

@@ -223,13 +223,13 @@ class Functions(LoopFunctions, MarkerFunctions):
     def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
         """The power that each drive gives to the arm, and that each tension does."""
         links = self._run(POWER, self._motion(q, v), self._torques(tau))[0]
-        of_tendons = self._of_tendons(links, "tendon_power", self.chain.tensions, self.chain.n_tensions)
+        of_tendons = self._of_tendons(links, "tendon_power")
         return [x for link in links for x in link["power"]] + of_tendons
 
     def tendon_lengths(self, q: Sequence) -> list:
         """The lengths of all tendons."""
         links = self._run(LENGTHS, self.chain.split(q, "q", "eta"))[0]
-        return self._of_tendons(links, "tendon_length", self.chain.tensions, self.chain.n_tensions)
+        return self._of_tendons(links, "tendon_length")
 
     def pulls(self, q: Sequence) -> list:
         """The derivative of the length of each tendon with all modes, tendon by tendon."""
@@ -242,11 +242,10 @@ class Functions(LoopFunctions, MarkerFunctions):
                     out[place] = out[place] + link["pull"][piece * chain.keys[i].modes + m]
         return out
 
-    @staticmethod
-    def _of_tendons(links: Sequence[Mapping[str, list]], name: str, owners: Sequence[Sequence[int]], n: int) -> list:
+    def _of_tendons(self, links: Sequence[Mapping[str, list]], name: str) -> list:
         """The sums over the pieces of each tendon."""
-        out: list[Value] = [0.0] * n
-        for link, own in zip(links, owners, strict=True):
+        out: list[Value] = [0.0] * self.chain.n_tensions
+        for link, own in zip(links, self.chain.tensions, strict=True):
             for tendon, value in zip(own, link[name], strict=True):
                 out[tendon] = out[tendon] + value
         return out

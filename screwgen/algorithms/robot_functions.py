@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..bodies.validity import MEASURES
+from ..spec.tendons import TENSION
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
@@ -307,7 +308,7 @@ def entry_names(
     for name, signal in function.results.items():
         what = f"{function.name}.{name}"
         if signal.shape in (("NTAU",), ("NTENDONS",)):
-            own = [drive for drive in drives if signal.shape == ("NTAU",) or drive.endswith(".tension")]
+            own = [drive for drive in drives if signal.shape == ("NTAU",) or drive.endswith(TENSION)]
             out += [EFFORT.sub(f".{name}", drive) for drive in own]
         elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
             owners = markers if signal.shape[0] == "NMARKERS" else links

@@ -16,7 +16,7 @@ import numpy as np
 
 from ..bodies.collocation import Collocation, RodTurn, collocation
 from ..bodies.exact import SUMS
-from ..ir.program import Array, Vector
+from ..ir.program import Array, Value, Vector
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 
@@ -36,7 +36,7 @@ class RodScope(Protocol):
 
     def lower(self, block: str, inputs: Mapping[str, Array], *outputs: str) -> list[Array]: ...
 
-    def constant(self, label: str) -> object: ...
+    def constant(self, label: str) -> Value: ...
 
 
 @dataclass
@@ -103,7 +103,7 @@ class RodMotion:
 
     def _turned(self, turn: RodTurn) -> tuple[Array, Array, Array, Array]:
         """A turn, its derivative with the modes, its rate, and its second rate."""
-        theta, by_modes = _along(turn.linear, self.eta), _numbers(turn.linear)
+        theta, by_modes = _along(turn.linear, self.eta), constants(turn.linear)
         rate, bend = (_along(turn.linear, x) for x in (self.etadot, self.etaddot))
         for A, B in turn.crossed:
             motion = (self.eta, self.etadot, self.etaddot)
@@ -116,8 +116,8 @@ class RodMotion:
     def next(self, before: RodSection, turn: RodTurn, stretch: np.ndarray) -> RodSection:
         """The section that follows another by a turn, with the stretch (3, r) there by each mode."""
         theta, by_modes, rate, bend = self._turned(turn)
-        length = _length(self.s)
-        along = length * _numbers(stretch)
+        length = length_of(self.s)
+        along = length * constants(stretch)
         given = {
             "R_0": before.R,
             "W_0": before.W,
@@ -151,12 +151,13 @@ def _weighted(weights: Vector, values: Sequence[Array]) -> Array:
     return total
 
 
-def _numbers(x: np.ndarray) -> Array:
+def constants(x: np.ndarray) -> Array:
+    """An array of numbers as one of a program."""
     return mx.array(x.tolist(), x.shape)
 
 
 def _along(C: np.ndarray, x: Array) -> Array:
-    return mx.multiply(_numbers(C), x)
+    return mx.multiply(constants(C), x)
 
 
 def _crossed(a: Array, C: np.ndarray) -> Array:
@@ -164,8 +165,15 @@ def _crossed(a: Array, C: np.ndarray) -> Array:
     return mx.array([mx.cross(a, column) for column in C.T.tolist()]).T
 
 
-def _length(s: RodScope) -> object:
+def length_of(s: RodScope) -> Value:
+    """The length of the link, or of its segment."""
     return s.constant("length" if s.key.segments == 1 else "segment")
+
+
+def modal_scale(s: RodScope) -> Array:
+    """(r,): coordinates of unit length per modal coordinate: one over the length, 1 for torsion."""
+    per_length = s.lower("link", {}, "per_length")[0].item()
+    return mx.array([1.0 if d == "torsion" else per_length for d, _ in s.key.directions])
 
 
 def motion_along(s: RodScope, inputs: Mapping[str, Array]) -> RodMotion:
@@ -176,8 +184,7 @@ def motion_along(s: RodScope, inputs: Mapping[str, Array]) -> RodMotion:
     etadot, etaddot = (np.asarray(inputs.get(name, still), dtype=object) for name in ("etadot", "etaddot"))
     asked = (*eta, *etadot, *etaddot)
     if asked not in rod.swept:
-        one = rod.lower("link", {}, "per_length")[0].item()
-        scale = mx.array([1.0 if d == "torsion" else one for d, _ in rod.key.directions])
+        scale = modal_scale(rod)
         rod.swept[asked] = RodMotion(rod, scale * eta, scale * etadot, scale * etaddot, scale).run()
     return rod.swept[asked]
 

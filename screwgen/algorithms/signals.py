@@ -3,8 +3,8 @@
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
 phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
 a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``t`` that of its rotors, ``r`` that of its modes,
-``b`` that of its coupled pairs of modes, ``c`` that of its pieces of
-tendons, ``g`` that of the directions in which it has modes. Angular parts come first.
+``b`` that of its coupled pairs of modes, ``c`` that of its pieces of tendons, ``g`` that of the directions in which it
+has modes. Angular parts come first.
 Accelerations are those of material points in the inertial frame, less free fall.
 """
 

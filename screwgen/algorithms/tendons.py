@@ -14,8 +14,9 @@ from ..bodies.collocation import collocation, gauss, points
 from ..ir.derivative import columns
 from ..ir.program import Array, Value
 from ..spec.link_class import LinkClass
-from ..spec.tendons import TendonClass, label
+from ..spec.tendons import TendonClass, offset_label
 from . import matrices as mx
+from .rod_sections import constants, length_of, modal_scale
 from .scope import Scope
 
 
@@ -92,42 +93,28 @@ def power(s: Scope) -> None:
 
 def _pull(s: Scope, tendon: TendonClass) -> Array:
     """(r,)"""
-    if s.key.order == 1:
-        total = _total(s, tendon, straight(s.key, tendon), mx.zeros(s.key.modes), "pull_k")
-    else:
-        total = _total(s, tendon, quadrature(s.key, tendon), _scaled_modes(s), "pull_k")
-    size = s.constant("length" if s.key.segments == 1 else "segment")
-    return mx.array([size * x if d == "torsion" else x for x, (d, _) in zip(total, s.key.directions, strict=True)])
+    bent, length = s.key.order != 1, length_of(s)
+    at = quadrature(s.key, tendon) if bent else straight(s.key, tendon)
+    total = _total(s, tendon, at, "pull_k", bent)
+    return mx.array([length * x if d == "torsion" else x for x, (d, _) in zip(total, s.key.directions, strict=True)])
 
 
 def _length(s: Scope, tendon: TendonClass) -> Value:
     """That of a piece, m."""
-    eta = mx.zeros(s.key.modes) if s.key.order == 1 else _scaled_modes(s)
-    total = (
-        s.constant("length" if s.key.segments == 1 else "segment")
-        * _total(s, tendon, quadrature(s.key, tendon), eta, "length_k").item()
-    )
-    return total + mx.dot(_pull(s, tendon), s.read("eta")) if s.key.order == 1 else total
+    bent = s.key.order != 1
+    total = length_of(s) * _total(s, tendon, quadrature(s.key, tendon), "length_k", bent).item()
+    return total if bent else total + mx.dot(_pull(s, tendon), s.read("eta"))
 
 
-def _scaled_modes(s: Scope) -> Array:
-    """The modal coordinates of unit length."""
-    pairs, inverse = zip(s.read("eta"), s.key.directions, strict=True), _per_length(s)
-    return mx.array([x if d == "torsion" else inverse * x for x, (d, _) in pairs])
-
-
-def _per_length(s: Scope) -> Value:
-    return s.lower("link", {}, "per_length")[0].item()
-
-
-def _total(s: Scope, tendon: TendonClass, at: list[TendonPoint], eta: Array, what: str) -> Array:
-    """The sum of a step of the tendon's block over its points."""
-    inverse, (first, last) = _per_length(s), tendon.span
-    ends = [[inverse * s.constant(label(tendon.number, end, axis)) for axis in "yz"] for end in range(2)]
+def _total(s: Scope, tendon: TendonClass, at: list[TendonPoint], what: str, bent: bool) -> Array:
+    """The sum of a step of the tendon's block over its points, along the bent link or the straight one."""
+    (per_length,), (first, last) = s.lower("link", {}, "per_length")[0], tendon.span
+    eta = modal_scale(s) * s.read("eta") if bent else mx.zeros(s.key.modes)
+    ends = [[per_length * s.constant(offset_label(tendon.number, end, axis)) for axis in "yz"] for end in range(2)]
     offset = lambda x: mx.array([0.0, *((1.0 - x) * a + x * b for a, b in zip(*ends, strict=True))])  # noqa: E731
     slope, total = (offset(tendon.mixed[1]) - offset(tendon.mixed[0])) * (1.0 / (last - first)), None
     for x in at:
-        gamma_eta, kappa_eta = (mx.array(y.tolist(), y.shape) for y in (x.stretch, x.curvature))
+        gamma_eta, kappa_eta = constants(x.stretch), constants(x.curvature)
         given = {"share": mx.array([x.share]), "offset": offset(x.mixed), "slope": slope}
         given |= {"gamma": mx.multiply(gamma_eta, eta), "kappa": mx.multiply(kappa_eta, eta)}
         given |= {"gamma_eta": gamma_eta, "kappa_eta": kappa_eta}

@@ -171,7 +171,7 @@ def _unary(op: str, x: float) -> float:
 
 
 def efforts(chain: Chain, torques: np.ndarray, q: Numbers, p: Numbers, held: bool = False) -> np.ndarray:
-    """Torques of the joints (n_joints,) at ``q`` as the efforts that cause them, as forces of cylinders.
+    """Torques of the joints (n_joints,) at ``q`` as the efforts behind them: forces of cylinders, torques of cranks.
 
     ``held``: they are the generalised forces at ``chain.held_places``, which are efforts already where gears are
     elastic. Raises SingularError where a transmission stands in a dead centre and would need an infinite effort.

@@ -17,11 +17,10 @@ from ..simulation.runs import Run, segments
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
+from ..spec.tendons import TENSION
 from .curves import AXIS_CURVES, NOTHING, AxisCurves
 from .demands import axis_word, bounds_of, place_names, set_points
 
-TENSION = ".tension"
-"""The end of the name of a tendon's input."""
 TIPS = (
     ("Deflection of tips in y", "y", ("bending_y", "shear_y", ELASTIC)),
     ("Deflection of tips in z", "z", ("bending_z", "shear_z", ELASTIC)),

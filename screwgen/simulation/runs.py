@@ -19,6 +19,7 @@ from ..errors import UsageError
 from ..files import Arrays, create, open_arrays
 from ..robot_model import RobotModel
 from ..spec.load import dump, one_line
+from ..spec.tendons import TENSION
 from .hits import Hit
 from .measured import MEASURED, measured
 from .validity import Validity
@@ -106,7 +107,7 @@ class Run:
         return RobotModel(self.robot) if self.model is None else self.model
 
     def __repr__(self) -> str:
-        tendons = sum(name.endswith(".tension") for name in self.tau_names)
+        tendons = sum(name.endswith(TENSION) for name in self.tau_names)
         joints = self.tau.shape[1] - tendons
         modes, pulled = self.q.shape[1] - joints, f", {tendons} tendons" * bool(tendons)
         early = ", ended early" if self.ended else ""

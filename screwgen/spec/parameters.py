@@ -17,7 +17,7 @@ from .section import Section
 from .segments import segments
 from .stated import stated_numbers
 from .stations import Stations
-from .tendons import tendon_names
+from .tendons import TENSION, tendon_names
 
 Index = tuple[int, ...]
 Value = float | tuple[float, ...] | None
@@ -221,7 +221,7 @@ def force_units(robot: Robot) -> list[str]:
 
 def tensions(robot: Robot) -> list[str]:
     """The names of the tensions of tendons, the last entries of tau."""
-    return [f"{name}.tension" for name in tendon_names(robot)]
+    return [f"{name}{TENSION}" for name in tendon_names(robot)]
 
 
 def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:

@@ -299,7 +299,7 @@ def stiffened(link: Link, directions: tuple[str, ...]) -> Link:
     modes = without(link.modes, directions)
     if modes.total:
         return link.model_copy(update={"modes": modes})
-    rigid = {"modes": modes.model_copy(update={"points": None}), "segments": 1}
+    rigid = {"modes": modes.model_copy(update={"points": None}), "segments": 1, "tendons": ()}
     return link.model_copy(update=rigid | {"order": None if link.order == "exact" else link.order})
 
 

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 Offset = tuple[float, float, float]
 Offsets = tuple[Offset, Offset]
+TENSION = ".tension"
+"""The end of the name of a tendon's input."""
 ENDS = "two offsets from the centreline, as [[0.0, 0.01, 0.0], [0.0, 0.005, 0.0]]"
 
 
@@ -97,7 +99,7 @@ def tendon_classes(link: Link, segment: int = 0) -> tuple[TendonClass, ...]:
     return tuple(out)
 
 
-def label(number: int, end: int, axis: str) -> str:
+def offset_label(number: int, end: int, axis: str) -> str:
     """The label of an offset of a tendon: its number, the end (0, 1), the axis (y, z)."""
     return f"tendon{number}_{end}_{axis}"
 

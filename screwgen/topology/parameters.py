@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..spec.axis_laws import element_label
 from ..spec.parameters import Parameter, parameters
 from ..spec.robot import Robot
-from ..spec.tendons import label as tendon_label
+from ..spec.tendons import offset_label
 
 
 def label(parameter: Parameter) -> str:
@@ -29,7 +29,7 @@ def label(parameter: Parameter) -> str:
             table, *_, key = field.split(".")[1:]
             return f"{table.removesuffix('s')}_{key}_{index[0] + 1}"
         case "tendons.at":
-            return tendon_label(index[0], index[1], "xyz"[index[2]])
+            return offset_label(index[0], index[1], "xyz"[index[2]])
         case "bodies.mass":
             return f"body{index[0]}_mass"
         case "bodies.com":

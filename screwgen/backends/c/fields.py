@@ -116,8 +116,8 @@ def fused_place(name: str, k: int) -> str:
 
 def constant_fields(chain: Chain, labels: Iterable[str]) -> list[StructMember]:
     """The members of ``ella_link_constants``, documented by the steps that define them."""
-    signals = _signals_of_labels(chain.classes)
-    return [StructMember(name, (), _comment(signals, name)) for name in sorted(labels)]
+    signals, offsets = _signals_of_labels(chain.classes), tendons.offset_comments(chain)
+    return [StructMember(name, (), offsets.get(name) or _comment(signals, name)) for name in sorted(labels)]
 
 
 def _comment(signals: Mapping[str, Constant], label: str) -> str:

@@ -20,8 +20,8 @@ FEW = 6
 SLIDING_UNITS = [unit for unit, _ in SLIDING.values()]
 
 
-NESTED = ("tendons.at",)
-"""The fields whose arrays have several indices."""
+NESTED = {"tendons.at": "[tendon][begin, end][x, y, z]"}
+"""The fields whose arrays have several indices, and what these are."""
 
 
 class Member(NamedTuple):
@@ -108,6 +108,8 @@ def ascii_unit(text: str) -> str:
 
 def _general(p: Parameter) -> str:
     """The description for all links, with the order of the components."""
+    if p.field in NESTED:
+        return f"{FIELDS[p.field].description}, {NESTED[p.field]}"
     parts = FIELDS[p.field].components if p.field in FIELDS else ()
     frames = [x for frame in BODY_FRAMES.values() for x in frame]
     shared = [x for x in p.description.split(", ") if x not in (*parts, *frames)]

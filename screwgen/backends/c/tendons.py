@@ -5,8 +5,10 @@ from __future__ import annotations
 from itertools import accumulate
 
 from ...algorithms.signals import CALL, Signal
+from ...spec.parameters import parameters
 from ...spec.tendons import tendon_names
 from ...topology.chain import Chain
+from ...topology.parameters import label
 
 TENDONS = ("tendons",)
 """What tendons write, as :class:`..templates.TemplatePlaces` finds it."""
@@ -37,6 +39,12 @@ def note(chain: Chain) -> str:
     """What is added to the comment of inputs."""
     names = tendon_names(chain.robot)
     return f"; then the tension of each tendon, N: {', '.join(names)}" if names else ""
+
+
+def offset_comments(chain: Chain) -> dict[str, str]:
+    """The comments of the constants that are offsets, by their labels."""
+    own = (p for p in parameters(chain.robot) if p.field == "tendons.at")
+    return {label(p): f"{p.unit}: {p.description}; of tendon {p.index[0]} of the link" for p in own}
 
 
 def _pieces(chain: Chain) -> list[int]:

@@ -13,8 +13,9 @@ from helpers import model_of
 
 import screwgen
 from docs.tools import limits
-from screwgen.backends.c.links import RUNS, WATCHED
+from screwgen.backends.c.links import WATCHED
 from screwgen.backends.c.project import CProject
+from screwgen.backends.c.runs import RUNS
 from screwgen.bodies.validity import MEASURES
 from screwgen.cli.main import main
 from screwgen.integrators import METHODS

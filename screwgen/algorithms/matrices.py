@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ..ir.program import Array, Node, Tracer, Value, Vector
+from ..ir.names import Label
+from ..ir.program import Array, Node, Tracer, Value, Vector, give_label
 
 
 def array(entries: Any, shape: tuple[int, ...] | None = None) -> Array:
@@ -25,6 +26,13 @@ def zeros(*shape: int) -> Array:
 
 def identity(n: int) -> Array:
     return array(np.eye(n).tolist(), (n, n))
+
+
+def name(quantity: str, values: Array) -> Array:
+    """The array, its entries named in generated code after a quantity and their places, unless they have a name."""
+    for index, value in np.ndenumerate(values):
+        give_label(value, Label(quantity, "".join(str(i + 1) for i in index)))
+    return values
 
 
 def dot(a: Vector, b: Vector) -> Value:

@@ -8,6 +8,7 @@ phases ask an exact rod what they ask any other.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Protocol
@@ -16,12 +17,16 @@ import numpy as np
 
 from ..bodies.collocation import Collocation, RodTurn, collocation
 from ..bodies.exact import SUMS
-from ..ir.program import Array, Value, Vector
+from ..ir.program import Array, Node, Value, Vector
 from ..spec.link_class import LinkClass
 from . import matrices as mx
 
 SECTION = ("R_k", "W_k", "w_k", "b_k", "t_k", "t_eta", "tdot", "t_bend", "G_k")
+STORED = ("theta_eta", "R", "W", "w", "bend", "t", "t_eta", "tdot", "t_bend", "G")
+"""What of the sections later phases of a link find in its store."""
 LINKS = ("link", "turning_link", "energy")
+RECALLING = "turning_link"
+"""The block of phases that find the sections in the store: none of them differentiates it at constant modal rates."""
 TIPS = ("tip", "tip_motion", "tip_pose")
 
 
@@ -30,6 +35,7 @@ class RodScope(Protocol):
 
     key: LinkClass
     swept: dict[tuple, RodMotion]
+    layouts: Mapping[str, object]
 
     @property
     def rod(self) -> RodScope: ...
@@ -37,6 +43,12 @@ class RodScope(Protocol):
     def lower(self, block: str, inputs: Mapping[str, Array], *outputs: str) -> list[Array]: ...
 
     def constant(self, label: str) -> Value: ...
+
+    def routine(self, name: str) -> AbstractContextManager[None]: ...
+
+    def keep(self, name: str, values: Array) -> None: ...
+
+    def kept(self, name: str) -> Array: ...
 
 
 @dataclass
@@ -74,14 +86,25 @@ class RodMotion:
     def points(self) -> Collocation:
         return collocation(self.s.key)
 
-    def run(self) -> RodMotion:
+    def run(self) -> None:
         """Find all sections."""
         before, place = _base(len(self.eta)), 0.0
         for s in self.points.places:
             before = self.next(before, self.points.turn(place, float(s)), self.points.stretch(s))
             self.at.append(before)
             place = float(s)
-        return self
+
+    def keep(self) -> None:
+        """Store all sections for later phases of the link."""
+        for name in STORED:
+            self.s.keep(f"rod_{name}", np.array([getattr(x, name) for x in self.at], dtype=object))
+
+    def recall(self) -> None:
+        """Take the sections that an earlier phase of the link has stored."""
+        length, found = length_of(self.s), {name: self.s.kept(f"rod_{name}") for name in STORED}
+        for k, s in enumerate(self.points.places):
+            section = {name: values[k] for name, values in found.items()}
+            self.at.append(RodSection(stretch=length * constants(self.points.stretch(s)), **section))
 
     def end(self, s: float) -> RodSection:
         """The section at the place s, of which the rotation alone is of use: points are sums of tangents."""
@@ -115,24 +138,25 @@ class RodMotion:
 
     def next(self, before: RodSection, turn: RodTurn, stretch: np.ndarray) -> RodSection:
         """The section that follows another by a turn, with the stretch (3, r) there by each mode."""
-        theta, by_modes, rate, bend = self._turned(turn)
+        with self.s.routine("rod_turn"):
+            theta, by_modes, rate, bend = self._turned(turn)
+            given = {"theta": theta, "theta_eta": by_modes, "thetadot": rate, "theta_bend": bend}
+            for name, values in given.items():
+                mx.name(name, values)
         length = length_of(self.s)
         along = length * constants(stretch)
-        given = {
+        given |= {
             "R_0": before.R,
             "W_0": before.W,
             "w_0": before.w,
             "b_0": before.bend,
-            "theta": theta,
-            "theta_eta": by_modes,
-            "thetadot": rate,
-            "theta_bend": bend,
             "tangent": mx.array([length, 0.0, 0.0]) + mx.multiply(along, self.eta),
             "stretch": along,
             "stretchdot": mx.multiply(along, self.etadot),
             "stretchddot": mx.multiply(along, self.etaddot),
         }
-        return RodSection(by_modes, along, *self.s.lower("section", given, *SECTION))
+        with self.s.routine("rod_section"):
+            return RodSection(by_modes, along, *self.s.lower("section", given, *SECTION))
 
     def sum_of(self, weights: Vector, *names: str) -> list[Array]:
         """The weighted sums over the sections of some of their quantities."""
@@ -176,8 +200,12 @@ def modal_scale(s: RodScope) -> Array:
     return mx.array([1.0 if d == "torsion" else per_length for d, _ in s.key.directions])
 
 
-def motion_along(s: RodScope, inputs: Mapping[str, Array]) -> RodMotion:
-    """The motion along the rod in the state of some inputs, found once in a scope."""
+def motion_along(s: RodScope, inputs: Mapping[str, Array], recall: bool = False) -> RodMotion:
+    """The motion along the rod in the state of some inputs, found once in a scope.
+
+    That of a link's own state at constant rates is stored; with ``recall`` a later phase takes it from there. Phases
+    that differentiate by the modes must find it anew.
+    """
     rod = s.rod
     eta = np.asarray(inputs["eta"], dtype=object)
     still = mx.zeros(len(eta))
@@ -185,8 +213,22 @@ def motion_along(s: RodScope, inputs: Mapping[str, Array]) -> RodMotion:
     asked = (*eta, *etadot, *etaddot)
     if asked not in rod.swept:
         scale = modal_scale(rod)
-        rod.swept[asked] = RodMotion(rod, scale * eta, scale * etadot, scale * etaddot, scale).run()
+        names = ("unit_eta", "unit_etadot", "unit_etaddot")
+        scaled = [mx.name(n, scale * x) for n, x in zip(names, (eta, etadot, etaddot), strict=True)]
+        motion, own = RodMotion(rod, *scaled, scale), _all_of("eta", eta) and _all_of("etadot", etadot)
+        if recall and own and "rod_R" in rod.layouts:
+            motion.recall()
+        else:
+            motion.run()
+            if own and "etaddot" not in inputs:
+                motion.keep()
+        rod.swept[asked] = motion
     return rod.swept[asked]
+
+
+def _all_of(name: str, values: Array) -> bool:
+    """Whether values are the entries of an input of that name."""
+    return all(isinstance(x, Node) and x.op == "input" and x.args[0] == name for x in values)
 
 
 def turns_to(s: RodScope, inputs: Mapping[str, Array]) -> list[Array]:
@@ -198,7 +240,7 @@ def along_rod(s: RodScope, block: str, inputs: Mapping[str, Array]) -> Mapping[s
     """The inputs of a block, with those that are sums along the rod, or its end."""
     if "eta" not in inputs or block not in (*LINKS, *TIPS):
         return inputs
-    motion = motion_along(s, inputs)
+    motion = motion_along(s, inputs, recall=block == RECALLING and "etaddot" not in inputs)
     found = sums(motion, block, inputs) if block in LINKS else tip(motion, s.key.section_at)
     return {**inputs, **found}
 
@@ -221,29 +263,34 @@ def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str
     base = {name: inputs[name] for name in ("omega", "alpha", "v", "g") if name in inputs}
     Omega, a_0 = s.lower(block, base, "Omega", "a_start" if key.frame_at else "a_0")
     # acceleration and velocity of every tangent's end relative to its start, in space
-    a = [mx.multiply(Omega, x.t) + 2.0 * mx.cross(omega, x.tdot) + x.t_bend for x in motion.at]
-    u = [mx.cross(omega, x.t) + x.tdot for x in motion.at]
+    with s.routine("rod_motion"):
+        a = [mx.multiply(Omega, x.t) + 2.0 * mx.cross(omega, x.tdot) + x.t_bend for x in motion.at]
+        u = [mx.cross(omega, x.t) + x.tdot for x in motion.at]
     rows, shares, centre = _masses(motion)
-    r_mean, P_mean = motion.sum_of(centre, "t", "t_eta")
+    with s.routine("rod_centre"):
+        r_mean, P_mean = motion.sum_of(centre, "t", "t_eta")
     total = {"r_rod": r_mean, "P_rod": P_mean, "a_rod": _weighted(centre, a), "u_rod": _weighted(centre, u)}
     forces = [w * a_0 for w in centre]
     for row, share in zip(rows, shares, strict=True):
-        (r, P), a_k = motion.sum_of(row, "t", "t_eta"), _weighted(row, a)
-        given = {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a_k, "u_k": _weighted(row, u)}
-        _add(s, total, "element", given)
-        forces = [f + (w * share) * a_k for f, w in zip(forces, row, strict=True)]
+        with s.routine("rod_mass"):
+            (r, P), a_k = motion.sum_of(row, "t", "t_eta"), _weighted(row, a)
+            given = {"share": mx.array([share]), "r_k": r, "P_k": P, "a_k": a_k, "u_k": _weighted(row, u)}
+            _add(s, total, "element", given)
+            forces = [f + (w * share) * a_k for f, w in zip(forces, row, strict=True)]
     torques = [mx.zeros(3) for _ in motion.at]
     if key.turned:
         pieces = [s.lower("link", {}, f"dI_{axis}")[0] for axis in key.turned]
         for k, x in enumerate(motion.at):
             given = {f"dI_{axis}": mx.array([dI[k]]) for axis, dI in zip(key.turned, pieces, strict=True)}
             given |= {"R_k": x.R, "W_k": x.W, "w_k": x.w, "b_k": x.bend, "omega": omega, "alpha": alpha}
-            (torques[k],) = _add(s, total, "section_spin", given, "tau_k")
+            with s.routine("rod_spin"):
+                (torques[k],) = _add(s, total, "section_spin", given, "tau_k")
     mu, moment = s.lower("link", {}, "mu")[0], mx.zeros(3)
     for x, f, tau in zip(motion.at[::-1], forces[::-1], torques[::-1], strict=True):
         given = {"R_k": x.R, "G_k": x.G, "t_k": x.t, "theta_eta": x.theta_eta, "stretch": x.stretch}
         given |= {"m_1": moment, "tau_k": tau, "f_k": mu[0] * f}
-        (moment,) = _add(s, total, "section_load", given, "m_k")
+        with s.routine("rod_load"):
+            (moment,) = _add(s, total, "section_load", given, "m_k")
     return {name: _scaled(value, name, motion.scale) for name, value in total.items()}
 
 

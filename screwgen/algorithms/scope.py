@@ -29,7 +29,8 @@ from ..bodies.tip import tip_block, tip_body_block, tip_motion_block, tip_pose_b
 from ..bodies.validity import validity_block
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
-from ..ir.program import Array, Label, Node, Program, Tracer, Value, Vector, give_label
+from ..ir.names import Label
+from ..ir.program import Array, Node, Program, Tracer, Value, Vector, give_label
 from ..spec.link_class import EXACT, LinkClass
 from . import matrices as mx
 from .joint_rows import joint_rows_block
@@ -188,6 +189,10 @@ class Scope:
     def step(self, title: str) -> AbstractContextManager[None]:
         """Operations recorded inside form a section with this title."""
         return self.tracer.section(title)
+
+    def routine(self, name: str) -> AbstractContextManager[None]:
+        """Operations recorded inside recur, see :mod:`..ir.routines`."""
+        return self.tracer.routine(name)
 
     @property
     def rod(self) -> Scope:

@@ -4,7 +4,7 @@ The signals of a node are shared by a link and the links that it carries. Those 
 phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
 a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``t`` that of its rotors, ``r`` that of its modes,
 ``b`` that of its coupled pairs of modes, ``c`` that of its pieces of tendons, ``g`` that of the directions in which it
-has modes. Angular parts come first.
+has modes, ``p`` that of the points of an exact rod. Angular parts come first.
 Accelerations are those of material points in the inertial frame, less free fall.
 """
 
@@ -13,7 +13,7 @@ from __future__ import annotations
 import re
 from typing import Any, NamedTuple
 
-from ..ir.program import component
+from ..ir.names import component
 from ..spec.link_class import LinkClass
 
 F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
@@ -215,6 +215,16 @@ STORE = {
     "h_T": Signal((6,), WRENCH, TIP, "bias force of the bodies at the tip"),
     "h_eta": Signal(("r",), "N", "-", "gyroscopic force and weight on the modes"),
     "M_bent": Signal(("r", "r"), "kg", "-", "modal inertia less that of the straight link"),
+    "rod_R": Signal(("p", 3, 3), "-", F_I, "rotations of the sections along an exact rod"),
+    "rod_theta_eta": Signal(("p", 3, "r"), "-", "-", "derivatives of their turns from the sections before"),
+    "rod_W": Signal(("p", 3, "r"), "-", F_I, "turns of these sections by each mode of unit length"),
+    "rod_w": Signal(("p", 3), "rad/s", F_I, "their angular velocities relative to F_i"),
+    "rod_bend": Signal(("p", 3), "rad/s^2", F_I, "rates of these at constant modal rates"),
+    "rod_t": Signal(("p", 3), "m", F_I, "tangents of the centreline there, times the length"),
+    "rod_t_eta": Signal(("p", 3, "r"), "m", F_I, "derivatives of the tangents with each mode of unit length"),
+    "rod_tdot": Signal(("p", 3), "m/s", F_I, "rates of the tangents relative to F_i"),
+    "rod_t_bend": Signal(("p", 3), "m/s^2", F_I, "second rates of the tangents at constant modal rates"),
+    "rod_G": Signal(("p", 3, 3), "-", F_I, "turns of these sections by turns from those before"),
     "b_T": Signal((6,), ACCELERATION, TIP, "velocity-dependent acceleration of the tip section"),
     "omega_i": Signal((3,), "rad/s", F_I, "angular velocity"),
     "acc_i": Signal((6,), ACCELERATION, F_I, "acceleration of F_i"),

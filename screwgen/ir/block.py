@@ -19,7 +19,7 @@ from ..algebra.components import Array, components
 from ..algebra.expression import Expression, Symbol
 from ..algebra.notation import latex
 from ..notebook import code, formula, plain, steps_table
-from .program import Label, component
+from .names import Label, component
 from .quantities import QUANTITIES, Quantity, described
 
 

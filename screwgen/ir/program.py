@@ -12,12 +12,13 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple, TypeGuard
+from typing import Any, TypeGuard
 
 import mpmath
 import numpy as np
 
 from ..notebook import program_text
+from .names import Label, Section
 
 Array = np.ndarray
 
@@ -26,30 +27,6 @@ FUNCTIONS = frozenset({"sqrt", "sin", "cos", "on", "c4", "c5", "c6", "c7", "c8",
 
 ``on`` is 1 where its argument is > 0, else 0.
 """
-
-
-class Label(NamedTuple):
-    """The name of a value in generated code: a quantity, the place of an entry in it, and the link that it belongs to.
-
-    ``negative``: the value is the negative of that entry.
-    """
-
-    quantity: str
-    place: str = ""
-    link: str = ""
-    negative: bool = False
-
-    def __str__(self) -> str:
-        return "_".join(x for x in ("minus" * self.negative, self.quantity, self.link, self.place) if x)
-
-
-PARTS = {"N*m, N": ("tau", "f"), "rad/s, m/s": ("omega", "v"), "rad/s^2, m/s^2": ("alpha", "a")}
-"""The letters of the angular and the linear part of six components, by their unit."""
-
-
-def component(unit: str, k: int) -> str:
-    """The name of one of six components: ``tau_x`` ... ``f_z`` of a wrench, a number where the unit has no letters."""
-    return f"{PARTS[unit][k // 3]}_{'xyz'[k % 3]}" if unit in PARTS else str(k + 1)
 
 
 class Node:
@@ -105,8 +82,9 @@ class Tracer:
 
     def __init__(self) -> None:
         self._table: dict[tuple, Node] = {}
-        self.sections: list[str] = [""]
+        self.sections: list[Section] = [Section("")]
         self._section = 0
+        self._routine = ""
         self.guards: list[Node] = []
         self.origins: list[int] = []
         self._count = 0
@@ -115,12 +93,22 @@ class Tracer:
     def section(self, title: str) -> Iterator[None]:
         """Operations recorded inside belong to a section of this title."""
         before = self._section
-        self.sections.append(title)
+        self.sections.append(Section(title, self._routine))
         self._section = len(self.sections) - 1
         try:
             yield
         finally:
             self._section = before
+
+    @contextmanager
+    def routine(self, name: str) -> Iterator[None]:
+        """Operations recorded inside recur: back ends may print them once and call them, see :mod:`.routines`."""
+        self._routine = f"{name} {len(self.sections)}"
+        try:
+            with self.section(self.sections[self._section].title):
+                yield
+        finally:
+            self._routine = ""
 
     def _node(self, op: str, *args: Any) -> Node:
         key = (op, *args)
@@ -290,7 +278,7 @@ class Program:
     """A traced function: named inputs and outputs (flat lists of entries) and guards.
 
     ``outputs`` maps a name to its entries, nodes or floats; ``nodes`` are the live operations in an
-    order in which they can be run; ``sections`` are the titles that nodes refer to, ``origins`` the links
+    order in which they can be run; ``sections`` are those that nodes refer to, ``origins`` the links
     that guards belong to.
     """
 
@@ -298,7 +286,7 @@ class Program:
     inputs: dict[str, int]
     outputs: dict[str, list[Value]]
     guards: list[Node]
-    sections: list[str]
+    sections: list[Section]
     origins: list[int] = field(default_factory=list)
     nodes: list[Node] = field(init=False)
 
@@ -321,7 +309,9 @@ class Program:
 
     def _repr_markdown_(self) -> str:
         results = {name: len(entries) for name, entries in self.outputs.items()}
-        return program_text(repr(self), self.inputs, results, Counter(self.sections[n.section] for n in self._computed))
+        return program_text(
+            repr(self), self.inputs, results, Counter(self.sections[n.section].title for n in self._computed)
+        )
 
 
 def give_label(value: Value, label: Label) -> None:

@@ -6,7 +6,8 @@ import operator
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from .program import Label, Node, Program, Tracer, Value, give_label
+from .names import Label, Section
+from .program import Node, Program, Tracer, Value, give_label
 
 BINARY: dict[str, Callable] = {"add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv}
 
@@ -46,8 +47,11 @@ def inline(
 
     ``link`` is added to labels and section titles; ``origin`` is the number of the link that a failing guard reports.
     """
-    section = {i: len(tracer.sections) + i for i in range(len(program.sections))}
-    tracer.sections.extend(f"{link}, {title}" if link and title else title for title in program.sections)
+    first = len(tracer.sections)
+    section = {i: first + i for i in range(len(program.sections))}
+    for title, routine in program.sections:
+        called = f"{routine}.{first}" if routine else ""
+        tracer.sections.append(Section(f"{link}, {title}" if link and title else title, called))
     binary = {op: getattr(tracer, op) for op in BINARY}
     values: dict[int, Value] = {}
     pick = lambda v: values[v.id] if type(v) is Node else v  # noqa: E731

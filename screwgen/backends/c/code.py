@@ -15,7 +15,9 @@ from typing import ClassVar
 
 from ...ir.program import Node, Program, Value, live
 from ...ir.replay import BINARY
+from ...ir.routines import CALL, FOUND, GIVEN, RESULT
 from ...ir.signs import signed
+from .copies import array, copied
 
 Place = Callable[[str, int], str | None]
 """The C expression of entry k of an input or output; None for an output that is not stored."""
@@ -99,7 +101,9 @@ class Writer:
         section = None
         for node in nodes:
             statements = self._statements(node)
-            if statements and node.section != section:
+            if node.op == CALL:
+                out, section = [*out, ""], None
+            elif statements and node.section != section:
                 section = node.section
                 out += self._heading(section)
             out += statements
@@ -137,12 +141,14 @@ class Writer:
                         self._results.setdefault(v.args[0].id, []).append((output, k, "-"))
 
     def _heading(self, section: int) -> list[str]:
-        title = self.program.sections[section]
+        title = self.program.sections[section].title
         return ["", f"/* {title} */"] if title else [""]
 
     def _statements(self, node: Node) -> list[str]:
-        if node.op in ("input", "epsilon") or self._served(node):
+        if node.op in ("input", "epsilon", RESULT) or self._served(node):
             return []
+        if node.op == CALL:
+            return self._call(node)
         if node.id in self._guards and not self._uses[node.id]:
             return [self._guard(node, self._text(node)[0])]
         if node.id in self._pairs:
@@ -156,6 +162,14 @@ class Writer:
         if node.id in self._guards:
             lines.append(self._guard(node, name))
         return lines + self._early_outputs(node, name)
+
+    def _call(self, node: Node) -> list[str]:
+        """A routine run on an array of values, and the array of its results."""
+        routine, *values = node.args
+        name, given = self._free(routine.name), self._free(f"{routine.name}_{GIVEN}")
+        self._names[node.id], found = name, len(routine.program.outputs[FOUND])
+        filled = array(f"{self.prefix}_real {given}", [self._value(v)[0] for v in values], WIDTH)
+        return [*filled, f"{self.prefix}_real {name}[{found}];", f"compute_{routine.name}({given}, {name});"]
 
     def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
         """Both of an angle by one call."""
@@ -239,6 +253,9 @@ class Writer:
             text = self.place(*value.args)
             assert text is not None, f"{self.program.name} reads {value.args}"
             return text, ATOM
+        if value.op == RESULT:
+            call, k = value.args
+            return f"{self._names[call.id]}[{k}]", ATOM
         if value.op == "epsilon":
             return f"{self.prefix.replace('$', '$$').upper()}_REAL_EPSILON", ATOM
         return self._pending[value.id] if value.id in self._pending else (self._names[value.id], ATOM)
@@ -249,8 +266,12 @@ class Writer:
             if self.optional.get(name, "") != self._condition:
                 continue
             left = ((k, v) for k, v in enumerate(values) if (name, k) not in self._written)
-            placed, assign = ((self.place(name, k), v) for k, v in left), self._assign(name)
-            out += [f"{place} {assign} {self._value(v)[0]};" for place, v in placed if place is not None]
+            placed, assign = [(place, v) for k, v in left if (place := self.place(name, k))], self._assign(name)
+            passed = [(p, self._value(v)[0]) for p, v in placed if isinstance(v, Node) and v.op == RESULT]
+            out += [
+                f"{p} {assign} {self._value(v)[0]};" for p, v in placed if not (isinstance(v, Node) and v.op == RESULT)
+            ]
+            out += copied(passed, assign)
         return ["", "/* outputs */", *out] if out else []
 
 

@@ -36,10 +36,12 @@ def _links(project: CProject, dae: bool) -> str:
     phases = {form: [phase for part in parts for phase in part["phases"]] for form, parts in forms.items()}
     called = {form: {id(f) for phase in own for f in phase["classes"]} for form, own in phases.items()}
     others = called[not dae] - called[dae]
+    programs = [f for f in links.functions.values() if id(f) not in others]
     own = {
         "algorithms": forms[dae],
         "phases": phases[dae],
-        "programs": [f for f in links.functions.values() if id(f) not in others],
+        "programs": programs,
+        "routines": links.routines.called_by(f.program for f in programs),
         "accelerating": any(part["accelerating"] for part in forms[dae]),
     }
     return rendered("links.c", **project.context | own)

@@ -4,102 +4,25 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
 
-from ...algorithms import functions as alg
 from ...algorithms.dae_functions import block_places, edge_places
-from ...algorithms.schedule import OUTWARD, SUMMED, Algorithm, further_children
-from ...algorithms.signals import CALL, H_SYS, M_SYS, is_node, plain
+from ...algorithms.schedule import OUTWARD, SUMMED, further_children
+from ...algorithms.signals import CALL, M_SYS, is_node, plain
 from ...algorithms.structure import Applied, Passage, passages, specialised_phases
 from ...ir.program import Program
 from ...topology.chain import Chain
 from .code import Writer, trimmed
 from .curved import offset
+from .routines import Routines
+from .runs import RUNS, CFunction
 
 OPTIONAL = {"wrench": "wrench", "motion": "motion"}
 """Signals that a caller may leave out by a null pointer, with the test for it."""
 WITHIN = {"motion": "wrench"}  # output: the output that it requires
 WATCHED = frozenset({"motion"})  # outputs that only the validity measures need
-
-
-@dataclass(frozen=True)
-class CFunction:
-    """An algorithm that is a C function, and its results."""
-
-    algorithm: Algorithm
-    comment: str
-    results: frozenset[str]
-    apart: bool
-    """Whether no result shares memory with an input."""
-    skipped: Mapping[str, str] = field(default_factory=dict)
-    """Phases that run only where a condition on the call holds."""
-    zero: frozenset[str] = frozenset()
-    """Signals that are zero in this run."""
-    parts: tuple[tuple[str, int], ...] = ()
-    """The C functions that the phases are divided among, and their numbers of phases; none: one of the run's name."""
-    parts_if_sprung: tuple[tuple[str, int], ...] = ()
-    """The same for robots with sprung joints or loops, whose forces need the joint rates, if it differs."""
-    each_tip: bool = False
-    """Whether results at nodes are those of every tip, not of the last alone."""
-
-
-def _run(
-    algorithm: Algorithm,
-    comment: str,
-    results: str,
-    apart: bool = False,
-    skipped: Mapping[str, str] | None = None,
-    **more: Any,
-) -> CFunction:
-    return CFunction(algorithm, comment, frozenset(results.split()), apart, skipped or {}, **more)
-
-
-RUNS: dict[str, CFunction] = {
-    "joint_dynamics": _run(
-        (*alg.FORWARD, alg.POSES),
-        "Joint form: accelerations, wrenches and poses by block elimination.",
-        "qddot thetaddot etaddot wrench motion tip.R tip.r",
-        apart=True,
-        skipped={"poses": "call->tip_pose"},
-    ),
-    "dae_dynamics": _run(
-        alg.DAE_FORWARD,
-        "DAE form: rates of the twists, wrenches, joint rates, by the same elimination.",
-        "qdot qddot thetaddot etaddot wrench Vdot",
-        apart=True,
-        parts_if_sprung=(("dae_motion", 1), ("dae_solution", 3)),
-    ),
-    "projection": _run(
-        alg.PROJECTION,
-        "The state of the DAE form, projected onto the joint constraints.",
-        "new_q new_quaternion new_position new_twist",
-    ),
-    "placement": _run(
-        alg.PLACEMENT,
-        "Poses and twists of the DAE form from coordinates and rates.",
-        "new_quaternion new_position new_twist tip.R tip.r",
-    ),
-    "inverse": _run(
-        alg.INVERSE, "Joint form: inverse dynamics, with joint wrenches.", "force force_theta force_eta wrench"
-    ),
-    "inertia": CFunction(
-        alg.INVERSE,
-        "Joint form at rest, without weight and springs: the posture, and the inertial forces of accelerations.",
-        frozenset({"force", "force_theta", "force_eta"}),
-        False,
-        zero=frozenset("qdot twist thetadot etadot w_ext f_q f_theta f_eta gravity".split()),
-        parts=(("inertia_posture", 1), ("inertia_column", 2)),
-    ),
-    "motion_of": _run(
-        alg.MOTION, "Poses of links and tips, twists of the tips.", "R r tip.R tip.r tip_twist", each_tip=True
-    ),
-    "measuring": _run(
-        alg.MEASURING, "How far every link is from the limits of the first-order model.", "measures", apart=True
-    ),
-    "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*M_SYS, *H_SYS])),
-}
 
 
 @dataclass
@@ -139,6 +62,11 @@ class Links:
         if (run, unread) not in self._passages:
             self._passages[run, unread] = passages(self.chain, self._phases[run], r.results - unread, r.each_tip)
         return self._passages[run, unread]
+
+    @cached_property
+    def routines(self) -> Routines:
+        """What recurs in the phases."""
+        return Routines(passage.program for run in self.runs for passage in self.passages(run))
 
     def phases(self, run: str) -> list[dict]:
         """The phases of a run, each with its functions and the function of every link."""
@@ -201,8 +129,8 @@ class Links:
     def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
         program, places = passage.program, Places(self, passage, run, entries)
         fail = lambda test, _: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
-        adding = SUMMED if passage.adds else frozenset()
-        writer = Writer(program, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN, adding)
+        adding, calling = SUMMED if passage.adds else frozenset(), self.routines.calling(program)
+        writer = Writer(calling, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN, adding)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
         signature = ", ".join(arguments or ["void"])

@@ -36,8 +36,9 @@ from .fields import (
     stumpff_terms,
     topology,
 )
-from .links import RUNS, WATCHED, WITHIN, Links, sparsity
+from .links import WATCHED, WITHIN, Links, sparsity
 from .parameters import bodies, changing_parameter, defaults, limits, parameter_structs, place
+from .runs import RUNS
 
 PARTS = (OUTPUTS, SENSORS)
 """The files of functions that report something, with the option of that name."""
@@ -177,6 +178,7 @@ class CProject:
             **curved.content(chain),
             "eta_offset": chain.eta_offset[:-1],
             "programs": list(self.links.functions.values()),
+            "routines": self.links.routines.functions,
             "phases": self._phases,
             "algorithms": self._algorithms,
             "index": index_type(unknown_size(chain)),

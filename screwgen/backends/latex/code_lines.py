@@ -16,8 +16,8 @@ from ...algorithms.scope import derived
 from ...ir.lower import title
 from ...topology.chain import Chain
 from ...version import __version__
-from ..c.links import RUNS
 from ..c.project import CProject
+from ..c.runs import RUNS
 from ..numpy.reference import Case
 from .steps import StepView
 

@@ -7,6 +7,7 @@ from helpers import link, model_of
 
 from screwgen.backends.c.copies import array, copied
 from screwgen.backends.c.project import CProject
+from screwgen.backends.latex.code_lines import generated
 from screwgen.ir.program import Program, Tracer
 from screwgen.ir.replay import bind, inline, run
 from screwgen.ir.routines import CALL, FOUND, GIVEN, RESULT, SHORTEST, outlined
@@ -114,3 +115,11 @@ def test_other_links_have_no_routines():
     """Links that are no exact rods have no routines."""
     rigid = model_of({"name": "stiff", "gravity": [0.0, 0.0, -9.81], "links": [link("bar", joint={"axes": ["z"]})]})
     assert "compute_" not in CProject(rigid.chain, "0", layout="modular").text("links.c")
+
+
+def test_the_page_finds_the_lines_of_a_section(soft_arm):
+    """The steps of an exact rod stand in the functions that phases call; the equations' page links them there."""
+    lines = generated(soft_arm.chain).links[0]
+    for step, function in (("R_k", "compute_rod_section"), ("J_k", "compute_rod_mass"), ("m_k", "compute_rod_load")):
+        (found,) = (x for heading, x in lines.items() if heading.startswith(f"{step}: "))
+        assert found.function.startswith(function) and found.file.endswith("_links.c")

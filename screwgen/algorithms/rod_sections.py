@@ -35,7 +35,9 @@ class RodScope(Protocol):
 
     key: LinkClass
     swept: dict[tuple, RodMotion]
-    layouts: Mapping[str, object]
+
+    @property
+    def layouts(self) -> Mapping[str, object]: ...
 
     @property
     def rod(self) -> RodScope: ...
@@ -213,9 +215,11 @@ def motion_along(s: RodScope, inputs: Mapping[str, Array], recall: bool = False)
     asked = (*eta, *etadot, *etaddot)
     if asked not in rod.swept:
         scale = modal_scale(rod)
-        names = ("unit_eta", "unit_etadot", "unit_etaddot")
-        scaled = [mx.name(n, scale * x) for n, x in zip(names, (eta, etadot, etaddot), strict=True)]
-        motion, own = RodMotion(rod, *scaled, scale), _all_of("eta", eta) and _all_of("etadot", etadot)
+        coordinates, rates, accelerations = (scale * x for x in (eta, etadot, etaddot))
+        for name, values in (("unit_eta", coordinates), ("unit_etadot", rates), ("unit_etaddot", accelerations)):
+            mx.name(name, values)
+        motion = RodMotion(rod, coordinates, rates, accelerations, scale)
+        own = _all_of("eta", eta) and _all_of("etadot", etadot)
         if recall and own and "rod_R" in rod.layouts:
             motion.recall()
         else:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
+from itertools import groupby
 
 from .program import Node, Value, Vector, live
 
@@ -16,10 +18,18 @@ def tangents(values: Vector, seeds: Mapping[Node, Value]) -> list[Value]:
     floats.  Equal operations are one node, so directions share common operations.
     """
     slopes: Slopes = {node.id: slope for node, slope in seeds.items()}
-    for node in live(values):
-        if node.id not in slopes:
-            slopes[node.id] = _slope(node, slopes)
+    computed = (node for node in live(values) if node.op not in ("input", "epsilon") and node.id not in slopes)
+    for _, same in groupby(computed, lambda node: node.routine):
+        nodes = list(same)
+        with _slopes_of(nodes[0]):
+            for node in nodes:
+                slopes[node.id] = _slope(node, slopes)
     return [_of(v, slopes) for v in values]
+
+
+def _slopes_of(node: Node) -> AbstractContextManager[None]:
+    """Where the slopes of a routine are recorded: they recur as its operations do."""
+    return node.tracer.routine(f"{node.routine.split()[0]}_slope") if node.routine else nullcontext()
 
 
 def columns(values: Vector, variables: Vector) -> list[list[Value]]:
@@ -69,12 +79,10 @@ def _of_found(found: Slopes, value: Value) -> Value:
 
 
 def _of(value: Value, slopes: Slopes) -> Value:
-    return slopes[value.id] if isinstance(value, Node) else 0.0
+    return slopes.get(value.id, 0.0) if isinstance(value, Node) else 0.0
 
 
 def _slope(node: Node, slopes: Slopes) -> Value:
-    if node.op in ("input", "epsilon"):
-        return 0.0
     a, da = node.args[0], _of(node.args[0], slopes)
     if len(node.args) == 1:
         return 0.0 if _zero(da) else _unary(node, a, da)

@@ -65,6 +65,11 @@ class Node:
     def __neg__(self) -> Value:
         return self.tracer.neg(self)
 
+    @property
+    def routine(self) -> str:
+        """The call of a routine that the operation belongs to, if any."""
+        return self.tracer.sections[self.section].routine
+
     def __repr__(self) -> str:
         return f"<{self.label or self.op} {self.id}>"
 
@@ -103,12 +108,12 @@ class Tracer:
     @contextmanager
     def routine(self, name: str) -> Iterator[None]:
         """Operations recorded inside recur: back ends may print them once and call them, see :mod:`.routines`."""
-        self._routine = f"{name} {len(self.sections)}"
+        before, self._routine = self._routine, self._routine or f"{name} {len(self.sections)}"
         try:
             with self.section(self.sections[self._section].title):
                 yield
         finally:
-            self._routine = ""
+            self._routine = before
 
     def _node(self, op: str, *args: Any) -> Node:
         key = (op, *args)

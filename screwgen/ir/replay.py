@@ -47,10 +47,10 @@ def inline(
 
     ``link`` is added to labels and section titles; ``origin`` is the number of the link that a failing guard reports.
     """
-    first = len(tracer.sections)
-    section = {i: first + i for i in range(len(program.sections))}
+    start = len(tracer.sections)
+    section = {i: start + i for i in range(len(program.sections))}
     for title, routine in program.sections:
-        called = f"{routine}.{first}" if routine else ""
+        called = f"{routine}.{start}" if routine else ""
         tracer.sections.append(Section(f"{link}, {title}" if link and title else title, called))
     binary = {op: getattr(tracer, op) for op in BINARY}
     values: dict[int, Value] = {}

@@ -85,7 +85,7 @@ def outlined(programs: Sequence[Program]) -> tuple[list[Program], list[Routine]]
     alike: dict[tuple[str, Shape], list[_Part]] = defaultdict(list)
     for part in (part for own in parts for part in own):
         alike[part.name, part.shape].append(part)
-    names, calls = _Names(), {}
+    names, calls = _Names(), dict[int, _Call]()
     for (name, _), same in alike.items():
         if len(same) > 1:
             varying, found, order = _varying(same), _found(same), _order(same[0])
@@ -184,9 +184,9 @@ def _calling(program: Program, parts: Sequence[_Part], calls: dict[int, _Call]) 
     home = {n.id: part for part in parts if id(part) in calls for n in part.nodes}
     if not home:
         return program
-    pick = lambda v: made[v.id] if isinstance(v, Node) else v  # noqa: E731
     copy = lambda old, op, *args: Node(old.tracer, op, args, next(order), old.section)  # noqa: E731
-    made = {n.id: copy(n, n.op, *n.args) for n in program.nodes if n.op in FREE}
+    made: dict[int, Node] = {n.id: copy(n, n.op, *n.args) for n in program.nodes if n.op in FREE}
+    pick = lambda v: made[v.id] if isinstance(v, Node) else v  # noqa: E731
     for node in program.nodes:
         if node.id in made:
             continue

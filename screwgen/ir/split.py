@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from .program import Node, Program, Tracer, Value
+from .routines import RESULT
 
 KEPT = "kept"
 """The input by which pieces read the values of earlier ones; ``kept:20`` is the output of entries 20, 21, …"""
@@ -19,12 +20,19 @@ def split(program: Program, pieces: int) -> tuple[list[Program], int]:
     """
     if pieces < 2:
         return [program], 0
-    bounds = [len(program.nodes) * k // pieces for k in range(pieces + 1)]
+    bounds = [_before_results(program, len(program.nodes) * k // pieces) for k in range(pieces + 1)]
     parts = [program.nodes[a:b] for a, b in pairwise(bounds)]
     home = {node.id: k for k, part in enumerate(parts) for node in part}
     crossing = {a.id for n in program.nodes for a in _computed(n) if home[a.id] != home[n.id]}
     slots = {number: k for k, number in enumerate(sorted(crossing))}
     return [_Piece(program, k, home, slots).program(part) for k, part in enumerate(parts)], len(slots)
+
+
+def _before_results(program: Program, place: int) -> int:
+    """The place, or the next one that does not part the results of a routine from its call."""
+    while place < len(program.nodes) and program.nodes[place].op == RESULT:
+        place += 1
+    return place
 
 
 def _computed(node: Node) -> list[Node]:

@@ -169,7 +169,7 @@ class Writer:
         name, given = self._free(routine.name), self._free(f"{routine.name}_{GIVEN}")
         self._names[node.id], found = name, len(routine.program.outputs[FOUND])
         filled = array(f"{self.prefix}_real {given}", [self._value(v)[0] for v in values], WIDTH)
-        return [*filled, f"{self.prefix}_real {name}[{found}];", f"compute_{routine.name}({given}, {name});"]
+        return [*filled, f"{self.prefix}_real {name}[{found}];", f"{called(routine.name)}({given}, {name});"]
 
     def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
         """Both of an angle by one call."""
@@ -273,6 +273,11 @@ class Writer:
             ]
             out += copied(passed, assign)
         return ["", "/* outputs */", *out] if out else []
+
+
+def called(routine: str) -> str:
+    """The name of the C function of a routine."""
+    return f"compute_{routine}"
 
 
 def entries(array: str, *sizes: int) -> Callable[[int], str]:

@@ -50,7 +50,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau))
     )
     of_steps = step_derivatives.content(chain, methods, program.operation_count + solve)
-    made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular) | of_steps
+    made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular, outline=True) | of_steps
     return made | {
         "solve": solve,
         "rows": rows,
@@ -77,7 +77,7 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
         "wrench_v": entries("out->wrench_v", 6, nv),
     }
     placed = piece_place(chain, "work->kept", own, place)
-    made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"))
+    made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"), outline=True)
     return made | {"missing": "", "product": product, "stumpff": slopes([program])}
 
 

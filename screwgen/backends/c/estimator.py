@@ -30,7 +30,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     own = {slope: _by_columns(slope) for slope in SLOPES}
     own |= {"a": entries("work->a"), "vdot": entries("work->derivatives.vdot")}
     return (
-        pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work"))
+        pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work"), outline=True)
         | {
             "slopes_of_stumpff": slopes([program]),
             "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closing.rows) * chain.nv**2,

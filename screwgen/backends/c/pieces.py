@@ -10,19 +10,29 @@ from ...ir.program import Program
 from ...ir.split import KEPT, split
 from ...topology.chain import Chain
 from .code import Fail, Place, Writer, with_unused
+from .routines import Routines
 
 PIECE = 4000
 """Operations of a C function: compilers take more than twice as long for twice as many."""
 
 
 def pieces(
-    program: Program, place: Place, pointers: tuple[str, ...], longest: int = PIECE, fail: Fail | None = None
+    program: Program,
+    place: Place,
+    pointers: tuple[str, ...],
+    longest: int = PIECE,
+    fail: Fail | None = None,
+    outline: bool = False,
 ) -> dict:
     """A program as the templates print it: ``operations``, the bodies of its functions, and how many values are kept.
 
-    ``pointers`` are the functions' parameters, ``longest`` the most operations of a program in one piece.
+    ``pointers`` are the functions' parameters, ``longest`` the most operations of a program in one piece. With
+    ``outline`` what recurs is called, and ``routines`` are the functions for that; else there are none.
     """
-    return bodies(lambda piece: Writer(piece, place, fail, {*pointers, KEPT}, apart=True), program, pointers, longest)
+    routines = Routines([program] if outline else [])
+    writer = lambda piece: Writer(piece, place, fail, {*pointers, KEPT}, apart=True)  # noqa: E731
+    made = bodies(writer, routines.calling(program) if outline else program, pointers, longest)
+    return made | {"operations": program.operation_count, "routines": routines.functions}
 
 
 def bodies(

@@ -8,18 +8,22 @@ from functools import cached_property
 
 from ...ir.program import Node, Program
 from ...ir.routines import CALL, FOUND, GIVEN, Routine, outlined
-from .code import Writer, trimmed
+from .code import Writer, called, trimmed
 
 
 @dataclass(frozen=True)
 class RoutineFunction:
     """A C function that others call."""
 
-    name: str
     comment: list[str]
     signature: str
     lines: list[str]
     routine: Routine
+
+    @property
+    def c_name(self) -> str:
+        """The name of the function."""
+        return called(self.routine.name)
 
 
 class Routines:
@@ -53,7 +57,7 @@ def _function(routine: Routine) -> RoutineFunction:
     signature = f"const $_real {GIVEN}[restrict {given}], $_real {FOUND}[restrict {len(found)}]"
     finds = [v.label.quantity if isinstance(v, Node) and v.label else "" for v in found]
     comment = [work, f"{GIVEN}: {_places(routine.reads)};", f"{FOUND}: {_places(finds)}"]
-    return RoutineFunction(routine.name, comment, signature, trimmed(writer.lines()), routine)
+    return RoutineFunction(comment, signature, trimmed(writer.lines()), routine)
 
 
 def _places(names: Sequence[str]) -> str:

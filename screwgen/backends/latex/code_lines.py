@@ -149,13 +149,15 @@ def _of_link(project: CProject, sections: Mapping[tuple[str, str], CodeLines], i
 
 
 def _functions(project: CProject, i: int) -> list[tuple[str, str]]:
-    """The functions of the phases of a link, with their runs: those of the joint form last."""
+    """The functions of the phases of a link and what they call, with their runs: those of the joint form last."""
     order = sorted(project.links.runs, key=lambda run: list(RUNS).index(run), reverse=True)
     order.sort(key=lambda run: ("assembly", FUSED).index(run) if run in ("assembly", FUSED) else -1)
     out = []
     for run in order:
         for phase in project.links.phases(run):
-            out.append((phase["classes"][phase["of_link"][i]].name, run))
+            function = phase["classes"][phase["of_link"][i]]
+            called = project.links.routines.called_by([function.program])
+            out += [(name, run) for name in (*(routine.c_name for routine in called), function.name)]
     return out
 
 

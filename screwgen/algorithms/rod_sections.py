@@ -114,9 +114,13 @@ class RodMotion:
         known = self.at[before - 1] if before else _base(len(self.eta))
         return self.next(known, self.points.turn(start, s), np.zeros((3, len(self.eta))))
 
+    def points_before(self, s: float) -> int:
+        """How many points lie before the place s."""
+        return int(sum(x <= s for x in self.points.places))
+
     def _last_before(self, s: float) -> tuple[int, float]:
         """How many points lie before the place s, and where the last of them is."""
-        before = int(sum(x <= s for x in self.points.places))
+        before = self.points_before(s)
         return before, float(self.points.places[before - 1]) if before else 0.0
 
     def turns(self, s: float) -> list[Array]:
@@ -260,6 +264,26 @@ def tip(motion: RodMotion, at: float) -> dict[str, Array]:
     return {"R_T": end.R, "r_T": r, **shapes, **rates}
 
 
+def held(s: RodScope, inputs: Mapping[str, Array], moment: Array, force: Array) -> Array:
+    """(r,): the modal forces of a moment and a force at the section of the tip, in axes of F_i."""
+    motion, none = motion_along(s, inputs), mx.zeros(3)
+    end, weights = motion.end(s.key.section_at), motion.points.reach(s.key.section_at)
+    loads = [(x, none, w * force) for x, w in zip(motion.at, weights, strict=True)]
+    loads.insert(motion.points_before(s.key.section_at), (end, moment, none))
+    total: dict[str, Array] = {}
+    behind = none
+    for x, tau, f in loads[::-1]:
+        behind = _load(motion.s, total, x, behind, tau, f)
+    return total["h_rod"] * motion.scale
+
+
+def _load(s: RodScope, total: dict[str, Array], x: RodSection, behind: Array, tau: Array, f: Array) -> Array:
+    """Add what a moment on a section and a force on its tangent do to the modes; returns the moment with all behind."""
+    given = {"R_k": x.R, "G_k": x.G, "t_k": x.t, "theta_eta": x.theta_eta, "stretch": x.stretch}
+    with s.routine("rod_load"):
+        return _add(s, total, "section_load", given | {"m_1": behind, "tau_k": tau, "f_k": f}, "m_k")[0]
+
+
 def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str, Array]:
     """The sums over masses and sections in the equations of the link."""
     s, key = motion.s, motion.s.key
@@ -291,10 +315,7 @@ def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str
                 (torques[k],) = _add(s, total, "section_spin", given, "tau_k")
     mu, moment = s.lower("link", {}, "mu")[0], mx.zeros(3)
     for x, f, tau in zip(motion.at[::-1], forces[::-1], torques[::-1], strict=True):
-        given = {"R_k": x.R, "G_k": x.G, "t_k": x.t, "theta_eta": x.theta_eta, "stretch": x.stretch}
-        given |= {"m_1": moment, "tau_k": tau, "f_k": mu[0] * f}
-        with s.routine("rod_load"):
-            (moment,) = _add(s, total, "section_load", given, "m_k")
+        moment = _load(s, total, x, moment, tau, mu[0] * f)
     return {name: _scaled(value, name, motion.scale) for name, value in total.items()}
 
 

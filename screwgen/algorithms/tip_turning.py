@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..ir.derivative import columns, stumpff_slope, tangents
-from ..ir.program import Array
+from ..ir.derivative import stumpff_slope, tangents
+from ..ir.program import Array, Node
 from ..spec.link_class import EXACT
 from . import matrices as mx
 from .phases import tip_state
+from .rod_sections import held
 from .scope import Scope
 
 
@@ -77,7 +78,10 @@ def held_load(s: Scope, moment: Array, force: Array) -> Array:
         return mx.zeros(s.key.modes, s.key.modes)
     state = tip_state(s, mx.zeros(6))
     if s.key.order == EXACT:
-        return _held(s, s.lower("tip", state, "Phi_c")[0], force) + _held(s, s.lower("tip", state, "Psi_c")[0], moment)
+        with s.step("shapes of the tip: a held load on their change with the modes"):
+            forces, still = held(s, state, moment, force), {x: 0.0 for x in (*moment, *force) if isinstance(x, Node)}
+            slopes = [tangents(forces, {**still, x: 1.0}) for x in s.read("eta")]
+            return mx.array(slopes, (s.key.modes,) * 2).T
     parts = [(force, s.lower("tip", state, "H_x", "H_y", "H_z"))]
     if s.key.section_rotation:
         J, *turned = s.lower("tip", state, "J_l", "T_x", "T_y", "T_z")
@@ -85,14 +89,6 @@ def held_load(s: Scope, moment: Array, force: Array) -> Array:
     with s.step("shapes of the tip: a held load on their change with the modes"):
         loaded = (H * x for load, rows in parts for H, x in zip(rows, load, strict=True))
         return sum(loaded, mx.zeros(s.key.modes, s.key.modes))
-
-
-def _held(s: Scope, shapes: Array, load: Array) -> Array:
-    """(r, r): the derivatives of ``shapes^T load`` with the modal coordinates, the load held; row of a force."""
-    with s.step("shapes of the tip: a held load on their change with the modes"):
-        slopes = columns(shapes.ravel(), s.read("eta"))
-        found = [mx.multiply(mx.array(slope, shapes.shape).T, load) for slope in slopes]
-        return mx.array(found, (s.key.modes,) * 2).T
 
 
 def _rates_of_J(s: Scope, t: dict[str, Array], thetaddot: Array) -> tuple[Array, Array]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..ir.program import Array
+from ..spec.link_class import EXACT
 from . import matrices as mx
 from .joint_terms import joint_point, rotation
 from .phases import swing, tip_state
@@ -66,10 +67,12 @@ def tip_motion(s: Scope, link: Motion) -> Motion:
 
 def tip_motion_in_link(s: Scope, link: Motion, t: Turning) -> Motion:
     """The tip section's motion in F_i components."""
-    given = tip_state(s, mx.zeros(6)) | {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
+    given, etaddot = tip_state(s, mx.zeros(6)), s.read("etaddot")
+    given |= {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
+    if s.key.order == EXACT:  # the sections along the rod have their part
+        return Motion(*s.lower("tip_motion", given | {"etaddot": etaddot}, "omega_t", "alpha_t", "a_t"))
     omega, alpha, a, Phi = s.lower("tip_motion", given, "omega_t", "alpha_t", "a_t", "Phi_c")
     with s.step("tip motion: that of the tip section in F_i components (accconst1b)"):
-        etaddot = s.read("etaddot")
         return Motion(omega, alpha + mx.multiply(t.phi, etaddot), a + mx.multiply(Phi, etaddot))
 
 

@@ -133,10 +133,13 @@ def _changes(x: Loaded, link: Motion) -> tuple[Array, Array]:
     z = tip_motion_in_link(s, link, t)
     Phidot, Phiddot = shape_rates(s, "Phi2dot")
     with s.step("link: change of the tip's motion with the modes and their rates, in F_i components"):
-        u_eta = changed_by_modes(link, z, t, Phi)
-        u_eta[6:] = u_eta[6:] + Phiddot + 2.0 * cross_columns(link.omega, Phidot)
-        u_etadot = changed_by_rates(link, t, Phi)
-        u_etadot[6:] = u_etadot[6:] + 2.0 * Phidot
+        if s.key.order == EXACT:
+            u_eta, u_etadot = traced_changes(s, z, t.phi)
+        else:
+            u_eta = changed_by_modes(link, z, t, Phi)
+            u_eta[6:] = u_eta[6:] + Phiddot + 2.0 * cross_columns(link.omega, Phidot)
+            u_etadot = changed_by_rates(link, t, Phi)
+            u_etadot[6:] = u_etadot[6:] + 2.0 * Phidot
         s.write("w.tip_eta", u_eta)
         s.write("w.tip_etadot", u_etadot)
     return u_eta, u_etadot
@@ -181,6 +184,13 @@ def changed_by_modes(link: Motion, z: Motion, t: Turning, Phi: Array) -> Array:
     rate = t.phiddot + cross_columns(link.omegadot, t.phi) + cross_columns(link.omega, t.phidot)
     moved = cross_columns(link.omegadot, Phi) + cross_columns(link.omega, cross_columns(link.omega, Phi))
     return np.vstack([psi, rate - cross_columns(t.omega_s, psi), moved + cross_columns(z.a, t.phi)])
+
+
+def traced_changes(s: Scope, z: Motion, phi: Array) -> tuple[Array, Array]:
+    """Both derivatives where the kinematics are not expanded: of the recorded motion, and by the section's own turn."""
+    motion, size = np.concatenate([z.omega, z.stacked]), (s.key.modes, 9)
+    by_modes, by_rates = (mx.array(columns(motion, s.read(x)), size).T for x in ("eta", "etadot"))
+    return by_modes + np.vstack([cross_columns(x, phi) for x in (z.omega, z.omegadot, z.a)]), by_rates
 
 
 def changed_by_rates(link: Motion, t: Turning, Phi: Array) -> Array:

@@ -26,10 +26,11 @@ class Turning:
 def turning(s: Scope) -> Turning:
     """The rotation's columns ``phi_k = J_l Psi_k`` with two time derivatives, and the relative motion."""
     r = s.key.modes
-    if s.key.order == EXACT:
-        return _traced(s)
     if not s.key.section_rotation:
         return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3))
+    if s.key.order == EXACT:  # whose rates are found where its motion is differentiated
+        Psi, omega_s = s.lower("tip", tip_state(s, mx.zeros(6)), "Psi_c", "omega_s")
+        return Turning(Psi, mx.zeros(3, r), mx.zeros(3, r), omega_s)
     names = "theta thetadot x xdot c2 c3 c2dot c3dot J_l Psi_c omega_s".split()
     values = dict(zip(names, s.lower("tip", tip_state(s, mx.zeros(6)), *names), strict=True))
     Psi, J = values["Psi_c"], values["J_l"]
@@ -42,32 +43,14 @@ def turning(s: Scope) -> Turning:
         return Turning(mx.multiply(J, Psi), phidot, phiddot, values["omega_s"])
 
 
-def _traced(s: Scope) -> Turning:
-    """The same of a rod whose kinematics are not expanded: its turns are recorded, and so are their rates."""
-    Psi, omega_s = s.lower("tip", tip_state(s, mx.zeros(6)), "Psi_c", "omega_s")
-    return Turning(Psi, *_rates(s, Psi), omega_s)
-
-
-def _rates(s: Scope, shapes: Array) -> tuple[Array, Array]:
-    """The first and second time derivative of what depends on the modal coordinates alone."""
-    eta, etadot, etaddot = (s.read(name) for name in ("eta", "etadot", "etaddot"))
-    with s.step("shapes of the tip: their rates by the modal rates and accelerations"):
-        along = dict(zip(eta, etadot, strict=True))
-        first = tangents(shapes.ravel(), along)
-        second = tangents(first, along | dict(zip(etadot, etaddot, strict=True)))
-        return mx.array(first, shapes.shape), mx.array(second, shapes.shape)
-
-
 def shape_rates(s: Scope, name: str) -> tuple[Array, Array]:
-    """The first and second time derivative of the tip's shapes ``Phi_c`` or ``Psi_c``; zero at first order.
+    """The first and second time derivative of the tip's shapes ``Phi_c`` or ``Psi_c`` at second order.
 
     They are linear in the modal coordinates, so the second has the modal accelerations where the first has the rates.
     """
-    if s.key.order == 1:
+    if s.key.order != 2:
         return mx.zeros(3, s.key.modes), mx.zeros(3, s.key.modes)
     state = tip_state(s, mx.zeros(6))
-    if s.key.order == EXACT:
-        return _rates(s, s.lower("tip", state, "Phi_c")[0])
     first, second = (s.lower("tip", state | {"etadot": s.read(rate)}, name)[0] for rate in ("etadot", "etaddot"))
     return first, second
 

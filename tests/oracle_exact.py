@@ -110,6 +110,6 @@ class ExactLink(Link):
 
 def lagrange_integral(points: np.ndarray, j: int, s: float) -> float:
     """The integral from 0 to s of the Lagrange polynomial of point j."""
-    others = np.delete(points, j)
-    polynomial = np.poly1d(others, True) / np.prod(points[j] - others)
-    return float(polynomial.integ()(s))
+    others, (x, w) = np.delete(points, j), gauss(len(points))
+    factors = (s * x[:, None] - others) / (points[j] - others)  # coefficients of powers would lose nine digits
+    return float(s * w @ np.prod(factors, axis=1))

@@ -87,8 +87,9 @@ def test_copies_of_consecutive_entries_are_loops():
     """Single values first, as an initialiser; runs of entries by loops."""
     values = ["t1", "2", *(f"link->W[{k}]" for k in range(3, 8)), "x[9]"]
     lines = array("real given", values, 90)
-    assert lines[:3] == ["real given[8] = {", "    t1, 2", "};"]
-    assert lines[3:] == ["for (int k = 0; k < 5; ++k) {", "    given[k + 2] = link->W[k + 3];", "}", "given[7] = x[9];"]
+    assert lines[0] == "real given[8] = { t1, 2 };"
+    assert lines[1:] == ["for (int k = 0; k < 5; ++k) {", "    given[k + 2] = link->W[k + 3];", "}", "given[7] = x[9];"]
+    assert array("real given", ["long", "longer"], 24) == ["real given[2] = {", "    long, longer", "};"]
     assert copied([("a[0]", "b[1]"), ("a[1]", "b[0]")], "+=") == ["a[0] += b[1];", "a[1] += b[0];"]
 
 

@@ -164,12 +164,13 @@ class Writer:
         return lines + self._early_outputs(node, name)
 
     def _call(self, node: Node) -> list[str]:
-        """A routine run on an array of values, and the array of its results."""
+        """A routine run on an array of values, which is of no use later, and the array of its results."""
         routine, *values = node.args
-        name, given = self._free(routine.name), self._free(f"{routine.name}_{GIVEN}")
-        self._names[node.id], found = name, len(routine.program.outputs[FOUND])
-        filled = array(f"{self.prefix}_real {given}", [self._value(v)[0] for v in values], WIDTH)
-        return [*filled, f"{self.prefix}_real {name}[{found}];", f"{called(routine.name)}({given}, {name});"]
+        self._names[node.id] = name = self._free(routine.name)
+        filled = array(f"{self.prefix}_real {GIVEN}", [self._value(v)[0] for v in values], WIDTH - 4)
+        inside = [*filled, f"{called(routine.name)}({GIVEN}, {name});"]
+        found = f"{self.prefix}_real {name}[{len(routine.program.outputs[FOUND])}];"
+        return [found, "{", *(f"    {line}" for line in inside), "}"]
 
     def _sine_and_cosine(self, sine: Node, cosine: Node) -> list[str]:
         """Both of an angle by one call."""

@@ -22,7 +22,8 @@ def array(declarator: str, values: Sequence[str], width: int) -> list[str]:
         return [f"{declarator}[{len(values)}];", *copied(pairs)]
     text = textwrap.wrap(", ".join(values[:first]), width, break_long_words=False)
     lines = [f"{declarator}[{len(values)}] = {{", *(f"    {line}" for line in text), "};"]
-    return [*lines, *copied(pairs[first:])]
+    short = f"{lines[0]} {text[0]} }};"
+    return [*([short] if len(text) == 1 and len(short) <= width else lines), *copied(pairs[first:])]
 
 
 def copied(pairs: Iterable[tuple[str, str]], assign: str = "=") -> list[str]:

@@ -15,7 +15,7 @@ from screwgen.algorithms import fused
 from screwgen.algorithms.schedule import trace
 from screwgen.backends.casadi import expressions as sx
 from screwgen.backends.numpy.python import compiled
-from screwgen.ir.names import Label, Section
+from screwgen.ir.names import Label
 from screwgen.ir.program import FUNCTIONS, Program, Tracer, give_label
 from screwgen.ir.replay import bind, inline, run
 from screwgen.ir.signs import signed

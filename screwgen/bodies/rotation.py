@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ..algebra.expression import Expression, Stumpff, Symbol, hat
 from ..algebra.rate import rate
 from ..ir.block import Block
 
 
 def angle_steps(
-    b: Block, theta: Symbol, x: str, square: str, what: str
-) -> tuple[Symbol, Symbol, Symbol, Symbol, Symbol]:
+    b: Block, theta: Symbol, x: str, square: str, what: str, orders: Sequence[int] = (1, 2, 3)
+) -> tuple[Symbol, ...]:
     """The steps ``x = theta . theta``, ``c1``, ``c2``, ``c3`` (the Stumpff functions at x) and ``theta_hat2``.
 
-    ``x`` and ``square`` are the LaTeX of the squared angle and of the squared skew matrix, ``what`` the rotated body.
+    Of the Stumpff functions those of some ``orders``. ``x`` and ``square`` are the LaTeX of the squared angle and the
+    squared skew matrix, ``what`` is the rotated body.
     ``exp(hat(theta)) = I + c1 hat(theta) + c2 theta_hat2``; the left Jacobian is ``I + c2 hat(theta) + c3 theta_hat2``,
     the right one has ``-c2``.
     """
     squared = b.step("x", theta.T @ theta, x, unit="rad^2", meaning=f"squared angle of the {what}")
-    c1, c2, c3 = (
+    stumpff = [
         b.step(f"c{k}", Stumpff(k, squared), f"c_{k}", unit="-", meaning=f"Stumpff function of order {k}")
-        for k in (1, 2, 3)
-    )
+        for k in orders
+    ]
     squared_hat = b.step(
         "theta_hat2",
         hat(theta) @ hat(theta),
@@ -29,7 +32,7 @@ def angle_steps(
         meaning="square of the rotation vector's skew matrix",
         symmetric=True,
     )
-    return squared, c1, c2, c3, squared_hat
+    return squared, *stumpff, squared_hat
 
 
 def turning(b: Block, theta: Symbol, thetadot: Expression) -> Expression:

@@ -5,10 +5,10 @@ import warnings
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of
+from helpers import arm, link, model_of, quick_batch
 from robot_toml import to_toml
 
-from screwgen import ModelValidityWarning, analyse, simulate
+from screwgen import ModelValidityWarning, analyse, rollout, simulate
 from screwgen.bodies.collocation import points
 from screwgen.cli.main import main
 from screwgen.simulation.collocated import TOLERANCE, left_out
@@ -61,6 +61,45 @@ def test_other_links_have_none_and_segments_are_named_by_their_link():
     assert found.link == "rod" and found.past
 
 
+def test_sections_between_the_ends_are_asked_and_named():
+    """There the polynomial through the tangents is integrated, at the tip Gauss's quadrature is exact to twice its
+    degree: a bend that the tip hardly feels is past the bound at a marker, and where the rod carries another."""
+    bare = model_of(table(2))
+    q = bend(bare, 0.8)
+    (tip_alone,) = left_out(bare, q)
+    marked = table(2, markers=[{"name": "mid", "at": 0.3}])
+    (found,) = left_out(model_of(marked), q)
+    fine = model_of(table(2, 30))
+    off = [centrelines(m, q[0], [0.3])[0, 0] for m in (bare, fine)]
+    assert found.section == "marker 'mid'" and tip_alone.section == "tip" and not tip_alone.past
+    assert found.error > 2 * tip_alone.error and found.past
+    assert abs(np.linalg.norm(off[0] - off[1]) / 1.5 - found.error) < 0.2 * found.error
+    assert f"put its marker 'mid' {found.error:.1g} of its length beside its place" in found.text()
+    better = model_of(table(2, found.enough, markers=marked["links"][0]["markers"]))
+    assert found.enough > found.points and not left_out(better, q)[0].past
+    carrying = table(2)
+    carrying["links"].append({**link("twig", 0.1, "y"), "parent": "rod", "at": {"s": 0.3}})
+    model = model_of(carrying)
+    (same,) = left_out(model, np.insert(q, 0, 0.0, axis=1))
+    assert same.section == "section at s = 0.3" and same.error == found.error
+
+
+def test_rollouts_warn_as_runs_do():
+    """Once, of the states in which some scenario bends most; not of one that stopped."""
+    model = model_of(table())
+    quick_batch(model)
+    starts = np.vstack([0.1 * bend(model, 2.0), bend(model, 2.0), np.full((1, model.nq), np.nan)])
+    x0 = np.hstack([starts, 0 * np.nan_to_num(starts)])
+    with pytest.warns(ModelValidityWarning) as said:
+        run = rollout(model, x0, step=1e-3, steps=5)
+    (line,) = [str(w.message) for w in said if "points along it" in str(w.message)]
+    assert line == left_out(model, run.q[1])[0].text() and not run.ok[2]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        rollout(model, x0, step=1e-3, steps=5)
+        rollout(model_of(table()), x0[:1], step=1e-3, steps=5)
+
+
 def test_a_run_warns_once_with_a_number_and_a_remedy():
     model = model_of(table())
     start = bend(model, 2.0)[0]
@@ -85,7 +124,7 @@ def test_analyses_of_states_and_runs_report_it(capsys, monkeypatch, tmp_path):
     (bent,) = found.states[0].left_out
     assert bent == left_out(model, q)[0] and not found.states[1].left_out[0].past
     text = " ".join(found.text().split())
-    assert bent.text() in text and f"over the length: rod {bent.error:.1g} (3 points)" in text
+    assert bent.text() in text and f"over the length: rod {bent.error:.1g} (tip, 3 points)" in text
     assert json.loads(found.to_json())["states"][0]["left_out"][0]["enough"] == bent.enough
     (tmp_path / "robot.toml").write_text(to_toml(table()))
     (tmp_path / "state.json").write_text(json.dumps({"q": q[0].tolist()}))

@@ -45,12 +45,17 @@ def layouts_of(seed: int) -> tuple[str, str]:
 
 
 def casadi_dae(case: Case) -> dict[str, np.ndarray]:
-    """The unknowns of the DAE form: M_sys of CasADi, solved densely."""
+    """The unknowns of the DAE form: M_sys of CasADi, solved densely, with a step of refinement.
+
+    Wrenches are up to 1e5 times as large as accelerations, and the base of an arm does not accelerate: an LU alone
+    leaves eps of the wrenches there.
+    """
     functions, p, n = case.model.casadi(), case.model.parameter_values, case.model.n_links
     q, v, tau, w_ext = case.inputs
     x = functions["dae_state"](q, v, p)
     M, H, W = (np.array(a.full()) for a in functions["assemble"](x, tau, w_ext.T, p))
-    z = np.linalg.solve(M, W - H)[:, 0]
+    z = np.linalg.solve(M, W - H)
+    z = (z + np.linalg.solve(M, W - H - M @ z))[:, 0]
     links = z[: 12 * n].reshape(n, 12)
     return {"tau": links[:, :3], "F": links[:, 3:6], "alpha": links[:, 6:9], "a": links[:, 9:], "etadd": z[12 * n :]}
 

@@ -20,6 +20,7 @@ from ..robot_model import RobotModel
 from ..runtime.batch import OK, SINGULAR, CompiledBatch, compiled_batch
 from ..runtime.differentiated import NO_METHOD
 from ..topology.coordinates import SLACK
+from . import collocated
 from .chunks import How, in_chunks, merged
 from .compiled_runs import added
 from .measured import MEASURED
@@ -150,6 +151,7 @@ def rollout(
 
     The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
     Where a link is past the bounds of the model a :class:`ModelValidityWarning` says so; see `Rollout.validity`.
+    So it does where the points of a link of order "exact" are too few for the states in which it bends most.
     A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
     on arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
@@ -162,6 +164,7 @@ def rollout(
     else:
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     run.validity.warn(model, stacklevel=2)
+    collocated.warn(model, run.q)
     return run
 
 

@@ -194,8 +194,8 @@ def limits_of_model(what: str, v: Validity, rods: Sequence[LeftOut] = ()) -> str
     """The table of a state or a run, the measures past their bounds, and what points of exact rods leave out."""
     notes = [_wrapped(f"- {f.text()}; {f.remedy()}", "  ") for f in v.findings]
     if rods:
-        errors = ", ".join(f"{x.link} {x.error:.1g} ({_count(x.points, 'point')})" for x in rods)
-        notes.append(_wrapped(f"Error of the tips of exact links by their points, over the length: {errors}"))
+        errors = ", ".join(f"{x.link} {x.error:.1g} ({x.section}, {_count(x.points, 'point')})" for x in rods)
+        notes.append(_wrapped(f"Error of the sections of exact links by their points, over the length: {errors}"))
         notes += [_wrapped(f"- {x.text()}", "  ") for x in rods if x.past]
     return "\n".join([f"Limits of the model of first order, {what}; * is past its bound", v.table(), *notes])
 

@@ -8,7 +8,7 @@ import pytest
 from helpers import arm, link, model_of, quick_batch
 from robot_toml import to_toml
 
-from screwgen import ModelValidityWarning, analyse, rollout, simulate
+from screwgen import ModelValidityWarning, analyse, rollout, simulate, sweep
 from screwgen.bodies.collocation import points
 from screwgen.cli.main import main
 from screwgen.simulation.collocated import TOLERANCE, left_out
@@ -98,6 +98,21 @@ def test_rollouts_warn_as_runs_do():
         warnings.simplefilter("error")
         rollout(model, x0, step=1e-3, steps=5)
         rollout(model_of(table()), x0[:1], step=1e-3, steps=5)
+
+
+def bent_starts(rng, n):
+    """Scenarios of which one is bent far."""
+    x0 = np.zeros((n, 2 * model_of(table()).nq))
+    x0[:1, : x0.shape[1] // 2] = bend(model_of(table()), 2.0)[:1]
+    return {"x0": x0}
+
+
+def test_a_sweep_warns_of_its_worst_scenario(tmp_path):
+    """Of whichever chunk, once."""
+    with pytest.warns(ModelValidityWarning) as said:
+        sweep(model_of(table()), bent_starts, 4, tmp_path / "s.npy", step=1e-3, steps=2, chunk=2)
+    (line,) = [str(w.message) for w in said if "points along it" in str(w.message)]
+    assert "the 3 points along it put its tip" in line
 
 
 def test_a_run_warns_once_with_a_number_and_a_remedy():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -54,18 +55,21 @@ class LeftOut:
 
 def left_out(model: RobotModel, q: np.ndarray) -> tuple[LeftOut, ...]:
     """What the points of each link of order EXACT leave out in states `q` (…, nq), at the lengths of the file."""
+    return worst_of(_of_segment(model, q, i, key) for i, key in enumerate(model.chain.keys) if key.order == EXACT)
+
+
+def worst_of(found: Iterable[LeftOut]) -> tuple[LeftOut, ...]:
+    """The largest error of each link."""
     worst: dict[str, LeftOut] = {}
-    for i, key in enumerate(model.chain.keys):
-        if key.order == EXACT:
-            found = _of_segment(model, q, i, key)
-            if found.link not in worst or worst[found.link].error < found.error:
-                worst[found.link] = found
+    for one in found:
+        if one.link not in worst or worst[one.link].error < one.error:
+            worst[one.link] = one
     return tuple(worst.values())
 
 
-def warn(model: RobotModel, q: np.ndarray, stacklevel: int = 2) -> None:
+def warn(model: RobotModel, errors: Iterable[LeftOut], stacklevel: int = 2) -> None:
     """A :class:`ModelValidityWarning` on the link whose error is largest, where it is past; once for each link."""
-    found = [x for x in left_out(model, q) if x.past and not model.made(("told", x.link, "points"))]
+    found = [x for x in errors if x.past and not model.made(("told", x.link, "points"))]
     for one in found:
         model.once(("told", one.link, "points"), lambda: True)
     if found:

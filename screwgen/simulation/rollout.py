@@ -164,7 +164,7 @@ def rollout(
     else:
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     run.validity.warn(model, stacklevel=2)
-    collocated.warn(model, run.q)
+    collocated.warn(model, collocated.left_out(model, run.q))
     return run
 
 

@@ -113,7 +113,7 @@ def simulate(
             run = table.run()
             hits.warn(run.hits)
             table.loops.warn()
-            collocated.warn(model, run.q)
+            collocated.warn(model, collocated.left_out(model, run.q))
             return run
     except ScrewgenError as error:
         error.run = table.run(str(error)) if table.count else None

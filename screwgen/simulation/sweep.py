@@ -28,7 +28,9 @@ from ..integrators.methods import method_of
 from ..robot_model import RobotModel
 from ..runtime.differentiated import NO_METHOD
 from ..version import __version__ as VERSION
+from . import collocated
 from .chunks import CHUNK, HERE, How, completed, merged, ready, unpacked
+from .collocated import LeftOut, left_out, worst_of
 from .rollout import Rollout, checked, rolled
 from .store import Store
 from .validity import Validity
@@ -120,8 +122,9 @@ def sweep(
                 found = _run(executor, task, target, progress)
     finally:
         HERE.pop(task.digest, None)
-    for validity in found:
+    for validity, errors in found:
         validity.warn(model, stacklevel=2)
+        collocated.warn(model, errors)
     return Sweep(*target.result())
 
 
@@ -177,8 +180,12 @@ def _said(what: Any) -> str:
         return f"{what.__module__}.{what.__qualname__}{inner}"
 
 
-def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
-    """Values, statuses and validity of chunk `k`; runs in a worker."""
+Limits = tuple[Validity, tuple[LeftOut, ...]]
+"""How near scenarios come to the limits of the model, and what the points of exact rods leave out in them."""
+
+
+def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Limits]:
+    """Values, statuses and limits of chunk `k`; runs in a worker."""
     model, draw, keep, options = unpacked(task.digest, task.packed)
     ready(model, options["single"], options["integrator"])
     n, rng = task.size(k), np.random.default_rng([task.seed, k])
@@ -193,20 +200,25 @@ def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Validity]:
         raise UsageError(f"keep gave {values.dtype}; it must give booleans, or numbers of double precision at most")
     if len(run.status) != n or values.shape[:1] != (n,):
         raise UsageError(f"draw gave {len(run.status)} scenarios, keep the shape {values.shape}; both must be of {n}")
-    return values.astype(values.dtype.char, copy=False), run.status.astype(np.uint8), run.validity
+    return (
+        values.astype(values.dtype.char, copy=False),
+        run.status.astype(np.uint8),
+        (run.validity, left_out(model, run.q)),
+    )
 
 
 def _run(
     executor: Executor, task: SweepTask, target: Store, progress: Callable[[int, int], object] | None
-) -> list[Validity]:
-    """Store what the workers find; the measures of all scenarios, if there were any."""
-    validities: list[Validity] = []
+) -> list[Limits]:
+    """Store what the workers find; the limits of all scenarios, if there were any."""
+    limits: list[Limits] = []
     done = sum(task.size(k) for k in target.done)
     missing = (k for k in range(task.chunks) if k not in target.done)
-    for k, (values, status, validity) in completed(lambda k: executor.submit(work, task, k), missing, executor):
+    for k, (values, status, own) in completed(lambda k: executor.submit(work, task, k), missing, executor):
         target.write(k, values, status)
-        validities = [merged([*validities, validity])]
+        validities, errors = zip(*limits, own, strict=True)
+        limits = [(merged(list(validities)), worst_of(x for some in errors for x in some))]
         done += task.size(k)
         if progress is not None:
             progress(done, task.count)
-    return validities
+    return limits

@@ -54,7 +54,9 @@ def test_the_command_prints_a_report_and_json(capsys, tmp_path):
 
 def test_the_report_opens_with_whether_it_is_stable(capsys, tmp_path):
     """A rod that stands on its joint falls; gains too high for the step are a matter of the step."""
-    robot, up, gains = tmp_path / "rod.toml", tmp_path / "up.json", tmp_path / "gains.toml"
+    far = tmp_path / ("deep" * 30)  # names of files are not broken
+    far.mkdir()
+    robot, up, gains = tmp_path / "rod.toml", far / "up.json", tmp_path / "gains.toml"
     link = 'section = { rhoA = 0.5 }\nlength = 1.0\njoint = { axes = ["y"] }\nbodies = [ { at = "tip", mass = 0.2 } ]'
     robot.write_text(f'name = "rod"\ngravity = [0.0, 0.0, -9.81]\n[[links]]\nname = "pole"\n{link}\n')
     up.write_text("[-1.5707963267948966]")

@@ -236,6 +236,13 @@ SEARCHES = {
 """What readers type, and where the first hits lead; that the forearm's joint is an elbow no file says."""
 
 
+def test_a_search_knows_joints_of_links_without_telling_names():
+    """The word is looked for and not shown: it is a guess from the row of links."""
+    text = latex.html(Robot(**arm(link("one", axes="z"), link("two", axes="z"), name="plain")), PLUGINS)
+    assert re.findall(r'<tr id="guide-(\w+)" data-find="(\w*)"', text) == [("one", "shoulder"), ("two", "elbow")]
+    assert "elbow:" not in text and ": the elbow" not in text
+
+
 @pytest.mark.examples
 @every_browser
 def test_what_readers_type_is_found(program, tmp_path):

@@ -30,7 +30,8 @@ from .content import (
     Paragraph,
     StepEquation,
 )
-from .joints import called, instance
+from .joint_words import called, sought
+from .joints import instance
 from .layout import Formula
 from .marks import Entries, Marks
 from .numbers import MANY_LINKS, Table
@@ -64,6 +65,8 @@ class Guide:
     """The numbers of these torques."""
     word: str
     """What people call the joint, if the link's name says it."""
+    sought: str
+    """The word by which a search finds the joint."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +85,8 @@ class Extras:
     entries: Entries
     efforts: Sequence[Sequence[int]]
     """The numbers of the torques of every link's joint, from 1."""
+    sought: Sequence[str]
+    """The words by which a search finds the links' joints."""
 
 
 def extras(chain: Chain) -> Extras:
@@ -93,7 +98,8 @@ def extras(chain: Chain) -> Extras:
     drawn, code = diagram.diagram(chain), code_lines.generated(chain)
     places = chain.tau_offset
     efforts = [range(places[i] + 1, places[i + 1] + 1) for i in range(chain.n)]
-    return Extras(drawn, found, table, code, firsts, chain.names, classes, numbers.entries(chain), efforts)
+    entries = numbers.entries(chain)
+    return Extras(drawn, found, table, code, firsts, chain.names, classes, entries, efforts, sought(chain))
 
 
 @dataclass
@@ -273,7 +279,7 @@ def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
         place = next((a for (link, title), a in places.items() if link == first and BIAS.search(title)), "")
         modes = f"mode-{name}" if more.modes and any(row[1] == f"`{name}`" for row in more.modes.rows) else ""
         torque = torques.get(name, "")
-        known = (of_class[more.classes[i]], modes, bias, place, torque, more.efforts[i], called(name))
+        known = (of_class[more.classes[i]], modes, bias, place, torque, more.efforts[i], called(name), more.sought[i])
         yield Guide(name, i + 1, *known)
 
 

@@ -21,6 +21,7 @@ from screwgen import Robot, ScrewgenError, load
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex import engine, mathml
 from screwgen.backends.latex.style import style
+from screwgen.backends.latex.text import in_html
 from screwgen.backends.templates import folder, render
 from screwgen.cli.main import main
 
@@ -81,6 +82,29 @@ def test_pages_are_set_in_their_own_font(program, tmp_path):
         starts = browser.run(f"[...{right}].map(x => x.getBoundingClientRect().left)")
         assert np.ptp(ends) < 1.0 and np.ptp(starts) < 1.0, "sides end and begin at the equals signs"
         assert browser.complaints == [] and browser.requests == [(tmp_path / "page.html").as_uri()]
+
+
+def test_formulas_of_a_page_have_no_groups_that_change_nothing():
+    """Groups around operators stay, which have room by their place in a group; marks go to what was in a group."""
+    matrix = '<mrow><mi>a</mi><mo>=</mo><mrow data-s="1"><mi>b</mi></mrow></mrow>'
+    bracket = '<mo stretchy="true" fence="true" form="prefix">(</mo>'
+    text = f"<mtd>{matrix}</mtd><msup><mrow><mi>c</mi></mrow><mrow><mo>*</mo></mrow></msup>{bracket}"
+    root = ElementTree.fromstring(f"<math>{text}</math>")
+    mathml.shorten(root)
+    wanted = (
+        '<mtd><mi>a</mi><mo>=</mo><mi data-s="1">b</mi></mtd><msup><mi>c</mi><mrow><mo>*</mo></mrow></msup><mo>(</mo>'
+    )
+    assert ElementTree.tostring(root, encoding="unicode") == f"<math>{wanted}</math>"
+
+
+def test_units_are_text():
+    shown = {
+        r"\mathrm{kg}\,\mathrm{m}^{2}": "kg\u00a0m<sup>2</sup>",
+        r"1/\mathrm{s}^{2}": '<span class="tie">1/s<sup>2</sup></span>',
+        r"\mathrm{N\,m/rad}": '<span class="tie">N\u00a0m/rad</span>',
+    }
+    assert {formula: in_html(f"${formula}$") for formula in shown} == shown
+    assert all("<math>" in in_html(f"${formula}$") for formula in (r"c_{\mathrm{turn}}", r"\mathrm{d}\mathbf{m}", "1"))
 
 
 def test_bold_letters_are_characters():

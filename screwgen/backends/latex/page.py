@@ -44,6 +44,8 @@ CLASS_STEPS = (*KEY_STEPS, "M_eta", "K", "S", "J", "A")
 SOLUTION = "Its solution"
 BIAS = re.compile(r"joint: .*eliminated")
 """The heading, in generated C, of what has the bias of a joint."""
+TORQUE = "tau["
+"""What generated C calls an entry of the torques."""
 FORWARD = "forward_dynamics"
 BOLD = r"(?:\\\w+\{)*\\(?:mathbf|boldsymbol)\{"
 
@@ -57,6 +59,8 @@ class Guide:
     of_class: str
     modes: str
     bias: CodeLines | None
+    line: int
+    """The number of the line there that takes the bias from the torque; 0 if there is none."""
     place: str
     """The anchor of the lines of C of the joint's bias."""
     torque: str
@@ -279,7 +283,18 @@ def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
         place = next((a for (link, title), a in places.items() if link == first and BIAS.search(title)), "")
         modes = f"mode-{name}" if more.modes and any(row[1] == f"`{name}`" for row in more.modes.rows) else ""
         torque = torques.get(name, "")
-        known = (of_class[more.classes[i]], modes, bias, place, torque, more.efforts[i], called(name), more.sought[i])
+        line = next((n for n, text in enumerate(bias.text, bias.first) if TORQUE in text), 0) if bias else 0
+        known = (
+            of_class[more.classes[i]],
+            modes,
+            bias,
+            line,
+            place,
+            torque,
+            more.efforts[i],
+            called(name),
+            more.sought[i],
+        )
         yield Guide(name, i + 1, *known)
 
 

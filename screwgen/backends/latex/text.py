@@ -31,6 +31,8 @@ SPECIAL: dict[str, str] = {
     "·": r"$\cdot$",
     "−": "$-$",
     "–": "--",
+    "“": "``",
+    "”": "''",
     "≤": r"$\leq$",
     "≥": r"$\geq$",
     "≈": r"$\approx$",
@@ -107,9 +109,9 @@ def _html_unit(formula: str) -> str:
     """A unit as plain text, in one line; empty for other formulas."""
     if "mathrm" not in formula or not UNIT.fullmatch(formula):
         return ""
-    plain = re.sub(UPRIGHT, r"\1", formula).replace(r"\,", "\u202f")
+    plain = re.sub(UPRIGHT, r"\1", formula).replace(r"\,", "\u00a0")
     text = re.sub(r"\^\{(\d)\}", r"<sup>\1</sup>", plain)
-    return f'<span class="tie">{text}</span>' if "/" in text else text
+    return f'<span class="tie">{text}</span>' if "/" in plain else text
 
 
 def in_markdown(text: str) -> str:

@@ -89,8 +89,11 @@ class Browser:
         named = [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]
         self.call("Emulation.setEmulatedMedia", features=named)
 
+    def go(self, url: str) -> None:
+        self.call("Page.navigate", url=url)
+
     def open(self, path: Path) -> None:
-        self.call("Page.navigate", url=Path(path).resolve().as_uri())
+        self.go(Path(path).resolve().as_uri())
         self.until("document.readyState === 'complete' && window.screwgen && window.screwgen.ready > 0")
 
     def until(self, condition: str) -> None:
@@ -104,6 +107,10 @@ class Browser:
         found = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
         assert "exceptionDetails" not in found, found["exceptionDetails"]
         return found["result"].get("value")
+
+    def point(self, x: float, y: float) -> None:
+        """Moves the pointer to a place of the page as it is shown."""
+        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
 
     def picture(self, path: Path | None = None) -> np.ndarray:
         """The page as (height, width, 3), 0 to 255."""

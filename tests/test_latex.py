@@ -70,13 +70,21 @@ def test_every_step_is_shown_once_with_name_and_equation(name):
     assert sorted(shown) == list(range(1, len(chain.classes) + 1))
     for class_number, key in enumerate(chain.classes, 1):
         referred = [shown[int(n)] for n in re.findall(r"As for class (\d+)", shown[class_number])]
-        wanted = Counter(step.name for _, view in views(key) for step in view.steps)
+        wanted = Counter(step.name for step in {step for _, view in views(key) for step in view.steps})
         own = _steps(shown[class_number])
         assert own <= wanted
         for _, view in views(key):
             for step in view.steps:
                 assert own[step.name] == wanted[step.name] or any(_steps(s)[step.name] for s in referred), step.name
                 assert step.equation == "" or f"({step.equation})" in tex(name)
+
+
+def test_steps_that_a_class_shows_already_are_named():
+    """The energy has the link's own bias again, after the one of a given angular acceleration."""
+    (energy,) = re.findall(r"\\subsection\*?\{Energy\}(.*?)\\sub", tex("ella"), re.DOTALL)
+    (named,) = re.findall(r"As under ``Link'': (.*?)\.\n", energy)
+    assert r"$\mathbf{H}^*_i$" in named and r"$\mathbf{h}_{\eta}$" in named
+    assert r"\step{kinetic}" in energy and "H\\_star" not in energy
 
 
 def _steps(section: str) -> Counter:

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
 import pytest
+import sympy as sp
 from latex_documents import ROOT, robot
 
 from screwgen import load
 from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.blocks import by_blocks
 from screwgen.backends.latex.layout import PAGE, width
+from screwgen.backends.latex.scalars import scalars
 from screwgen.backends.latex.steps import StepView
 from screwgen.backends.latex.style import style
 from screwgen.topology.chain import Chain
@@ -40,6 +44,18 @@ def test_every_block_is_defined_once_and_fits(robot_, block, name):
     defined = [cell.removeprefix(r"\qquad ") for row in shown.components for cell in row if not cell.startswith("=")]
     assert len(used) > 1 and used <= set(defined) and len(defined) == len(set(defined))
     assert all(width(" ".join(row)) <= PAGE for row in shown.components)
+
+
+@pytest.mark.parametrize(
+    ("name", "above"), [("M_V", r"\mathbf{M}_{V,\omega,v}"), ("M_star", r"{\mathbf{M}^*_{\omega,v}}")]
+)
+def test_a_block_below_the_diagonal_is_a_transpose(name, above):
+    """Of a letter with a star the block is a group: LaTeX refuses a second superscript."""
+    key = Chain(load(ROOT / "examples" / "ella.toml")).classes[0]
+    block = latex.class_blocks(key)["link"]
+    entries = np.full((6, 6), sp.Symbol("x"), dtype=object)
+    whole, _ = by_blocks(block.steps[name].signal, entries, scalars(block), (), lambda _: "x")
+    assert rf"\\ {above}^{{\top}} & " in whole
 
 
 def test_a_large_diagonal_matrix_is_written_by_its_diagonal():

@@ -9,8 +9,11 @@ import pytest
 from latex_documents import content, robot
 
 import screwgen
+from screwgen import Robot
 from screwgen.backends.latex.content import Display, Document
-from screwgen.backends.latex.joints import JOINTS, called, instance
+from screwgen.backends.latex.joint_words import called, sought
+from screwgen.backends.latex.joints import JOINTS, instance
+from screwgen.topology.chain import Chain
 
 
 def displays(document: Document) -> dict[int, Display]:
@@ -55,10 +58,49 @@ def test_an_equation_has_what_its_joint_has():
 
 @pytest.mark.parametrize(
     ("link", "word"),
-    [("forearm", "elbow"), ("left_fore", "elbow"), ("upper_arm", "shoulder"), ("boom", ""), ("r_hand", "wrist")],
+    [
+        ("forearm", "elbow"),
+        ("left_fore", "elbow"),
+        ("upper_arm", "shoulder"),
+        ("boom", ""),
+        ("r_hand", "wrist"),
+        ("wrist_2_link", "wrist"),
+    ],
 )
 def test_joints_have_the_names_that_people_give_them(link, word):
     assert called(link) == word
+
+
+def row(*links: dict, **more) -> list[str]:
+    """The words of links in a row."""
+    return sought(Chain(Robot.model_validate({"name": "row", "gravity": [0.0, 0.0, -9.81], "links": links} | more)))
+
+
+def turning(name: str, length: float = 0.0, axes: tuple = ("z",), **joint) -> dict:
+    body = {"at": "base", "mass": 1.0, "com": [0.1, 0.0, 0.0], "inertia": [0.1, 0.1, 0.1, 0.0, 0.0, 0.0]}
+    own = {"name": name, "joint": {"axes": list(axes), **joint}, "bodies": [body]}
+    return own | ({"length": length} if length else {})
+
+
+def test_a_search_finds_joints_by_their_place_in_an_arm():
+    """Joints on one axis belong together, away from the base is the elbow; names of links come first."""
+    assert row(turning("a", 1.0), turning("b", 1.0)) == ["shoulder", "elbow"]
+    column = turning("column", 1.0, ("x",))
+    parts = column, turning("a", 0.7, ("y",)), turning("b", 0.5, ("x",)), turning("c", axes=("y",))
+    assert row(*parts) == ["shoulder", "shoulder", "elbow", "elbow"]
+    placed = {"mount": {"xyz": [0.5, 0.0, 0.0]}}
+    assert row(turning("a"), turning("b", **placed), turning("c", **placed)) == ["shoulder", "elbow", "wrist"]
+    welded = turning("a", 1.0), turning("sleeve", 0.2, ()), turning("b", 0.5)
+    assert row(*welded) == ["shoulder", "", "elbow"]
+    assert row(turning("a", 1.0), turning("thigh", 1.0)) == ["", "hip"]
+
+
+def test_what_is_no_arm_has_no_such_words():
+    slide = [{"slide": "x"}]
+    assert row(turning("pendulum", 1.0)) == [""]
+    assert row(turning("a", 1.0, slide), turning("b", 1.0)) == ["", ""]
+    assert row(*(turning(name, 1.0) for name in "abcd")) == ["", "", "", ""]
+    assert row(turning("a", 1.0), turning("b", 1.0), turning("c", 1.0) | {"parent": "a"}) == ["", "", ""]
 
 
 @pytest.mark.parametrize(

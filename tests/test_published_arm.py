@@ -2,9 +2,10 @@
 
 A. De Luca, B. Siciliano, Closed-form dynamic model of planar multilink lightweight robots, IEEE Trans. Systems, Man and
 Cybernetics 21(4), 1991. The paper was not at hand: its coefficients b and h were read from a transcription for Matlab
-by J. Alvaro Perez, 19 May 2016, which names it, and are written here for one shape a link. A Lagrangian of its own
-stands between both. With turns of the tip section as they are it equals the tool's equations in every term. With turns
-to first order, as the paper has them, and to first order in the deflections it equals the published ones.
+by J. Alvaro Perez, 19 May 2016, which names it: github.com/andreabrugnoli/PHD_github, file `model_constants_bis.m` in
+`MatlabProjects/PH/PH_TITOP/TwoLinks_Manipulator/DeLuca`. Here they are written for one shape a link. A Lagrangian of
+its own stands between both. With turns of the tip section as they are it equals the tool's equations in every term.
+With turns to first order, as the paper has them, and to first order in the deflections it equals the published ones.
 """
 
 from __future__ import annotations

@@ -3,7 +3,8 @@
 Each has inertia matrix, velocity terms (of Christoffel's symbols) and forces at rest, and names where the form stands.
 The symbols are those of the tool; where a source has another letter or zero, the docstring says which. The books were
 not at hand when these were written down. The forms that were compared with pages that print them are listed with their
-addresses in `docs/research.md`; De Luca and Siciliano's arm with all its terms: `tests/test_published_arm.py`.
+addresses in `docs/research.md`; De Luca and Siciliano's arm with all its terms: `tests/test_published_arm.py`, their
+single link with hub and payload: `tests/test_published_link.py`.
 """
 
 from __future__ import annotations

@@ -58,7 +58,7 @@ def by_blocks(
             if not any(value != 0 for value in block.flat):
                 cells[-1].append("0" if block.shape == (1, 1) else r"\mathbf{0}")
             elif alike and j < i and block.shape != (1, 1):
-                cells[-1].append(rf"{_name(signal, col, row)}^{{\top}}")
+                cells[-1].append(_transposed(_name(signal, col, row)))
             elif block.shape == (1, 1):
                 name = entry(signal, (row.first, col.first))
                 cells[-1].append(name)
@@ -77,6 +77,11 @@ def _name(signal: NamedSignal, row: Span, col: Span) -> str:
     letters = [span.letter for span in (row, col) if span.letter]
     joint = "," if any(len(letter) > 1 and letter != LETTERS["torsion"] for letter in letters) else ""
     return subscripted(signal.display, joint.join(letters), bold=True)
+
+
+def _transposed(name: str) -> str:
+    r"""A name with \top; one that has a superscript becomes a group, for LaTeX sets no second one beside it."""
+    return rf"{{{name}}}^{{\top}}" if "^" in name else rf"{name}^{{\top}}"
 
 
 def _spans(signal: NamedSignal, dimension: int, parts: Parts) -> list[Span]:

@@ -172,7 +172,7 @@ def unit(text: str) -> str:
 
 
 def _unit(text: str) -> str:
-    above, _, below = text.partition("/")
+    above, _, below = text.replace("(", "").replace(")", "").partition("/")
     side = lambda s: r"\,".join(_powered(f) for f in s.split("*"))  # noqa: E731
     return side(above) + (f"/{side(below)}" if below and "*" not in below else rf"/({side(below)})" if below else "")
 

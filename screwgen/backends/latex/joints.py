@@ -13,27 +13,13 @@ from ...spec.parameters import coordinate_names, parameters, per_axis
 from ...topology.chain import Chain
 from . import elements
 from .content import Display, DocumentSection, Heading, Item, Paragraph
+from .joint_words import called
 from .layout import PAGE, Formula, equation, matrix, width
 from .numbers import MANY_LINKS
 from .scalars import scalars
 from .tables import axis_text, decimal, plain_unit
 
 JOINTS = "Torques of the joints"
-CALLED = {
-    "elbow": r"fore_?arm|lower_?arm|fore",
-    "shoulder": r"upper_?arm|upper",
-    "wrist": r"hand|gripper",
-    "hip": r"thigh|upper_?leg",
-    "knee": r"shank|shin|lower_?leg|calf",
-    "ankle": r"foot",
-}
-"""What people call the joint that carries a link of such a name."""
-SIDE = r"(?:left_|right_|l_|r_)?"
-
-
-def called(link: str) -> str:
-    """The word for the joint that carries a link, from the link's name; empty where there is none."""
-    return next((word for word, names in CALLED.items() if re.fullmatch(f"{SIDE}(?:{names})", link.lower())), "")
 
 
 def instance(symbol: str, link: int) -> str:

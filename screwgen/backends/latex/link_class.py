@@ -11,7 +11,7 @@ from ...ir.block import Binding, Block
 from ...reduction.invariants import Invariants
 from ...spec.link_class import AXIS, EXACT, LinkClass
 from ..templates import render
-from .content import Display, DocumentSection, Heading, Item, Paragraph, equation, parse
+from .content import Display, DocumentSection, Heading, Item, Paragraph, StepEquation, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
 from .steps import BlockView
@@ -47,11 +47,24 @@ def class_section(
     for earlier in sorted({printed[part] for part in parts if part in printed}):
         titles = [part[0] for part in parts if printed.get(part) == earlier]
         items.append(Paragraph(f"As for class {earlier}: {', '.join(titles).lower()}."))
+    shown: dict[Item, str] = {}
     for title, below in parts:
         if (title, below) not in printed:
             printed[title, below] = number
-            items += [Heading(title), *below]
+            items += [Heading(title), *_once(title, below, shown)]
     return DocumentSection(f"Link class {number}", items, number)
+
+
+def _once(title: str, below: Sequence[Item], shown: dict[Item, str]) -> Iterator[Item]:
+    """What is below a title; steps that are ``shown`` below an earlier title, by which they go, are only named."""
+    repeated = [item for item in below if isinstance(item, StepEquation) and item in shown]
+    for earlier in dict.fromkeys(shown[item] for item in repeated):
+        symbols = ", ".join(f"${item.step.formula[0][0]}$" for item in repeated if shown[item] == earlier)
+        yield Paragraph(f"As under “{earlier}”: {symbols}.")
+    for item in below:
+        if item not in repeated:
+            shown[item] = title
+            yield item
 
 
 def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:

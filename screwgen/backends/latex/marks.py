@@ -56,7 +56,8 @@ class Marks:
         if text not in self._done:
             root = ElementTree.fromstring(text)
             self._children(root)
-            self._done[text] = ElementTree.tostring(root, encoding="unicode", short_empty_elements=False)
+            mathml.shorten(root)
+            self._done[text] = ElementTree.tostring(root, encoding="unicode").replace(" />", "/>")
         return self._done[text]
 
     def _children(self, parent: Element) -> None:

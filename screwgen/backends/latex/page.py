@@ -30,7 +30,8 @@ from .content import (
     Paragraph,
     StepEquation,
 )
-from .joints import called, instance
+from .joint_words import called, sought
+from .joints import instance
 from .layout import Formula
 from .marks import Entries, Marks
 from .numbers import MANY_LINKS, Table
@@ -43,6 +44,8 @@ CLASS_STEPS = (*KEY_STEPS, "M_eta", "K", "S", "J", "A")
 SOLUTION = "Its solution"
 BIAS = re.compile(r"joint: .*eliminated")
 """The heading, in generated C, of what has the bias of a joint."""
+TORQUE = "tau["
+"""What generated C calls an entry of the torques."""
 FORWARD = "forward_dynamics"
 BOLD = r"(?:\\\w+\{)*\\(?:mathbf|boldsymbol)\{"
 
@@ -56,6 +59,8 @@ class Guide:
     of_class: str
     modes: str
     bias: CodeLines | None
+    line: int
+    """The number of the line there that takes the bias from the torque; 0 if there is none."""
     place: str
     """The anchor of the lines of C of the joint's bias."""
     torque: str
@@ -64,6 +69,8 @@ class Guide:
     """The numbers of these torques."""
     word: str
     """What people call the joint, if the link's name says it."""
+    sought: str
+    """The word by which a search finds the joint."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +89,8 @@ class Extras:
     entries: Entries
     efforts: Sequence[Sequence[int]]
     """The numbers of the torques of every link's joint, from 1."""
+    sought: Sequence[str]
+    """The words by which a search finds the links' joints."""
 
 
 def extras(chain: Chain) -> Extras:
@@ -93,7 +102,8 @@ def extras(chain: Chain) -> Extras:
     drawn, code = diagram.diagram(chain), code_lines.generated(chain)
     places = chain.tau_offset
     efforts = [range(places[i] + 1, places[i + 1] + 1) for i in range(chain.n)]
-    return Extras(drawn, found, table, code, firsts, chain.names, classes, numbers.entries(chain), efforts)
+    entries = numbers.entries(chain)
+    return Extras(drawn, found, table, code, firsts, chain.names, classes, entries, efforts, sought(chain))
 
 
 @dataclass
@@ -273,7 +283,18 @@ def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
         place = next((a for (link, title), a in places.items() if link == first and BIAS.search(title)), "")
         modes = f"mode-{name}" if more.modes and any(row[1] == f"`{name}`" for row in more.modes.rows) else ""
         torque = torques.get(name, "")
-        known = (of_class[more.classes[i]], modes, bias, place, torque, more.efforts[i], called(name))
+        line = next((n for n, text in enumerate(bias.text, bias.first) if TORQUE in text), 0) if bias else 0
+        known = (
+            of_class[more.classes[i]],
+            modes,
+            bias,
+            line,
+            place,
+            torque,
+            more.efforts[i],
+            called(name),
+            more.sought[i],
+        )
         yield Guide(name, i + 1, *known)
 
 

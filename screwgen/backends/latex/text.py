@@ -31,6 +31,8 @@ SPECIAL: dict[str, str] = {
     "·": r"$\cdot$",
     "−": "$-$",
     "–": "--",
+    "“": "``",
+    "”": "''",
     "≤": r"$\leq$",
     "≥": r"$\geq$",
     "≈": r"$\approx$",
@@ -51,6 +53,9 @@ LATIN = {"omicron", "sigmaf", *(name for name in LETTERS if name[0].isupper())} 
 }
 """Greek letters for which LaTeX has no name."""
 SPECIAL |= {letter: rf"$\{name}$" for name, letter in LETTERS.items() if name not in LATIN}
+UPRIGHT = r"\\mathrm\{((?:[A-Za-z/]|\\,|\^\{\d\})+)\}"
+UNIT = re.compile(rf"(?:{UPRIGHT}|1|\\,|[/()]|\^\{{\d\}})+")
+"""A formula that is a unit: names of units, their powers, and what stands between them."""
 TOGETHER = 4
 """A display of up to that many rows stays on a page."""
 RUN = 10
@@ -94,10 +99,19 @@ def in_html(text: str) -> str:
 
 def _html_piece(piece: str) -> str:
     if piece.startswith("$"):
-        return mathml.inline(piece[1:-1])
+        return _html_unit(piece[1:-1]) or mathml.inline(piece[1:-1])
     if piece.startswith("`"):
         return f"<code>{html.escape(piece[1:-1])}</code>"
     return html.escape(piece)
+
+
+def _html_unit(formula: str) -> str:
+    """A unit as plain text, in one line; empty for other formulas."""
+    if "mathrm" not in formula or not UNIT.fullmatch(formula):
+        return ""
+    plain = re.sub(UPRIGHT, r"\1", formula).replace(r"\,", "\u00a0")
+    text = re.sub(r"\^\{(\d)\}", r"<sup>\1</sup>", plain)
+    return f'<span class="tie">{text}</span>' if "/" in plain else text
 
 
 def in_markdown(text: str) -> str:

@@ -29,7 +29,7 @@ def component(unit: str, k: int) -> str:
     return f"{PARTS[unit][k // 3]}_{'xyz'[k % 3]}" if unit in PARTS else str(k + 1)
 
 
-class Section(NamedTuple):
+class OperationGroup(NamedTuple):
     """A group of operations in generated code: its title, and the routine that they are a call of, if any.
 
     The name of a routine ends with a number, which is another one for each call.

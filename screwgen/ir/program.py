@@ -18,7 +18,7 @@ import mpmath
 import numpy as np
 
 from ..notebook import program_text
-from .names import Label, Section
+from .names import Label, OperationGroup
 
 Array = np.ndarray
 
@@ -87,7 +87,7 @@ class Tracer:
 
     def __init__(self) -> None:
         self._table: dict[tuple, Node] = {}
-        self.sections: list[Section] = [Section("")]
+        self.sections: list[OperationGroup] = [OperationGroup("")]
         self._section = 0
         self._routine = ""
         self.guards: list[Node] = []
@@ -98,7 +98,7 @@ class Tracer:
     def section(self, title: str) -> Iterator[None]:
         """Operations recorded inside belong to a section of this title."""
         before = self._section
-        self.sections.append(Section(title, self._routine))
+        self.sections.append(OperationGroup(title, self._routine))
         self._section = len(self.sections) - 1
         try:
             yield
@@ -291,7 +291,7 @@ class Program:
     inputs: dict[str, int]
     outputs: dict[str, list[Value]]
     guards: list[Node]
-    sections: list[Section]
+    sections: list[OperationGroup]
     origins: list[int] = field(default_factory=list)
     nodes: list[Node] = field(init=False)
 

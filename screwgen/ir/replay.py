@@ -6,7 +6,7 @@ import operator
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from .names import Label, Section
+from .names import Label, OperationGroup
 from .program import Node, Program, Tracer, Value, give_label
 
 BINARY: dict[str, Callable] = {"add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv}
@@ -51,7 +51,7 @@ def inline(
     section = {i: start + i for i in range(len(program.sections))}
     for title, routine in program.sections:
         called = f"{routine}.{start}" if routine else ""
-        tracer.sections.append(Section(f"{link}, {title}" if link and title else title, called))
+        tracer.sections.append(OperationGroup(f"{link}, {title}" if link and title else title, called))
     binary = {op: getattr(tracer, op) for op in BINARY}
     values: dict[int, Value] = {}
     pick = lambda v: values[v.id] if type(v) is Node else v  # noqa: E731

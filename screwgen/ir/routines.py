@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
-from .names import Section
+from .names import OperationGroup
 from .program import Node, Program, Value
 
 CALL, RESULT = "call", "result"
@@ -44,7 +44,7 @@ class _Part:
 
     name: str
     nodes: list[Node]
-    sections: list[Section]
+    sections: list[OperationGroup]
     used: set[int]
     """The numbers of the nodes that operations outside the part, or outputs, use."""
     given: list[Node] = field(init=False)

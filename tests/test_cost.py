@@ -35,36 +35,31 @@ def test_equal_links_are_derived_once():
 
 
 GENERATE = """
-import sys
-from time import process_time
+import cProfile, io, pstats, sys
 
-def reference():
-    start = process_time()
-    sum(i * i for i in range(12_000_000))
-    return process_time() - start
-
-before, start = reference(), process_time()
+counting = cProfile.Profile()
+counting.enable()
 import screwgen
 screwgen.derive(screwgen.load(sys.argv[1])).write(sys.argv[2])
-took = process_time() - start
-print(took, (before + reference()) / 2)
+counting.disable()
+print(pstats.Stats(counting, stream=io.StringIO()).total_calls)
 """
 
 
-@pytest.mark.parametrize(("name", "limit"), [("ella", 10), pytest.param("arm", 30, marks=pytest.mark.long)])
+@pytest.mark.parametrize(("name", "limit"), [("ella", 20e6), pytest.param("arm", 40e6, marks=pytest.mark.long)])
 def test_generation_is_quick(tmp_path, name, limit):
-    """File to all outputs, imports included: at most 10 (ELLA) or 30 (32 equal links) times a loop of a second.
+    """File to all outputs, imports included: at most so many calls of functions, of ELLA or 32 equal links.
 
-    The loop runs in the same process before and after, since what a second does depends on who else is on the machine.
+    Seconds depend on the processor and on who else is on it; calls differ by a few in ten thousand. `make bench` has
+    the seconds: a million calls take a third of one.
     """
     file = ROOT / "examples" / "ella_paper.toml"
     if name == "arm":
         file = tmp_path / "arm.toml"
         file.write_text(rr.to_toml(equal_links(32)))
     command = [sys.executable, "-c", GENERATE, str(file), str(tmp_path / "out")]
-    said = subprocess.run(command, check=True, cwd=ROOT, capture_output=True, text=True).stdout
-    took, loop = map(float, said.split())
-    assert took <= limit * loop, f"{took:.1f} s where the loop takes {loop:.2f} s"
+    calls = int(subprocess.run(command, check=True, cwd=ROOT, capture_output=True, text=True).stdout)
+    assert calls <= limit, f"{calls:,} calls"
     assert {p.name for p in (tmp_path / "out").iterdir()} >= {"c", "casadi", "latex"}
 
 

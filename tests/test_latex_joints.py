@@ -10,9 +10,11 @@ from latex_documents import content, robot
 
 import screwgen
 from screwgen import Robot
-from screwgen.backends.latex.content import Display, Document
+from screwgen.backends.latex.content import SYMBOLS, Display, Document
+from screwgen.backends.latex.document import extras
 from screwgen.backends.latex.joint_words import called, sought
 from screwgen.backends.latex.joints import JOINTS, instance
+from screwgen.backends.latex.page import _instances, _symbols
 from screwgen.topology.chain import Chain
 
 
@@ -115,3 +117,18 @@ def test_what_is_no_arm_has_no_such_words():
 )
 def test_a_symbol_of_one_link_has_its_number(symbol, of_link):
     assert instance(symbol, 2) == of_link
+
+
+def test_symbols_of_a_link_mean_what_the_torques_equation_means():
+    """No other quantity of the document has the letters of the link's inertia, bias or tip load."""
+    document = content("ella")
+    found = _instances(_symbols(document), extras(Chain(robot("ella"))))
+    (table,) = (item for s in document.sections if s.title == SYMBOLS for item in s.items)
+    meanings = {row[0].strip("$"): row[1] for row in table.rows}
+    means = {
+        r"\mathbf{M}_{V,2}": "inertia in the twist rows",
+        r"\mathbf{M}_{T,2}": "inertia of the bodies at the tip",
+        r"\mathbf{M}_{D,2}": "wrench that modal accelerations need (torsion: times m)",
+        r"\mathbf{h}_{V,2}": "bias of the twist rows",
+    }
+    assert {symbol: meanings[found[symbol][0]] for symbol in means} == means

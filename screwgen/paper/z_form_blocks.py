@@ -198,7 +198,7 @@ class LinkRows:
 ROWS = (
     LinkRows(
         "rows of the joint",
-        ("joint_V", r"\mathbf{M}_{V,i}", "joint_Z", r"\mathbf{M}_{Z,i}"),
+        ("joint_V", r"\mathbf{P}_{V,i}", "joint_Z", r"\mathbf{P}_{Z,i}"),
         MIXED,
         ("joint_H", r"\mathbf{H}_{p,i}", "joint_H_Z", "joint_h_Ms", r"\mathbf{h}_{M_s,p,i}"),
     ),
@@ -217,7 +217,7 @@ ROWS = (
         "N",
         modal=True,
     ),
-    LinkRows("next joint's rows", ("next_V", r"\mathbf{M}_{V,i+1}^{-}", "next_Z", r"\mathbf{M}_{Z,i+1}^{-}"), MIXED),
+    LinkRows("next joint's rows", ("next_V", r"\mathbf{P}_{V,i+1}^{-}", "next_Z", r"\mathbf{P}_{Z,i+1}^{-}"), MIXED),
 )
 
 

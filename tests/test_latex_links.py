@@ -203,6 +203,9 @@ def test_a_reader_finds_a_way(program, tmp_path):
         browser.until("document.querySelector('.contents .here').textContent === 'Link'")
         place = "document.querySelector('#s5-M_D .formula [data-s]').getBoundingClientRect()"
         browser.until(f"Math.abs({place}.top - innerHeight / 2) < innerHeight / 4")
+        seen = f"window.was === (window.was = {place}.top)"
+        stays = f"({seen} ? window.still = (window.still || 0) + 1 : window.still = 0) > 9"
+        browser.until(stays)
         browser.point(*browser.run(f"[{place}.left + 4, {place}.top + {place}.height / 2]"))
         browser.until("!card.hidden")
         assert "wrench that modal accelerations need" in browser.run("card.textContent")

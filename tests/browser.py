@@ -21,7 +21,21 @@ FLAGS = (
 PATIENCE = 60.0
 
 
-class Browser:
+class Page:
+    """A page in a browser that can `go` to an address, `run` a script and tell `complaints`."""
+
+    def open(self, path: Path) -> None:
+        self.go(Path(path).resolve().as_uri())
+        self.until("document.readyState === 'complete' && window.screwgen && window.screwgen.ready > 0")
+
+    def until(self, condition: str) -> None:
+        limit = time.monotonic() + PATIENCE
+        while not self.run(f"Boolean({condition})"):
+            assert time.monotonic() < limit, f"{condition}; {self.complaints}"
+            time.sleep(0.02)
+
+
+class Browser(Page):
     """One page. `requests`: the addresses that it asked for; `complaints`: errors and warnings of its console."""
 
     def __init__(self, program: str, profile: Path, size=(800, 600)):
@@ -91,16 +105,6 @@ class Browser:
 
     def go(self, url: str) -> None:
         self.call("Page.navigate", url=url)
-
-    def open(self, path: Path) -> None:
-        self.go(Path(path).resolve().as_uri())
-        self.until("document.readyState === 'complete' && window.screwgen && window.screwgen.ready > 0")
-
-    def until(self, condition: str) -> None:
-        limit = time.monotonic() + PATIENCE
-        while not self.run(f"Boolean({condition})"):
-            assert time.monotonic() < limit, f"{condition}; {self.complaints}"
-            time.sleep(0.02)
 
     def run(self, script: str):
         """The value of an expression."""

@@ -9,7 +9,8 @@ import subprocess
 import time
 from pathlib import Path
 
-PATIENCE = 60.0
+from browser import PATIENCE, Page
+
 PREFERENCES = {
     "marionette.port": 0,  # any free one; Firefox writes it into the profile
     "browser.shell.checkDefaultBrowser": False,
@@ -41,7 +42,7 @@ for (const bound of ["min", "max"]) {
 EVALUATE = "return window.wrappedJSObject.eval(arguments[0]);"
 
 
-class Firefox:
+class Firefox(Page):
     """One page, with the methods of `browser.Browser`. What `run` evaluates sees the page's own names."""
 
     def __init__(self, program: str, profile: Path, size=(800, 600)):
@@ -124,14 +125,7 @@ class Firefox:
 
     def open(self, path: Path) -> None:
         self._of_the_browser("Services.console.reset()")
-        self.go(Path(path).resolve().as_uri())
-        self.until("document.readyState === 'complete' && window.screwgen && window.screwgen.ready > 0")
-
-    def until(self, condition: str) -> None:
-        limit = time.monotonic() + PATIENCE
-        while not self.run(f"Boolean({condition})"):
-            assert time.monotonic() < limit, f"{condition}; {self.complaints}"
-            time.sleep(0.02)
+        super().open(path)
 
     def run(self, script: str):
         """The value of an expression."""

@@ -69,7 +69,7 @@ def tip_motion_in_link(s: Scope, link: Motion, t: Turning) -> Motion:
     """The tip section's motion in F_i components."""
     given, etaddot = tip_state(s, mx.zeros(6)), s.read("etaddot")
     given |= {"omega": link.omega, "alpha": link.omegadot, "a": link.a}
-    if s.key.order == EXACT:  # the sections along the rod have their part
+    if s.key.order == EXACT:  # the rod's sections carry modal accelerations to the tip
         return Motion(*s.lower("tip_motion", given | {"etaddot": etaddot}, "omega_t", "alpha_t", "a_t"))
     omega, alpha, a, Phi = s.lower("tip_motion", given, "omega_t", "alpha_t", "a_t", "Phi_c")
     with s.step("tip motion: that of the tip section in F_i components (accconst1b)"):

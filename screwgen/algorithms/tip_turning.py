@@ -28,7 +28,7 @@ def turning(s: Scope) -> Turning:
     r = s.key.modes
     if not s.key.section_rotation:
         return Turning(mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3, r), mx.zeros(3))
-    if s.key.order == EXACT:  # whose rates are found where its motion is differentiated
+    if s.key.order == EXACT:  # rates are found where the tip's motion is differentiated
         Psi, omega_s = s.lower("tip", tip_state(s, mx.zeros(6)), "Psi_c", "omega_s")
         return Turning(Psi, mx.zeros(3, r), mx.zeros(3, r), omega_s)
     names = "theta thetadot x xdot c2 c3 c2dot c3dot J_l Psi_c omega_s".split()

@@ -19,7 +19,7 @@ def tangents(values: Vector, seeds: Mapping[Node, Value]) -> list[Value]:
     """
     slopes: Slopes = {node.id: slope for node, slope in seeds.items()}
     computed = (node for node in live(values) if node.op not in ("input", "epsilon") and node.id not in slopes)
-    for _, same in groupby(computed, lambda node: node.routine):
+    for _, same in groupby(computed, lambda node: node.called):
         nodes = list(same)
         with _slopes_of(nodes[0]):
             for node in nodes:
@@ -29,7 +29,8 @@ def tangents(values: Vector, seeds: Mapping[Node, Value]) -> list[Value]:
 
 def _slopes_of(node: Node) -> AbstractContextManager[None]:
     """Where the slopes of a routine are recorded: they recur as its operations do."""
-    return node.tracer.routine(f"{node.routine.split()[0]}_slope") if node.routine else nullcontext()
+    routine, _ = node.called
+    return node.tracer.routine(f"{routine}_slope") if routine else nullcontext()
 
 
 def columns(values: Vector, variables: Vector) -> list[list[Value]]:

@@ -30,10 +30,10 @@ def component(unit: str, k: int) -> str:
 
 
 class OperationGroup(NamedTuple):
-    """A group of operations in generated code: its title, and the routine that they are a call of, if any.
-
-    The name of a routine ends with a number, which is another one for each call.
-    """
+    """A group of operations in generated code: its title, and the call of a routine that they belong to, if any."""
 
     title: str
     routine: str = ""
+    """The name of the routine, such as ``rod_section``."""
+    call: str = ""
+    """What tells one call from the others of the program."""

@@ -66,9 +66,9 @@ class Node:
         return self.tracer.neg(self)
 
     @property
-    def routine(self) -> str:
-        """The call of a routine that the operation belongs to, if any."""
-        return self.tracer.sections[self.section].routine
+    def called(self) -> tuple[str, str]:
+        """The routine and the call of it that the operation belongs to; empty where it is none."""
+        return self.tracer.sections[self.section][1:]
 
     def __repr__(self) -> str:
         return f"<{self.label or self.op} {self.id}>"
@@ -89,7 +89,7 @@ class Tracer:
         self._table: dict[tuple, Node] = {}
         self.sections: list[OperationGroup] = [OperationGroup("")]
         self._section = 0
-        self._routine = ""
+        self._call = ("", "")
         self.guards: list[Node] = []
         self.origins: list[int] = []
         self._count = 0
@@ -98,7 +98,7 @@ class Tracer:
     def section(self, title: str) -> Iterator[None]:
         """Operations recorded inside belong to a section of this title."""
         before = self._section
-        self.sections.append(OperationGroup(title, self._routine))
+        self.sections.append(OperationGroup(title, *self._call))
         self._section = len(self.sections) - 1
         try:
             yield
@@ -108,12 +108,13 @@ class Tracer:
     @contextmanager
     def routine(self, name: str) -> Iterator[None]:
         """Operations recorded inside recur: back ends may print them once and call them, see :mod:`.routines`."""
-        before, self._routine = self._routine, self._routine or f"{name} {len(self.sections)}"
+        before, new = self._call, (name, str(len(self.sections)))
+        self._call = before if before[0] else new
         try:
             with self.section(self.sections[self._section].title):
                 yield
         finally:
-            self._routine = before
+            self._call = before
 
     def _node(self, op: str, *args: Any) -> Node:
         key = (op, *args)

@@ -49,9 +49,9 @@ def inline(
     """
     start = len(tracer.sections)
     section = {i: start + i for i in range(len(program.sections))}
-    for title, routine in program.sections:
-        called = f"{routine}.{start}" if routine else ""
-        tracer.sections.append(OperationGroup(f"{link}, {title}" if link and title else title, called))
+    for title, routine, call in program.sections:
+        named = f"{link}, {title}" if link and title else title
+        tracer.sections.append(OperationGroup(named, routine, f"{call}.{start}" if call else ""))
     binary = {op: getattr(tracer, op) for op in BINARY}
     values: dict[int, Value] = {}
     pick = lambda v: values[v.id] if type(v) is Node else v  # noqa: E731

@@ -22,6 +22,7 @@ GIVEN, FOUND = "given", "found"
 SHORTEST = 40
 """The fewest operations of a routine: of fewer a call with its arguments is no shorter."""
 FREE = ("input", "epsilon")
+"""What is there without an operation."""
 
 Shape = tuple[tuple, ...]
 """The operations of a part of a program, but for their numbers: equal shapes are one routine."""
@@ -112,11 +113,12 @@ class _Names:
 
 def _parts(program: Program) -> list[_Part]:
     """The parts of a program that were marked, but short ones and those with guards."""
-    marked: dict[str, list[Node]] = defaultdict(list)
+    marked: dict[tuple[str, str], list[Node]] = defaultdict(list)
     for node in program.nodes:
-        if node.op not in FREE and (routine := program.sections[node.section].routine):
-            marked[routine].append(node)
-    home = {n.id: routine for routine, nodes in marked.items() for n in nodes}
+        _, routine, call = program.sections[node.section]
+        if routine and node.op not in FREE:
+            marked[routine, call].append(node)
+    home = {n.id: called for called, nodes in marked.items() for n in nodes}
     used = {v.id for values in program.outputs.values() for v in values if isinstance(v, Node)}
     for node in program.nodes:
         used |= {a.id for a in node.args if isinstance(a, Node) and home.get(a.id) != home.get(node.id)}
@@ -124,7 +126,7 @@ def _parts(program: Program) -> list[_Part]:
     long = {
         r: nodes for r, nodes in marked.items() if len(nodes) >= SHORTEST and guards.isdisjoint(n.id for n in nodes)
     }
-    parts = [_Part(routine.split()[0], nodes, program.sections, used) for routine, nodes in long.items()]
+    parts = [_Part(routine, nodes, program.sections, used) for (routine, _), nodes in long.items()]
     return [part for part in parts if part.follows_what_it_reads()]
 
 

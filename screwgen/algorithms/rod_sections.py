@@ -340,5 +340,5 @@ def _add(s: RodScope, total: dict[str, Array], block: str, given: Mapping[str, A
     names = SUMS[block]
     values = s.lower(block, given, *names, *more)
     for own, value in zip(names.values(), values, strict=False):
-        total[own] = total[own] + value if own in total else value
+        total[own] = mx.name(own, total[own] + value) if own in total else value
     return values[len(names) :]

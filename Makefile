@@ -142,10 +142,11 @@ mixed-arms: $(TESTS)
 	$(BIN)/python tests/mixed_arms.py 0 300
 
 # Regenerate the committed output of the examples, and the tables of the documents.
-generated: $(READY)
+generated: $(TESTS)
 	$(BIN)/python examples/regenerate.py
 	$(BIN)/python docs/tools/functions_page.py
 	$(BIN)/python docs/tools/robot_page.py
+	$(BIN)/python docs/tools/features_page.py
 
 $(READY): pyproject.toml constraints.txt
 	@echo "making $(VENV), once: about half a minute"

@@ -1,0 +1,173 @@
+"""The robot of a row: a plain dict in the robot file's format, in which every feature has numbers of its own.
+
+Links that are too small to matter are avoided: stiffness is low and tips carry bodies, so that a term that is left out
+shows in the first digits. A body from finite elements stands under the key `cloud` of its link, as points and modes.
+"""
+
+from __future__ import annotations
+
+import copy
+
+import flexible_robots as fr
+import numpy as np
+
+from conformance.features import Row
+
+BOOM = {"rhoA": 1.2, "EIy": 40.0, "EIz": 55.0, "EA": 4e3, "GJ": 8.0, "rhoIp": 6e-3}
+SHEAR = {"GAy": 900.0, "GAz": 1200.0, "rhoIy": 4e-3, "rhoIz": 5e-3}
+FORE = {"rhoA": 0.9, "EIy": 12.0, "EIz": 15.0, "rhoIp": 4e-3}
+PAYLOAD = {"at": "tip", "mass": 0.8, "com": [0.03, -0.02, 0.04], "inertia": [0.004, 0.005, 0.006, 3e-4, -2e-4, 1e-4]}
+HULL_BODY = {"at": "base", "mass": 4.0, "com": [0.1, 0.05, -0.04], "inertia": [0.3, 0.4, 0.35, 0.02, 0.01, -0.03]}
+TURNS: dict[str, dict] = {
+    "hinge": {"axes": ["z"]},
+    "ball": {"axes": "ball"},
+    "slide": {"axes": [{"slide": "y"}]},
+    "screw": {"axes": [{"screw": "z", "pitch": 0.07}]},
+    "two axes": {"axes": ["z", [0.2, 1.0, 0.3]], "mount": {"xyz": [0.1, -0.05, 0.2], "rpy": [0.2, -0.4, 0.3]}},
+    "three axes": {"axes": ["z", "y", "x"]},
+}
+TRANSMISSIONS = {
+    "cylinder": {"base": 0.5, "crank": 0.2, "angle": 1.1},
+    "four-bar": {
+        "four_bar": {"ground": 0.4, "crank": 0.6, "coupler": 0.9, "rocker": 0.25, "angle": 1.4, "branch": "crossed"}
+    },
+}
+GEAR = {"stiffness": 60.0, "damping": 0.4}
+ROTOR = {"ratio": 8.0, "rotor_inertia": 2e-3}
+FRICTION = {"coulomb": 0.6, "viscous": 0.07, "velocity": 0.3}
+DRIVES: dict[str, dict] = {
+    "rotor": ROTOR,
+    "elastic gear": ROTOR | GEAR,
+    "friction": {"friction": FRICTION},
+    "geared friction": ROTOR | GEAR | {"friction": FRICTION},
+    "cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "friction": FRICTION, "transmission": TRANSMISSIONS["cylinder"]},
+    "four-bar": ROTOR | {"friction": FRICTION, "transmission": TRANSMISSIONS["four-bar"]},
+    "elastic cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "stiffness": 4e3, "damping": 9.0}
+    | {"transmission": TRANSMISSIONS["cylinder"]},
+    "elastic four-bar": ROTOR | GEAR | {"transmission": TRANSMISSIONS["four-bar"]},
+}
+LOOPS: dict[str, list] = {
+    "ball loop": ["x", "y", "z"],
+    "hinge loop": ["y"],
+    "slide loop": [{"slide": "x"}],
+    "welded loop": [],
+}
+
+
+def arm_of(row: Row) -> dict:
+    """The robot of a row, but for what closes a loop, which depends on a posture: see `conformance.judge`."""
+    robot = {"name": "arm", "gravity": [0.7, -1.1, -9.6], "links": [_boom(row), _fore(row)]}
+    boom, fore = robot["links"]
+    if row["base"] == "floating":
+        hull = {"name": "hull", "length": 0.3, "section": {"rhoA": 5.0, "rhoIp": 0.05}, "joint": {"axes": []}}
+        boom["parent"] = "hull"
+        robot["links"].insert(0, hull | {"bodies": [HULL_BODY]})
+    if row["base"] != "fixed":
+        robot["base"] = "floating"
+    if row["base"] == "afloat":
+        boom["joint"] = {"axes": []}
+        boom["bodies"] = [*boom.get("bodies", []), HULL_BODY]
+    if row["more"] == "flat":
+        robot["section_rotation"] = False
+    if row["closing"] == "coupling":
+        robot["links"].append(_hand())
+        robot["couplings"] = [{"axis": "hand.joint[1]", "of": _leader(row), "ratio": -0.7, "offset": 0.2}]
+    if row["closing"] in LOOPS:
+        robot["links"].append(_post(row))
+    return robot
+
+
+def _boom(row: Row) -> dict:
+    """The first flexible link."""
+    boom: dict = {"name": "boom", "length": 0.8, "joint": copy.deepcopy(TURNS[row["turn"]])}
+    modes = {"bending_y": 1, "bending_z": 1}
+    match row["modes"]:
+        case "stretch and twist":
+            modes |= {"axial": 1, "torsion": 1}
+        case "shear":
+            modes |= {"shear_y": 1, "shear_z": 1}
+        case "clamped_free":
+            modes |= {"basis": "clamped_free", "bending_y": 2}
+        case "frequencies":
+            modes["frequencies"] = {"bending_y": [3.1], "bending_z": [2.3]}
+    section = BOOM | (SHEAR if row["modes"] == "shear" else {})
+    if row["modes"] == "frequencies":
+        section = {key: section[key] for key in ("rhoA", "rhoIp")}
+    match row["section"]:
+        case "stations":
+            ends = ((0.0, 1.15, 1.3), (0.6, 1.0, 0.9), (1.0, 0.7, 0.75))
+            boom["section"] = [
+                {"at": s, **{k: v * (mass if k.startswith("rho") else stiff) for k, v in section.items()}}
+                for s, mass, stiff in ends
+            ]
+        case "profile":
+            boom["profile"] = {"rod": {"diameter": 0.03}, "E": 1.1e9, "density": 1700.0, "nu": 0.35}
+        case _:
+            boom["section"] = section
+    boom["modes"] = modes
+    boom["order"] = {"first order": 1, "second order": 2, "exact rod": "exact"}[row["order"]]
+    if row["pieces"] == "segments":
+        boom["segments"] = 2
+    if row["damping"] != "undamped":
+        boom["damping"] = {"ratio": 0.04} if row["damping"] == "ratio" else {"time": 0.006}
+    if row["tendon"] != "none":
+        offsets = [[0.0, 0.03, -0.02], [0.0, 0.015, 0.01]]
+        boom["tendons"] = [{"name": "flexor", "from": 0.1, "to": 0.85, "at": offsets}]
+    if row["more"] == "frame":
+        boom["frame_at"] = 0.3
+    if row["more"] == "bodies":
+        boom["bodies"] = [{"at": "base", "mass": 0.7, "com": [0.02, 0.05, -0.03]}, copy.deepcopy(PAYLOAD)]
+    if row["more"] == "markers":
+        boom["markers"] = [{"name": "lug", "at": 0.45}]
+    return boom
+
+
+def _fore(row: Row) -> dict:
+    """The link that the boom carries."""
+    fore: dict = {"name": "fore", "parent": "boom", "bodies": [copy.deepcopy(PAYLOAD)]}
+    if row["fore"] == "elements":
+        fore["cloud"] = fr.random_cloud(np.random.default_rng(5), 2, second=True)
+    else:
+        fore |= {"length": 0.5, "section": copy.deepcopy(FORE)}
+    if row["fore"] == "rod":
+        fore["modes"] = {"bending_y": 1, "bending_z": 1}
+    if row["fore"] == "exact fore":
+        fore |= {"modes": {"bending_y": 2, "bending_z": 1}, "order": "exact"}
+    if row["at"] == "station":
+        fore["at"] = {"s": 0.4}
+    if row["tendon"] == "shared tendon":
+        fore["tendons"] = [{"name": "flexor", "to": 0.6, "at": [[0.0, -0.02, 0.01], [0.0, 0.02, 0.01]]}]
+    joint: dict = {"axes": ["y"], "mount": {"xyz": [0.02, 0.03, -0.05], "rpy": [0.3, 0.1, -0.2]}}
+    drive = DRIVES.get(row["drive"])
+    if drive:
+        joint["drives"] = [copy.deepcopy(drive)]
+    match row["axis"]:
+        case "spring":
+            joint["elements"] = [{"spring": {"stiffness": 25.0, "rest": 0.3}}]
+        case "stops":
+            joint["limits"] = [{"lower": -0.1, "upper": 0.15, "stiffness": 90.0, "damping": 3.0}]
+        case "passive":
+            joint |= {"damping": [0.3], "stiffness": [12.0]}
+            joint |= {} if drive and "rotor_inertia" in drive else {"armature": [0.06]}
+    return fore | {"joint": joint}
+
+
+def _hand() -> dict:
+    """What the fore carries, an axis of which follows another."""
+    joint = {"axes": ["x", "z"], "mount": {"xyz": [0.01, 0.02, 0.0]}}
+    return {"name": "hand", "parent": "fore", "length": 0.2, "section": {"rhoA": 1.5, "rhoIp": 6e-3}, "joint": joint}
+
+
+def _leader(row: Row) -> str:
+    """The axis that the hand's follows: the boom's where it has one, else the hand's own first."""
+    if row["base"] == "afloat" or row["turn"] == "ball":
+        return "hand.joint[0]"
+    return f"boom.{'slide' if row['turn'] == 'slide' else 'joint'}[0]"
+
+
+def _post(row: Row) -> dict:
+    """What a loop joins to the tip of the fore: a link of three axes beside the boom."""
+    joint = {"axes": ["z", "y", "x"], "mount": {"xyz": [0.1, 0.3, 0.1]}}
+    carrier = {"fixed": {"parent": "world"}, "floating": {"parent": "hull"}, "afloat": {"parent": "boom", "at": "base"}}
+    post = {"name": "post", "length": 0.4, "section": {"rhoA": 1.4, "rhoIp": 8e-3}, "joint": joint}
+    return post | carrier[row["base"]]

@@ -1,0 +1,36 @@
+"""Rows of features such that every pair that can stand together does so in one: a covering array of strength 2."""
+
+from __future__ import annotations
+
+import random
+from functools import cache
+
+import covertable
+
+from conformance.features import FACTORS, FEATURES, Row, conditions, features, possible
+
+
+@cache
+def covering() -> tuple[Row, ...]:
+    """Rows that hold all pairs of levels that can stand together."""
+    levels = {factor: list(levels) for factor, levels in FACTORS.items()}
+    return tuple(covertable.make(levels, strength=2, constraints=conditions()))
+
+
+@cache
+def few() -> tuple[Row, ...]:
+    """Some of these rows, chosen one after the other until every feature stands in one."""
+    left, out = set(FEATURES), []
+    while left:
+        out.append(max(covering(), key=lambda row: len(left & set(features(row)))))
+        left -= set(features(out[-1]))
+    return tuple(out)
+
+
+def random_rows(count: int, seed: int = 0) -> tuple[Row, ...]:
+    """Rows at random, for triples that no pair asks for."""
+    rng, out = random.Random(seed), []
+    while len(out) < count:
+        row = {factor: rng.choice(list(levels)) for factor, levels in FACTORS.items()}
+        out += [row] if possible(row) else []
+    return tuple(out)

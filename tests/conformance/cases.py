@@ -1,0 +1,120 @@
+"""A robot of the matrix with its judge, its model and what is made of it once for all checks."""
+
+from __future__ import annotations
+
+from functools import cached_property, lru_cache
+from pathlib import Path
+from tempfile import mkdtemp
+
+import flexible_robots as fr
+import numpy as np
+from helpers import model_of, quick
+
+from conformance.arms import arm_of
+from conformance.features import FACTORS, Row, features
+from conformance.judge import Judge
+from screwgen import Model
+from screwgen.backends.numpy.dae_step import SERIES
+from screwgen.runtime.compiled import Compiled
+
+STEP = 1e-3
+
+
+class Case:
+    """The robot of a row in a state; what is derived and compiled is kept while checks of one robot follow another."""
+
+    def __init__(self, row: Row, seed: int = 0):
+        self.row, self.seed = dict(row), seed
+
+    def __repr__(self) -> str:
+        return f"<robot with {', '.join(self.features) or 'nothing'}>"
+
+    @property
+    def features(self) -> tuple[str, ...]:
+        return features(self.row)
+
+    def without(self, names) -> Case:
+        """The robot whose features of these names are plain."""
+        return case_of(tuple((f, next(iter(FACTORS[f])) if x in names else x) for f, x in self.row.items()), self.seed)
+
+    @cached_property
+    def judge(self) -> Judge:
+        return Judge(self.row, arm_of(self.row), self.seed)
+
+    @cached_property
+    def folder(self) -> Path:
+        return Path(mkdtemp(prefix="screwgen-conformance-"))
+
+    @cached_property
+    def robot(self) -> dict:
+        """As the robot file has it; bodies from finite elements stand in files."""
+        return fr.with_files(self.judge.robot, self.folder)
+
+    @cached_property
+    def model(self) -> Model:
+        return model_of(self.robot)
+
+    @property
+    def given(self) -> tuple[np.ndarray, ...]:
+        """q, v, tau, w_ext."""
+        return self.judge.given
+
+    @property
+    def tolerance(self) -> float:
+        """Of the judge: the larger of 1e-10 and 50 eps cond."""
+        return self.judge.tolerance
+
+    @property
+    def agreement(self) -> float:
+        """Between back ends in double precision: a hundredth of that, not below 1e-12."""
+        return max(1e-12, self.tolerance / 100)
+
+    @cached_property
+    def compiled(self) -> dict[tuple, Compiled]:
+        return {}
+
+    def c(self, layout: str = "auto", **options) -> Compiled:
+        """The generated C, compiled without optimisation."""
+        key = (layout, *sorted(options.items()))
+        if key not in self.compiled:
+            self.compiled[key] = quick(self.model, layout=layout, **options)
+        return self.compiled[key]
+
+    # ------------------------------------------------------------------------------- changes of coordinates
+
+    def moved(self, q, change) -> np.ndarray:
+        """Coordinates after a small change (nv,), of quaternions by the exponential."""
+        return np.array(self.model.chain.integrate(np.asarray(q, float), change, SERIES))
+
+    def change(self, before, after) -> np.ndarray:
+        """(nv,): the change from one set of coordinates to another near it."""
+        return np.array(self.model.chain.difference(np.asarray(before, float), np.asarray(after, float), SERIES))
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """(nv,): how far each coordinate moves for a difference of functions."""
+        return np.where(np.arange(self.model.nv) < self.model.chain.eta_v, 1.0, 0.05)
+
+    def differences(self, f, h: float = 4e-3) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Slopes of ``f(q, v, tau) -> (m,)`` with q, v (m, nv) and tau (m, n_tau), by differences extrapolated twice."""
+        q, v, tau, _ = self.given
+        nv = self.model.nv
+
+        def at(x):
+            return np.ravel(f(self.moved(q, x[:nv]), v + x[nv : 2 * nv], tau + x[2 * nv :]))
+
+        rows, sizes = [], np.concatenate([self.sizes, self.sizes, np.ones(len(tau))])
+        for k, size in enumerate(sizes):
+            e = np.zeros(len(sizes))
+            e[k] = h * size
+            a, b, c = ((at(e * s) - at(-e * s)) / (2 * s * h * size) for s in (1.0, 0.5, 0.25))
+            once, twice = (4 * b - a) / 3, (4 * c - b) / 3
+            rows.append((16 * twice - once) / 15)
+        found = np.array(rows).reshape(len(sizes), -1).T
+        return found[:, :nv], found[:, nv : 2 * nv], found[:, 2 * nv :]
+
+
+@lru_cache(maxsize=3)
+def case_of(row: tuple[tuple[str, str], ...], seed: int = 0) -> Case:
+    """The case of a row; the last few are kept."""
+    return Case(dict(row), seed)

@@ -1,0 +1,68 @@
+"""The checks of the matrix, by name: what is done with a robot, in one function each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
+
+from conformance import commands, numbers, slopes, uses
+from conformance.cases import Case
+from conformance.refusals import refusals_of
+from screwgen import ScrewgenError
+
+
+class Check(NamedTuple):
+    """``run`` raises AssertionError where a robot does not hold; ``about``: a sentence for the table."""
+
+    run: Callable[[Case], None]
+    about: str
+
+
+CHECKS: dict[str, Check] = {
+    "judge": Check(numbers.judge, "accelerations, wrenches, energy, inverse dynamics equal an independent Lagrangian"),
+    "DAE form": Check(numbers.numpy_dae, "the DAE form equals it, by elimination and by dense solving"),
+    "CasADi": Check(numbers.casadi, "every function equals NumPy's"),
+    "JAX": Check(numbers.jax_functions, "dynamics both ways, energy and a step equal NumPy's"),
+    "C, fused": Check(partial(numbers.c_functions, layout="fused"), "every function and every step, both forms"),
+    "C, modular": Check(partial(numbers.c_functions, layout="modular"), "every function and every step, both forms"),
+    "C, baked": Check(partial(numbers.c_functions, layout="auto", parameters="baked"), "with parameters as numbers"),
+    "C, float": Check(numbers.c_float, "accelerations in single precision"),
+    "lanes": Check(numbers.lanes, "a step of many scenarios at once, in double precision"),
+    "lanes, float": Check(partial(numbers.lanes, single=True), "the same in single precision"),
+    "derivatives": Check(slopes.dynamics, "exact slopes of accelerations, in C and NumPy, equal differences"),
+    "derivatives of wrenches": Check(slopes.wrenches, "exact slopes of joint wrenches equal differences"),
+    "derivatives of steps": Check(slopes.steps, "exact slopes of every step equal differences"),
+    "linear model": Check(slopes.linear, "A and B are these slopes"),
+    "runs": Check(uses.runs, "a run by C equals one by CasADi and a rollout, with what they report"),
+    "DAE runs": Check(uses.dae_runs, "a run of the DAE form by C equals one by CasADi and the joint form"),
+    "energy balance": Check(uses.energy, "a step gains what inputs do less what dampers take"),
+    "estimator": Check(uses.estimator, "the filter in C equals that in Python, a prediction equals a step"),
+    "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
+    "modes": Check(uses.modes, "frequencies with the joints locked"),
+    "commands": Check(commands.every_command, "every command ends well"),
+    "mock-up unit": Check(commands.units, "a unit of FMI 3 steps as the C does"),
+    "URDF": Check(commands.urdf, "exported and imported again"),
+    "robot file": Check(uses.toml, "written and read again it is the same robot"),
+}
+
+
+def outcome(name: str, case: Case) -> str:
+    """Runs a check on a robot: "holds", or the reason of its refusal; fails on anything else.
+
+    Where a feature is refused the rest of the robot is tried without it, so that no pair goes untried.
+    """
+    refused = refusals_of(name, case.features)
+    try:
+        CHECKS[name].run(case)
+    except ScrewgenError as error:
+        met = [x for x in refused if x.words in str(error)]
+        if not met:
+            raise
+    else:
+        expected = [x for x in refused if not x.large]
+        assert not expected, f"is not refused: {expected}"
+        return "holds"
+    if plain := {x.features[0] for x in refused if x.features}:
+        CHECKS[name].run(case.without(plain))
+    return "; ".join(dict.fromkeys(x.why for x in met))

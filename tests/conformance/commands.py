@@ -1,0 +1,85 @@
+"""Checks of the command line and of files that other programs read."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+from every_command import DONE, GCC, REFUSED, TCC, called
+from random_robots import to_toml
+
+from conformance.cases import STEP, Case
+from conformance.numbers import near
+from conformance.uses import closed
+from screwgen import ScrewgenError
+
+FUNCTION = "forward_dynamics"
+
+
+def written(case: Case) -> Path:
+    """Robot and states as the files that commands read."""
+    folder = case.folder
+    (folder / "robot.toml").write_text(to_toml(case.robot), encoding="utf-8")
+    q, v, tau, w_ext = case.given
+    state = {"q": q, "v": v, "tau": tau, "w_ext": w_ext[case.model.chain.lasts]}
+    (folder / "state.json").write_text(json.dumps({k: np.asarray(x).tolist() for k, x in state.items()}))
+    (folder / "rest.json").write_text(json.dumps({"q": closed(case)[0].tolist()}))
+    return folder
+
+
+def lines(folder: Path) -> dict[str, list[str]]:
+    """Command lines by their names."""
+    robot, state, rest = (str(folder / name) for name in ("robot.toml", "state.json", "rest.json"))
+    at = ["--state", state]
+    run = ["simulate", robot, "--duration", "0.004", "--step", str(STEP), *at, "--quiet"]
+    commands = {
+        "simulate": [*run, "-o", str(folder / "joint.npz"), "--plot", str(folder / "joint.png")],
+        "simulate dae": [*run, "-o", str(folder / "dae.csv"), "--form", "dae"],
+        "view": ["view", str(folder / "joint.npz"), "-o", str(folder / "run.html")],
+        "modes": ["modes", robot, "--posture", rest],
+        "analyse": ["analyse", robot, "--state", rest, "--samples", "1"],
+        "latex": ["latex", robot, "-o", str(folder / "equations.html")],
+    }
+    targets = ["--target", "casadi", "--target", "latex"]
+    commands["generate"] = ["generate", robot, "-o", str(folder / "out"), *targets]
+    for backend in ("numpy", "casadi", "c"):
+        for form in ("joint", "dae"):
+            commands[f"evaluate {backend} {form}"] = [*("evaluate", robot, *at, "--backend", backend, "--form", form)]
+    return commands
+
+
+def every_command(case: Case) -> None:
+    """Every command ends well, with nothing but what it should print."""
+    os.environ["CC"] = TCC
+    for name, line in lines(written(case)).items():
+        found = called(line)
+        assert found.said == DONE, f"{name}: {found.said}: {found.why}"
+
+
+def units(case: Case) -> None:
+    """A mock-up unit steps as the C does."""
+    from fmi_units import Unit, small
+
+    os.environ["CC"] = GCC
+    make = lambda: case.robot  # noqa: E731
+    assert small is not make
+    unit = Unit("fmu3", "cs", make).ready()
+    names = unit.states
+    start = unit.get(names)
+    unit.step(0.0, STEP)
+    q, v = start[: case.model.nq], start[case.model.nq :]
+    after = case.c().step(q, v, None, None, STEP, "modal_implicit")
+    near(unit.get(names), np.concatenate(after), case.agreement, "a step of the unit")
+
+
+def urdf(case: Case) -> None:
+    """Exported and imported again it moves as the robot without its modes."""
+    folder = written(case)
+    found = called(["export", str(folder / "robot.toml"), "-o", str(folder / "robot.urdf")])
+    if found.said == REFUSED:
+        raise ScrewgenError(found.why)
+    assert found.said == DONE, found
+    again = called(["import", str(folder / "robot.urdf"), "-o", str(folder / "imported.toml")])
+    assert again.said == DONE, again

@@ -1,0 +1,416 @@
+"""What a robot of the matrix must do, by Lagrange's equations of an oracle that shares no code with the product.
+
+The oracle knows chains and trees of links whose joints turn and slide. What it does not know is brought to that: a
+segment is a link, a ball joint three turns, a floating base three slides and three turns; couplings and loops are rows
+with multipliers, springs and tendons potentials. The states and forces of both are mapped by the kinematics of these.
+"""
+
+from __future__ import annotations
+
+import copy
+from functools import cached_property
+from types import SimpleNamespace
+
+import casadi as ca
+import flexible_robots as fr
+import numpy as np
+import scipy.linalg
+from mixed_loops import Loops
+from oracle import Oracle, part_error
+from oracle_exact import ExactLink, gauss
+from oracle_floating import ANGLE, JOINTS
+from oracle_link import read_link
+from oracle_sections import property_at
+from scipy.spatial.transform import Rotation
+from test_ball_joints import TURNS, column_rates, columns
+from test_loops import roll_pitch_yaw
+
+from conformance.arms import LOOPS
+from conformance.features import Row
+
+CONDITION = 1e8
+PARTS = ("base", "joints", "rotors", "modes")
+
+
+def as_pieces(robot: dict) -> dict:
+    """The robot with a link for each segment: sections, places and tendons of a link are shared out among its own."""
+    links, names = [], {}
+    for link in robot["links"]:
+        k = link.get("segments", 1)
+        names[link["name"]] = [f"{link['name']}_{i}" for i in range(k - 1)] + [link["name"]]
+        links += [_piece(link, i, k) for i in range(k)] if k > 1 else [link]
+    for link in links:
+        pieces = names.get(link.get("parent"), [None])
+        if len(pieces) > 1 and not link["name"].startswith(f"{link['parent']}_"):
+            _carry_on_piece(link, pieces)
+    return robot | {"links": links}
+
+
+def _piece(link: dict, i: int, k: int) -> dict:
+    kept = ("name", "parent", "at", "joint", "bodies", "segments", "markers", "tendons")
+    piece = {key: copy.deepcopy(x) for key, x in link.items() if key not in kept}
+    first, last = i / k, (i + 1) / k
+    piece["length"] = link["length"] / k
+    if isinstance(link["section"], list):
+        line = [key for key in link["section"][0] if key != "at"]
+        inner = [x["at"] for x in link["section"] if first < x["at"] < last]
+        at = lambda s: {x: float(property_at(link["section"], x, np.array([s]))[0]) for x in line}  # noqa: E731
+        eps = 1e-15
+        places = [first + eps, *(s - eps for s in inner), last - eps]
+        piece["section"] = [{"at": (s - first) * k, **at(s)} for s in places]
+        piece["section"][0]["at"], piece["section"][-1]["at"] = 0.0, 1.0
+    own = lambda end: [b for b in link.get("bodies", []) if b["at"] == end]  # noqa: E731
+    piece["bodies"] = own("base") * (i == 0) + own("tip") * (i == k - 1)
+    piece["name"] = link["name"] if i == k - 1 else f"{link['name']}_{i}"
+    if i == 0:
+        piece |= {key: link[key] for key in ("parent", "at") if key in link} | {"joint": link["joint"]}
+    else:
+        piece |= {"parent": f"{link['name']}_{i - 1}", "joint": {"axes": []}}
+    tendons = []
+    for tendon in link.get("tendons", []):
+        a, b = tendon.get("from", 0.0), tendon.get("to", 1.0)
+        start, to = max(a, first), min(b, last)
+        if start < to:
+            begin, end = (np.array(x) for x in tendon["at"])
+            at = [(begin + (s - a) / (b - a) * (end - begin)).tolist() for s in (start, to)]
+            tendons.append({"name": tendon["name"], "from": (start - first) * k, "to": (to - first) * k, "at": at})
+    return piece | ({"tendons": tendons} if tendons else {})
+
+
+def _carry_on_piece(link: dict, pieces: list[str]) -> None:
+    """Put a link that a link in pieces carries onto the right one."""
+    at, k = link.get("at", "tip"), len(pieces)
+    if at == "base":
+        link["parent"] = pieces[0]
+    elif isinstance(at, dict):
+        i = min(int(at["s"] * k), k - 1)
+        link["parent"], link["at"] = pieces[i], {"s": at["s"] * k - i}
+
+
+def spelled_out(link: dict) -> dict:
+    """The link with line properties: of a round rod its own, in place of frequencies the stiffness that has them."""
+    link = copy.deepcopy(link)
+    if "profile" in link:
+        given = link.pop("profile")
+        d, E, nu, density = given["rod"]["diameter"], given["E"], given["nu"], given["density"]
+        area, inertia, G = np.pi * d**2 / 4, np.pi * d**4 / 64, E / (2 * (1 + nu))
+        factor = 6 * (1 + nu) / (7 + 6 * nu)  # Cowper's, of a circle
+        link["section"] = {"rhoA": density * area, "EA": E * area, "EIy": E * inertia, "EIz": E * inertia}
+        link["section"] |= {"GJ": 2 * G * inertia, "rhoIp": 2 * density * inertia}
+        if "shear_y" in link["modes"]:
+            link["section"] |= {"GAy": factor * G * area, "GAz": factor * G * area}
+            link["section"] |= {"rhoIy": density * inertia, "rhoIz": density * inertia}
+    if frequencies := link.get("modes", {}).pop("frequencies", {}):
+        link["modes"]["basis"] = "clamped_free"
+        stiff = {"bending_y": "EIz", "bending_z": "EIy"}
+        unit = link | {"section": link["section"] | dict.fromkeys(stiff.values(), 1.0), "joint": {"axes": []}}
+        K, mass = np.diag(read_link(unit).K), link["section"]["rhoA"] * link["length"]
+        for k, (direction, (f,)) in enumerate(frequencies.items()):
+            link["section"][stiff[direction]] = float((2 * np.pi * f) ** 2 * mass / K[k])
+    return link
+
+
+def as_turns(robot: dict) -> dict:
+    """The robot of the oracle: line properties, pieces, turns in place of balls, axes in place of a free base."""
+    robot = as_pieces(robot | {"links": [spelled_out(link) for link in robot["links"]]})
+    for link in robot["links"]:
+        if link["joint"]["axes"] == "ball":
+            link["joint"] = {**link["joint"], "axes": TURNS}
+    if robot.get("base") == "floating":
+        robot["links"][0] = robot["links"][0] | {"joint": {"axes": JOINTS}}
+    first = {name.removesuffix("_0"): name for name in (x["name"] for x in robot["links"]) if name.endswith("_0")}
+    moved = lambda name: first.get(name.split(".")[0], name.split(".")[0]) + "." + name.split(".")[1]  # noqa: E731
+    couplings = [x | {key: moved(x[key]) for key in ("axis", "of")} for x in robot.get("couplings", [])]
+    return {key: x for key, x in robot.items() if key != "base"} | ({"couplings": couplings} if couplings else {})
+
+
+class Judge:
+    """A robot in a state: `given` (q, v, tau, w_ext) as the product takes them, `state` those of the oracle.
+
+    Loops are closed in the state by a welded bridge that is as long as is needed.
+    """
+
+    def __init__(self, row: Row, robot: dict, seed: int = 0):
+        for attempt in range(60):
+            rng = np.random.default_rng([seed, attempt])
+            self.robot = copy.deepcopy(robot)
+            self._draw(rng, row)
+            if self.regular:
+                return
+        raise RuntimeError(f"no regular state of {dict(row)} in 60 draws")
+
+    def _draw(self, rng, row: Row) -> None:
+        twin = as_turns(self.robot)
+        cloud = any("cloud" in x for x in twin["links"])
+        state = (fr.random_state if cloud else _random_state)(rng, twin)
+        state = {name: np.array(x, float) for name, x in state.items()}
+        oracle = Oracle(twin)
+        self._mild(rng, row, oracle, state)
+        if row["closing"] in LOOPS:
+            self._close(rng, row, oracle, state)
+            twin = as_turns(self.robot)
+            oracle = Oracle(twin)
+        self.twin, self.oracle, self.state = twin, oracle, state
+        self.tensions = rng.uniform(5.0, 30.0, len(self.tendon_lengths))
+        self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
+        if self.rows is not None:
+            state["v"] = self.rows.moving(state["q"], state["v"])
+        vars(self).pop("acting", None)
+
+    def _mild(self, rng, row: Row, oracle: Oracle, state: dict) -> None:
+        """Postures that transmissions reach, couplings keep and Euler angles have."""
+        q, tau = state["q"], state["tau"]
+        floating = row["base"] != "fixed"
+        if floating:
+            q[3:6], tau[:6] = rng.uniform(-ANGLE, ANGLE, 3), 0.0
+        for i, link in enumerate(self.robot["links"]):
+            own = oracle.joint_slices[[x["name"] for x in oracle.robot["links"]].index(link["name"])]
+            if link.get("segments", 1) > 1:
+                first = [x["name"] for x in oracle.robot["links"]].index(f"{link['name']}_0")
+                own = oracle.joint_slices[first]
+            if i == 0 and floating:
+                continue
+            if link["joint"]["axes"] == "ball":
+                q[own] = rng.uniform(-ANGLE, ANGLE, 3)
+            elif row["turn"] == "slide" and link["name"] == "boom":
+                q[own] = rng.uniform(-0.3, 0.3, 1)
+            elif link["name"] == "fore":
+                before = q[own].copy()
+                q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
+                self._geared(oracle, state, own, before)
+        if row["closing"] == "coupling":
+            coupling, places = self.robot["couplings"][0], _axes(oracle.robot)
+            q[places[coupling["axis"]]] = coupling["ratio"] * q[places[coupling["of"]]] + coupling["offset"]
+
+    @staticmethod
+    def _geared(oracle: Oracle, state: dict, own: slice, before: np.ndarray) -> None:
+        """Let the rotor of an elastic gear follow its axis."""
+        for place, axis in enumerate(oracle.drives.rotors):
+            drive = [d for link in oracle.links for d in link.drives][axis]
+            if axis == own.start and "transmission" not in drive:
+                state["q"][oracle.n_joint + place] += drive.get("ratio", 1.0) * (state["q"][own] - before)[0]
+
+    def _close(self, rng, row: Row, oracle: Oracle, state: dict) -> None:
+        poses, names = oracle.poses(state["q"]), [x["name"] for x in oracle.robot["links"]]
+        i, j = names.index("fore"), names.index("post")
+        R, r = poses["tip_R"][i].T, poses["tip_point"]
+        turn = R @ poses["tip_R"][j]
+        mount = {"xyz": (R @ (r[j] - r[i]) - 0.1 * turn[:, 0]).tolist()}
+        mount["rpy"] = [float(x) for x in roll_pitch_yaw(turn)]
+        bridge = {"name": "bridge", "length": 0.1, "section": {"rhoA": 2.0, "rhoIp": 1e-3}, "parent": "fore"}
+        self.robot["links"].append(bridge | {"joint": {"axes": [], "mount": mount}})
+        self.robot["loops"] = [{"between": ["bridge.tip", "post.tip"], "joint": {"axes": LOOPS[row["closing"]]}}]
+        state["w_ext"] = np.vstack([state["w_ext"], rng.normal(size=6)])
+
+    # ------------------------------------------------------------------------------------ regularity, tolerance
+
+    @property
+    def regular(self) -> bool:
+        q = self.state["q"]
+        M = self.oracle.mass_matrix(q)
+        definite = np.linalg.eigvalsh(M)[0] > 1e-3 * np.diag(M).min() and np.linalg.cond(M) < CONDITION
+        return bool(definite and (self.rows is None or self.rows.condition(q) < CONDITION))
+
+    @property
+    def tolerance(self) -> float:
+        """The larger of 1e-10 and 50 eps cond."""
+        q = self.state["q"]
+        rows = 0.0 if self.rows is None else 50 * np.finfo(float).eps * self.rows.condition(q)
+        return max(self.oracle.tolerance(q), rows)
+
+    # ------------------------------------------------------------------------------------ what the oracle lacks
+
+    @cached_property
+    def tendon_lengths(self) -> dict[str, ca.SX]:
+        """The length of every tendon, m, of the oracle's coordinates; linear in the modes of links of order 1."""
+        out: dict[str, ca.SX] = {}
+        for link, table, modal in zip(self.oracle.links, self.twin["links"], self.oracle.modal_slices, strict=True):
+            for tendon in table.get("tendons", []):
+                length = _tendon_length(link, table, tendon, self.oracle.q[modal])
+                out[tendon["name"]] = out.get(tendon["name"], 0) + length
+        return out
+
+    @cached_property
+    def acting(self) -> ca.Function:
+        """(q, tensions) -> (nv,): the generalised forces of springs on axes and of tendons, and their energy."""
+        q, tension = self.oracle.q, ca.SX.sym("tension", len(self.tendon_lengths))
+        energy, places = ca.SX(0), _axes(self.twin)
+        for link in self.twin["links"]:
+            for k, element in enumerate(link["joint"].get("elements", [])):
+                if spring := element.get("spring"):
+                    at = next(p for name, p in places.items() if name.startswith(link["name"]) and name[-2] == str(k))
+                    energy += spring["stiffness"] * (q[at] - spring["rest"]) ** 2 / 2
+        force = -ca.gradient(energy, q) if q.numel() else ca.SX.zeros(0)
+        lengths = ca.vertcat(ca.SX(0, 1), *self.tendon_lengths.values())
+        force -= ca.jtimes(lengths, q, tension, True)
+        return ca.Function("acting", [q, tension], [ca.densify(force), energy, lengths, ca.jacobian(lengths, q)])
+
+    def _forces(self, q, tau) -> np.ndarray:
+        """Those of drives, springs on axes and tendons."""
+        return self.oracle._force(tau, q) + self.acting(q, self.tensions)[0].full()[:, 0]
+
+    # ------------------------------------------------------------------------------------ results, of the oracle
+
+    @cached_property
+    def motion(self) -> tuple[np.ndarray, np.ndarray]:
+        """The oracle's accelerations, and the wrenches (n, 6) of loops on the tips."""
+        q, v, tau, w_ext = (self.state[name] for name in ("q", "v", "tau", "w_ext"))
+        oracle = SimpleNamespace(
+            nv=self.oracle.nv,
+            mass_matrix=self.oracle.mass_matrix,
+            inverse_dynamics=self.oracle.inverse_dynamics,
+            _force=lambda tau, q: self._forces(q, tau),
+        )
+        if self.rows is not None:
+            self.rows.oracle = oracle
+            return self.rows.forward_dynamics(q, v, tau, w_ext)
+        vdot, factors = np.zeros(oracle.nv), scipy.linalg.lu_factor(oracle.mass_matrix(q))
+        for _ in range(3):
+            vdot = vdot + scipy.linalg.lu_solve(
+                factors, self._forces(q, tau) - oracle.inverse_dynamics(q, v, vdot, w_ext)
+            )
+        return vdot, np.zeros_like(w_ext)
+
+    # ------------------------------------------------------------------------------------ mapped to the product's
+
+    @cached_property
+    def _kinds(self) -> list[tuple[str, slice, int]]:
+        """By joint of the oracle's robot: free, ball or plain; its coordinates there; its link."""
+        out = []
+        balls = {link["name"] for link in self.robot["links"] if link["joint"]["axes"] == "ball"}
+        first = {name + "_0" for link in self.robot["links"] if link.get("segments", 1) > 1 for name in [link["name"]]}
+        for i, (own, link) in enumerate(zip(self.oracle.joint_slices, self.twin["links"], strict=True)):
+            name = link["name"].removesuffix("_0") if link["name"] in first else link["name"]
+            ball = name in balls and len(link["joint"]["axes"]) == 3
+            free = i == 0 and "base" in self.robot
+            out.append(("free" if free else "ball" if ball else "plain", own, i))
+        return out
+
+    @cached_property
+    def map(self) -> np.ndarray:
+        """(nv, nv): the oracle's rates to those of the product."""
+        q, unit = self.state["q"], np.eye(self.oracle.nv)
+        out = unit.copy()
+        for kind, own, i in self._kinds:
+            if kind == "ball":
+                out[own, own] = columns(q[own])
+            if kind == "free":
+                for k in range(6):
+                    out[own, k] = self.oracle.link_twists(q, unit[k])[i]
+        return out
+
+    @cached_property
+    def given(self) -> tuple[np.ndarray, ...]:
+        """q, v, tau, w_ext of the product."""
+        q, v, tau, w_ext = (self.state[name] for name in ("q", "v", "tau", "w_ext"))
+        Q, tau_out = [], []
+        force = np.zeros(self.oracle.nv)
+        force[: len(tau)] = tau
+        for kind, own, i in self._kinds:
+            if kind == "ball":
+                Q.append(Rotation.from_euler("ZYX", q[own]).as_quat(scalar_first=True))
+                tau_out.append(np.linalg.solve(columns(q[own]).T, tau[own]))
+            elif kind == "free":
+                poses = self.oracle.poses(q)
+                Q += [poses["origin"][i], Rotation.from_matrix(poses["R"][i]).as_quat(scalar_first=True)]
+            else:
+                Q.append(q[own])
+                tau_out.append(tau[own])
+        q_out = np.concatenate([*Q, q[self.oracle.n_joint :]])
+        return q_out, self.map @ v, np.concatenate([*tau_out, self.tensions]), w_ext
+
+    @cached_property
+    def vdot(self) -> np.ndarray:
+        """(nv,): the rates of v."""
+        q, v, a = self.state["q"], self.state["v"], self.motion[0]
+        out = self.map @ a
+        for kind, own, i in self._kinds:
+            if kind == "ball":
+                out[own] += column_rates(self.map[own, own], v[own])
+            if kind == "free":
+                out[own] = self.oracle.link_twist_rates(q, v, a)[i]
+        return out
+
+    @cached_property
+    def forces(self) -> np.ndarray:
+        """(nv,): the generalised forces of the motion in the open tree, springs on axes among them."""
+        q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
+        own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0]
+        found = self.oracle.inverse_dynamics(q, v, self.motion[0], w_ext) - own
+        return np.linalg.solve(self.map.T, found)
+
+    @cached_property
+    def wrench(self) -> np.ndarray:
+        """(n, 6): the joint wrenches."""
+        vdot, loads = self.motion
+        q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
+        out = self.oracle.wrenches(q, v, vdot, w_ext + loads)
+        for kind, _, i in self._kinds:
+            if kind == "free":
+                out[i] = 0.0
+        return out
+
+    @cached_property
+    def energy(self) -> tuple[float, float]:
+        """Kinetic and potential, J, up to the constant of gravity."""
+        kinetic, potential = self.oracle.energy(self.state["q"], self.state["v"])
+        return kinetic, potential + float(self.acting(self.state["q"], self.tensions)[1])
+
+    @cached_property
+    def mass_matrix(self) -> np.ndarray:
+        """(nv, nv), of the product's rates, of the open tree."""
+        back = np.linalg.inv(self.map)
+        return back.T @ self.oracle.mass_matrix(self.state["q"]) @ back
+
+    def errors(self, vdot, wrench=None) -> dict[str, float]:
+        """Errors of base, joints, rotors, modes, moments and forces, each over the largest entry of its kind."""
+        n, free = self.oracle.n_joint, 6 * ("base" in self.robot)
+        ends = np.cumsum([free, n - free, self.oracle.n_rotor])
+        cut = lambda x: dict(zip(PARTS, np.split(np.ravel(x), ends), strict=True))  # noqa: E731
+        expected, found = cut(self.vdot), cut(vdot)
+        out = {k: part_error(expected[k], found[k], self.vdot) for k in PARTS if len(expected[k])}
+        if wrench is not None:
+            W, given = self.wrench, np.reshape(wrench, (-1, 6))
+            out |= {k: part_error(W[:, s], given[:, s], W) for k, s in (("tau", np.s_[:3]), ("F", np.s_[3:]))}
+        return out
+
+
+def _random_state(rng, robot: dict) -> dict:
+    import random_robots as rr
+
+    return rr.random_state(rng, robot)
+
+
+def _axes(robot: dict) -> dict[str, int]:
+    """The place in q of every axis of the oracle's robot, by the product's names of scalar axes."""
+    places, k = {}, 0
+    for link in robot["links"]:
+        for n, axis in enumerate(link["joint"]["axes"]):
+            kind = "slide" if isinstance(axis, dict) and "slide" in axis else "joint"
+            name = link["name"].removesuffix("_0")
+            places[f"{name}.{kind}[{n}]"] = k
+            k += 1
+    return places
+
+
+def _tendon_length(link, table: dict, tendon: dict, eta: ca.SX) -> ca.SX:
+    """The length of a piece of a tendon along a link: ``∫ |e_x + gamma + kappa x d + d'| ds``, at Gauss points."""
+    modes = table["modes"]
+    basis, most = modes.get("basis", "polynomial"), max(link.counts.values())
+    count = modes.get("points", most + 2 if basis == "polynomial" else 2 * most + 4)
+    rod = SimpleNamespace(counts=link.counts, basis=basis, length=link.length)
+    rod._tables = lambda s: ExactLink._tables(rod, s)
+    a, b = tendon.get("from", 0.0), tendon.get("to", 1.0)
+    begin, end = (np.array(x) for x in tendon["at"])
+    slope, total = (end - begin) / ((b - a) * link.length), ca.SX(0)
+    x, w = gauss(count)
+    for s, weight in zip(x, w * (b - a) * link.length, strict=True):
+        _, kappa, gamma = ExactLink.strains(rod, a + (b - a) * s)
+        offset = begin + s * (end - begin)
+        direction = ca.SX([1.0, 0, 0]) + ca.DM(gamma) @ eta + ca.cross(ca.DM(kappa) @ eta, ca.DM(offset)) + slope
+        total += weight * ca.norm_2(direction)
+    if table.get("order", 1) != 1:
+        return total
+    start = ca.substitute(total, eta, ca.SX.zeros(eta.numel()))
+    pull = ca.substitute(ca.gradient(total, eta), eta, ca.SX.zeros(eta.numel()))
+    return start + ca.dot(pull, eta)

@@ -1,0 +1,167 @@
+"""Checks of numbers: the judge, and the back ends against each other."""
+
+from __future__ import annotations
+
+import casadi as ca
+import jax
+import numpy as np
+from helpers import EPS32, quick_batch, relative
+
+from conformance.cases import STEP, Case
+from screwgen import rollout
+from screwgen.algorithms.robot_functions import offered, shape
+from screwgen.integrators import METHODS
+
+
+def near(found, expected, tolerance: float, what: str = "") -> None:
+    """Fails where arrays differ by more than a share of the largest entry."""
+    error = relative(found, expected)
+    assert error <= tolerance, f"{what}: {error:.1e} of {tolerance:.1e}"
+
+
+def arguments(case: Case) -> dict[str, np.ndarray]:
+    """What functions take, by name; accelerations at random."""
+    q, v, tau, w_ext = case.given
+    return dict(q=q, v=v, tau=tau, w_ext=w_ext, vdot=np.random.default_rng(1).normal(size=len(v)))
+
+
+def flat(found) -> np.ndarray:
+    """All results of a function in one row, matrices by rows."""
+    return np.concatenate([np.ravel(np.asarray(x, float)) for x in (found if isinstance(found, tuple) else (found,))])
+
+
+def expected_results(case: Case) -> dict[str, np.ndarray]:
+    """The results of every function of the robot, by NumPy."""
+    given, numeric = arguments(case), case.model.numpy()
+    return {f.name: flat(getattr(numeric, f.name)(*(given[x] for x in f.names))) for f in offered(case.model.chain)}
+
+
+# ------------------------------------------------------------------------------------------------ the judge
+
+
+def judge(case: Case) -> None:
+    """Accelerations, joint wrenches, wrenches of loops, inverse dynamics, mass matrix and energy."""
+    j, f = case.judge, case.model.numpy()
+    vdot, wrench = f.forward_dynamics(*case.given)
+    errors = j.errors(vdot, wrench)
+    assert max(errors.values()) <= case.tolerance, errors
+    if case.model.chain.closing.rows:
+        near(f.loop_wrenches(*case.given), j.motion[1], case.tolerance, "wrenches of loops")
+    near(f.mass_matrix(case.given[0]), j.mass_matrix, case.tolerance, "mass matrix")
+    q, v, _, w_ext = case.given
+    near(f.inverse_dynamics(q, v, j.vdot, w_ext), j.forces, case.tolerance, "inverse dynamics")
+    near(np.array(f.energy(q, v)), np.array(j.energy), case.tolerance, "energy")
+
+
+def in_float(case: Case) -> float:
+    """The error that single precision allows in accelerations: 50 eps cond of the mass matrix, 1e-4 at least."""
+    return max(1e-4, 50 * EPS32 * case.tolerance / (50 * np.finfo(float).eps))
+
+
+# ------------------------------------------------------------------------------------------------ back ends
+
+
+def numpy_dae(case: Case) -> None:
+    """The DAE form by elimination, and its assembled rows by a dense solver."""
+    f = case.model.numpy()
+    vdot, wrench = f.dae_forward_dynamics(*case.given)
+    errors = case.judge.errors(vdot, wrench)
+    assert max(errors.values()) <= case.tolerance, errors
+    q, v, tau, w_ext = case.given
+    M, H, W = f.assemble(f.dae_state(q, v), tau, w_ext)
+    z = np.linalg.solve(M, W - H)
+    z += np.linalg.solve(M, W - H - M @ z)
+    n = case.model.n_links
+    near(z[: 12 * n].reshape(n, 12)[:, :6], wrench, case.tolerance * 10, "wrenches of the assembled rows")
+
+
+def casadi(case: Case) -> None:
+    """Every function, and the assembled rows."""
+    functions, p, given = case.model.casadi(), case.model.parameter_values, arguments(case)
+    expected = expected_results(case)
+    for row in offered(case.model.chain):
+        f = functions[row.name]
+        values = [given[x].T if x == "w_ext" else given[x] for x in row.names]
+        found = f.call([*values, p])
+        parts = [by_columns(x, of, case.model.chain) for x, of in zip(found, row.results.values(), strict=True)]
+        near(np.concatenate(parts), expected[row.name], case.agreement, row.name)
+    q, v, tau, w_ext = case.given
+    x = case.model.numpy().dae_state(q, v)
+    near(np.ravel(functions["dae_state"](q, v, p)), x, case.agreement, "state of the DAE form")
+    rows = [np.asarray(y.full()) for y in functions["assemble"](x, tau, w_ext.T, p)]
+    for found, wanted, what in zip(rows, case.model.numpy().assemble(x, tau, w_ext), "MHW", strict=True):
+        near(found.ravel(), np.ravel(wanted), case.agreement, f"{what} of the assembled rows")
+
+
+def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
+    """A result of CasADi as an array of the shape that it has elsewhere: links and markers stand side by side there."""
+    size = shape(signal, chain)
+    if len(size) < 2 or not isinstance(signal.shape[0], str):
+        return found.full().ravel()
+    parts = np.stack(np.hsplit(found.full(), size[0]))
+    return parts.ravel() if len(size) == 3 else parts[:, :, 0].ravel()
+
+
+def jax_functions(case: Case) -> None:
+    """Dynamics both ways, energy and a step."""
+    given = arguments(case) | {"p": np.array(case.model.parameter_values)}
+    expected = expected_results(case)
+    with jax.enable_x64(True):
+        f = case.model.jax()
+        for name in ("forward_dynamics", "inverse_dynamics", "energy"):
+            row = next(x for x in offered(case.model.chain) if x.name == name)
+            found = f[name](*(given[x] for x in row.names), given["p"])
+            near(flat(tuple(found) if isinstance(found, list | tuple) else found), expected[name], case.agreement, name)
+        q, v = f["step"](*(given[x] for x in ("q", "v", "tau", "w_ext", "p")), STEP)
+    wanted = stepped(case, "modal_midpoint")
+    near(np.concatenate([q, v]), np.concatenate(wanted), case.agreement, "step")
+
+
+def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.ndarray]:
+    """The state after steps by CasADi."""
+    q, v, tau, w_ext = case.given
+    step = case.model.casadi()[f"step_{method}"]
+    for _ in range(steps):
+        q, v = (np.ravel(x) for x in step(q, v, tau, w_ext.T, case.model.parameter_values, STEP))
+    return q, v
+
+
+def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
+    """Every function of the C in both forms, and every step."""
+    c, expected, given = case.c(layout, parameters=parameters), expected_results(case), arguments(case)
+    q, v, tau, w_ext = case.given
+    for form in ("joint", "dae"):
+        errors = case.judge.errors(*c.forward_dynamics(q, v, tau, w_ext, form=form))
+        assert max(errors.values()) <= case.tolerance, (form, errors)
+    near(c.inverse_dynamics(q, v, given["vdot"], w_ext)[0], expected["inverse_dynamics"], case.agreement, "inverse")
+    near(c.mass_matrix(q), case.model.numpy().mass_matrix(q), case.agreement, "mass matrix")
+    near(np.ravel(c.validity(q, v, tau, w_ext)), expected["validity"], case.agreement, "validity")
+    if "coupling_torques" in expected:
+        near(c.coupling_torques(q, v, tau, w_ext), expected["coupling_torques"], case.agreement, "coupling torques")
+    for row in offered(case.model.chain):
+        if row.c_file:
+            near(flat(getattr(c, row.name)(q, v, tau, w_ext)), expected[row.name], case.agreement, row.name)
+    for method in METHODS:
+        near(np.concatenate(c.step(q, v, tau, w_ext, STEP, method)), np.concatenate(stepped(case, method)),
+             case.agreement, method)  # fmt: skip
+        x = c.dae_step(c.dae_state(q, v), tau, w_ext, STEP, method)
+        assert np.all(np.isfinite(x))
+
+
+def c_float(case: Case) -> None:
+    """Accelerations in single precision, as far as their condition allows."""
+    c = case.c(single=True)
+    errors = case.judge.errors(*c.forward_dynamics(*case.given))
+    assert max(errors.values()) <= in_float(case), errors
+
+
+def lanes(case: Case, single: bool = False) -> None:
+    """Lanes step as the scalar C does."""
+    q, v, tau, w_ext = case.given
+    quick_batch(case.model, single)
+    x0 = np.tile(np.concatenate([q, v]), (3, 1))
+    run = rollout(case.model, x0, tau, w_ext=w_ext, step=STEP, steps=1, single=single)
+    assert run.ok.all(), run.report()
+    expected = np.concatenate(stepped(case, "modal_midpoint"))
+    for lane in run.x:
+        near(lane[-1], expected, in_float(case) if single else case.agreement, "a lane")

@@ -1,0 +1,38 @@
+"""What is refused: by check, the features of which a robot makes it refuse, and the words that it then says.
+
+A refusal is part of the product: it has one line, and stands here with its reason. A check that refuses without an
+entry fails, and so does an entry whose check does not refuse.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Refusal(NamedTuple):
+    """``check`` refuses robots with all of ``features`` and says ``words``; ``why``: the reason, for the table.
+
+    ``large``: it depends on the size of the robot, so that some are not refused.
+    """
+
+    check: str
+    features: tuple[str, ...]
+    words: str
+    why: str
+    large: bool = False
+
+
+LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
+REFUSALS: tuple[Refusal, ...] = (
+    *(
+        Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")
+        for x in LOOPED
+    ),
+    Refusal("C, fused", (), "would be one function of", "compilers take long over one function so large", large=True),
+    Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
+)
+
+
+def refusals_of(check: str, features: tuple[str, ...]) -> list[Refusal]:
+    """The refusals that a robot with these features meets in a check."""
+    return [x for x in REFUSALS if x.check == check and set(x.features) <= set(features)]

@@ -1,0 +1,144 @@
+"""Checks of what users do with a model: runs, rollouts, filters, rest, mock-up units, files, documents."""
+
+from __future__ import annotations
+
+import numpy as np
+from helpers import QUICK, quick_batch
+
+import screwgen
+from conformance.cases import STEP, Case
+from conformance.numbers import near
+from screwgen.backends.numpy.closing import moving
+from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.simulation.estimator import Estimator
+
+COUNT = 6
+PERIOD = 2e-3
+
+
+def held(case: Case) -> dict:
+    """Inputs of a run that are held, from the state of the case."""
+    q, v, tau, w_ext = case.given
+    return dict(q0=q, v0=v, controller=tau, w_ext=w_ext)
+
+
+def runs(case: Case) -> None:
+    """A run by C is one by CasADi in both forms, a rollout, and what both report is the same."""
+    model, duration = case.model, COUNT * STEP
+    q, v, tau, w_ext = case.given
+    run = screwgen.simulate(model, duration, STEP, **held(case))
+    other = screwgen.simulate(model, duration, STEP, backend="casadi", **held(case))
+    near(other.q, run.q, 100 * case.agreement, "coordinates by CasADi")
+    near(other.v, run.v, 100 * case.agreement, "rates by CasADi")
+    quick_batch(model)
+    rolled = screwgen.rollout(model, np.concatenate([q, v])[None], tau, w_ext=w_ext, step=STEP, steps=COUNT)
+    assert rolled.ok.all(), rolled.report()
+    near(rolled.q[0], run.q, 100 * case.agreement, "coordinates of a rollout")
+    for name in ("wrench", "tip_position", "energy", "drive_power"):
+        near(getattr(rolled, name)[0], getattr(run, name), 1e3 * case.agreement, name)
+        near(getattr(other, name), getattr(run, name), 1e3 * case.agreement, name)
+
+
+def dae_runs(case: Case) -> None:
+    """A run of the DAE form by C and by CasADi, beside the joint form."""
+    model, duration = case.model, COUNT * STEP
+    run = screwgen.simulate(model, duration, STEP / 4, form="dae", every=4, **held(case))
+    other = screwgen.simulate(model, duration, STEP / 4, form="dae", every=4, backend="casadi", **held(case))
+    near(other.q, run.q, 100 * case.agreement, "coordinates by CasADi")
+    joint = screwgen.simulate(model, duration, STEP / 4, every=4, integrator="rk4", **held(case))
+    near(run.q, joint.q, 1e-4, "coordinates beside the joint form")
+    near(run.energy, joint.energy, 1e-2, "energy beside the joint form")
+
+
+def energy(case: Case) -> None:
+    """What the energy gains in a run is what inputs and loads do and dampers take: its rate by the dynamics."""
+    q, v, tau, w_ext = case.given
+    c, f, h = case.c(), case.model.numpy(), 1e-5
+    loads = 0 * w_ext
+    ends = []
+    for sign in (-1, 1):
+        there, rates = c.step(q, v, tau, loads, h, "rk4") if sign > 0 else (q, v)
+        ends.append(sum(f.energy(there, rates)))
+    middle, rates = c.step(q, v, tau, loads, h / 2, "rk4")
+    power = float(np.sum(f.drive_power(middle, rates, tau)))
+    lost = power - (ends[1] - ends[0]) / h
+    scale = abs(power) + sum(map(abs, f.energy(q, v))) + 1.0
+    assert lost >= -1e-5 * scale, f"gains {-lost:.3g} W from nothing"
+    if not {"passive", "friction", "geared friction", "ratio", "time", "stops", "cylinder", "four-bar"} & set(
+        case.features
+    ) and not any("damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])):
+        assert abs(lost) <= 1e-5 * scale, f"{lost:.3g} W vanish"
+
+
+def noise_of(case: Case) -> tuple[Noise, np.ndarray]:
+    """The noise of a filter's sensors, and the deviation at its start."""
+    rigid = np.arange(case.model.nv) < case.model.chain.eta_v
+    poses = {f"base_{name}": x for name, x in (("position", 2e-3), ("attitude", 2e-3), ("rate", 5e-3))}
+    noise = Noise(np.where(rigid, 0.02, 1e-4), 1e-10, 1e-3, 1e-5, 0.05, 0.02, **poses, joint_attitude=2e-3, joint_rate=5e-3)  # fmt: skip
+    return noise, np.where(rigid, 1e-2, 1e-4)
+
+
+def estimator(case: Case) -> None:
+    """The filter in Python is that in C; both carry the inputs, all of them, as the model does."""
+    q, v, tau, w_ext = case.given
+    noise, deviation = noise_of(case)
+    filters = (CompiledEstimator(case.model, flags=QUICK), Estimator(case.model))
+    for e in filters:
+        e.start(q, v, deviation, 10 * deviation, noise)
+    started = filters[1].state
+    for e in filters:
+        e.predict(tau, w_ext, PERIOD)
+    (a, b), (c, d) = filters[0].state, filters[1].state
+    near(np.concatenate([a, b]), np.concatenate([c, d]), case.agreement, "a prediction")
+    after = case.c().step(*started, tau, w_ext, PERIOD, "modal_midpoint")
+    if not case.model.chain.closing.rows:
+        near(np.concatenate([c, d]), np.concatenate(after), case.agreement, "the prediction beside a step")
+    P, other = (e.covariance for e in filters)
+    sd = np.sqrt(np.diag(other))
+    assert np.max(np.abs(P - other) / np.outer(sd, sd)) < 1e-6
+
+
+def equilibrium(case: Case) -> None:
+    """Where it is found nothing accelerates: joints held, by torques that follow; a floating base without gravity."""
+    model, chain = case.model, case.model.chain
+    still = {f"gravity[{k}]": 0.0 for k in range(3)} if chain.floating else {}
+    q = closed(case)[0]
+    joints = q[: chain.base_q + chain.eta_q - chain.base_q]
+    rest = screwgen.equilibrium(model, q if chain.floating else joints[: model.n_joints], hold=True, parameters=still)
+    f = model.numpy(model.chain.parameters.vector(still))
+    zero = np.zeros(model.nv)
+    vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)
+    pushed = np.abs(f.forward_dynamics(rest.q, zero, np.add(rest.tau, 1.0), None)[0] - vdot).max()
+    assert np.abs(vdot).max() < 1e-6 * max(pushed, 1.0), f"{np.abs(vdot).max():.1e} beside {pushed:.1e}"
+
+
+def closed(case: Case) -> tuple[np.ndarray, np.ndarray]:
+    """The state with its loops closed to rounding, and rates that keep them so."""
+    q, v, *_ = case.given
+    if not case.model.chain.closing.rows:
+        return q, v
+    q = screwgen.assemble(case.model, q)
+    return q, moving(case.model.numpy(), q, v)
+
+
+def modes(case: Case) -> None:
+    """Frequencies with the joints locked are those of the mass matrix and the stiffness of the modes."""
+    model = case.model
+    found = screwgen.natural_frequencies(model, closed(case)[0])
+    assert np.all(np.isfinite(found)) and len(found)
+
+
+def toml(case: Case) -> None:
+    """Written and read again it is the same robot."""
+    path = case.folder / "again.toml"
+    path.write_text(screwgen.dump(case.model.robot), encoding="utf-8")
+    assert screwgen.load(path) == case.model.robot
+
+
+def document(case: Case) -> None:
+    """Who reads the steps of the document alone computes the same accelerations and wrenches."""
+    from document_reader import accelerations_from_document
+
+    vdot, wrench = accelerations_from_document(case.model, *case.given)
+    errors = case.judge.errors(vdot, wrench)
+    assert max(errors.values()) <= case.tolerance, errors

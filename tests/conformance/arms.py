@@ -57,7 +57,7 @@ LOOPS: dict[str, list] = {
 def arm_of(row: Row) -> dict:
     """The robot of a row, but for what closes a loop, which depends on a posture: see `conformance.judge`."""
     robot = {"name": "arm", "gravity": [0.7, -1.1, -9.6], "links": [_boom(row), _fore(row)]}
-    boom, fore = robot["links"]
+    boom = robot["links"][0]
     if row["base"] == "floating":
         hull = {"name": "hull", "length": 0.3, "section": {"rhoA": 5.0, "rhoIp": 0.05}, "joint": {"axes": []}}
         boom["parent"] = "hull"

@@ -96,7 +96,7 @@ class Case:
         return np.where(np.arange(self.model.nv) < self.model.chain.eta_v, 1.0, 0.05)
 
     def differences(self, f, h: float = 4e-3) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Slopes of ``f(q, v, tau) -> (m,)`` with q, v (m, nv) and tau (m, n_tau), by differences extrapolated twice."""
+        """Slopes of ``f(q, v, tau) -> (m,)`` with q, v (m, nv), tau (m, n_tau), by differences extrapolated twice."""
         q, v, tau, _ = self.given
         nv = self.model.nv
 

@@ -15,8 +15,6 @@ from conformance.numbers import near
 from conformance.uses import closed
 from screwgen import ScrewgenError
 
-FUNCTION = "forward_dynamics"
-
 
 def written(case: Case) -> Path:
     """Robot and states as the files that commands read."""
@@ -59,19 +57,19 @@ def every_command(case: Case) -> None:
 
 
 def units(case: Case) -> None:
-    """A mock-up unit steps as the C does."""
-    from fmi_units import Unit, small
+    """A mock-up unit steps as the C does, from the same state under the same inputs."""
+    from fmi_units import Unit
 
     os.environ["CC"] = GCC
+    (q, v), tau, model = closed(case), case.given[2], case.model
     make = lambda: case.robot  # noqa: E731
-    assert small is not make
-    unit = Unit("fmu3", "cs", make).ready()
-    names = unit.states
-    start = unit.get(names)
+    unit = Unit("fmu3", "cs", make).ready(**dict(zip(model.q_names + model.v_names, [*q, *v], strict=True)))
+    start = unit.get(unit.states)
+    near(start, np.concatenate([q, v]), 1e-9, "the start")
+    unit.set(dict(zip(model.tau_names, tau, strict=True)))
     unit.step(0.0, STEP)
-    q, v = start[: case.model.nq], start[case.model.nq :]
-    after = case.c().step(q, v, None, None, STEP, "modal_implicit")
-    near(unit.get(names), np.concatenate(after), case.agreement, "a step of the unit")
+    after = case.c().step(start[: model.nq], start[model.nq :], tau, None, STEP, "modal_implicit")
+    near(unit.get(unit.states), np.concatenate(after), case.agreement, "a step of the unit")
 
 
 def urdf(case: Case) -> None:

@@ -1,4 +1,4 @@
-"""The page of the documents that says what works with what: the last part of `docs/features.md`, made from the tables."""
+"""What works with what, for people: the last part of `docs/features.md`, made from the tables."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from conformance.refusals import REFUSALS
 HEADING = "## What works with what"
 HEAD = f"""{HEADING}
 
-An example: a floating base whose arm has a tendon and a loop. Do the filter, the derivatives of a step and the mock-up unit know
-all three? The tables below say so, feature by feature. They are made from those in `tests/conformance`, which the tests run:
-{len(covering())} small robots hold each of the {len(possible_pairs())} pairs of features that can stand together, and every robot goes
-through {len(CHECKS)} checks. A check *holds*, or the tool *refuses* in one line, for a reason that stands here. Nothing else
-passes the tests.
+An example: a floating base whose arm has a tendon and a loop. Do the filter, the derivatives of a step and the mock-up
+unit know all three? The tables below say so, feature by feature. They are made from those in `tests/conformance`, which
+the tests run: {len(covering())} small robots hold each of the {len(possible_pairs())} pairs of features that can stand
+together, and every robot goes through {len(CHECKS)} checks. A check *holds*, or the tool *refuses* in one line, for a
+reason that stands here. Nothing else passes the tests.
 
 """
 

@@ -74,7 +74,8 @@ def noise_of(case: Case) -> tuple[Noise, np.ndarray]:
     """The noise of a filter's sensors, and the deviation at its start."""
     rigid = np.arange(case.model.nv) < case.model.chain.eta_v
     poses = {f"base_{name}": x for name, x in (("position", 2e-3), ("attitude", 2e-3), ("rate", 5e-3))}
-    noise = Noise(np.where(rigid, 0.02, 1e-4), 1e-10, 1e-3, 1e-5, 0.05, 0.02, **poses, joint_attitude=2e-3, joint_rate=5e-3)  # fmt: skip
+    speeds = dict(joint_attitude=2e-3, joint_rate=5e-3)
+    noise = Noise(np.where(rigid, 0.02, 1e-4), 1e-10, 1e-3, 1e-5, 0.05, 0.02, **poses, **speeds)
     return noise, np.where(rigid, 1e-2, 1e-4)
 
 
@@ -103,8 +104,7 @@ def equilibrium(case: Case) -> None:
     model, chain = case.model, case.model.chain
     still = {f"gravity[{k}]": 0.0 for k in range(3)} if chain.floating else {}
     q = closed(case)[0]
-    joints = q[: chain.base_q + chain.eta_q - chain.base_q]
-    rest = screwgen.equilibrium(model, q if chain.floating else joints[: model.n_joints], hold=True, parameters=still)
+    rest = screwgen.equilibrium(model, q if chain.floating else q[: model.n_joints], hold=True, parameters=still)
     f = model.numpy(model.chain.parameters.vector(still))
     zero = np.zeros(model.nv)
     vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)

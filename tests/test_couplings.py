@@ -10,7 +10,7 @@ from conftest import swept
 from helpers import arm, casadi_forward, link, model_of, quick, relative
 from oracle import Oracle
 from test_loop_derivatives import error, moved
-from test_loops import constrained, looped
+from test_loops import constrained, looped, plain
 
 from screwgen import OpenLoopError, RobotFileError, UsageError, assemble, dump, load, simulate
 from screwgen.backends.numpy.closing import moving
@@ -33,14 +33,15 @@ def names(robot: dict) -> list[str]:
     return found
 
 
-def coupled(rng, robot: dict, state: dict, count: int = 1) -> dict:
-    """The robot with couplings between random axes that the state satisfies."""
-    model, free = model_of(robot), names(robot)
+def coupled(rng, robot: dict, state: dict, count: int = 1, base: str = "") -> dict:
+    """The robot with couplings between random axes, but those of the link `base`, that the state satisfies."""
+    every = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
+    free = [name for name in names(robot) if name.partition(".")[0] != base]
     order = rng.permutation(len(free))[: 2 * count]
     couplings = []
     for axis, of in zip(order[::2], order[1::2], strict=False):
         ratio = round(float(rng.uniform(-2, 2)), 3)
-        q = {name: state["q"][model.q_names.index(name)] for name in (free[axis], free[of])}
+        q = {name: state["q"][every.index(plain(name))] for name in (free[axis], free[of])}
         offset = float(q[free[axis]] - ratio * q[free[of]])
         couplings.append({"axis": free[axis], "of": free[of], "ratio": ratio, "offset": offset})
     return robot | {"couplings": couplings}

@@ -14,6 +14,7 @@ from floating_robots import start as flying
 from helpers import casadi_forward, flat, model_of, quick, quick_batch, relative
 from oracle import Oracle, part_error
 from oracle_floating import case_of, coordinates, draw, twin
+from test_couplings import coupled
 from test_loops import JOINTS, SIXTH, bridged, constrained
 
 from screwgen import PD, OpenLoopError, UsageError, assemble, rollout, simulate
@@ -46,12 +47,19 @@ def test_random_drives_equal_the_oracle_in_every_back_end(seed):
     assert numeric.energy(q, v) == pytest.approx(case.oracle.energy(case.state["q"], case.state["v"]), rel=1e-11)
 
 
+@pytest.mark.parametrize("closing", ["loop", "coupling", "loop and coupling"])
 @pytest.mark.parametrize("seed", swept(range(2 * len(JOINTS)), 6))
-def test_random_trees_with_a_loop_equal_the_constrained_oracle(seed):
-    """The loop is closed; in every other draw it is open, unless rows are left out that an open loop leaves unequal."""
+def test_random_closed_trees_equal_the_constrained_oracle(seed, closing):
+    """What closes is closed; in every other draw open, unless rows are left out that an open loop leaves unequal."""
     rng, more = np.random.default_rng([950, seed]), {"branching": 0.5, "drives": 0.4, "max_modes": 1}
-    case = draw(9300 + seed, 3 + seed % 3, **more)
-    robot, state = bridged(rng, JOINTS[seed % len(JOINTS)], case.robot, case.state, case.oracle)
+    case = draw(9300 + seed, 3 + seed % 3 + ("coupling" in closing), **more)
+    robot, state = case.robot, case.state
+    if "loop" in closing:
+        robot, state = bridged(rng, JOINTS[seed % len(JOINTS)], robot, state, case.oracle)
+    if "coupling" in closing:
+        couplings = coupled(rng, twin(robot), state, base=robot["links"][0]["name"])["couplings"]
+        assert couplings
+        robot = robot | {"couplings": couplings}
     oracle, model = Oracle(twin(robot)), model_of(robot)
     opened = seed % 2 and not redundant(model)
     if opened:
@@ -65,7 +73,7 @@ def test_random_trees_with_a_loop_equal_the_constrained_oracle(seed):
         assert np.allclose(v[:6], closed.given[1][:6], rtol=0, atol=1e-13)
         state["v"] = np.linalg.solve(closed.twist_map(), v)
         v = coordinates(oracle, state["q"], state["v"])[1]
-    vdot = constrained(oracle, robot, state | {"tau": np.append(np.zeros(6), tau)})
+    vdot = constrained(oracle, twin(robot), state | {"tau": np.append(np.zeros(6), tau)})
     expected = np.append(oracle.link_twist_rates(state["q"], state["v"], vdot)[0], vdot[6:])
     library = quick(model, layout=("fused", "modular")[seed % 2])
     given = q, v, tau, w_ext

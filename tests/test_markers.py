@@ -12,6 +12,7 @@ from conftest import swept
 from helpers import Case, casadi_forward, model_of, quick
 from oracle import Oracle
 from oracle_robots import pinocchio_model, relative
+from test_loop_derivatives import error, moved
 from test_loops import JOINTS, constrained, looped
 
 from screwgen import Robot, assemble, dump, equilibrium, simulate
@@ -35,12 +36,18 @@ def arm(*links: dict, **more):
 @pytest.fixture(scope="module")
 def branched():
     """A trunk that carries two links at a marker, one at its base and one at its tip."""
-    trunk = rod("trunk", ["y"], modes={"bending_y": 1, "bending_z": 2}, markers=[{"name": "hook", "at": 0.4}])
+    return branches()
+
+
+def branches(*more: dict, **trunk):
+    """The same with more links, and what a trunk states besides."""
+    trunk = rod("trunk", ["y"], modes={"bending_y": 1, "bending_z": 2}, **trunk)
+    trunk |= {"markers": [{"name": "hook", "at": 0.4}]}
     mounted = rod("left", ["z"], parent="trunk", at="hook") | {
         "joint": {"axes": ["z"], "mount": {"xyz": [0.1, 0.0, 0.05]}}
     }
     right, low = rod("right", ["y"], parent="trunk", at={"s": 0.4}), rod("low", ["z"], parent="trunk", at="base")
-    return arm(trunk, mounted, right, low, rod("fore", ["y"], parent="trunk"))
+    return arm(trunk, mounted, right, low, rod("fore", ["y"], parent="trunk"), *more)
 
 
 def at_stations(rng, robot: dict) -> dict:
@@ -111,10 +118,14 @@ def test_rigid_trees_equal_pinocchio(seed):
     assert relative(found, expected) < 1e-10
 
 
-def test_derivatives_are_those_of_differences(branched):
-    rng = np.random.default_rng(5)
-    q, v, tau = 0.05 * rng.normal(size=branched.nq), rng.normal(size=branched.nq), rng.normal(size=5)
-    judges.differences(branched, q, v, tau, rng.normal(size=(5, 6)))
+@pytest.mark.parametrize("order", [1, 2, "exact"])
+def test_derivatives_are_those_of_differences(order):
+    """Of 40 digits: links ahead of all points of an exact rod, between them and behind them, wrenches and a tendon."""
+    near, far = (rod(name, ["x"], parent="trunk", at={"s": s}) for name, s in (("near", 0.01), ("far", 0.97)))
+    model = branches(near, far, order=order, tendons=[{"name": "cord", "at": [[0.0, 0.02, 0.01]] * 2}])
+    q, v, tau, w_ext = moved(model, np.zeros(model.nq), seed=5)
+    given = q, v, np.append(tau[:-1], 300.0), w_ext
+    assert error(model, given, model.numpy().derivatives(*given)) < 1e-11
 
 
 def test_where_segments_meet_a_link_is_carried_by_a_tip():

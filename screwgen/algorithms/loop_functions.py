@@ -150,6 +150,4 @@ class LoopFunctions:
             curves={row: self._curve(second, row, axes.q) for second, row in self.chain.closing.related}
         )
         with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
-            return loops.Shut(
-                self.chain.closing.rows, tips, axes, nodes, [mx.array(link["R"], (3, 3)) for link in links]
-            )
+            return loops.Shut(self.chain, tips, axes, [mx.array(link["R"], (3, 3)) for link in links])

@@ -193,20 +193,19 @@ class Loads(NamedTuple):
 
 
 class Shut:
-    """The loops in a state; `nodes` and `rotations`: the tip node of every link, and the rotation of its F_i."""
+    """The loops of a chain in a state; `rotations`: that of F_i of every link."""
 
-    def __init__(
-        self, rows: Sequence[ClosingRow], tips: Sequence[Tip], axes: Axes, nodes: Sequence[int], rotations: Sequence
-    ):
-        self.tips, self.axes, self.nodes, self.rotations = tips, axes, nodes, rotations
-        self.conditions = [condition(c, tips, axes) for c in rows]
+    def __init__(self, chain: Chain, tips: Sequence[Tip], axes: Axes, rotations: Sequence):
+        self.chain, self.tips, self.axes, self.rotations = chain, tips, axes, rotations
+        self.conditions = [condition(c, tips, axes) for c in chain.closing.rows]
 
     def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> TipsAndAxes:
         """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""
-        nodes = [places[k] for k in self.nodes]
+        nodes = [places[self.chain.tree.tip(i)] for i in range(self.chain.n)]
         sums = [[a + b for a, b in zip(node["acc_0"], node["delta"], strict=True)] for node in nodes]
         tips = [mx.rotate_wrench(R, mx.array(x)) for R, x in zip(self.rotations, sums, strict=True)]
-        return TipsAndAxes(tips, [x for link in links for x in link["qddot"]])
+        vdot = self.chain.join(links, "qddot", "etaddot")
+        return TipsAndAxes(tips, self.chain.of_joints(vdot, rates=True))
 
     def wrenches(self, forces: Vector) -> list[Value]:
         """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""

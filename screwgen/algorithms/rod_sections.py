@@ -266,14 +266,13 @@ def tip(motion: RodMotion, at: float) -> dict[str, Array]:
 
 def held(s: RodScope, inputs: Mapping[str, Array], moment: Array, force: Array) -> Array:
     """(r,): the modal forces of a moment and a force at the section of the tip, in axes of F_i."""
-    motion, none = motion_along(s, inputs), mx.zeros(3)
-    end, weights = motion.end(s.key.section_at), motion.points.reach(s.key.section_at)
-    loads = [(x, none, w * force) for x, w in zip(motion.at, weights, strict=True)]
-    loads.insert(motion.points_before(s.key.section_at), (end, moment, none))
+    motion, none, at = motion_along(s, inputs), mx.zeros(3), s.key.section_at
+    last = motion.points_before(at) - 1
     total: dict[str, Array] = {}
+    _load(motion.s, total, motion.end(at), none, moment, none)  # its turn begins at the last point before it
     behind = none
-    for x, tau, f in loads[::-1]:
-        behind = _load(motion.s, total, x, behind, tau, f)
+    for k, w in reversed(list(enumerate(motion.points.reach(at)))):
+        behind = _load(motion.s, total, motion.at[k], behind, moment if k == last else none, w * force)
     return total["h_rod"] * motion.scale
 
 

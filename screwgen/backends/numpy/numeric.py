@@ -173,21 +173,21 @@ class Numeric:
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, n_tau); with the pose by ``pose exp(δ)``."""
-        given = self._inputs_to_rates(q)
+        given = self._by_inputs(q)
         if self.chain.closing.rows:
             return self._closed_derivatives(given, *self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
-    def _inputs_to_rates(self, q: Numbers) -> np.ndarray:
-        """(nv, n_tau): the generalised force of a unit of each input, torques of axes and tensions of tendons."""
+    def _by_inputs(self, q: Numbers) -> np.ndarray:
+        """(nv, n_tau): the generalised forces per unit of each torque and tension."""
         chain = self.chain
         out = np.zeros((chain.nv, chain.n_tau))
         out[:, : chain.n_joints] = np.eye(chain.nv)[:, chain.effort_places] * self.levers(q)
         out[list(chain.elastic_travels.values()), list(chain.elastic_travels)] = 1.0
-        pulls = self._functions(PULLS).pulls(*self._rows(q=q)) if chain.n_tensions else []
-        out[chain.nv - chain.n_modes :, chain.n_joints :] = -np.reshape(pulls, (chain.n_tensions, chain.n_modes)).T
+        pulls = np.reshape(self._functions(PULLS).pulls(*self._rows(q=q)), (chain.n_tensions, chain.n_modes))
+        out[chain.eta_v :, chain.n_joints :] = -pulls.T
         return out
 
     def _closed_derivatives(

@@ -23,6 +23,8 @@ ITERATIONS, MOST_TURN, FAR = 300, 0.5, 8 * np.pi
 in m."""
 FARTHEST = 1.0
 """Modal coordinate over its link's length (torsion: rad) at which small deflections are out of the question."""
+NEUTRAL = 1e-10
+"""Scaled stiffness of a direction along which no step is made where forces are all but balanced."""
 FLAT = 1e-3
 """Scaled stiffness below which a step is not made longer."""
 
@@ -294,10 +296,12 @@ def least(statics: Statics, q: np.ndarray) -> Balance:
 
 
 def polished(statics: Statics, b: Balance) -> Balance:
-    """Newton steps while they help."""
+    """Newton steps while they help, along directions with stiffness alone."""
     while b.residual > 0 and len((found := statics.scaled(b))[0]):
         force, K = found
-        there = statics.moved(b, -np.linalg.lstsq(K, force, rcond=1e-10)[0])
+        left, sizes, right = np.linalg.svd(K)
+        resisted = sizes > NEUTRAL * max(1.0, sizes[0])
+        there = statics.moved(b, -right[resisted].T @ (left[:, resisted].T @ force / sizes[resisted]))
         if not there.residual < 0.9 * b.residual:
             break
         b = there

@@ -84,9 +84,9 @@ LINES = {
     "equilibrium ella.toml --q": "option '--q' requires an argument",
     "equilibrium ella.toml --tau 1": "--tau: has 1 numbers; it must have 3 finite joint torques",
     "equilibrium ella.toml --tau 1e999,0,0": "it must have 3 finite joint torques",
-    "equilibrium ella.toml --hold --tau 1,0,0": "--tau: the torques follow where --hold holds the joints",
-    "equilibrium ella.toml --hold --state torque.json": "torque.json: tau: the torques follow",
-    "equilibrium ella.toml --state moving.json": "moving.json: v: an arm at rest has none",
+    "equilibrium ella.toml --hold --tau 1,0,0": "tau: upper_arm.torque[0] is found, as its joint is held; leave it at",
+    "equilibrium ella.toml --tensions 1": "--tensions: robot 'ella' has no tendons; leave it out",
+    "equilibrium ella.toml --hold --hold-only forearm": "--hold-only and --hold both say which joints are held",
     "equilibrium ella.toml --state none.json": "none.json: there is no such file",
     "equilibrium ella.toml --tau -200,0,0": "upper_arm.joint[0]: no posture found balances its torque of -200 N·m",
     "latex ella.toml": "missing option",
@@ -183,7 +183,6 @@ def folder(tmp_path, monkeypatch):
     Path("bad.toml").write_text("name = \n")
     Path("massless.toml").write_text(EXAMPLE.read_text().replace("rhoA = 1.6302", "rhoA = 0.0"))
     Path("gains.toml").write_text(GAINS)
-    Path("moving.json").write_text('{"v": [1, 0, 0]}')
     Path("rigid.toml").write_text("\n".join(x for x in EXAMPLE.read_text().splitlines() if not x.startswith("modes")))
     Path("torque.json").write_text('{"tau": [1, 0, 0]}')
     Path("binary.json").write_bytes(b"\xff\xfe\x00")

@@ -182,6 +182,32 @@ def test_a_cantilever_sags_as_textbooks_say(count):
     assert np.allclose(e.wrench, [[0, moment, 0, 0, 0, (0.7 + 0.4 * 1.3) * G]], rtol=1e-12, atol=1e-12)
 
 
+@pytest.mark.parametrize("order", [1, 2, "exact"])
+@pytest.mark.parametrize("force", [(5.0, 5.0), (5.0, 3.0), (1.0, 7.0), (3.0, -4.0)])
+def test_a_round_beam_bends_towards_any_force_across_it(order, force):
+    """`F l³ / 3 EI` in both planes, whose moments about the beam's axis cancel but for rounding."""
+    modes = {"bending_y": 2, "bending_z": 2, "torsion": 1}
+    section = {"EIy": 3.0e3, "EIz": 3.0e3, "GJ": 2.2e3, "rhoIp": 2e-4}
+    tube = link("tube", 1.0, [], 0.6, modes=modes, section=section)
+    e = equilibrium(model_of(arm(tube, gravity=(0, 0, 0)) | {"order": order}), w_ext=[[0, 0, 0, 0, *force]])
+    assert e.residual <= 1e-13 and e.stability == "stable"
+    assert np.allclose(e.tip_deflection[1:], np.array(force) / (3 * 3.0e3), rtol=1e-5, atol=0)
+
+
+@pytest.mark.parametrize("tip", [0.0, 0.9])
+def test_a_balanced_joint_is_neutral_where_weights_cancel(tip):
+    """A beam on a skew axis with its like behind it, and equal masses at both ends or none: no turn matters."""
+    axis = np.array([0.1, 0.3, 0.9]) / np.linalg.norm([0.1, 0.3, 0.9])
+    ends = {"section": {"rhoIp": 1e-3}, "bodies": [{"at": "tip", "mass": tip}] if tip else []}
+    beam = link("beam", 0.7, [axis.tolist()], 0.3, joint={"mount": {"rpy": [0.3, 0.2, -0.4]}}, **ends)
+    behind = link("behind", 0.7, [], 0.3, joint={"mount": {"rpy": [0.0, 0.0, np.pi]}}, at="base", **ends)
+    model = model_of(arm(beam, behind, gravity=(0.3, -5.0, -9.81)))
+    for q in (0.0, 0.3, 1.1):
+        e = equilibrium(model, [q])
+        assert e.residual <= 1e-13 and abs(e.q[0] - q) < 1e-9
+        assert e.loose == ("beam.joint[0]",) and e.stability == "neutral"
+
+
 PENDULUM = {"name": "rod", "length": 2.0, "axes": "y", "rhoA": 0.5}
 """m g l / 2 = 9.81 N·m."""
 
@@ -267,7 +293,9 @@ def test_an_overloaded_link_is_refused_by_name():
         ({"q": [0.0] * 4}, "q: has 4 numbers; it must have 9"),
         ({"tau": [0.0]}, "tau: has 1 numbers; it must have 3"),
         ({"tau": [0.0, np.inf, 0.0]}, "tau: holds a number that is not finite"),
-        ({"tau": [0.0] * 3, "hold": True}, "the torques follow where the joints are held"),
+        ({"tau": [0.0, 0.2, 0.0], "hold": True}, r"tau: upper_arm.torque\[1\] is found, as its joint is held"),
+        ({"hold": ["wrist"]}, "hold: there is no joint 'wrist'; choose upper_arm or forearm or upper_arm.joint"),
+        ({"hold": ["forearm"], "free": ["upper_arm"]}, "hold and free both name joints"),
         ({"parameters": [1.0]}, "parameters: has 1 numbers"),
     ],
 )

@@ -185,11 +185,11 @@ def test_an_undamped_vibration_neither_grows_nor_decays():
     assert np.isclose(energy(e.covariance), before, rtol=1e-10)
 
 
-def test_josephs_form_keeps_what_a_precise_measurement_leaves():
-    """In float 1 - 1/(1 + 1e-10) is 0: the short form would leave no variance, or a negative one."""
+def test_the_root_keeps_what_a_precise_measurement_leaves():
+    """In float 1 - 1/(1 + 1e-10) is 0: a difference of variances would leave none, or a negative one."""
     robot, e = model("ella"), compiled("ella", single=True)
     sd = np.where(deviation_of(robot) < 1e-3, 1e-6, 1.0)
-    e.start(np.zeros(9), np.zeros(9), sd, sd, Noise(0.0, encoder=1e-5, strain=1.0))
+    e.start(np.zeros(9), np.zeros(9), sd, sd, Noise(0.0, encoder=1e-5))
     e.update(np.zeros(3), np.zeros((2, 6)), [0.1, np.nan, -0.2])
     assert np.allclose(np.diag(e.covariance)[[0, 2]], 1e-10, rtol=1e-5, atol=0)
     assert np.allclose(e.state[0][:3], [0.1, 0.0, -0.2], rtol=1e-6)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json as json_format
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -132,26 +132,79 @@ NO_MODES = {
 # ------------------------------------------------------------------------------ equilibrium
 
 
+class Holding(NamedTuple):
+    """The options that say which joints are held."""
+
+    all_without_springs: bool = False
+    all: bool = False
+    only: tuple[str, ...] = ()
+    free: tuple[str, ...] = ()
+
+    @property
+    def hold(self) -> bool | str | tuple[str, ...]:
+        """What `equilibrium` takes as `hold`; refuses options that contradict each other."""
+        every = "--hold-all" if self.all else "--hold" if self.all_without_springs else "--free" if self.free else ""
+        if self.only and every:
+            raise UsageError(f"--hold-only and {every} both say which joints are held; leave one of them out")
+        return self.only or ("all" if self.all else bool(every))
+
+
 def run_equilibrium(
-    robot: str, state: str | None, q: str | None, tau: str | None, hold: bool | str, json: bool
+    robot: str,
+    state: str | None,
+    q: str | None,
+    tau: str | None,
+    tensions: str | None,
+    holding: Holding,
+    json: bool,
 ) -> None:
     """Print the equilibrium, as a report or as JSON."""
     from ..studies.equilibrium import equilibrium
 
-    model = derive(load_robot(robot))
+    hold, model = holding.hold, derive(load_robot(robot))
     given = state_in(state, model)
     if given.v.any():
-        raise UsageError(f"{one_line(str(state))}: v: an arm at rest has none; leave it out")
-    sliding = model.chain.sliding
-    angles = "joint coordinates" if sliding else "joint angles in rad"
-    loads = "joint forces" if sliding else "joint torques in N·m"
+        print(f"screwgen: note: {one_line(str(state))}: v: is left out; an arm at rest has none", file=sys.stderr)
+    angles = "joint coordinates" if model.chain.sliding else "joint angles in rad"
     start = given.q if q is None else numbers("q", q, model.n_joints, angles)
-    torques = given.tau if tau is None else numbers("tau", tau, model.n_joints, loads)
-    if hold and (tau is not None or given.tau.any()):
-        option = "--tau" if tau is not None else f"{one_line(str(state))}: tau"
-        raise UsageError(f"{option}: the torques follow where --hold holds the joints; leave one of them out")
-    found = equilibrium(model, start, None if hold else torques, given.w_ext, hold)
+    efforts = given.tau if tau is None else given_efforts(model, tau)
+    if tensions is not None:
+        efforts = with_tensions(model, efforts, tensions, tau)
+    if tau is None and hold:
+        efforts = without_held(model, efforts, holding, f"{one_line(str(state))}: tau")
+    found = equilibrium(model, start, efforts, given.w_ext, hold, free=holding.free)
     print(json_format.dumps(record(found), allow_nan=False) if json else text(model, found))
+
+
+def given_efforts(model: Model, tau: str) -> np.ndarray:
+    """The torques and tensions (n_tau,) of --tau, which may leave the tensions out."""
+    loads = "joint forces" if model.chain.sliding else "joint torques in N·m"
+    if model.n_tau > model.n_joints and len(tau.replace(",", " ").split()) != model.n_joints:
+        return numbers("tau", tau, model.n_tau, f"{loads}, and tensions in N behind them")
+    return model.chain.with_tensions(numbers("tau", tau, model.n_joints, loads))
+
+
+def with_tensions(model: Model, efforts: np.ndarray, tensions: str, tau: str | None) -> np.ndarray:
+    """Torques and tensions (n_tau,) with the tensions of --tensions."""
+    if model.n_tau == model.n_joints:
+        raise UsageError(f"--tensions: robot '{model.robot.name}' has no tendons; leave it out")
+    if tau is not None and len(tau.replace(",", " ").split()) == model.n_tau:
+        raise UsageError("--tau and --tensions both give tensions; leave one of them out")
+    pulled = numbers("tau", tensions, model.n_tau - model.n_joints, "tensions in N", "tensions")
+    return np.append(efforts[: model.n_joints], pulled)
+
+
+def without_held(model: Model, efforts: np.ndarray, holding: Holding, where: str) -> np.ndarray:
+    """The efforts (n_tau,) of a state without those of joints that are held, which follow; a note says so."""
+    from ..studies.held_joints import asked
+    from ..studies.stiffness import stiffness
+
+    first, m = model.chain.base_v, model.n_joints
+    held = asked(model, holding.hold, holding.free, stiffness(model)[first : first + m] > 0).held
+    out = efforts * ~np.append(held, np.zeros(model.n_tau - m, bool))
+    if (out != efforts).any():
+        print(f"screwgen: note: {where}: torques of held joints follow, those given are left out", file=sys.stderr)
+    return out
 
 
 def run_assemble(robot: str, state: str | None, q: str | None, hold: list[str]) -> None:
@@ -187,8 +240,9 @@ def numbers(quantity: str, given: str, size: int, what: str, option: str = "") -
 def record(e: Equilibrium) -> dict:
     """What `--json` prints."""
     lists = ("q", "tau", "stiffness", "wrench", "tip_position", "tip_deflection", "deflections")
-    words = {"held": e.held, "residual": e.residual, "stability": e.stability, "loose": list(e.loose)}
-    words |= {"passive": list(e.passive), "validity": e.validity.record()}
+    words = {name: getattr(e, name) for name in ("held", "residual", "stability")}
+    words |= {name: list(getattr(e, name)) for name in ("held_joints", "loose", "passive")}
+    words["validity"] = e.validity.record()
     if e.following:
         words["following"] = list(e.following)
     if e.loop_wrench.any():
@@ -206,11 +260,14 @@ def text(model: Model, e: Equilibrium) -> str:
     joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
     coordinates, torques = ("joint coordinates", FORCES) if model.chain.sliding else WORDS
     torques = FORCES if "N" in force_units(model.robot) else torques
-    angles = coordinates + ", held" * e.held
-    torques += " that hold them" if e.held else " given"
-    lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the largest loads", ""]
+    every = set(model.q_names[joints]) == {*e.held_joints, *e.passive, *e.following}
+    angles = coordinates + ", held" * (e.held and every)
+    torques += " that hold them" if e.held and every else " given" if not e.held else ""
+    lines = [f"{model.robot.name} at rest: {stability(e)}; residual {e.residual:.1e} of the loads", ""]
     named = zip(model.q_names[joints], coordinate_units(model.robot)[joints], strict=True)
     told = dict.fromkeys(e.following, ", follows the loops") | dict.fromkeys(e.passive, ", on its spring")
+    if e.held and not every:
+        told |= dict.fromkeys(e.held_joints, ", held")
     units = [unit + told.get(name, "") for name, unit in named]
     lines += table(angles, model.q_names[joints], e.q[joints], units)
     lines += table(torques, model.tau_names, e.tau, force_units(model.robot))

@@ -203,19 +203,34 @@ def equilibrium(
         ),
     ] = None,
     tau: Annotated[
-        str | None, typer.Option(metavar="NUMBERS", help="Joint torques that act, N·m (slides: N). Zero without.")
+        str | None,
+        typer.Option(
+            metavar="NUMBERS",
+            help="Joint torques that act, N·m (slides: N), of held joints 0; behind them tensions, N. Zero without.",
+        ),
+    ] = None,
+    tensions: Annotated[
+        str | None, typer.Option(metavar="NUMBERS", help="Tensions of tendons alone, N, as 5,0. Zero without.")
     ] = None,
     hold: Annotated[bool, typer.Option("--hold", help="Hold joints without springs; the torques follow.")] = False,
     hold_all: Annotated[bool, typer.Option("--hold-all", help="Hold joints with springs too.")] = False,
+    hold_only: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="Hold this link's joint, or coordinate; may be repeated.")
+    ] = None,
+    free: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="Hold all but this one; may be repeated.")
+    ] = None,
     state: StateFile = None,
     json: Json = False,
 ) -> None:
     """Find the posture in which the arm rests under gravity: angles and bending, torques, wrenches, and its stability.
-    Joints are free under torques and springs, or held, but for passive ones on springs. --state gives q, tau, w_ext.
+    Joints are free under torques and springs, or held, but for passive ones on springs: all with --hold, else those
+    named by --hold-only or not named by --free. --state gives q, tau, w_ext.
     """
-    from .linear import run_equilibrium
+    from .linear import Holding, run_equilibrium
 
-    run_equilibrium(robot, state, q, tau, "all" if hold_all else hold, json)
+    holding = Holding(hold, hold_all, tuple(hold_only or ()), tuple(free or ()))
+    run_equilibrium(robot, state, q, tau, tensions, holding, json)
 
 
 @app.command(short_help="Find a posture with closed loops.", epilog=EPILOG)

@@ -18,7 +18,7 @@ from .lean import LeanProject
 from .memory import Array, Memory, Real, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
-SINGULAR = 2
+NONFINITE, SINGULAR = 1, 2
 OUT_OF_REACH = "a linkage does not reach this posture; give an angle within its range"
 Derivatives = tuple[Array, Array, Array, Array]
 NO_METHOD = "in the generated C there is no integrator"

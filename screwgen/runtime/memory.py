@@ -56,7 +56,7 @@ class StructMemory:
         self._places = dict(zip(names, places, strict=True))
         self.address = ctypes.c_void_p(self.bytes.ctypes.data + self._start)
 
-    def view(self, name: str, *shape: int, kind: type | None = None) -> Array:
+    def view(self, name: str, *shape: int, kind: Any = None) -> Array:
         """A member as an array, of reals by default."""
         dtype = np.dtype(kind or self.real)
         first = self._start + self._places[name]

@@ -15,12 +15,25 @@ import numpy as np
 from ..algorithms.gauges import bending, gauges
 from ..algorithms.joint_sensors import PoseSensor, encoders, pose_sensors
 from ..algorithms.tip_acceleration import tip_acceleration
-from ..arguments import Given, Loads, Numbers, array
+from ..arguments import Given, Loads, Numbers
+from ..backends.numpy.covariance import corrected, deviations, root
 from ..backends.numpy.numeric import EPSILON, function_of
-from ..errors import DivergedError, SingularError, UsageError
+from ..errors import DivergedError, SingularError
 from ..joints.exponential import angular_velocity
 from ..robot_model import RobotModel
-from ..runtime.estimator import Noise, check_noise, given_measurements, sensors, spread
+from ..runtime.estimator import NOT_FINITE, OPEN, TOO_LONG
+from ..runtime.measurements import (
+    Innovation,
+    Noise,
+    check_noise,
+    check_step,
+    checked_input,
+    checked_measurements,
+    checked_start,
+    fibres,
+    sensors,
+    spread,
+)
 from .integrate import JointStepper
 from .mobility import closing
 
@@ -46,22 +59,20 @@ class Estimator:
         self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
         self.noise, n = Noise(0.0), model.nv
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
+        self.innovations: dict[str, Innovation] = {}
+        """What the last update made of each measurement; empty before one."""
+        self._beyond = {name: np.zeros(size[2], int) for name, size in self._names.items()}
 
     def start(self, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any, noise: Noise) -> None:
         """Begin at a state, as of :class:`..runtime.estimator.CompiledEstimator`."""
-        n, chain = self.model.nv, self.model.chain
-        q, v = array(q, "q", (chain.nq,)), array(v, "v", (n,))
-        sizes = np.concatenate(
-            [spread(x, name, n) for name, x in (("deviation_q", deviation_q), ("deviation_v", deviation_v))]
-        )
-        for one in pose_sensors(chain):
-            if not one.turn(q).any():
-                whose = "the base" if one.word == "base" else f"link '{chain.names[one.part.link]}'"
-                raise UsageError(f"q: the quaternion of {whose} is zero; give [1, 0, 0, 0] for no turn")
-        q, P = chain.unit(q), np.diag(sizes**2)
-        q, v, _ = self._shut(q, v)
+        chain = self.model.chain
+        q, v, *sizes = checked_start(chain, q, v, deviation_q, deviation_v)
+        check_noise(chain, noise)
+        q, v, _ = self._shut(chain.unit(q), v)
         q, v, T = self._shut(q, v)  # the projection is that at closed rates
-        P = T @ self._conditioned(P) @ T.T
+        S = T @ self._conditioned(np.diag(np.concatenate(sizes)))
+        P = S @ S.T
+        self.innovations, self._beyond = {}, {name: np.zeros(size[2], int) for name, size in self._names.items()}
         self.put(q, v, P)
         self.set(noise)
 
@@ -87,14 +98,14 @@ class Estimator:
     # ------------------------------------------------------------------------------ prediction
 
     def predict(self, tau: Numbers, w_ext: Loads, dt: float) -> None:
-        """Predict the state ``dt`` seconds later, with torques (n_tau,) and tip wrenches (n, 6) held."""
-        tau, w_ext = self._input(tau, w_ext)
-        if not (np.isfinite(dt) and dt > 0):
-            raise UsageError(f"the step is {dt:g} s; it must be a finite number > 0")
+        """Predict the state ``dt`` seconds later; torques and tensions (n_tau) and tip wrenches (n, 6) are held."""
+        tau, w_ext = checked_input(self.model.chain, tau, w_ext)
+        check_step(dt)
         q, v = self._stepper.step(self._stepper.initial(self._q, self._v), tau, w_ext, dt)
         Phi, G = self._transition(*self._middle(q, v, dt), tau, w_ext, dt)
-        n = self.model.nv
-        P = Phi @ self._P @ Phi.T + dt * G @ np.diag(spread(self.noise.density_v, "density_v", n)) @ G.T
+        n, S = self.model.nv, Phi @ root(self._P)
+        kicks = G * np.sqrt(dt * spread(self.noise.density_v, "density_v", n))
+        P = S @ S.T + kicks @ kicks.T
         P[np.arange(n), np.arange(n)] += dt * spread(self.noise.density_q, "density_q", n)
         self._accept(q, v, P)
 
@@ -115,7 +126,10 @@ class Estimator:
         A = np.block([[none, one], [by_q, by_v]])
         A[:n, :n] = self.model.chain.carried(v)
         left = np.eye(2 * n) - h / 2 * A
-        solved = np.linalg.solve(left, np.hstack([np.eye(2 * n) + h / 2 * A, np.vstack([none, one])]))
+        try:
+            solved = np.linalg.solve(left, np.hstack([np.eye(2 * n) + h / 2 * A, np.vstack([none, one])]))
+        except np.linalg.LinAlgError:
+            raise SingularError(TOO_LONG) from None
         return solved[:, : 2 * n], solved[:, 2 * n :]
 
     # ------------------------------------------------------------------------------ update
@@ -130,25 +144,41 @@ class Estimator:
         **poses: Any,
     ) -> None:
         """Update the estimate by measurements, as of :class:`..runtime.estimator.CompiledEstimator`."""
-        tau, w_ext = self._input(tau, w_ext)
-        rows, left, variances = [], [], []
+        tau, w_ext = checked_input(self.model.chain, tau, w_ext)
         given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | poses
-        for name, (values, made) in given_measurements(self.model.chain, given).items():
+        measured, S = checked_measurements(self.model.chain, self.noise, given), root(self._P)
+        found, beyond, used = {}, {}, []
+        for name, (values, made) in measured.items():
+            size = self._names[name][2]
+            rest, normalised, refused = np.full(size, np.nan), np.full(size, np.nan), np.zeros(size, bool)
             if made.any():
-                if not np.isfinite(values[~np.isnan(values)]).all():
-                    raise UsageError(f"{name} is not finite; give NaN for what was not measured")
-                H, rest = self._innovation(name, values, tau, w_ext)
-                made = np.repeat(made, len(H) // len(made))
-                variance = self._full(getattr(self.noise, name), self._names[name][2]) ** 2
-                if not (variance[made] > 0).all():
-                    raise UsageError(f"noise: {name} has no standard deviation > 0; state it for what is measured")
-                rows.append(H[made])
-                left.append(rest[made])
-                variances.append(variance[made])
-        if rows:
-            dx, P = corrected(self._P, np.vstack(rows), np.concatenate(left), np.concatenate(variances))
+                H, left, variances, there = self._rows(name, values, made, tau, w_ext)
+                rest[there], normalised[there] = left[there], (left / deviations(S, H, variances))[there]
+                refused, beyond[name] = self._judged(name, normalised, there)
+                used.append([x[there & ~refused] for x in (H, left, variances)])
+            found[name] = Innovation(rest, normalised, refused)
+        if used:
+            dx, S = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
             n = self.model.nv
-            self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], P)
+            self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
+        self.innovations, self._beyond = found, self._beyond | beyond
+
+    def _rows(
+        self, name: str, values: np.ndarray, made: np.ndarray, tau: np.ndarray, w_ext: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Of every entry of a measurement its row, innovation and variance, and whether it was made."""
+        H, rest = self._innovation(name, values, tau, w_ext)
+        deviation = spread(getattr(self.noise, name), name, self._names[name][2])
+        return H, rest, deviation**2, np.repeat(made, len(H) // len(made))
+
+    def _judged(self, name: str, normalised: np.ndarray, made: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Which entries the gate refuses, and how often in a row each was beyond it; those of an attitude as one."""
+        together = 3 if name.endswith("_attitude") else 1
+        beyond = made & (np.abs(normalised) > (self.noise.gate or np.inf))
+        beyond = np.repeat(beyond.reshape(-1, together).any(axis=1), together)
+        times, most = self._beyond[name], self.noise.patience + 1
+        times = np.where(beyond, np.minimum(times + 1, most), np.where(made, 0, times))
+        return beyond & (times < most), times
 
     def _innovation(
         self, name: str, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray
@@ -169,7 +199,7 @@ class Estimator:
         return np.eye(2 * self.model.nv)[of_v], values - self._q[of_q]
 
     def _strain(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        chain, fibre = self.model.chain, self._full(self.noise.fibre, len(self.gauges))
+        chain, fibre = self.model.chain, fibres(self.model.chain, self.noise)
         H = np.zeros((len(self.gauges), 2 * chain.nv))
         H[:, chain.eta_v : chain.nv] = -fibre[:, None] * self._strains
         return H, values - H[:, chain.eta_v : chain.nv] @ self._q[chain.eta_q :]
@@ -191,8 +221,6 @@ class Estimator:
 
     def _attitude(self, one: PoseSensor, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Twice the vector part of the quaternion that leads from the estimate to what was measured."""
-        if not values.any():
-            raise UsageError(f"{one.word}_attitude is zero; give a quaternion")
         turn, first = one.turn(self._q), one.part.v.start
         rest = angular_velocity(turn, values / np.linalg.norm(values))
         return np.eye(2 * self.model.nv)[first : first + 3], rest * np.copysign(1.0, turn @ values)
@@ -206,16 +234,18 @@ class Estimator:
     def _accept(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None:
         """The new estimate, closed and of full symmetry, if it is finite."""
         q, v, T = self._shut(q, v)
-        P = T @ P @ T.T
+        if self.model.chain.closing.rows:
+            S = T @ root(P)
+            P = S @ S.T
         if not all(np.isfinite(x).all() for x in (q, v, P)):
-            raise DivergedError("the estimate is not finite; take a shorter step, or look at the measurements")
-        self.put(q, v, (P + P.T) / 2)
+            raise DivergedError(NOT_FINITE)
+        self.put(q, v, P)
 
     def _shut(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The closed state, and the projection (2 nv, 2 nv) of changes onto motions that keep it closed."""
         n = self.model.nv
         J = J_q = reach = np.zeros((0, n))
-        self._rows = J, J_q
+        self._rows_of_loops = J, J_q
         if not self.model.chain.closing.rows:
             return q, v, np.eye(2 * n)
         for k in range(ROUNDS * CHORDS):
@@ -224,8 +254,8 @@ class Estimator:
             q = self._moved(q, -reach @ self._numeric.gaps(q, None)[0])
         rows, frames = self._numeric.gaps(q, None)[0], self._numeric.mismatch(q)
         if not ((np.abs(rows) < CLOSED).all() and (frames < EPSILON**0.5).all()):
-            raise SingularError("the filter's loops do not close from where it leads; look at the measurements")
-        self._rows = J, J_q
+            raise SingularError(OPEN)
+        self._rows_of_loops = J, J_q
         keep = np.eye(n) - reach @ J
         T = np.block([[keep, np.zeros((n, n))], [-reach @ J_q @ keep, keep]])
         return q, v - reach @ (J @ v), T
@@ -241,39 +271,15 @@ class Estimator:
         answers = np.linalg.solve(M, J.T)
         return J, J_q, self._numeric.row_forces(J @ answers, answers.T).T
 
-    def _conditioned(self, P: np.ndarray) -> np.ndarray:
-        """The covariance where it is known that the loops are closed, up to rounding."""
-        J, J_q = self._rows
+    def _conditioned(self, S: np.ndarray) -> np.ndarray:
+        """The root of a covariance where it is known that the loops are closed, up to rounding."""
+        J, J_q = self._rows_of_loops
         for H in np.vstack([np.hstack([J, np.zeros_like(J)]), np.hstack([J_q, J])]):
-            size = H * H @ np.diag(P)
+            size = H * H @ np.sum(S * S, axis=1)
             if size > 0:
-                P = corrected(P, H[None], np.zeros(1), np.array([EPSILON * size]))[1]
-        return P
-
-    # ------------------------------------------------------------------------------ arguments
+                S = corrected(S, H[None], np.zeros(1), np.array([EPSILON * size]))[1]
+        return S
 
     def _moved(self, q: np.ndarray, change: np.ndarray) -> np.ndarray:
         moved = self._space.moved(q, change)
         return self.model.chain.unit(moved)
-
-    def _input(self, tau: Numbers, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:
-        return array(tau, "tau", (self.model.n_tau,)), array(w_ext, "w_ext", (self.model.n_links, 6))
-
-    @staticmethod
-    def _full(value: Any, size: int) -> np.ndarray:
-        return np.broadcast_to(np.asarray(value, float), (size,))
-
-
-def corrected(P: np.ndarray, H: np.ndarray, left: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The correction of the mean, and the covariance after it: one row after the other, by Joseph's form."""
-    dx, one = np.zeros(len(P)), np.eye(len(P))
-    for row, rest, R in zip(H, left, variance, strict=True):
-        b = P @ row
-        s = R + row @ b
-        if not s > R / 2:
-            raise SingularError("the filter's covariance has lost its definiteness")
-        K = b / s
-        dx = dx + K * (rest - row @ dx)
-        part = one - np.outer(K, row)
-        P = part @ P @ part.T + R * np.outer(K, K)
-    return dx, P

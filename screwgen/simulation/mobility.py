@@ -58,17 +58,19 @@ def mobility(J: np.ndarray, kinds: Kinds) -> Mobility:
     return Mobility(independent, np.array(chosen, int), N)
 
 
-def by_effort(chain: Chain) -> Kinds:
+def by_effort(chain: Chain, kept: Numbers | None = None) -> Kinds:
     """Joints without a drive first, those with one (`armature` or `drives` and no spring) next, modes last.
 
-    Among the joints the last of the file comes first.
+    Among the joints the last of the file comes first. `kept` (n_joints,) of bool: joints that come behind the others.
     """
     joints = [(link.joint, j) for link in chain.robot.links for j in range(len(link.joint.axes))]
     moved = [joint.is_moved(j) and not joint.has_spring(j) for joint, j in joints]
     driven = [k for k, moves in enumerate(moved, chain.base_v) if moves]
     every = range(chain.base_v, chain.base_v + chain.n_joints)
     others = [k for k in every if k not in driven]
-    return [[others[::-1], driven[::-1]], [range(chain.eta_v, chain.nv)]]
+    last = [] if kept is None else [chain.base_v + int(k) for k in np.flatnonzero(kept)]
+    tiers = [[k for k in tier[::-1] if (k in last) == late] for late in (False, True) for tier in (others, driven)]
+    return [tiers, [range(chain.eta_v, chain.nv)]]
 
 
 def by_spring(J: np.ndarray, springs: np.ndarray) -> Kinds:
@@ -114,14 +116,15 @@ def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tupl
     return own, np.block([[N, np.zeros_like(N)], [turned, N]])
 
 
-def stated_joints(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
+def stated_joints(model: RobotModel, q: np.ndarray, p: Numbers, preferred: Numbers | None = None) -> np.ndarray:
     """(n_joints,) of bool: the joints whose coordinates may be stated, as many as the loops leave; all without loops.
 
-    Those with drives come before others, and then those that come first in the file. The others follow them. Raises
-    SingularError where rows of the loops depend on each other in this posture that do not in others.
+    Those that are `preferred` (n_joints,) come first, then those with drives before others, and then those that come
+    first in the file. The others follow them. Raises SingularError where rows of the loops depend on each other in this
+    posture that do not in others.
     """
     out, J = np.ones(model.n_joints, bool), jacobian(model, q, p)
-    dependent = mobility(J, by_effort(model.chain)).dependent - model.chain.base_v
+    dependent = mobility(J, by_effort(model.chain, preferred)).dependent - model.chain.base_v
     if len(dependent) < len(J) and not model.chain.closing.overconstrained:
         raise model.chain.singular_loops()
     out[dependent[dependent < model.n_joints]] = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -11,7 +12,7 @@ import scipy.linalg
 
 from .. import notebook
 from ..algorithms.travels import efforts
-from ..arguments import Given, Numbers, choice, parameters_keyword
+from ..arguments import Given, Numbers, parameters_keyword
 from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
 from ..robot_model import RobotModel
@@ -20,6 +21,7 @@ from ..simulation.motion import displacements
 from ..simulation.validity import Validity, validity_at_rest
 from ..spec.robot import Robot
 from .equilibrium_of_floating_bases import floating_equilibrium
+from .held_joints import Asked, Hold, asked, efforts_beside, refuse_followers
 from .linear import checked
 from .statics import Balance, NoEquilibriumError, Statics, search
 from .statics_with_loops import StaticsWithLoops
@@ -44,10 +46,12 @@ class Equilibrium:
     """(n_tau,): torques where they act, N·m, of slides forces, N; for held joints those that hold them; tensions, N."""
     held: bool
     """Whether joints are held; if not, they are free under `tau`."""
+    held_joints: tuple[str, ...]
+    """The joint coordinates that are held, to which the torques in `tau` belong that were found."""
     passive: tuple[str, ...]
     """The joint coordinates that their springs carry while the others are held."""
     residual: float
-    """The largest unbalanced force over the largest load of its unit, `Statics.scales`: at most 1e-10."""
+    """The largest unbalanced force over what the loads exert before they cancel, `Statics.scales`: at most 1e-10."""
     stability: str
     """What the signs of `stiffness` say: "stable", "neutral" or "unstable"; "flutter": see `equilibrium`."""
     stiffness: np.ndarray
@@ -93,16 +97,19 @@ def equilibrium(
     q: Numbers | None = None,
     tau: Numbers | None = None,
     w_ext: Any = None,
-    hold: bool | str = False,
+    hold: Hold = False,
     parameters: Given = None,
+    free: Sequence[str] = (),
 ) -> Equilibrium:
     """The posture in which the arm rests.
 
     `hold`: the joints are held at `q` (n_joints,) and the torques follow. An axis with a spring, a stiffness > 0, is
-    passive: nothing drives it, and it settles on its spring, from `q` on; "all" holds such axes too. Otherwise the
-    torques and tensions `tau` (n_tau,), N·m and N, zero by default, act besides joint springs, and the angles follow:
-    the search goes down the potential energy from `q`, so it ends in a stable posture, unless `q` is an equilibrium
-    itself. `q` may hold the modes' start too (nq,).
+    passive: nothing drives it, and it settles on its spring, from `q` on; "all" holds such axes too. Names of links, or
+    of coordinates such as "boom.joint[0]", hold these alone, with springs or without; `free` names those that stay free
+    while all others are held. The torques and tensions `tau` (n_tau,), N·m and N, zero by default, act besides joint
+    springs; of held joints they are zero, and where all are held `tau` may be the tensions alone. The angles of free
+    joints follow: the search goes down the potential energy from `q`, so it ends in a stable posture, unless `q` is an
+    equilibrium itself. `q` may hold the modes' start too (nq,).
     Where there are loops they are closed. Held are then as many joints as the loops leave to state, those with drives
     before others and those first in the file before later ones; the others follow.
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
@@ -113,24 +120,23 @@ def equilibrium(
     NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
     model.chain.needs_sums("equilibrium", "simulate it with dampers")
-    if not isinstance(hold, bool):
-        choice(hold, ("all",), "hold: True, False or 'all'; there is no")
-    if hold and tau is not None:
-        raise UsageError("the torques follow where the joints are held; leave out the torques, or do not hold")
     if model.chain.floating:
-        return floating_equilibrium(equilibrium, model, q, tau, w_ext, hold, model.chain.parameters.vector(parameters))
+        p = model.chain.parameters.vector(parameters)
+        return floating_equilibrium(equilibrium, model, q, tau, w_ext, hold, p, free)
     m = model.n_joints
     if model.nq > MOST:
         raise UsageError(f"the arm has {model.nq} coordinates; an equilibrium is sought for at most {MOST}")
     alone = q is not None and np.size(q) == m != model.nq
     start = model.chain.with_inner(checked(q, "q", m), model.parameter_values) if alone else checked(q, "q", model.nq)
-    values, torques = model.chain.parameters.vector(parameters), checked(tau, "tau", model.n_tau)
-    springs = stiffness(model, values)[:m] > 0
-    start, stated = closed_start(model, values, start, bool(hold))
-    held = np.full(m, bool(hold)) & (~springs | (hold == "all")) & stated
+    values = model.chain.parameters.vector(parameters)
+    wanted = asked(model, hold, free, stiffness(model, values)[:m] > 0)
+    start, stated = closed_start(model, values, start, wanted.at_all, wanted.preferred)
+    refuse_followers(model, wanted, stated)
+    held = wanted.held & stated
+    torques = efforts_beside(model, tau, held, wanted.at_all)
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
     statics, b = rest(model, values, torques, w_ext, held, start)
-    found = _report(statics, b, held, bool(hold), stated)
+    found = _report(statics, b, held, wanted, stated)
     found.validity.warn()
     return found
 
@@ -142,17 +148,23 @@ def rest(
     return (_rested if model.chain.n_added else _balanced)(model, p, tau, w_ext, held, start)
 
 
-def closed_start(model: RobotModel, p: np.ndarray, start: np.ndarray, hold: bool) -> tuple[np.ndarray, np.ndarray]:
-    """`start` (nq,) with closed loops, and which joints (n_joints,) of bool may be stated; `hold`: these stay."""
+def closed_start(
+    model: RobotModel, p: np.ndarray, start: np.ndarray, hold: bool, preferred: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """`start` (nq,) with closed loops, and which joints (n_joints,) of bool may be stated; `hold`: these stay.
+
+    `preferred` (n_joints,) of bool: joints to state before others, which then stay alone.
+    """
     chain = model.chain
     if not chain.closing.rows:
         return start, np.ones(chain.n_joints, bool)
     numeric, m, fixed = model.numpy(p), chain.n_joints, np.zeros(chain.nv, bool)
     fixed[m : chain.eta_v] = True
     near = closed_softly(numeric, start, fixed)
-    stated = stated_joints(model, near, p)
+    stated = stated_joints(model, near, p, preferred)
     if hold:
-        fixed[:m], near[:m] = stated, np.where(stated, start[:m], near[:m])
+        fixed[:m] = stated if preferred is None else stated & preferred
+        near[:m] = np.where(fixed[:m], start[:m], near[:m])
         near = closed_softly(numeric, near, fixed)
     return np.append(chain.with_added(near[:m], p), near[chain.eta_q :]), stated
 
@@ -200,21 +212,21 @@ def rigid(robot: Robot) -> Robot:
     return robot.model_copy(update={"links": links})
 
 
-def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: np.ndarray) -> Equilibrium:
+def _report(statics: Statics, b: Balance, held: np.ndarray, wanted: Asked, stated: np.ndarray) -> Equilibrium:
     model, m, driven = statics.model, statics.model.n_joints, statics.model.chain.held_places
     straight = np.append(b.q[:m], np.zeros(model.nq - m))
     with suppress(OpenLoopError):
-        straight = closed_start(model, statics.p, straight, True)[0]
+        straight = closed_start(model, statics.p, straight, True, wanted.preferred)[0]
     own = [displacements(model, b.q[None], i, [1.0])[0, 0] for i in range(len(model.robot.links))]
     holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p, held=True)
     stability, eigenvalues, loose = _stability(statics, b)
+    named = lambda which: tuple(name for name, there in zip(model.q_names[:m], which, strict=True) if there)  # noqa: E731
     return Equilibrium(
         q=b.q,
         tau=np.append(np.where(held, holding + 0.0, statics.load[driven]), statics.tensions),
-        held=hold,
-        passive=tuple(
-            name for name, h, k in zip(model.q_names, held, statics.springs, strict=False) if hold > h and k > 0
-        ),
+        held=wanted.at_all,
+        held_joints=named(held),
+        passive=named(wanted.joints & ~held & (statics.springs[:m] > 0)),
         residual=b.residual,
         stability=stability,
         stiffness=eigenvalues,
@@ -225,7 +237,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, hold: bool, stated: 
         deflections=np.array(own),
         q_names=tuple(model.q_names),
         validity=validity_at_rest(model, b.q, statics.borne(b), statics.p),
-        following=tuple(name for name, s in zip(model.q_names, stated, strict=False) if hold and not s),
+        following=named(wanted.following(stated)),
         loop_wrench=(statics.borne(b) - statics.w_ext)[model.chain.lasts],
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +11,7 @@ import numpy as np
 from ..arguments import Numbers
 from ..robot_model import RobotModel
 from ..spec.base import FIXED
+from .held_joints import Hold
 from .linear import checked, whole
 from .statics import NoEquilibriumError
 
@@ -27,8 +28,9 @@ def floating_equilibrium(
     q: Numbers | None,
     tau: Numbers | None,
     w_ext: Any,
-    hold: bool | str,
+    hold: Hold,
     p: np.ndarray,
+    free: Sequence[str],
 ) -> Equilibrium:
     """What `equilibrium` does where the base floats: the base is kept as given, the rest settles relative to it.
 
@@ -44,9 +46,8 @@ def floating_equilibrium(
     start = whole(model.chain, given, p)
     fixed = model.once("fixed base", lambda: RobotModel(model.robot.model_copy(update={"base": FIXED})))
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
-    found = equilibrium(
-        fixed, start[model.chain.base_q :], tau, w_ext, hold, dict(zip(model.parameter_names, p, strict=True))
-    )
+    values = dict(zip(model.parameter_names, p, strict=True))
+    found = equilibrium(fixed, start[model.chain.base_q :], tau, w_ext, hold, values, free)
     _balanced(model, found, w_ext)
     R, origin = model.numpy(p).link_pose(start)
     return replace(

@@ -12,9 +12,9 @@ from ..algorithms.travels import travels
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..spec.link_class import EXACT
-from ..spec.parameters import coordinate_units
 from ..spec.reduced import reach, sizes
-from .stiffness import from_travels, stiffness, stiffness_matrix
+from .static_scales import carried, largest_loads, step_units, turns
+from .stiffness import from_travels, stiffness
 
 RESIDUAL = 1e-10
 """What no residual of an equilibrium exceeds."""
@@ -23,6 +23,8 @@ ITERATIONS, MOST_TURN, FAR = 300, 0.5, 8 * np.pi
 in m."""
 FARTHEST = 1.0
 """Modal coordinate over its link's length (torsion: rad) at which small deflections are out of the question."""
+NEUTRAL = 1e-10
+"""Scaled stiffness of a direction along which no step is made where forces are all but balanced."""
 FLAT = 1e-3
 """Scaled stiffness below which a step is not made longer."""
 
@@ -50,7 +52,7 @@ class Balance:
     stiffness: np.ndarray
     """(nq, nq): the derivative of `force` with q."""
     scale: np.ndarray
-    """(nq,): the loads that residuals are measured by."""
+    """(nq,): the forces beside which residuals are nothing, see `Statics.scales`."""
     wrench: np.ndarray
     """(n, 6): joint wrenches."""
     tip: np.ndarray
@@ -87,14 +89,14 @@ class Statics:
         self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
         self.tensions = tensions
         self.springs = stiffness(model, p)
-        self.turning = np.array([unit == "rad" for unit in coordinate_units(model.robot)], bool)
+        self.turning = turns(model)
         self.bending = ~(self.turning | (np.arange(model.nq) < model.chain.eta_q))
 
     def at(self, q: np.ndarray) -> Balance:
         """The balance at `q`."""
         energy, force, slope, weight, wrench, tip = self._functions(q, self.w_ext)
         work, load, softening = self.driven(q)
-        force, scale = force[:, 0], self.scales(q, force[:, 0], weight, load)
+        force, scale = force[:, 0], self.scales(q, weight, load, slope - softening)
         force, slope = self._from_travels(q, force, slope) if self.model.chain.elastic_travels else (force, slope)
         places = {"wrench": wrench.T, "tip": tip[:, 0], "moving": self.moving}
         return Balance(q, energy.item() - work, force - load, slope - softening, scale, **places)
@@ -135,23 +137,16 @@ class Statics:
     def _functions(self, q: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         return [np.array(x) for x in self.model.statics(q, w_ext.T, self.p)]
 
-    def scales(self, q: np.ndarray, force: np.ndarray, weight: np.ndarray, load: np.ndarray) -> np.ndarray:
-        """(nq,): for every coordinate the largest load of its unit, N·m or N; 1 if there is none.
+    def scales(self, q: np.ndarray, weight: np.ndarray, load: np.ndarray, K: np.ndarray) -> np.ndarray:
+        """(nq,): for every coordinate the force beside which an unbalanced one is nothing.
 
-        Loads are what gravity does to a coordinate if it points in the worst direction, the force of its spring, its
-        torque, and what the wrenches on the tips do to it.
+        That is the force which does as much work on it as the largest load does on any, springs among the loads; or
+        the sum of what the springs of its own row exert, where they are stiffer, as stops are.
         """
-        loads = self.weights(weight) + np.abs(self.springs * q) + np.abs(load)
-        if self.w_ext.any():
-            loads += np.abs(force - self._functions(q, 0 * self.w_ext)[1][:, 0])
-        out = np.ones(len(q))
-        for kind in (self.turning, ~self.turning):
-            out[kind] = np.max(loads[kind], initial=0.0) or 1.0
-        return out
-
-    def weights(self, weight: np.ndarray) -> np.ndarray:
-        """(nq,): the generalised force of gravity in its worst direction, for each coordinate."""
-        return np.linalg.norm(self.p[:3]) * np.linalg.norm(weight, axis=1)
+        gravity = np.linalg.norm(self.p[:3]) * np.linalg.norm(weight, axis=1)
+        loads = self.largest + gravity + np.abs(self.springs * q) + np.abs(load)
+        largest = np.max((loads / self.units)[self.moving], initial=0.0) or 1.0
+        return np.maximum(self.units * largest, np.abs(K) @ np.abs(q))
 
     def bent(self, q: np.ndarray) -> float:
         """The largest modal coordinate over its link's length, of links whose deflections are to be small."""
@@ -168,14 +163,14 @@ class Statics:
         return np.where(self.bending, own, np.maximum(1.0, wound / (2 * np.pi)))
 
     @cached_property
+    def largest(self) -> np.ndarray:
+        """(nq,): the loads before they cancel, see :func:`.static_scales.largest_loads`."""
+        return largest_loads(self.model, self.p, self.w_ext, self.tensions, carried(self.model, self.p, self.reach))
+
+    @cached_property
     def units(self) -> np.ndarray:
-        """(nq,): D, such that D q has stiffnesses about one: by springs, and by the weight at a joint."""
-        weight = self.weights(self._functions(np.zeros(self.model.nq), self.w_ext)[3])
-        joint, added = np.arange(self.model.nq) < self.model.n_joints, np.zeros(self.model.nq)
-        if self.model.chain.n_added:
-            added = np.diag(stiffness_matrix(self.model, self.p)) - self.springs
-        own = self.springs + added + np.where(joint, weight, 0.0)
-        return np.sqrt(np.where(own > 0, own, 1.0))
+        """(nq,): D, such that D q has stiffnesses about one."""
+        return step_units(self.model, self.p, self.largest)
 
     def scaled(self, b: Balance) -> tuple[np.ndarray, np.ndarray]:
         """Force and stiffness of the free coordinates, in the coordinates D q."""
@@ -301,10 +296,12 @@ def least(statics: Statics, q: np.ndarray) -> Balance:
 
 
 def polished(statics: Statics, b: Balance) -> Balance:
-    """Newton steps while they help."""
+    """Newton steps while they help, along directions with stiffness alone."""
     while b.residual > 0 and len((found := statics.scaled(b))[0]):
         force, K = found
-        there = statics.moved(b, -np.linalg.lstsq(K, force, rcond=1e-10)[0])
+        left, sizes, right = np.linalg.svd(K)
+        resisted = sizes > NEUTRAL * max(1.0, sizes[0])
+        there = statics.moved(b, -right[resisted].T @ (left[:, resisted].T @ force / sizes[resisted]))
         if not there.residual < 0.9 * b.residual:
             break
         b = there

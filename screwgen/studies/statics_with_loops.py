@@ -46,6 +46,7 @@ class StaticsWithLoops(Statics):
         more = {"J": J, "forces": forces, "motions": scipy.linalg.null_space(A, rcond=RANK), "loop_wrench": wrench.T}
         own = {name: getattr(b, name) for name in Balance.__dataclass_fields__}
         own |= {"force": b.force - J.T @ forces, "stiffness": b.stiffness - bend}
+        own["scale"] = np.maximum(b.scale, np.abs(J.T) @ np.abs(forces))
         return BalanceWithLoops(**own, **more)
 
     def _loops(self, q: np.ndarray, forces: np.ndarray | None) -> list[np.ndarray]:

@@ -51,10 +51,11 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
     fused function.
     """
     program = dynamics(chain, baked)
-    pointers = ("c", "state", "input", "work", "output", "sin_q", "cos_q", KEPT)
+    angles = sorted({angle for node in program.nodes if (angle := _angle(node)) is not None})
+    turned = ("sin_q", "cos_q") if angles else ()
+    pointers = ("c", "state", "input", "work", "output", *turned, KEPT)
     placed = piece_place(chain, KEPT, {"m_eta": lambda k: f"work->m_eta[{k}]"}, place)
     found = bodies(lambda piece: LaneWriter(piece, placed, None, {*pointers, "bad"}, True), program, pointers, LONGEST)
-    angles = sorted({angle for node in program.nodes if (angle := _angle(node)) is not None})
     return (
         found
         | {"angles": angles, "stack": _stack(chain, constants, states, found["kept"])}

@@ -20,6 +20,8 @@ from .stumpff_slopes import slopes
 FILES = ("estimator.h", "estimator.c")
 """The files that an estimator adds, without the robot's name; their templates have the same names."""
 
+PATIENCE = 20
+"""How often in a row a gate refuses an entry of a measurement unless one states it."""
 SLOPES = ("a_q", "a_v", "a_vdot")
 
 
@@ -35,6 +37,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
             "slopes_of_stumpff": slopes([program]),
             "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closing.rows) * chain.nv**2,
             "per_entry": 6 * chain.nv**2,
+            "patience": PATIENCE,
             "gauges": [_gauge(chain, g) for g in gauges(chain)],
             "curvatures": _curvatures(chain),
             "encoders": encoders(chain),

@@ -1,0 +1,62 @@
+"""Roots of covariances: a filter that works on them keeps its covariance positive semidefinite."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...errors import DivergedError, SingularError
+from .numeric import EPSILON
+
+LOST = "the filter's covariance has lost its definiteness"
+KNOWN = 8
+"""Rounding errors of the variance of an entry; with less left of it, the entry follows from others."""
+
+
+def root(P: np.ndarray, epsilon: float = EPSILON) -> np.ndarray:
+    """``S`` (n, rank) with ``S S^T = P``: Cholesky's elimination, what is left most uncertain first.
+
+    Uncertain is relative to the variance of each entry. Raises DivergedError, or SingularError where P (n, n) is
+    indefinite by more than rounding errors ``epsilon``.
+    """
+    if not np.isfinite(P).all():
+        raise DivergedError("the filter's covariance is not finite")
+    variance, remaining = np.diag(P), np.ones(len(P), bool)
+    scale = np.divide(1.0, variance, out=np.zeros(len(P)), where=variance > 0)
+    left, S, rank = variance.copy(), np.zeros_like(P), 0
+    while remaining.any():
+        share = np.where(remaining, left * scale, -np.inf)
+        i = int(np.argmax(share))
+        if not share[i] > KNOWN * epsilon:
+            break
+        pivot = np.sqrt(left[i])
+        column = np.where(remaining, P[:, i] - S[:, :rank] @ S[i, :rank], 0.0) / pivot
+        column[i], remaining[i] = pivot, False
+        S[:, rank], left, rank = column, left - column**2, rank + 1
+    if (left < -np.sqrt(epsilon) * variance)[remaining].any():
+        raise SingularError(LOST)
+    return S[:, :rank]
+
+
+def corrected(
+    S: np.ndarray, H: np.ndarray, innovations: np.ndarray, variances: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """The correction (n,) of the mean by measurements, and the root after it, of the root ``S`` before it.
+
+    Carlson's update by one row of ``H`` after the other, which subtracts no variance from another.
+    """
+    dx = np.zeros(len(S))
+    for row, rest, R in zip(H, innovations, variances, strict=True):
+        f = S.T @ row
+        total = R + np.cumsum(f[::-1] ** 2)[::-1]
+        shrink = np.sqrt(np.append(total[1:], R)[: len(f)] / total)
+        sums = np.cumsum((S * f)[:, ::-1], axis=1)[:, ::-1]
+        if len(f):
+            dx = dx + sums[:, 0] / total[0] * (rest - row @ dx)
+        later = np.hstack([sums[:, 1:], np.zeros((len(S), min(len(f), 1)))])
+        S = shrink * S - f / (shrink * total) * later
+    return dx, S
+
+
+def deviations(S: np.ndarray, H: np.ndarray, variances: np.ndarray) -> np.ndarray:
+    """The standard deviations of innovations: of rows of ``H``, and of the measurements themselves."""
+    return np.sqrt(variances + np.sum((H @ S) ** 2, axis=1))

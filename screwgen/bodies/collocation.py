@@ -63,12 +63,13 @@ class Collocation:
     def masses(self) -> list[tuple[float, float]] | None:
         """Places and integration weights of the masses of a rod that varies, exact for its straight shape.
 
-        None for a uniform rod, whose masses are :attr:`uniform`.
+        Between two stations there are as many as there are points, or one more for every two degrees of the section, so
+        both errors of a bent rod fall together. None for a uniform rod, whose masses are :attr:`uniform`.
         """
         if not self.key.stations:
             return None
         own = weights(self.key)
-        x, w = gauss(max(self.key.counts) + 1 + (own.degree + 2) // 2)
+        x, w = gauss(points(self.key) - 1 + (own.degree + 2) // 2)
         return [(float(a + (b - a) * s), float((b - a) * v)) for a, b in own.ends() for s, v in zip(x, w, strict=True)]
 
     @cached_property

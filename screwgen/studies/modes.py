@@ -11,6 +11,7 @@ from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
+from ..simulation.definiteness import check_definite
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch, validity_at_rest
 from .linear import whole
@@ -100,6 +101,7 @@ def mode_shapes(
         found, basis = loaded_shapes(model, about, T[:, moving], free)
         frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
         return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
+    check_definite(model, q, p)
     out, frequencies, rigid = _at_rest(model, q, p, moving)
     weight = np.append(np.zeros(3), p[3:]) if model.chain.floating else p
     validity = validity_at_rest(model, q, loads_of_loops(model, q, weight), weight)

@@ -143,8 +143,13 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
 def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
     free_fall = rf"[{gravity}]^{{\top}}".replace(", ", r",\ ")
-    first = all(key.order == 1 for key in chain.keys)
-    conventions = render("latex/conventions.tex.jinja", gravity=free_fall, citation=CITATION, first_order=first)
+    conventions = render(
+        "latex/conventions.tex.jinja",
+        gravity=free_fall,
+        citation=CITATION,
+        assumptions=chain.assumptions("`"),
+        shear=any(len(key.counts) > 4 for key in chain.keys),
+    )
     equations = render(
         "latex/equations.tex.jinja",
         section_rotation=robot.section_rotation,

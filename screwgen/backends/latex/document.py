@@ -12,8 +12,7 @@ from ...algorithms.scope import derived
 from ...ir.block import Block
 from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
-from ...spec.link_class import LinkClass
-from ...spec.parameters import parameters
+from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ...version import __version__
@@ -28,12 +27,18 @@ from .notation import Notation, respelled
 from .page import extras as extras
 from .page import math_font as math_font
 from .page import page as page
+from .parameter_symbols import with_symbols
 from .pattern import pattern
+from .robot_tables import besides
 from .steps import KEY_STEPS, BlockView, block_view
 from .style import DocumentStyle
 from .symbols import SLIDING, entries
 
 PLAIN = DocumentStyle()
+TENSION = (
+    r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
+)
+"""What the tensions of tendons do to the rows of a link."""
 
 
 def document(
@@ -94,7 +99,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     ]
     sections += [
         DocumentSection(SYMBOLS, [tables.symbols(entries(known, named))]),
-        DocumentSection(PARAMETERS, [tables.parameters(parameters(robot))]),
+        DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),
     ]
     shown = Document(robot.name, __version__, tuple(sections))
     if notation is None:
@@ -129,13 +134,16 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
     pieces = sum(link.pieces for link in robot.links)
     links += f" of {pieces} segments" if pieces > len(robot.links) else ""
-    links += f", {chain.n - pieces} markers that loops join" if chain.n > pieces else ""
+    markers = chain.n - pieces
+    links += f", {markers} marker{'s' * (markers > 1)} that loops join" if markers else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     joints += f", {chain.n_added} of rotors" if chain.n_added else ""
-    count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal"
+    tendons = f", {chain.n_tensions} tendon{'s' * (chain.n_tensions > 1)}" if chain.n_tensions else ""
+    count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal{tendons}"
     items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         tables.links(robot, chain.keys, chain.classes),
+        *besides(chain),
     ]
     return DocumentSection("The robot", items)
 
@@ -150,6 +158,7 @@ def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
         assumptions=chain.assumptions("`"),
         shear=any(len(key.counts) > 4 for key in chain.keys),
     )
+    exact = any(key.order == EXACT for key in chain.keys)
     equations = render(
         "latex/equations.tex.jinja",
         section_rotation=robot.section_rotation,
@@ -165,6 +174,16 @@ def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
         markers=any(segment.marker is not None for segment in chain.segments),
         floating=chain.floating,
         elements=elements.equations(chain),
+        acting=elements.acting(chain),
+        effort=elements.effort(chain),
+        first_order=all(key.order == 1 for key in chain.keys),
+        exact=exact,
+        M_eta=r"\mathbf{M}_{\eta,i}" if exact else r"\mathbf{M}_{W\phi,i}",
+        tendons=bool(chain.n_tensions),
+        tension=TENSION if chain.n_tensions else "",
+        relations=bool(chain.closing.related),
+        shared=chain.closing.overconstrained,
+        jointed=any(not key.floats for key in chain.keys),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import sympy as sp
@@ -20,8 +20,24 @@ from .tidy import has_integral, is_elementwise, is_symbols_product, tidy
 
 Axes = Sequence[tuple[tuple[sp.Expr, ...], str]]
 """Unit axes with their names."""
+Labels = Mapping[str, tuple[str, tuple[int, int]]]
+"""By the label of an entry: the LaTeX of its symbol, and its place."""
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """The blocks of a link's equations, by which the paper calls them."""
+
+
+@dataclass(frozen=True, eq=False)
+class Definition:
+    """What a step says, with all digits: the symbol, the right side of its equation, and the entries of its components.
+
+    ``entries`` are over the labels of entries of earlier symbols; ``labels`` has, for each of these, the LaTeX of the
+    symbol with row and column of the entry.
+    """
+
+    signal: NamedSignal
+    right: ex.Expression
+    entries: Array
+    labels: Labels
 
 
 @dataclass(frozen=True)
@@ -37,6 +53,7 @@ class StepView:
     formula: Formula
     components: Formula
     """Empty if the matrix equation suffices."""
+    definition: Definition = field(compare=False)
 
 
 @dataclass(frozen=True)
@@ -74,7 +91,7 @@ def block_view(
     """
     seen = {} if seen is None else seen
     values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
-    write = scalars(block)
+    write, labels = scalars(block), _labels(block)
     steps, used, defined = [], [], []
     for step in block.steps.values():
         right = tidy(step.expression, values, write)
@@ -82,7 +99,7 @@ def block_view(
         if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == text or _vanishes(block, step):
             continue
         seen[step.signal.name] = text
-        view = _view(block, step, right, write, axes, parts)
+        view = _view(block, step, right, write, axes, parts, labels)
         if len(view.formula) == 1 and not view.formula[0][1]:
             continue  # its symbol says it all
         steps.append(view)
@@ -102,9 +119,27 @@ def _vanishes(block: Block, step: Step) -> bool:
     return not any(value != 0 for value in block.values[step.signal.name].flat)
 
 
-def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes, parts: Parts) -> StepView:
+def _labels(block: Block) -> Labels:
+    """By the label of every entry of a block's signals: the LaTeX of the signal, and the place of the entry."""
+    signals = (*block.inputs.values(), *(step.signal for step in block.steps.values()))
+    return {label: (_written(s), index) for s in signals for index, label in s.labels()}
+
+
+def _written(s: NamedSignal) -> str:
+    return latex(ex.Symbol(s.name, s.shape, s.display))
+
+
+def _entries(block: Block, step: Step) -> Array:
+    """The entries of a step over those of earlier symbols."""
+    made = dict(step.assignments)
+    return np.vectorize(lambda v: made.get(v, v), otypes=[object])(block.values[step.signal.name])
+
+
+def _view(
+    block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes, parts: Parts, labels: Labels
+) -> StepView:
     s = step.signal
-    left = latex(ex.Symbol(s.name, s.shape, s.display))
+    left = _written(s)
     # a step that only names what its symbol says (omega~ squared) is shown by its entries alone
     sides = (
         []
@@ -113,7 +148,8 @@ def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: 
     )
     bracket, below = _components(block, step, right, write, parts)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
-    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below)
+    definition = Definition(s, right, _entries(block, step), labels)
+    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below, definition)
 
 
 def _terms(right: ex.Expression) -> list[str]:
@@ -128,9 +164,7 @@ def _terms(right: ex.Expression) -> list[str]:
 
 def _components(block: Block, step: Step, right: ex.Expression, write: Scalars, parts: Parts) -> tuple[str, Formula]:
     """The components in brackets, by blocks or entry by entry below the equation, or none."""
-    made = dict(step.assignments)
-    values = block.values[step.signal.name]
-    entries = np.vectorize(lambda v: made.get(v, v), otypes=[object])(values)
+    made, entries = dict(step.assignments), _entries(block, step)
     if not _worth_showing(block, step, right, entries, write):
         return "", ()
     bracket = _bracket(entries, write)

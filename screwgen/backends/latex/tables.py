@@ -16,7 +16,7 @@ from ...spec.markers import Place
 from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
 from ...spec.robot import Link, Robot
-from ...spec.segments import segments
+from ...spec.segments import Segment, segments
 from . import elements
 from .content import DocumentTable
 from .symbols import Entry
@@ -33,17 +33,35 @@ def decimal(value: float) -> str:
     return f"${number(sp.Float(value) if value != int(value) or abs(value) > 1e6 else sp.Integer(int(value)))}$"
 
 
+def exact(value: float) -> str:
+    """A number with all its digits, as a formula."""
+    mantissa, _, exponent = repr(float(value)).removesuffix(".0").partition("e")
+    power = rf"\times 10^{{{int(exponent)}}}" if exponent else ""
+    return f"${mantissa}{power}$"
+
+
 def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> DocumentTable:
     """One row per link: its class, joint, shapes and bodies."""
     kinds = "x, y, z, torsion" + ", shear" * any(len(key.counts) > 4 for key in keys)
     head = ("link", "name", "class", "length", "joint axes", f"modes: {kinds}", "bodies, remarks")
-    rows, firsts = [], [i for i, segment in enumerate(segments(robot)) if segment.first]
+    rows, pieces = [], segments(robot)
+    firsts = [i for i, segment in enumerate(pieces) if segment.first]
     for link, first in zip(robot.links, firsts, strict=True):
         own = keys[first : first + link.pieces]
         numbers = dict.fromkeys(f"{classes.index(key) + 1}" for key in own)
         place = f"{first + 1}" if len(own) == 1 else f"{first + 1}–{first + len(own)}"
         rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(link, own[0])))
+        for i in range(first + link.pieces, len(pieces)):
+            if pieces[i].first:
+                break
+            rows.append(_marker(i, pieces[i], link, classes.index(keys[i]) + 1))
     return DocumentTable(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
+
+
+def _marker(i: int, segment: Segment, link: Link, number: int) -> tuple[str, ...]:
+    """The row of a marker that a loop joins: a link without mass."""
+    where = rf"marker that a loop joins, at $s = {segment.marker:.6g}$ on `{link.name}`"
+    return f"{i + 1}", f"`{segment.name}`", f"{number}", NONE, "welded", "rigid", where
 
 
 def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
@@ -66,12 +84,12 @@ def axis_text(screw: Screw) -> str:
     axis = _axis(screw.axis)
     if not screw.slides:
         return axis
-    return f"{axis}, {screw.travel:.4g} m/rad" if screw.turn else f"{axis}, sliding"
+    return f"{axis}, {screw.travel:.6g} m/rad" if screw.turn else f"{axis}, sliding"
 
 
 def _axis(axis: Sequence[float]) -> str:
     letters = [name for name, unit in zip("xyz", np.eye(3), strict=True) if tuple(unit) == tuple(axis)]
-    return letters[0] if letters else f"({', '.join(f'{x:.4g}' for x in axis)})"
+    return letters[0] if letters else f"({', '.join(f'{x:.6g}' for x in axis)})"
 
 
 def _modes(key: LinkClass) -> str:
@@ -112,7 +130,7 @@ def _place(link: Link) -> str:
 
 def stations(key: LinkClass) -> DocumentTable:
     """The values and slopes of the mode shapes at the sections where a link carries others, besides its tip."""
-    head = ("shape", *(rf"${x}({s:.4g})$" for s in key.stations_at for x in (r"\psi", r"\psi'")))
+    head = ("shape", *(rf"${x}({s:.6g})$" for s in key.stations_at for x in (r"\psi", r"\psi'")))
     rows = []
     for k, (direction, i) in enumerate(key.directions):
         at = [key.shapes(direction).evaluate(key.stations_at, derivative)[i] for derivative in (0, 1)]
@@ -145,10 +163,14 @@ def _constants(shapes: Shapes, i: int) -> Iterable[str]:
     return (decimal(column[i]) for column in columns)
 
 
-def parameters(items: Sequence[Parameter]) -> DocumentTable:
-    """The numbers of the robot file."""
-    rows = ((f"`{p.name}`", decimal(p.value), plain_unit(p.unit), p.description) for p in items)
-    return DocumentTable(("parameter", "value", "unit", "meaning"), (0.35, 0.17, 0.12, 0.36), tuple(rows))
+def parameters(items: Sequence[tuple[Parameter, str]]) -> DocumentTable:
+    """The numbers of the robot file, each with the LaTeX of its symbol in the equations, if it has one."""
+    rows = (
+        (f"`{p.name}`", f"${symbol}$" if symbol else NONE, exact(p.value), plain_unit(p.unit), p.description)
+        for p, symbol in items
+    )
+    head, widths = ("parameter", "symbol", "value", "unit", "meaning"), (0.32, 0.09, 0.2, 0.1, 0.29)
+    return DocumentTable(head, widths, tuple(rows))
 
 
 def plain_unit(text: str) -> str:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -30,7 +31,7 @@ from .page import page as page
 from .parameter_symbols import with_symbols
 from .pattern import pattern
 from .robot_tables import besides
-from .steps import KEY_STEPS, BlockView, block_view
+from .steps import KEY_STEPS, BlockView, Seen, block_view
 from .style import DocumentStyle
 from .symbols import SLIDING, entries
 
@@ -62,7 +63,7 @@ def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
 def notebook(robot: Robot) -> str:
     """A short piece of Markdown: the robot's links and the blocks of each class, for notebooks."""
     chain = Chain(robot)
-    table = tables.links(robot, chain.keys, chain.classes)
+    table = tables.links(chain)
     cells = (tuple(map(text.in_markdown, row)) for row in (table.head, *table.rows))
     parts = [f"**{plain(robot.name)}**: {plain(robot.summary)}\n", markdown_table(next(cells), cells)]
     alike: dict[str, list[str]] = {}
@@ -115,11 +116,23 @@ def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Bl
 
 def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
-    seen: dict[str, str] = {}
+    seen: dict[str, Seen] = {}
     letters = [LETTERS[direction] for direction, _ in key.directions if direction in LETTERS]
     parts = tuple(Counter(letters).items())
     given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes), parts)
-    return tuple(block_view(blocks[name], seen, *given) for name in ordered(blocks))
+    out: list[BlockView] = []
+    for name in ordered(blocks):
+        out.append(block_view(blocks[name], seen, *given))
+        if name == "tip":
+            out += station_views(key, seen, given)
+    return tuple(out)
+
+
+def station_views(key: LinkClass, seen: Mapping[str, Seen], given: tuple) -> Iterator[BlockView]:
+    """The steps of the sections before the tip at which links are carried, where they differ from those of the tip."""
+    for number, place in enumerate(key.stations_at):
+        block = derived(key.station(number))["tip"]
+        yield replace(block_view(block, dict(seen), *given), title=f"Section at $s = {place:.6g}$")
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
@@ -142,7 +155,7 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal{tendons}"
     items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
-        tables.links(robot, chain.keys, chain.classes),
+        tables.links(chain),
         *besides(chain),
     ]
     return DocumentSection("The robot", items)

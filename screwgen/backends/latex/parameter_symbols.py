@@ -14,7 +14,8 @@ from .scalars import entry
 
 BLOCKS = ("link", "tip", "tip_body", "joint", "joint_rows")
 """The blocks whose inputs are parameters, or follow from them alone."""
-MOUNTED = "joint."
+OF_AXES = {"joint.armature": "j_{m", "joint.damping": "d_{q", "joint.stiffness": "s_{q"}
+"""The symbols of what each axis of a joint has one of, without the number of the axis."""
 
 
 def with_symbols(chain: Chain) -> list[tuple[Parameter, str]]:
@@ -25,6 +26,8 @@ def with_symbols(chain: Chain) -> list[tuple[Parameter, str]]:
 def _symbol(chain: Chain, p: Parameter) -> str:
     if p.link is None:
         return rf"g_{'xyz'[p.index[0]]}"
+    if p.field in OF_AXES:
+        return rf"{OF_AXES[p.field]},{p.index[0] + 1}}}"
     if p.field == "tendons.at":
         return rf"d_{{{p.index[1]},{'xyz'[p.index[2]]}}}"
     first = chain.firsts[p.link]

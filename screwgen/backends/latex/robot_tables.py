@@ -46,8 +46,8 @@ JOINED = (
 )
 COUPLED = r"An axis follows another, $q_b = r\,q_a + c$; a gap closes at the rate $c_s$."
 CLOSED = (
-    r"The conditions with a force $\lambda_j$ each. Directions $\mathbf{n}$ and $\mathbf{x}$ are in axes of A, $\mathbf{y}$ in "
-    "axes of B."
+    r"The conditions that bear a force $\lambda_j$ each. Directions $\mathbf{n}$ and $\mathbf{x}$ of loops are in axes of A, "
+    r"$\mathbf{y}$ in axes of B."
 )
 
 
@@ -109,8 +109,6 @@ def couplings(chain: Chain) -> DocumentTable | None:
 def rows(chain: Chain) -> DocumentTable | None:
     """The rows that bear forces."""
     head, widths = ("force", "of", "gap"), (0.1, 0.18, 0.72)
-    if not chain.robot.loops:
-        return None
     return _table(head, widths, [(rf"$\lambda_{{{k}}}$", f"`{c.name}`", _gap(c)) for k, c in enumerate(chain.closing.rows, 1)])
 
 
@@ -121,7 +119,7 @@ def _gap(closing: ClosingRow) -> str:
     if isinstance(row, Angle):
         first, second = vector(row.first), vector(row.second)
         return rf"angle between $\mathbf{{x}} =$ {first} and $\mathbf{{y}} =$ {second}, $c =$ {exact(row.cosine)}"
-    return "coupling of two axes"
+    return r"$q_b - r\,q_a - c$ of the coupling"
 
 
 def vector(values: Sequence[float]) -> str:

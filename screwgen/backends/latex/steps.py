@@ -26,6 +26,10 @@ KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h
 """The blocks of a link's equations, by which the paper calls them."""
 
 
+Seen = tuple[str, tuple[sp.Expr, ...]]
+"""Formula and entries of a step that has been shown."""
+
+
 @dataclass(frozen=True, eq=False)
 class Definition:
     """What a step says, with all digits: the symbol, the right side of its equation, and the entries of its components.
@@ -77,7 +81,7 @@ MANY = 36
 
 def block_view(
     block: Block,
-    seen: dict[str, str] | None = None,
+    seen: dict[str, Seen] | None = None,
     axes: Axes = (),
     structure: Mapping[str, Array] | None = None,
     counts: tuple[int, int] = (0, 0),
@@ -95,10 +99,10 @@ def block_view(
     steps, used, defined = [], [], []
     for step in block.steps.values():
         right = tidy(step.expression, values, write)
-        text = latex(right)
-        if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == text or _vanishes(block, step):
+        found = latex(right), tuple(_entries(block, step).flat)
+        if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == found or _vanishes(block, step):
             continue
-        seen[step.signal.name] = text
+        seen[step.signal.name] = found
         view = _view(block, step, right, write, axes, parts, labels)
         if len(view.formula) == 1 and not view.formula[0][1]:
             continue  # its symbol says it all

@@ -12,11 +12,12 @@ from ...bases import Basis, Shapes
 from ...ir.block import Binding
 from ...joints.screw import Screw
 from ...spec.link_class import LinkClass
-from ...spec.markers import Place
 from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
-from ...spec.robot import Link, Robot
-from ...spec.segments import Segment, segments
+from ...spec.parents import WORLD
+from ...spec.robot import Link
+from ...topology.chain import Chain
+from ...topology.tree import BASE, TIP
 from . import elements
 from .content import DocumentTable
 from .symbols import Entry
@@ -40,28 +41,23 @@ def exact(value: float) -> str:
     return f"${mantissa}{power}$"
 
 
-def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> DocumentTable:
-    """One row per link: its class, joint, shapes and bodies."""
+def links(chain: Chain) -> DocumentTable:
+    """One row per link: its class, joint, shapes and bodies; one per marker that a loop joins."""
+    robot, keys, classes = chain.robot, chain.keys, chain.classes
     kinds = "x, y, z, torsion" + ", shear" * any(len(key.counts) > 4 for key in keys)
     head = ("link", "name", "class", "length", "joint axes", f"modes: {kinds}", "bodies, remarks")
-    rows, pieces = [], segments(robot)
-    firsts = [i for i, segment in enumerate(pieces) if segment.first]
-    for link, first in zip(robot.links, firsts, strict=True):
+    rows, pieces = [], chain.segments
+    for link, first in zip(robot.links, chain.firsts, strict=True):
         own = keys[first : first + link.pieces]
         numbers = dict.fromkeys(f"{classes.index(key) + 1}" for key in own)
         place = f"{first + 1}" if len(own) == 1 else f"{first + 1}–{first + len(own)}"
-        rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(link, own[0])))
+        rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(chain, first)))
         for i in range(first + link.pieces, len(pieces)):
             if pieces[i].first:
                 break
-            rows.append(_marker(i, pieces[i], link, classes.index(keys[i]) + 1))
+            where = f"marker that a loop joins, {_carrier(chain, i)}"
+            rows.append((f"{i + 1}", f"`{pieces[i].name}`", f"{classes.index(keys[i]) + 1}", NONE, "welded", "rigid", where))
     return DocumentTable(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
-
-
-def _marker(i: int, segment: Segment, link: Link, number: int) -> tuple[str, ...]:
-    """The row of a marker that a loop joins: a link without mass."""
-    where = rf"marker that a loop joins, at $s = {segment.marker:.6g}$ on `{link.name}`"
-    return f"{i + 1}", f"`{segment.name}`", f"{number}", NONE, "welded", "rigid", where
 
 
 def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
@@ -103,7 +99,8 @@ def _basis(basis: str | Basis) -> str:
     return basis if isinstance(basis, str) else basis(1, 2).family.name
 
 
-def _remarks(link: Link, key: LinkClass) -> str:
+def _remarks(chain: Chain, i: int) -> str:
+    link, key = chain.robot.links[chain.segments[i].link], chain.keys[i]
     split = [f"{link.pieces} segments"] if link.pieces > 1 else []
     bodies = [f"{decimal(body.mass)} kg at the {body.at}" for body in link.bodies]
     stated = {
@@ -118,14 +115,17 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "rotary inertia": key.rotary,
         "measured frequencies": key.measured,
     }
-    bodies += [f"on `{link.parent}`"] if link.parent else []
-    bodies += [f"at {_place(link)}"] if link.at != "tip" else []
+    bodies += [_carrier(chain, i)] if chain.tree.parents[i] != i - 1 or chain.tree.at(i) != TIP else []
     return "; ".join(split + bodies + [name for name, present in stated.items() if present])
 
 
-def _place(link: Link) -> str:
-    """Where on its parent a link is carried."""
-    return rf"$s = {link.at.s:.6g}$" if isinstance(link.at, Place) else f"`{link.at}`"
+def _carrier(chain: Chain, i: int) -> str:
+    """What carries a link, and where if not at the tip: with segments that of one of them."""
+    parent, station = chain.tree.parents[i], chain.tree.at(i)
+    if parent == BASE:
+        return f"on `{WORLD}`"
+    place = "" if station == TIP else f" at $s =$ {exact(chain.keys[parent].stations_at[station])}"
+    return f"on `{chain.names[parent]}`, link {parent + 1}{place}"
 
 
 def stations(key: LinkClass) -> DocumentTable:

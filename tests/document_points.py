@@ -11,7 +11,7 @@ from document_symbols import Part, Scope, Undefined, number, plain, sized, vecto
 from latex_formula import skew
 from oracle_shapes import clamped_free, polynomial, tabulate
 
-FINE = 24
+FINE, NEAR = 24, 1e-60
 AXIS = {"axial": 0, "shear y": 1, "shear z": 2}
 TURN = {"torsion": (0, 1.0), "bending z": (1, -1.0), "bending y": (2, 1.0)}
 
@@ -49,7 +49,9 @@ class Rod:
 
     def _family(self, direction: str) -> str:
         """The family whose paragraph names a direction."""
-        said = next(x for x in self.text.lower().split("\n") if direction.replace(" ", " in ") in x.split(":")[0] and ":" in x)
+        named = (re.fullmatch(r"([a-z ]+): (.*)", line) for line in self.text.lower().split("\n"))
+        wanted = direction.replace(" ", " in ")
+        said = next(match[2] for match in named if match and wanted in match[1].split(" and "))
         return "polynomial" if "polynomial" in said else "clamped_free"
 
     def at(self, s: float) -> list[np.ndarray]:
@@ -91,7 +93,7 @@ _TABLES: dict = {}
 def _at(rod: Rod, s: float) -> list[np.ndarray]:
     key = (id(rod), s)
     if key not in _TABLES:
-        own = {d: tabulate(f, [s])[:, :, 0] for d, f in rod.shapes.items()}
+        own = {d: tabulate(f, [max(s, NEAR)])[:, :, 0] for d, f in rod.shapes.items()}
         _TABLES[key] = (rod, [np.array([own[d][n][k] for d, k in rod.modes]) for n in range(3)])
     return _TABLES[key][1]
 
@@ -162,10 +164,10 @@ def _section(scope, part, turned, stretch, before, length, zeta, rate) -> dict:
         r"\mathbf{W}_{k-1}": old[r"\mathbf{W}_k"],
         r"\mathbf{w}_{k-1}": old[r"\mathbf{w}_k"],
         r"\mathbf{b}_{k-1}": old.get(r"\mathbf{b}_k", np.zeros((3, 1))),
-        r"l_i(\mathbf{e}_x+\boldsymbol{\gamma}_k)": length * (np.eye(3)[:, [0]] + stretch @ zeta),
-        r"l_i\,\partial\boldsymbol{\gamma}_k": length * stretch,
-        r"l_i\dot{\boldsymbol{\gamma}}_k": length * stretch @ rate,
-        r"l_i\,\ddot{\boldsymbol{\gamma}}_k": np.zeros((3, 1)),
+        r"\boldsymbol{\gamma}_k": stretch @ zeta,
+        r"\partial\boldsymbol{\gamma}_k": stretch,
+        r"\dot{\boldsymbol{\gamma}}_k": stretch @ rate,
+        r"\ddot{\boldsymbol{\gamma}}_k": np.zeros((3, 1)),
     }
     return run(scope, part, local)
 

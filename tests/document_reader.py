@@ -16,7 +16,7 @@ from document_loops import Loops
 from document_points import pull
 from document_state import Link, Reading, State
 from document_symbols import Printed, Scope, Undefined, plain, sized
-from latex_formula import Value, value
+from latex_formula import Value, plus, value
 
 from screwgen import Model
 from screwgen.backends.latex import document as latex
@@ -25,6 +25,8 @@ LINK_ROWS = r"\mathbf{M}_i\,\dot{\boldsymbol{\nu}}_i + \mathbf{h}_i"
 ON_LINK = r"\begin{bmatrix} \boldsymbol{\mathcal{W}}^*_i \\ \mathbf{f}^*_i \end{bmatrix}"
 JOINT_ROWS = r"\mathbf{J}_B\,\dot{\mathbf{V}}_i"
 AXIS_ROWS = (r"\mathbf{S}_i^{\top}\,\mathbf{w}_i", r"\mathbf{A}_i^{\top}\,\boldsymbol{\tau}_{w,i}")
+FAR = 1e8
+"""An unknown so large that what does not depend on it is lost beside it."""
 TENSION = r" - \sum\limits_c T_c"
 JOINT_MOTION = re.compile(r"\+ (?:\\begin\{bmatrix\} \\mathbf\{A\}_i.*?\\end\{bmatrix\} |\\mathbf\{S\}_i\\,)\\ddot\{\\mathbf\{q\}\}_i")
 
@@ -74,7 +76,7 @@ class System:
 
     def solved(self) -> tuple[np.ndarray, np.ndarray]:
         start = self.residual(np.zeros(self.size))
-        A = np.array([self.residual(x) - start for x in np.eye(self.size)]).T
+        A = np.array([(self.residual(FAR * x) - start) / FAR for x in np.eye(self.size)]).T
         columns, rows = np.linalg.norm(A, axis=0), np.linalg.norm(A, axis=1)
         x = np.zeros(self.size)
         for _ in range(3):
@@ -135,8 +137,10 @@ class System:
                 right = right + self._sized_rows(body, at, more, r)
         for c, pulled in self.pulls[i]:
             known = {"T_c": np.full((1, 1), self.state.tensions[c]), r"\partial\boldsymbol{\ell}_c": pulled}
-            head = value("T_c" + tensions.replace(r"\mathbf{0}", r"\mathbf{0}_6"), self._with(scope, known | {r"\mathbf{0}_6": np.zeros((6, 1))}))
-            right = right - head
+            nothing = r"\begin{bmatrix} \mathbf{0} \\"
+            assert nothing in tensions, tensions
+            modal = value("T_c" + tensions.replace(nothing, r"\begin{bmatrix}"), self._with(scope, known))
+            right = right - np.vstack([np.zeros((6, 1)), modal])
         return left - right
 
     def _sized_rows(self, text: str, scope: Scope, more: Mapping[str, Value], r: int) -> np.ndarray:
@@ -157,7 +161,7 @@ class System:
         left, right = JOINT_ROWS, self._right(JOINT_ROWS)
         if not link.sizes[1]:
             right = JOINT_MOTION.sub("", right)
-        return value(left, self._with(scope, known)) - value(right, self._with(scope, known))
+        return difference(left, right, self._with(scope, known))
 
     def _axis_rows(self, link: Link, part, torques: Mapping) -> np.ndarray:
         i, nv = link.number, link.sizes[1]
@@ -183,7 +187,7 @@ class System:
         known |= {plain(name): x for name, x in diagonals.items()}
         if link.sizes[0] != nv:  # a ball joint has no springs
             known[r"\mathbf{q}_i"] = np.zeros((nv, 1))
-        return value(left, self._with(scope, known)) - value(self._right(left), self._with(scope, known))
+        return difference(left, self._right(left), self._with(scope, known))
 
     def _rotor(self, n: int, axis, x: np.ndarray) -> np.ndarray:
         own = x[self.places[f"added{n}"]][0]
@@ -201,6 +205,10 @@ class System:
                 c = int(re.search(r"T_\{?(\d+)", row[0])[1]) - 1
                 out.append((c, pull(self.state.scopes[link.number], link.parts, row, cut)))
         return out
+
+
+def difference(left: str, right: str, known: Callable[[str], Value]) -> np.ndarray:
+    return sized(plus(value(left, known), value(right, known), -1.0), (6, 1))
 
 
 def updated(scope: Scope, name: str) -> np.ndarray:

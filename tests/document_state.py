@@ -11,7 +11,7 @@ from document_axes import Axis, axes_of
 from document_points import exact_rod
 from document_symbols import Part, Printed, Scope, Undefined, plain
 
-WORLD = "world"
+WORLD, WELDED, FREE, BALL = "world", "welded", "free", "ball"
 
 
 @dataclass
@@ -54,7 +54,8 @@ class Reading:
                 if k == 0 and (on := re.search(r"on `([^`]*)`(?:, link (\d+)(?: at \$s =\$ \$([^$]*)\$)?)?", row[6])):
                     parent = -1 if on[1] == WORLD else int(on[2]) - 1
                     station = float(on[3]) if on[3] else None
-                sizes, floats = _sizes(parts)
+                floats = k == 0 and row[4] == FREE
+                sizes = (*(joint_sizes(row[4]) if k == 0 else (0, 0)), modes(row[5]))
                 own = name if last == first else f"{name}[{k}]"
                 axes = axes_of(self.document, name, sizes[1]) if k == 0 and not floats else []
                 yield Link(first + k - 1, own, parts, parent, station, (k, last - first + 1), sizes, floats, axes)
@@ -73,17 +74,17 @@ class Reading:
         return own
 
 
-def _sizes(parts: list[Part]) -> tuple[tuple[int, int, int], bool]:
-    """The numbers of coordinates, rates and modes by the labels of a class's steps."""
-    count: dict[str, set] = {}
-    for part in parts:
-        for steps in part.steps.values():
-            for display, index in steps.labels.values():
-                count.setdefault(plain(display), set()).add(index)
-    floats = any(p.title == "Floating base" for p in parts)
-    of = lambda name: len(count.get(name, ()))  # noqa: E731
-    nv = max(of(r"\dot{\mathbf{q}}_i"), 0)
-    return (of(r"\mathbf{q}_i"), 6 if floats else nv, of(r"\boldsymbol{\eta}_i")), floats
+def joint_sizes(said: str) -> tuple[int, int]:
+    """The numbers of coordinates and rates of a joint by the cell of the table of links."""
+    if said in (WELDED, FREE, BALL):
+        return {WELDED: (0, 0), FREE: (7, 6), BALL: (4, 3)}[said]
+    entries = re.sub(r"\([^)]*\)", "axis", said).split(", ")
+    count = sum(entry != "sliding" and not entry.endswith("m/rad") for entry in entries)
+    return count, count
+
+
+def modes(said: str) -> int:
+    return sum(int(x) for x in re.findall(r"\d+", said.partition("`")[0]))
 
 
 class State:

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 import sympy as sp
-from latex_formula import ZERO, Value, Zero, blocks, plus, skew, times, value
+from latex_formula import SYMBOL, ZERO, Value, Zero, blocks, plus, skew, times, value
 
 from screwgen.algebra import expression as ex
 from screwgen.backends.latex.content import Display, Document, DocumentTable, Heading, Paragraph, StepEquation
@@ -96,6 +96,15 @@ def parts(section) -> list[Part]:
     return out
 
 
+def listed(names: str, parts: list[Part]) -> list[Part]:
+    """The parts whose titles stand in a list of titles; the title of one may hold commas."""
+    out, known = [], sorted(parts, key=lambda part: -len(part.title))
+    while names:
+        out.append(next(part for part in known if part.title and names.startswith(part.title.lower())))
+        names = names[len(out[-1].title) :].removeprefix(", ")
+    return out
+
+
 class Printed:
     """A document by its parts."""
 
@@ -105,15 +114,15 @@ class Printed:
         for section in document.sections:
             own = parts(section)
             if section.link_class:
-                titles = {part.title for part in own}
                 for number, names in re.findall(r"As for class (\d+): (.*)\.", own[0].text):
-                    own += [p for p in self.classes[int(number)] if p.title and p.title.lower() in names and p.title not in titles]
+                    own += listed(names, self.classes[int(number)])
                 self.classes[section.link_class] = own
             else:
                 self.sections[section.title] = own
         theory = [part for title in THEORY for part in self.sections[title]]
         self.theory = [eq for part in theory for eq in part.equations]
-        self.inline = {left: right for part in theory for left, sign, right in part.inline if sign == "="}
+        inline = [(left, right) for part in theory for left, sign, right in part.inline if sign == "="]
+        self.inline = dict(reversed(inline))
 
     def table(self, first: str) -> list[tuple[str, ...]]:
         """The rows of the table whose head begins so; none if there is no such table."""
@@ -200,6 +209,11 @@ SHAPES: dict[str, tuple] = {
     r"\mathbf{M}_{W\phi,i}": ("r", "r"),
     r"\mathbf{M}_{\eta,i}": ("r", "r"),
     r"\mathbf{h}_{\phi,i}": ("r", 1),
+    r"\mathbf{h}_V": (6, 1),
+    r"\mathbf{M}^*_i": (6, 6),
+    r"\mathbf{M}_{D\Psi,i}": (6, 6),
+    r"\mathbf{A}_i": (3, "n"),
+    r"\mathbf{T}_i": (3, "n"),
 }
 """The sizes of what a link without modes has none of."""
 
@@ -267,7 +281,8 @@ class Scope:
 
     def nothing(self, name: str) -> Value:
         """A zero; that of a quantity of the modes has their number, which may be none."""
-        count = {"r": len(self.given.get(plain(r"\boldsymbol{\eta}_i"), ()))}
+        of = {"r": r"\boldsymbol{\eta}_i", "n": r"\dot{\mathbf{q}}_i"}
+        count = {letter: len(self.given.get(symbol, ())) for letter, symbol in of.items()}
         return np.zeros([count.get(n, n) for n in SHAPES[name]]) if name in SHAPES else ZERO
 
     def parameter(self, name: str) -> Value | None:
@@ -276,7 +291,8 @@ class Scope:
         if name in own:
             return np.full((1, 1), own[name])
         head = re.sub(r"\\(?:mathbf|boldsymbol)\{([^{}]*)\}", r"\1", name)
-        letter, _, below = head.partition("_")
+        match = re.fullmatch(r"(.*)_(\{[^{}]*\}|\w)", head)
+        letter, below = match.groups() if match else (head, "")
         below = re.sub(r"(^|,)i$", "", below.strip("{}"))
         for places in ("xyz", "123456"):
             row = []
@@ -290,6 +306,10 @@ class Scope:
                 return np.array(row)
         return None
 
+    def knows(self, name: str) -> bool:
+        """Whether a name of several letters is one symbol."""
+        return name in self.given or self.has(name) or name in self.theory or self.parameter(name) is not None
+
     def has(self, name: str) -> bool:
         """Whether a step defines a symbol."""
         return any(plain(name) in part.steps for part in self.main)
@@ -302,7 +322,10 @@ class Scope:
         """What a step defines; ``local`` has further symbols."""
 
         def symbol(name: str) -> Value:
-            return local[plain(name)] if local and plain(name) in local else self(name)
+            if local and plain(name) in local:
+                return local[plain(name)]
+            whole = SYMBOL.fullmatch(plain(name)) or self.knows(plain(name))
+            return self(name) if whole else value(name, symbol)
 
         def known(e: ex.Symbol) -> Value:
             if not e.name.endswith("]") and not any(re.fullmatch(rf"{e.name}(_\w+)?", x) for x in definition.labels):

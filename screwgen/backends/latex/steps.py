@@ -30,18 +30,19 @@ Seen = tuple[str, tuple[sp.Expr, ...]]
 """Formula and entries of a step that has been shown."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Definition:
     """What a step says, with all digits: the symbol, the right side of its equation, and the entries of its components.
 
     ``entries`` are over the labels of entries of earlier symbols; ``labels`` has, for each of these, the LaTeX of the
-    symbol with row and column of the entry.
+    symbol with row and column of the entry. Equal are definitions whose integrals have the same components.
     """
 
-    signal: NamedSignal
-    right: ex.Expression
-    entries: Array
-    labels: Labels
+    signal: NamedSignal = field(compare=False)
+    right: ex.Expression = field(compare=False)
+    entries: Array = field(compare=False)
+    labels: Labels = field(compare=False)
+    integrated: tuple[sp.Expr, ...]
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class StepView:
     formula: Formula
     components: Formula
     """Empty if the matrix equation suffices."""
-    definition: Definition = field(compare=False)
+    definition: Definition
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,8 @@ class BlockView:
     """The numbers of joint rates and of modes in the class of links."""
 
 
+AXES_OF_JOINT = ("A", "T")
+"""Identities that are shown: what a joint does without them is nothing."""
 DIAGONAL = 4
 """From that size on a diagonal matrix is written by its diagonal."""
 MANY = 36
@@ -100,7 +103,8 @@ def block_view(
     for step in block.steps.values():
         right = tidy(step.expression, values, write)
         found = latex(right), tuple(_entries(block, step).flat)
-        if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == found or _vanishes(block, step):
+        plain = ex.is_zero(right) or (ex.is_identity(right) and step.signal.name not in AXES_OF_JOINT)
+        if plain or seen.get(step.signal.name) == found or _vanishes(block, step):
             continue
         seen[step.signal.name] = found
         view = _view(block, step, right, write, axes, parts, labels)
@@ -152,7 +156,8 @@ def _view(
     )
     bracket, below = _components(block, step, right, write, parts)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
-    definition = Definition(s, right, _entries(block, step), labels)
+    entries = _entries(block, step)
+    definition = Definition(s, right, entries, labels, tuple(entries.flat) if has_integral(right) else ())
     return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below, definition)
 
 

@@ -77,17 +77,27 @@ class System:
     def solved(self) -> tuple[np.ndarray, np.ndarray]:
         start = self.residual(np.zeros(self.size))
         A = np.array([(self.residual(FAR * x) - start) / FAR for x in np.eye(self.size)]).T
-        columns, rows = np.linalg.norm(A, axis=0), np.linalg.norm(A, axis=1)
         x = np.zeros(self.size)
         for _ in range(3):
-            rest = -(start + A @ x)
-            x = x + np.linalg.lstsq(A / columns / rows[:, None], rest / rows, rcond=1e-13)[0] / columns
+            x = x + self._solution(A, -(start + A @ x))
         part = lambda name: x[self.places[name]]  # noqa: E731
         joints = [part(f"V{k.number}") if k.floats else part(f"q{k.number}") for k in self.links]
         added = [part(f"added{n}") for n in range(len(self.state.reading.axes))]
         etas = [part(f"eta{k.number}") for k in self.links]
         wrenches = [np.zeros(6) if k.floats else part(f"w{k.number}") for k in self.links]
         return np.concatenate([*joints, *added, *etas]), np.array(wrenches)
+
+    def _solution(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
+        """The unknowns; forces of loops whose rows depend on each other are shared as the document says."""
+        n = len(self.loops.gaps)
+        if not n:
+            return balanced(A, b)
+        K, B, C = A[:-n, :-n], A[:-n, -n:], A[-n:, :-n]
+        answers = np.array([balanced(K, column) for column in B.T]).T
+        S, rest = -C @ answers, b[-n:] - C @ balanced(K, b[:-n])
+        weights = np.sqrt(np.diag(S) + np.trace(S) / 1000) if self.loops.shared else np.sqrt(np.diag(S))
+        forces = np.linalg.lstsq(S / weights / weights[:, None], rest / weights, rcond=1e-9)[0] / weights
+        return np.append(balanced(K, b[:-n]) - answers @ forces, forces)
 
     # --------------------------------------------------------------------------------- residuals
 
@@ -205,6 +215,13 @@ class System:
                 c = int(re.search(r"T_\{?(\d+)", row[0])[1]) - 1
                 out.append((c, pull(self.state.scopes[link.number], link.parts, row, cut)))
         return out
+
+
+def balanced(A: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """`A x = b` with rows and columns of one size."""
+    columns = np.linalg.norm(A, axis=0)
+    rows = np.linalg.norm(A / columns, axis=1)
+    return np.linalg.solve(A / columns / rows[:, None], b / rows) / columns
 
 
 def difference(left: str, right: str, known: Callable[[str], Value]) -> np.ndarray:

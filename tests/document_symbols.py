@@ -19,6 +19,8 @@ APART += ("Mass of the rod", "Inertia of a section", "Load of a section", "Tendo
 """Headings whose steps are other forms of the equations, or of one point of several."""
 IDENTITY = re.compile(r"\\mathbf\{R\}|\\mathbf\{J\}_l$")
 """What is the identity where a class has no step for it."""
+UNTURNED = (r"\mathbf{R}_T", r"\mathbf{J}_l")
+"""Of a link whose modes do not turn its tip."""
 THEORY = ("Conventions", "Equations of motion")
 
 
@@ -255,8 +257,10 @@ class Scope:
         for part in self.main:
             if name in part.steps:
                 return self.step(part.steps[name])
-        if name in self.theory and (found := self._read(self.theory[name])) is not None:
-            return found
+        if name in UNTURNED:
+            return np.eye(3)
+        if name in self.theory:
+            return self._read(self.theory[name])
         for left, right in self.theory.items():
             if left.startswith("[") and name in (pieces := [plain(x.replace("\\ ", "")) for x in left[1:].rstrip("]").split(";")]):
                 k = pieces.index(name)
@@ -268,10 +272,6 @@ class Scope:
         if IDENTITY.match(name):
             return np.eye(3)
         if name in self.printed.symbols or name in SHAPES:
-            return self.nothing(name)
-        import os
-        if os.environ.get("COLLECT"):
-            print("UNDEFINED", name)
             return self.nothing(name)
         raise Undefined(f"{name}: nothing in the document defines it")
 

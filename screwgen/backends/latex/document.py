@@ -17,6 +17,7 @@ from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ...version import __version__
+from ..numpy.loop_rows import choose_rows
 from ..templates import render
 from . import elements, tables, text
 from .blocks import LETTERS
@@ -51,7 +52,14 @@ def document(
 
 def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None = None) -> str:
     """The same document as one HTML page with MathML, which needs nothing else; it shows the lines of generated C."""
-    return page(content(robot, plugins, notation), extras(Chain(robot)))
+    return page(content(robot, plugins, notation), extras(chain_of(robot)))
+
+
+def chain_of(robot: Robot) -> Chain:
+    """The links of a robot, with the rows of its loops that bear forces."""
+    chain = Chain(robot)
+    choose_rows(chain)
+    return chain
 
 
 def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
@@ -80,7 +88,7 @@ def notebook(robot: Robot) -> str:
 
 def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None = None) -> Document:
     """The document of a robot, independent of the output format, in the paper's letters or in a ``notation``."""
-    chain = Chain(robot)
+    chain = chain_of(robot)
     plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_added)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}

@@ -16,14 +16,13 @@ from ..plugins import plugins
 from ..progress import busy
 from ..simulation.runs import check_output, outputs, suffix
 from ..spec.robot import Robot
-from ..topology.chain import Chain
 from .linear import numbers
 from .output import load_robot, say
 
 FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None], bytes]] = {
     ".tex": lambda shown, around, _: latex.tex(shown, around).encode(),
     ".pdf": lambda shown, around, _: pdf(latex.tex(shown, around)),
-    ".html": lambda shown, _, robot: latex.page(shown, latex.extras(Chain(robot)) if robot else None).encode(),
+    ".html": lambda shown, _, robot: latex.page(shown, latex.extras(latex.chain_of(robot)) if robot else None).encode(),
 }
 """How a document is written, with the robot whose steps it shows."""
 

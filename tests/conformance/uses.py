@@ -100,7 +100,7 @@ def estimator(case: Case) -> None:
 
 
 def equilibrium(case: Case) -> None:
-    """Where it is found nothing accelerates: joints held, by torques that follow, little weight; a floating base none."""
+    """Where it is found nothing accelerates: joints held, torques follow, with little weight or none."""
     model, chain = case.model, case.model.chain
     weight = 0.0 if chain.floating else 0.1  # of the robot's: a link of order 2 bends little
     light = {f"gravity[{k}]": weight * g for k, g in enumerate(case.robot["gravity"])}

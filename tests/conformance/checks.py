@@ -40,6 +40,7 @@ CHECKS: dict[str, Check] = {
     "estimator": Check(uses.estimator, "the filter in C equals that in Python, a prediction equals a step"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
     "modes": Check(uses.modes, "frequencies with the joints locked"),
+    "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),
     "commands": Check(commands.every_command, "every command ends well"),
     "mock-up unit": Check(commands.units, "a unit of FMI 3 steps as the C does"),
     "URDF": Check(commands.urdf, "exported and imported again"),

@@ -55,7 +55,7 @@ def controller(model: RobotModel, file: str | os.PathLike[str], **options: Any) 
 
 
 def _interval(model: RobotModel, f: Fitted) -> tuple[np.ndarray, np.ndarray]:
-    """The derivatives of an interval at rest at the goal, with the state (2 nq, 2 nq) and with the torques (2 nq, n_tau)."""
+    """The derivatives of an interval at the goal with the state (2 nq, 2 nq) and with the torques (2 nq, n_tau)."""
     from ..backends.casadi.intervals import interval_slopes
 
     step = model.casadi()[f"step_{f.said.horizon.method}"]
@@ -83,8 +83,8 @@ def scatter(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
 def cost_to_go(model: RobotModel, f: Fitted, A: np.ndarray, B: np.ndarray) -> np.ndarray:
     """``P`` (2 nq, 2 nq): ``x'Px / 2`` behind a plan is what the regulator's motion from there on costs.
 
-    Motion (``A``, ``B``: of an interval) and tip are linearised at rest at the goal; what the last stage costs itself is
-    taken off.
+    Motion (``A``, ``B``: of an interval) and tip are linearised at rest at the goal; what the last stage costs itself
+    is taken off.
     """
     said, weights, q = f.said, f.weights, f.rest.q
     functions, h, n = model.casadi(), said.horizon.step, model.nq

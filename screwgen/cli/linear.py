@@ -19,7 +19,7 @@ from .output import load_robot
 if TYPE_CHECKING:
     from ..studies.convergence import Convergence
     from ..studies.equilibrium import Equilibrium
-    from ..studies.modes import ModeShapes
+    from ..studies.modes import Changed, ModeShapes
 
 
 def run_modes(
@@ -35,7 +35,7 @@ def run_modes(
     """Print natural frequencies, one a line or as JSON, and draw the shapes."""
     from ..simulation.runs import check_output, outputs
     from ..studies.convergence import convergence
-    from ..studies.modes import closed_posture, mode_shapes
+    from ..studies.modes import changed_by_gravity, closed_posture, mode_shapes
 
     if plot is not None:
         check_output(plot, (".png",))
@@ -61,6 +61,8 @@ def run_modes(
         from ..viewer.view import view_modes
 
         view_modes(model, q, found).save(view)
+    if not loaded and turning is None and (changed := changed_by_gravity(model, q, joints, found)):
+        print(f"screwgen: note: {gravity_note(changed)}", file=sys.stderr)
     if json:
         print(json_format.dumps(modes_record(found, more), allow_nan=False))
         return
@@ -68,6 +70,16 @@ def run_modes(
     if joints == "locked":
         for note in lock_notes(model, q):
             print(f"screwgen: note: --joints locked {note}", file=sys.stderr)
+
+
+def gravity_note(changed: Changed) -> str:
+    """What a frequency without gravity leaves out."""
+    which = f"frequency {changed.number} is"
+    if changed.growth:
+        there = f"unstable, it grows as exp({changed.growth:.4g}/s t)"
+    else:
+        there = f"{changed.loaded:.4g} Hz, not {changed.without:.4g} Hz"
+    return f"gravity is left out; with --loaded, which takes it in, {which} {there}"
 
 
 def lock_notes(model: Model, q: np.ndarray) -> list[str]:

@@ -144,7 +144,7 @@ NO_MODES = {
 # ------------------------------------------------------------------------------ equilibrium
 
 
-class Holding(NamedTuple):
+class HoldOptions(NamedTuple):
     """The options that say which joints are held."""
 
     all_without_springs: bool = False
@@ -167,7 +167,7 @@ def run_equilibrium(
     q: str | None,
     tau: str | None,
     tensions: str | None,
-    holding: Holding,
+    holding: HoldOptions,
     json: bool,
 ) -> None:
     """Print the equilibrium, as a report or as JSON."""
@@ -206,7 +206,7 @@ def with_tensions(model: Model, efforts: np.ndarray, tensions: str, tau: str | N
     return np.append(efforts[: model.n_joints], pulled)
 
 
-def without_held(model: Model, efforts: np.ndarray, holding: Holding, where: str) -> np.ndarray:
+def without_held(model: Model, efforts: np.ndarray, holding: HoldOptions, where: str) -> np.ndarray:
     """The efforts (n_tau,) of a state without those of joints that are held, which follow; a note says so."""
     from ..studies.held_joints import asked
     from ..studies.stiffness import stiffness

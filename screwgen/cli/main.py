@@ -227,9 +227,9 @@ def equilibrium(
     Joints are free under torques and springs, or held, but for passive ones on springs: all with --hold, else those
     named by --hold-only or not named by --free. --state gives q, tau, w_ext.
     """
-    from .linear import Holding, run_equilibrium
+    from .linear import HoldOptions, run_equilibrium
 
-    holding = Holding(hold, hold_all, tuple(hold_only or ()), tuple(free or ()))
+    holding = HoldOptions(hold, hold_all, tuple(hold_only or ()), tuple(free or ()))
     run_equilibrium(robot, state, q, tau, tensions, holding, json)
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from every_command import DONE, checked
+
 from conformance.c_warnings import COMPILERS, compile_cleanly
 from conformance.cases import Case
-from every_command import DONE, checked
 
 LAYOUTS = ("auto", "modular")
 

@@ -35,7 +35,9 @@ ROBOTS = {
     "flexible": arm(turning("up", 0.6, 0.2, **BENDS), turning("fore", 0.5, 0.1, **BENDS, bodies=LOAD)),
     "rigid": arm(turning("up", 0.6, 0.2), turning("fore", 0.5, 0.1, bodies=LOAD)),
     "hanging": arm(
-        turning("up", 0.6, 0.3, **BENDS), turning("fore", 0.5, 0.2, "y", **BENDS, bodies=LOAD), gravity=[0.0, 0.0, -9.81]
+        turning("up", 0.6, 0.3, **BENDS),
+        turning("fore", 0.5, 0.2, "y", **BENDS, bodies=LOAD),
+        gravity=[0.0, 0.0, -9.81],
     ),
     "slide": arm(link("cart", 0.3, axes=[{"slide": "y"}]), turning("mast", 0.8, 0.1, **BENDS, bodies=LOAD)),
     "stops": arm(turning("up", 0.6, 0.2, **BENDS, joint=LIMITED), turning("fore", 0.5, 0.1, bodies=LOAD)),
@@ -72,7 +74,9 @@ OTHERWISE = {
 def program(name: str, folder: Path, *flags: str, driver="false_samples") -> Path:
     """The closed loop of a robot, or another driver, compiled in a folder."""
     file, out = folder / "mpc.toml", folder / driver
-    file.write_text(CONTROL.format(**({"delay": 1, "bounds": "", "blocks": "", "substeps": 2} | OTHERWISE.get(name, {}))))
+    file.write_text(
+        CONTROL.format(**({"delay": 1, "bounds": "", "blocks": "", "substeps": 2} | OTHERWISE.get(name, {})))
+    )
     texts = project(model_of(ROBOTS[name] | {"name": "robot"}), file).files()
     for path, text in texts.items():
         (folder / path).parent.mkdir(exist_ok=True)

@@ -34,7 +34,10 @@ def written(text: str, name: str) -> str:
 
 def _twice(text: str, name: str) -> str | None:
     """A name that the source has without the prefix and would have a second time with it."""
-    for prefix, mark, always in ((f"{name}_", r"(?<!\$)\$_", {"kinematics"}), (f"{name.upper()}_", r"\$\$_", IN_HEADERS)):
+    for prefix, mark, always in (
+        (f"{name}_", r"(?<!\$)\$_", {"kinematics"}),
+        (f"{name.upper()}_", r"\$\$_", IN_HEADERS),
+    ):
         if not re.search(rf"(?<![\w$]){prefix}", text):
             continue
         code = COMMENTS_AND_STRINGS.sub(" ", text)

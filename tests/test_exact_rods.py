@@ -1,5 +1,6 @@
 """Rods of order "exact": the oracle's collocated Lagrangian in every back end, its limits, and what it keeps."""
 
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 
@@ -13,6 +14,7 @@ from scipy.integrate import solve_ivp
 from test_derivatives import by_casadi, worst
 
 from screwgen import Screw
+from screwgen.bodies.collocation import collocation
 
 SHORT = (0, 1, 5)
 """One to three links; the others are judged in `make test-long`."""
@@ -215,6 +217,13 @@ def test_weight_and_inertia_of_a_circle_converge_with_the_points(kind):
         held = numeric.inverse_dynamics(q, 0 * q, 0 * q, None)[0]
         errors.append((abs(held - weight) + abs(numeric.mass_matrix(q)[0, 0] - inertia)) / inertia)
     assert errors[0] < 2e-3 and errors[1] < 2e-8 and (kind == "stepped" or errors[1] < 1e-11)
+
+
+@pytest.mark.parametrize("count", [20, 21, 40])
+def test_a_uniform_rod_has_its_inertia_with_as_many_points_as_a_file_can_state(count):
+    """That of the straight rod about its base is a third."""
+    key = replace(model_of(arm(link(modes={"bending_y": 1}), order="exact")).chain.keys[0], points=count)
+    assert np.sum(collocation(key).uniform.sum(axis=1) ** 2) == pytest.approx(1 / 3, rel=1e-12)
 
 
 @pytest.mark.parametrize("count", [500, pytest.param(10_000, marks=pytest.mark.long)])

@@ -79,15 +79,20 @@ class Collocation:
         The transposed Cholesky factor of ``∫ a a^T ds``, a the weights of :meth:`reach`: exact, and half as many
         products as with the masses at points.
         """
-        s, w = gauss(FINE)
+        s, w = self._along
         reach = np.array([self.reach(x) for x in s])
         return np.linalg.cholesky(reach.T @ (w[:, None] * reach)).T
 
     @cached_property
     def centre(self) -> np.ndarray:
         """(N,): the weights of the tangents in the mean position of a uniform rod."""
-        s, w = gauss(FINE)
+        s, w = self._along
         return w @ np.array([self.reach(x) for x in s])
+
+    @property
+    def _along(self) -> tuple[np.ndarray, np.ndarray]:
+        """A quadrature that is exact for the squared position, of degree 2 N."""
+        return gauss(max(FINE, len(self.places) + 1))
 
     def reach(self, s: float) -> np.ndarray:
         """(N,): the weights of the integral from 0 to s, exact for polynomials of degree N - 1."""

@@ -56,7 +56,9 @@ def links(chain: Chain) -> DocumentTable:
             if pieces[i].first:
                 break
             where = f"marker that a loop joins, {_carrier(chain, i)}"
-            rows.append((f"{i + 1}", f"`{pieces[i].name}`", f"{classes.index(keys[i]) + 1}", NONE, "welded", "rigid", where))
+            rows.append(
+                (f"{i + 1}", f"`{pieces[i].name}`", f"{classes.index(keys[i]) + 1}", NONE, "welded", "rigid", where)
+            )
     return DocumentTable(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
 
 

@@ -37,7 +37,7 @@ BUILDS = tuple(product(COMPILERS, LEVELS, ("double", "float")))
 CASES = [
     (feature, *kind, *build) for feature, kind, build in zip(FEATURES, cycle(KINDS), cycle(BUILDS), strict=False)
 ]
-"""By turns: what a feature adds stands in every layout and binding; three in four of a robot's lines do not depend on it."""
+"""By turns: what a feature adds stands in every layout and binding."""
 WARNED = (
     ("rigid", "fused", "runtime", "gcc", "-O0", "double"),
     ("slide", "fused", "runtime", "gcc", "-O0", "double"),

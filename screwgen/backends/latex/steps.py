@@ -123,7 +123,9 @@ def block_view(
         steps.append(view)
         used += symbols(right)
         defined.append(step.signal)
-    return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined), counts, tuple(zeros), tuple(identities))
+    return BlockView(
+        block.name, block.title, tuple(steps), tuple(used), tuple(defined), counts, tuple(zeros), tuple(identities)
+    )
 
 
 def _renamed(text: str, axes: Axes) -> str:

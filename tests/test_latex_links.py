@@ -13,7 +13,7 @@ from browsers import every_browser, started
 from helpers import arm, example_file, link
 from latex_documents import PLUGINS, page
 
-from screwgen import Robot, load
+from screwgen import Robot, derive, load, natural_frequencies
 from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex.code_lines import CodeLines, found
@@ -23,7 +23,8 @@ from screwgen.backends.latex.page import Extras
 from screwgen.topology.chain import Chain
 from screwgen.version import __version__
 
-PENDULUM = Robot(**arm(link("rod", axes="z", modes={"bending_y": 1}), name="pendulum"))
+ROD = link("rod", axes="z", modes={"bending_y": 1})
+PENDULUM = Robot(**arm(ROD | {"bodies": [{"at": "tip", "mass": 0.2}]}, name="pendulum"))
 ROBOTS = ("ella", "pendulum", "parallelogram")
 every_robot = pytest.mark.parametrize("name", ROBOTS)
 
@@ -75,6 +76,15 @@ def test_numbers_are_those_of_the_robot():
     known = extras("ella").numbers
     assert known[r"\mathbf{S}_0"]["upper_arm"][0] == [f"{0.95**2 * 1.6302 / 2:.5g}"]
     assert known["l_i"] == {"upper_arm": [["0.95"]], "forearm": [["0.93"]]}
+
+
+def test_frequencies_are_those_of_modes():
+    """One of the bare rod for its mode, and one of the rod with the body at its tip."""
+    bare, held = (natural_frequencies(derive(robot))[0] for robot in (Robot(**arm(ROD)), PENDULUM))
+    assert extras("pendulum").modes.rows[0][-1] == f"{bare:.4g} Hz" != f"{held:.4g} Hz"
+    assert extras("pendulum").held.rows == (("`rod`", f"{held:.4g} Hz"),)
+    text = body("pendulum")
+    assert text.count(f"{bare:.4g} Hz") == text.count(f"{held:.4g} Hz") == 1 and "without its bodies" in text
 
 
 def test_symbols_are_found_below_accents_and_beside_scripts():

@@ -16,7 +16,9 @@ from ...algorithms.scope import derived
 from ...ir.block import Binding, Block
 from ...ir.replay import run
 from ...spec.parameters import parameters
+from ...spec.robot import Robot
 from ...topology.chain import Chain
+from ..numpy.vibrations import held_frequencies
 from .content import DocumentTable, unit
 from .scalars import entry
 from .symbols import written
@@ -25,6 +27,17 @@ BLOCKS = ("link", "tip", "tip_body", "joint")
 """The blocks that have the constants of a link."""
 MANY_LINKS, MANY_ENTRIES = 12, 81
 """Numbers of more links, and matrices with more entries, are not listed."""
+MANY_FREQUENCIES = 8
+"""Further frequencies of a link are not listed."""
+ALONE = (
+    "The frequency is that of each mode alone: of the bare link, straight and held at its base, without its bodies and "
+    "without its other modes."
+)
+HELD = (
+    "Each link straight and held at its base, with its own bodies and all of its modes, without gravity and without "
+    "what it carries. The command `modes` says the same of a robot that has this link alone."
+)
+"""What the tables of frequencies mean."""
 
 
 Table = list[list[str]]
@@ -87,9 +100,9 @@ def _number(entry: sp.Expr, known: Mapping[str, mpmath.mpf]) -> str:
 
 
 def mode_table(chain: Chain, found: Mapping[str, Mapping[str, Table]]) -> DocumentTable | None:
-    """The modes of the links: inertia, stiffness, frequency of the link by itself. None if there are none."""
+    """The modes of the links: inertia, stiffness, frequency of each mode alone. None if there are none."""
     rows = [row for i in range(min(chain.n, MANY_LINKS)) for row in _modes(chain, i, found)]
-    head = ("link", "name", "mode", "direction", "inertia", "stiffness", "frequency, clamped, unloaded")
+    head = ("link", "name", "mode", "direction", "inertia", "stiffness", "frequency, mode alone")
     return DocumentTable(head, (0.06, 0.17, 0.07, 0.18, 0.17, 0.2, 0.15), tuple(rows)) if rows else None
 
 
@@ -105,6 +118,16 @@ def _modes(chain: Chain, i: int, found: Mapping[str, Mapping[str, Table]]) -> It
         units = ("kg*m^2", "N*m") if turns else ("kg", "N/m")
         cells = (f"{_shown(m)} {unit(units[0])}", f"{_shown(stiff)} {unit(units[1])}", f"{frequency:.4g} Hz")
         yield f"{i + 1}", f"`{name}`", f"{k + 1}", direction.replace("_", " in "), *cells
+
+
+def held_table(robot: Robot) -> DocumentTable | None:
+    """The frequencies of the flexible links, each held at its base with its bodies. None if there are none."""
+    rows = []
+    for k, link in enumerate(robot.links[:MANY_LINKS]):
+        found = held_frequencies(robot, k)
+        shown = ", ".join(f"{f:.4g}" for f in found[:MANY_FREQUENCIES]) + ", …" * (len(found) > MANY_FREQUENCIES)
+        rows += [(f"`{link.name}`", f"{shown} Hz")] if len(found) else []
+    return DocumentTable(("link", "frequencies, held at its base"), (0.25, 0.75), tuple(rows)) if rows else None
 
 
 def _shown(value: str) -> str:

@@ -80,6 +80,8 @@ class Extras:
     diagram: str
     numbers: Mapping[str, Mapping[str, Table]]
     modes: DocumentTable | None
+    held: DocumentTable | None
+    """The frequencies of the links, each held at its base."""
     code: GeneratedC
     firsts: Sequence[int]
     """The first link of every class."""
@@ -98,12 +100,12 @@ def extras(chain: Chain) -> Extras:
     found = numbers.numbers(chain)
     firsts = [chain.keys.index(key) for key in chain.classes]
     classes = [chain.classes.index(key) + 1 for key in chain.keys]
-    table = numbers.mode_table(chain, found)
+    table, held = numbers.mode_table(chain, found), numbers.held_table(chain.robot)
     drawn, code = diagram.diagram(chain), code_lines.generated(chain)
     places = chain.tau_offset
     efforts = [range(places[i] + 1, places[i + 1] + 1) for i in range(chain.n)]
     entries = numbers.entries(chain)
-    return Extras(drawn, found, table, code, firsts, chain.names, classes, entries, efforts, sought(chain))
+    return Extras(drawn, found, table, held, code, firsts, chain.names, classes, entries, efforts, sought(chain))
 
 
 @dataclass
@@ -202,9 +204,20 @@ def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> I
         out.items = list(_items(section, out.anchor, number_of, more, first=number == 1))
         _lift(out.items)
         yield out
-        if number == 1 and more and more.modes:
-            table = PageItem(more.modes, "modes-table", CLASSES)
-            yield PageSection(DocumentSection("Modes in numbers", []), "modes", 0, [table])
+        if number == 1 and more:
+            yield from _frequencies(more)
+
+
+def _frequencies(more: Extras) -> Iterator[PageSection]:
+    """The modes of the links in numbers, and the frequencies of the links."""
+    for title, anchor, about, table in (
+        ("Modes in numbers", "modes", numbers.ALONE, more.modes),
+        ("Frequencies of the links", "held", numbers.HELD, more.held),
+    ):
+        if table is not None:
+            items = [PageItem(Paragraph(about), f"{anchor}-about", CLASSES)]
+            items.append(PageItem(table, f"{anchor}-table", CLASSES))
+            yield PageSection(DocumentSection(title, []), anchor, 0, items)
 
 
 def _items(

@@ -92,6 +92,7 @@ def block_view(
     structure: Mapping[str, Array] | None = None,
     counts: tuple[int, int] = (0, 0),
     parts: Parts = (),
+    *,
     told: Collection[str] = (),
 ) -> BlockView:
     """The block without steps that are zero or identity, and without those that ``seen`` holds by name.
@@ -105,7 +106,8 @@ def block_view(
     values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
     write, labels = scalars(block), _labels(block)
     steps, used, defined = [], [], []
-    zeros, identities = [], []
+    zeros: list[str] = []
+    identities: list[str] = []
     for step in block.steps.values():
         right = tidy(step.expression, values, write)
         found = latex(right), tuple(_entries(block, step).flat)

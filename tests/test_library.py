@@ -67,6 +67,16 @@ def test_a_damaged_entry_is_built_again(tmp_path, damage):
     assert path.read_bytes() == data or len(path.read_bytes()) == len(data)
 
 
+def test_an_entry_under_the_name_of_another_is_built_again(tmp_path):
+    """Copied whole, with its own digest: it is a library, but not that of these sources."""
+    other = tmp_path / "other"
+    assert answer(tmp_path / "own") == 42 and answer(other, {"one.c": "int answer(void) { return 43; }\n"}) == 43
+    (mine,), (theirs,) = (list(folder.iterdir()) for folder in (tmp_path / "own", other))
+    mine.unlink()
+    shutil.copy(theirs, mine)
+    assert answer_elsewhere(tmp_path / "own") == 42
+
+
 def test_two_processes_at_once_both_succeed(tmp_path):
     code = f"""
 import sys

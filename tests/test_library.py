@@ -1,6 +1,5 @@
 """Libraries of generated C: built once, kept, checked before they are loaded, and what goes wrong with compilers."""
 
-import hashlib
 import os
 import shutil
 import subprocess
@@ -128,7 +127,7 @@ def test_a_library_that_others_can_plant_is_not_loaded(tmp_path, monkeypatch):
     assert answer(folder) == 42 and folder.stat().st_mode & 0o777 == 0o700
     entry = folder / entries(folder)[0]
     planted = library._compiled(tmp_path, {"one.c": "int answer(void) { return 666; }\n"}, ["cc"], ()).read_bytes()
-    plant = lambda: entry.unlink() or entry.write_bytes(planted + hashlib.sha256(planted).digest())  # noqa: E731
+    plant = lambda: entry.unlink() or entry.write_bytes(planted + library._seal(entry.stem, planted))  # noqa: E731
     plant()
     assert answer_elsewhere(folder) == 666  # the digest does not tell who wrote it
     for place, mode in ((entry, 0o720), (entry, 0o702)):

@@ -34,13 +34,7 @@ torque_rates = 3000.0
 """
 KINDS = tuple(product(("fused", "modular"), ("runtime", "baked")))
 BUILDS = tuple(product(COMPILERS, LEVELS, ("double", "float")))
-<<<<<<< HEAD
-CASES = [
-    (feature, *kind, *build) for feature, kind, build in zip(FEATURES, cycle(KINDS), cycle(BUILDS), strict=False)
-]
-=======
 CASES = [(feature, *kind, *build) for feature, kind, build in zip(FEATURES, cycle(KINDS), cycle(BUILDS), strict=False)]
->>>>>>> ccode
 """By turns: what a feature adds stands in every layout and binding."""
 WARNED = (
     ("rigid", "fused", "runtime", "gcc", "-O0", "double"),

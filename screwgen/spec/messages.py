@@ -19,11 +19,7 @@ def explain(error: ValidationError, root: type[BaseModel], data: Any) -> str:
     Unknown keys come first: a misspelt key is why another one is missing.
     """
     count = error.error_count()
-<<<<<<< HEAD
     more = f"; {count - 1} more {'fault' if count == 2 else 'faults'} in the file" if count > 1 else ""
-=======
-    more = f" (and {count - 1} more fault{'s' * (count > 2)})" if count > 1 else ""
->>>>>>> ccode
     return sentence(first_error(error), root, data) + more
 
 

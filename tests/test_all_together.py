@@ -8,9 +8,9 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from conftest import require_tool, swept
+from conftest import require_tool
 from divided import state
-from helpers import casadi_forward, model_of, quick, relative
+from helpers import casadi_forward, model_of, relative
 from oracle import Oracle
 
 from screwgen import simulate, write_sid
@@ -91,19 +91,6 @@ def test_segments_of_a_tree_against_the_oracle():
     ):
         assert max(relative(a, b) for a, b in zip(found, expected, strict=True)) < 1e-10
     assert np.allclose(numeric.energy(*given[:2]), oracle.energy(*given[:2]), rtol=1e-11)
-
-
-@pytest.mark.parametrize("layout", swept(["fused", "modular"], "modular"))
-def test_a_body_from_a_file_among_them_in_c(layout):
-    model = with_body()
-    given = state(model, 3, angle=1.0)
-    expected = model.numpy().forward_dynamics(*given)
-    compiled = quick(model, layout=layout, derivatives=True)
-    for form in ("joint", "dae"):
-        found = compiled.forward_dynamics(*given, form=form)
-        assert max(relative(a, b) for a, b in zip(found, expected, strict=True)) < 1e-10
-    slopes = model.numpy().derivatives(*given)
-    assert all(relative(a, b) < 1e-9 for a, b in zip(compiled.linearise(*given)[1:], slopes, strict=True))
 
 
 def test_the_generated_folder_checks_itself(tmp_path):

@@ -1,4 +1,4 @@
-"""Derivatives of vdot with q, v and tau: against CasADi's jacobian, finite differences, and between the back ends."""
+"""Derivatives of vdot with q, v and tau: against CasADi's jacobian, and in C."""
 
 import ctypes
 import subprocess
@@ -95,31 +95,6 @@ def test_at_rest_and_straight():
 
 
 # -------- against finite differences
-
-
-@pytest.mark.parametrize("robot", ["ella", "mixed"])
-def test_finite_differences(robot):
-    """Central differences extrapolated twice (Richardson), of the NumPy forward dynamics."""
-    model = example("ella") if robot == "ella" else model_of(MIXED)
-    given, dynamics = list(state(model, 3)), model.numpy()
-    found = dynamics.derivatives(*given)
-    for number, jacobian in enumerate(found):
-        h = (1e-3, 1.0, 10.0)[number]  # vdot is quadratic in v and linear in tau: there no step is too long
-        columns_ = [richardson(dynamics, given, number, k, h) for k in range(given[number].size)]
-        assert relative(np.array(columns_).T, jacobian) < 1e-9
-
-
-def richardson(dynamics, given, number, k, h):
-    def slope(h):
-        plus, minus = (list(given), list(given))
-        plus[number], minus[number] = given[number].copy(), given[number].copy()
-        plus[number][k] += h
-        minus[number][k] -= h
-        return (dynamics.forward_dynamics(*plus)[0] - dynamics.forward_dynamics(*minus)[0]) / (2 * h)
-
-    a, b, c = slope(h), slope(h / 2), slope(h / 4)
-    once, twice = (4 * b - a) / 3, (4 * c - b) / 3
-    return (16 * twice - once) / 15
 
 
 # -------- the generated C

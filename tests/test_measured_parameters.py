@@ -14,7 +14,7 @@ from helpers import ROOT, arm, example, example_dict, link, model_of, quick, rel
 from measured_robots import BARE, FOUND, by_frequencies, clamped, counted, flat, rod, two_links
 from oracle_link import STIFFNESS_OF, line_properties
 
-from screwgen import Robot, ScrewgenError, derive, dump, load, natural_frequencies
+from screwgen import Robot, ScrewgenError, derive, natural_frequencies
 from screwgen.backends.latex import document as latex
 from screwgen.runtime.memory import pointer
 from screwgen.spec import Link, equivalent_stiffness, parameters
@@ -98,13 +98,6 @@ def test_a_section_without_any_stiffness_is_enough():
     for section in ({"rhoA": 0.78}, {"density": 7800.0, "area": 1e-4}):
         found = natural_frequencies(model_of(rod(frequencies, section=section)))
         assert np.allclose(found, flat(frequencies), rtol=1e-12, atol=0)
-
-
-def test_files_survive_dump_and_load(tmp_path):
-    robot = Robot.model_validate(two_links())
-    path = tmp_path / "arm.toml"
-    path.write_text(dump(robot), encoding="utf-8")
-    assert load(path) == robot and parameters(load(path)) == parameters(robot)
 
 
 def test_generated_c_checks_itself(tmp_path):

@@ -97,8 +97,9 @@ def test_the_clamped_bare_link_has_the_stated_frequencies():
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("direction", DIRECTIONS)
+@pytest.mark.parametrize("direction", DIRECTIONS[:4])
 def test_32_modes_in_a_direction(direction):
+    """Of shear none are stated."""
     ratio = np.random.default_rng(1).uniform(1.05, 1.4, 32)
     frequencies = {direction: [float(f) for f in np.cumprod(ratio)]}
     assert np.allclose(bare_frequencies(frequencies), flat(frequencies), rtol=1e-12, atol=0)

@@ -1,6 +1,7 @@
 """The public names with the modules that define them: for type checkers, and for the package, which reads this."""
 
 from .backends.numpy.closing import OpenLoopError as OpenLoopError
+from .backends.numpy.vibrations import held_frequencies as held_frequencies
 from .errors import RobotFileError as RobotFileError
 from .errors import ScrewgenError as ScrewgenError
 from .errors import SingularError as SingularError
@@ -52,6 +53,8 @@ from .studies.equilibrium import Equilibrium as Equilibrium
 from .studies.equilibrium import NoEquilibriumError as NoEquilibriumError
 from .studies.equilibrium import equilibrium as equilibrium
 from .studies.linear import LinearModel as LinearModel
+from .studies.modes import ModeShapes as ModeShapes
+from .studies.modes import mode_shapes as mode_shapes
 from .studies.modes import natural_frequencies as natural_frequencies
 from .studies.standard_data import write_sid as write_sid
 from .version import __version__ as __version__

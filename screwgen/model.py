@@ -69,7 +69,7 @@ class Model(RobotModel):
     def validity(
         self, q: Numbers, v: Numbers | None = None, tau: Loads = None, w_ext: Loads = None, parameters: Given = None
     ) -> Validity:
-        """How far every link is from the limits of the first-order model, in a state.
+        """How far every link is from the limits of its model, in a state.
 
         ``q`` (nq,), ``v`` (nv,), ``tau`` (n_tau,), ``w_ext`` (n, 6): what is left out is zero; ``parameters``: in
         the order of ``parameter_names``, the file's by default.  Raises SingularError that names the joint.

@@ -11,7 +11,6 @@ from .errors import PrecisionWarning
 from .plugins import Plugin
 from .robot_model import RobotModel
 from .spec.robot import Robot
-from .topology.chain import Chain
 from .version import __version__ as VERSION
 
 
@@ -42,7 +41,7 @@ def latex_files(robot: Robot, plugins: Sequence[Plugin]) -> dict[str, bytes]:
     from .backends.latex import document as latex
 
     shown = latex.content(robot, plugins)
-    made = {".tex": latex.tex(shown), ".html": latex.page(shown, latex.extras(Chain(robot)))}
+    made = {".tex": latex.tex(shown), ".html": latex.page(shown, latex.extras(latex.chain_of(robot)))}
     return {f"{robot.name}{end}": text.encode() for end, text in made.items()}
 
 

@@ -25,7 +25,7 @@ class Loops:
             )
             for i, c in enumerate(oracle.clouds)
         ]
-        ends = SimpleNamespace(clouds=tips, q=oracle.q, section=lambda i, cloud, s: (cloud.tip_R, cloud.tip_point))
+        ends = SimpleNamespace(q=oracle.q, clouds=tips, section=lambda i, cloud, s: (cloud.tip_R, cloud.tip_point))
         gap = ca.vertcat(*rows(ends, robot))
         still = lambda x: ca.substitute(x, ca.vertcat(ca.vec(turn), ca.vec(shift)), ca.SX.zeros(6 * n))  # noqa: E731
         wrenches = still(ca.jacobian(gap, ca.vertcat(ca.vec(turn), ca.vec(shift))))

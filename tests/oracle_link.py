@@ -265,10 +265,11 @@ def exact_parts(link: dict, counts: dict, parts: tuple) -> tuple[type, dict]:
     most = max(counts.values())
     modes = link.get("modes", {})
     basis = modes.get("basis", "polynomial")
-    points, weights = gauss(modes.get("points", most + 2 if basis == "polynomial" else 2 * most + 4))
+    count = modes.get("points", most + 2 if basis == "polynomial" else 2 * most + 4)
+    points, weights = gauss(count)
     stations, between = stations_of(link["section"])
     degree = len(stations) - 1 if between == "polynomial" else 1
-    masses = quadrature(most + 1 + (degree + 2) // 2, parts) if stations else gauss(20)
+    masses = quadrature(count - 1 + (degree + 2) // 2, parts) if stations else gauss(20)
     line = properties_along(link["section"], points)
     inertia = np.array([line[name] for name in ("rhoIp", "rhoIy", "rhoIz")])
     own = dict(points=points, section_weights=weights, section_inertia=inertia, basis=basis, masses=masses)

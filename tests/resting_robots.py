@@ -119,6 +119,15 @@ def joint_stiffness(model: Model) -> list[float]:
     ]
 
 
+def descended(value, start: np.ndarray, slope, curve, least: float):
+    """What SciPy finds downhill; its method for Hessians may divide by a step of zero, and then another goes on."""
+    try:
+        options = {"gtol": least, "maxiter": 500}
+        return minimize(value, start, jac=slope, hess=curve, method="trust-exact", options=options)
+    except ValueError:
+        return minimize(value, start, jac=slope, method="BFGS", options={"gtol": least})
+
+
 class Energy:
     """The oracle's potential energy less the work of torques and tensions, and the rows that stay zero."""
 
@@ -169,10 +178,7 @@ class Energy:
         curve = lambda x: self.at(whole(x))[2][np.ix_(moving, moving)] / np.outer(D, D)  # noqa: E731
         step = beside * D
         if not len(J):
-            try:
-                found = minimize(value, step, jac=slope, hess=curve, method="trust-exact", options={"gtol": 1e-10})
-            except ValueError:  # SciPy's method may divide by a step of zero
-                found = minimize(value, step, jac=slope, method="BFGS", options={"gtol": 1e-10})
+            found = descended(value, step, slope, curve, 1e-10)
             return float(here[0, 0]), min(found.fun, 0.0)
         Z = scipy.linalg.null_space(J[:, moving] / D, rcond=1e-9)
         rows = {
@@ -192,8 +198,7 @@ class Energy:
         slope = lambda x: self.at(whole(x))[1][moving, 0] / D  # noqa: E731
         curve = lambda x: self.at(whole(x))[2][np.ix_(moving, moving)] / np.outer(D, D)  # noqa: E731
         value = lambda x: float(self.at(whole(x))[0][0, 0])  # noqa: E731
-        zero, options = np.zeros(len(moving)), {"gtol": 1e-9, "maxiter": 500}
-        found = minimize(value, zero, jac=slope, hess=curve, method="trust-exact", options=options)
+        found = descended(value, np.zeros(len(moving)), slope, curve, 1e-9)
         q = whole(found.x)
         return q if found.success and self.curvature(q, moving)[0] < BALANCED else None
 
@@ -258,7 +263,8 @@ def missed(case: Case) -> bool:
     q = Energy(case).resting(case.start, moving)
     if q is None or np.max(np.abs(q[:m]), initial=0.0) > 20:
         return False
-    return not (np.abs(q[model.chain.eta_q :]) > 0.3).any()
+    small = [key.order != "exact" for key in model.chain.keys for _ in range(key.modes)]
+    return not (np.abs(q[model.chain.eta_q :])[small] > 0.3).any()
 
 
 def bias_left(case: Case, e: Equilibrium) -> float:

@@ -53,7 +53,7 @@ def test_frequencies_belong_to_the_modes(path):
 def test_several_faults_are_counted(path):
     path.write_text(GOOD.replace("length = 0.4", "length = -1").replace("-9.81", "nan"), encoding="utf-8")
     message = refusal(path)
-    assert message == "gravity[2]: is nan; it must be a finite number (and 1 more)"
+    assert message == "gravity[2]: is nan; it must be a finite number; 1 more fault in the file"
 
 
 def test_a_misspelt_key_is_named_before_the_key_it_leaves_missing(path):

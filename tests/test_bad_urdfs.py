@@ -99,7 +99,7 @@ WRONG = [
     (
         TENSOR,
         TENSOR.replace('izz="0.1"', 'izz="0.3"'),
-        "line 4: link 'upper': has an inertia that no body has, principal",
+        "line 8: link 'upper': inertia: is one that no body has, principal moments 0.1, 0.1, 0.3 kg·m²: none",
     ),
     ('rpy="0 0 0"', 'rpy="0 0"', "line 6: link 'upper': origin rpy: is \"0 0\"; it must be 3 numbers"),
     ('xyz="0.5 0 0"', 'xyz="0,5 0 0"', "line 27: joint 'elbow': origin xyz: is \"0,5\"; it must be a number"),
@@ -137,6 +137,7 @@ SINGULAR = SINGULAR.replace('izz="0.2"', 'izz="0"')
 FIXED = GOOD.replace('type="revolute"', 'type="fixed"').replace('type="continuous"', 'type="fixed"')
 CIRCLE = GOOD.replace('<link name="base"/>', "").replace('<parent link="base"/>', '<parent link="fore"/>')
 WHOLE = [
+    (f"\n\n{GOOD}".replace(MASS, "<mass/>").encode(), "line 9: link 'upper': mass value: is missing"),
     (b"", "line 1: is not valid XML (no element found); mend it there"),
     (b"name = 'bot'", "line 1: is not valid XML"),
     (GOOD.replace('"bot"', '"b\xf6t"').encode("latin-1"), "line 2: is not valid XML (not well-formed (invalid token))"),
@@ -144,7 +145,14 @@ WHOLE = [
     (b"<robot name='bot'/>", "line 1: <robot>: has no <link>; a robot needs at least one"),
     (b"<a>" * 100, "line 1: <a>: is nested too deeply"),
     (CIRCLE.encode(), "line 2: <robot>: has no root link: its joints go round in a circle; let one link be no child"),
-    (FIXED.encode(), "line 2: <robot>: has no joint that moves mass, and its base is fixed; --floating"),
+    (FIXED.encode(), "line 2: <robot>: has no joint that moves, and its base is fixed; --floating"),
+    (
+        GOOD.replace("rotorInertia>", "other>")
+        .replace("<inertial>", "<other>")
+        .replace("</inertial>", "</other>")
+        .encode(),
+        "line 4: link 'upper': has no mass, nor has what it carries; give it an <inertial>, or bodies in a side file",
+    ),
     (SINGULAR.encode(), "line 24: joint 'elbow': moves nothing that resists it: link 'fore' and what it carries"),
 ]
 

@@ -247,7 +247,7 @@ def test_bad_arguments_are_refused_and_nothing_is_done():
     refused = [given(**{name: value}) for name, value in (("count", -1), ("stride", 4), ("hold", -1))]
     refused += [given(**{name: None}) for name in ("q", "v", "status")]
     assert [call(b, x) for x in refused] == [BAD_ARGUMENT] * 6
-    assert [call(b, given(), dt=dt) for dt in (0.0, -1e-3, math.nan, math.inf)] == [BAD_ARGUMENT] * 4
+    assert [call(b, given(), dt=dt) for dt in (0.0, -1e-3, 5e-324, math.nan, math.inf)] == [BAD_ARGUMENT] * 5
     assert [call(b, None), call(b, given(), None), call(b, given(), periods=-1)] == [BAD_ARGUMENT] * 3
     assert np.array_equal([q, v], x) and not status.any()
     assert call(b, given(count=0, q=None, v=None, status=None)) == call(b, given(), periods=0) == OK

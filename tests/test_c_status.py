@@ -90,7 +90,7 @@ def test_non_finite_input_is_refused(form, layout, bad):
 @every_layout
 @every_form
 @every_step
-@pytest.mark.parametrize("dt", [0.0, -0.0, -1e-3, NAN, INF, -INF])
+@pytest.mark.parametrize("dt", [0.0, -0.0, -1e-3, NAN, INF, -INF, 5e-324, 1e-310])
 def test_bad_steps_are_refused(method, form, layout, dt):
     assert step(ella(layout), form, method, *start(ella(layout), form), dt=dt) == (BAD_ARGUMENT, True)
 

@@ -4,6 +4,7 @@ import io
 import json
 import os
 import re
+import subprocess
 import sys
 import warnings
 from pathlib import Path
@@ -43,6 +44,23 @@ def test_all_streams_closed(process, monkeypatch):
     assert process(None, "modes", "none.toml") == 2
     for name in ("stdin", "stdout", "stderr"):
         getattr(sys, name).close()
+
+
+@pytest.mark.parametrize("stage", ["process", "main", "commands"])
+def test_an_interruption_is_one_line_from_the_first_import_on(stage, tmp_path):
+    """The signal comes where a module of the command line is imported, as from a person who has changed his mind."""
+    (tmp_path / "stop.py").write_text(
+        "import os, runpy, signal, sys\n"
+        "class Stop:\n"
+        "    def find_spec(self, name, *more):\n"
+        f"        if name == 'screwgen.cli.{stage}':\n"
+        "            os.kill(os.getpid(), signal.SIGINT)\n"
+        "sys.meta_path.insert(0, Stop())\n"
+        "sys.argv[1:] = ['evaluate', 'none.toml']\n"
+        "runpy.run_module('screwgen', run_name='__main__')\n"
+    )
+    found = subprocess.run([sys.executable, tmp_path / "stop.py"], capture_output=True, text=True)
+    assert (found.returncode, found.stderr) == (130, "screwgen: error: interrupted; nothing was written\n")
 
 
 @pytest.mark.parametrize("encoding", ["cp1252", "latin-1", "ascii"])

@@ -21,6 +21,7 @@ from screwgen.backends.numpy.closing import moving
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation import rollout_loops
 from screwgen.simulation.estimator import Estimator
+from screwgen.simulation.loop_watch import LoopWatch
 
 
 def moving_off(model, fast: float) -> np.ndarray:
@@ -128,6 +129,41 @@ def test_the_c_says_how_far_loops_are_from_closed(planar):
     turned = model_of(slider_crank("guide"))
     for model, q in ((planar, [0.4, -0.3, 0.2]), (turned, [0.0, 0.0, np.pi]), (turned, np.zeros(3))):
         assert np.allclose(quick(model).loop_mismatch(q), model.numpy().mismatch(q), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("size", [1e155, 1e200])
+def test_a_mismatch_that_is_no_number_is_refused_in_c(size):
+    """Places whose squares are infinite: nothing that compares the mismatch with a bound would see it."""
+    slider = link("slider", 0.1, [{"slide": "x"}], parent="world")
+    hinge = {"between": ["rod.tip", "slider.tip"], "joint": {"axes": ["y"]}}
+    library = quick(model_of(arm(link("crank", 0.3, "y"), link("rod", 0.7, "y"), slider, loops=[hinge])))
+    assert np.all(library.loop_mismatch([0.0, 0.0, 1.0]) < 1.0)
+    with pytest.raises(ScrewgenError, match="finite"):
+        library.loop_mismatch([0.0, 0.0, size])
+
+
+PULLED = {
+    "section": {"EIy": 50.0, "EIz": 50.0},
+    "modes": {"bending_z": 1},
+    "tendons": [{"name": "cord", "at": [[0.0, 0.0, 0.01]] * 2}],
+}
+LEVER = {"drives": [{"transmission": {"crank": 0.1, "base": 0.3, "angle": 1.2}}]}
+
+
+@pytest.mark.parametrize(("backend", "form"), [("c", "joint"), ("casadi", "joint"), ("casadi", "dae")])
+def test_the_work_of_cylinders_and_tensions_is_that_of_their_travels(backend, form, monkeypatch):
+    """So no step is made again: none changes the energy by a ten-thousandth more than they give."""
+    links = [link("crank", 0.3, "y", 2.0, joint=LEVER), link("coupler", 0.7, "y", 1.5, **PULLED)]
+    links += [link("rocker", 0.6, "y", 2.0, parent="world", joint={"mount": {"xyz": [0.8, 0.0, 0.0]}})]
+    loops = [{"between": ["coupler.tip", "rocker.tip"], "joint": {"axes": ["y"]}}]
+    model, watches = model_of(arm(*links, gravity=(0.0, 0.0, 0.0)) | {"loops": loops}), []
+    init = LoopWatch.__init__
+    monkeypatch.setattr(LoopWatch, "__init__", lambda self, *given: (watches.append(self), init(self, *given))[1])
+    tau, q = np.array([40.0, 0.0, 0.0, 20.0]), assemble(model, [-1.0, 1.2, -1.5])
+    run = simulate(model, 0.02, 2e-4, q, None, tau, None, "rk4", form, backend=backend)
+    given = np.trapezoid(run.drive_power.sum(axis=1), run.t)
+    assert np.ptp(run.energy.sum(axis=1)) == pytest.approx(abs(given), rel=1e-3)
+    assert [watch.seen.sum for watch in watches] == [0.0]
 
 
 # ------------------------------------------------------------------------------ rollouts

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 from conftest import require_tool
-from helpers import ROOT
+from helpers import ROOT, arm, link, model_of
 from test_c_code import WARNINGS
 from test_estimator import model
 
@@ -15,8 +15,9 @@ from screwgen.cli.main import main
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
 @pytest.mark.parametrize("binding", ["runtime", "baked"])
-def test_folder_compiles_without_a_warning(tmp_path, compiler, binding):
-    robot = model("skew")
+@pytest.mark.parametrize("name", ["skew", "rigid"])
+def test_folder_compiles_without_a_warning(tmp_path, compiler, binding, name):
+    robot = model_of(arm(link("a", axes="y"))) if name == "rigid" else model(name)
     for name, text in CProject(robot.chain, robot.version, binding, estimator=True).files().items():
         (tmp_path / name).write_text(text)
     for define in ([], ["-DARM_REAL_FLOAT"]):
@@ -31,7 +32,7 @@ def test_folder_compiles_without_a_warning(tmp_path, compiler, binding):
 def test_the_header_says_what_it_costs():
     """And nothing of the process that wrote it."""
     header = CProject(model("ella").chain, "0", estimator=True).files()["ella_estimator.h"]
-    assert "covariance about 8019 multiplications; an entry of a measurement takes about 486 of them" in header
+    assert "covariance about 8019 multiplications; an update takes about 2187 of them, and about 324" in header
 
 
 def test_only_on_request():

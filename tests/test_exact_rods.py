@@ -1,6 +1,8 @@
 """Rods of order "exact": the oracle's collocated Lagrangian, its limits, and what it keeps."""
 
+from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 
 import judges
 import numpy as np
@@ -11,6 +13,7 @@ from oracle import Oracle
 from scipy.integrate import solve_ivp
 
 from screwgen import Screw
+from screwgen.bodies.collocation import collocation
 
 SHORT = (0, 1, 5)
 """One to three links; the others are judged in `make test-long`."""
@@ -175,6 +178,40 @@ def bends(rng, model, modes: dict, count: int) -> np.ndarray:
         most = abs(eta @ np.array(turned, float)).max(axis=1)
         columns.append(eta * (rng.uniform(0, 3, count) / most)[:, None])
     return np.hstack(columns)
+
+
+TAPERED = {"uniform": (1.0, 1.0), "tapered": (1.0, 0.5), "stepped": (1.0, 0.4, 0.3)}
+"""Masses per length at the stations 0, 0.3 and 1, or 0 and 1."""
+
+
+@pytest.mark.parametrize("kind", TAPERED)
+def test_weight_and_inertia_of_a_circle_converge_with_the_points(kind):
+    """To those of the integrals along it: (sin ks)/k and (1 - cos ks)/k are where one mode puts its sections."""
+    values, at = TAPERED[kind], [0.0, 1.0] if len(TAPERED[kind]) == 2 else [0.0, 0.3, 1.0]
+    section = [{"at": s, "rhoA": m, "EIz": 1.0} for s, m in zip(at, values, strict=True)]
+    table = {"name": "a", "length": 1.0, "order": "exact", "joint": {"axes": ["z"]}}
+    table["section"] = {"rhoA": 1.0, "EIz": 1.0} if kind == "uniform" else section
+    made = lambda n: model_of(arm(table | {"modes": {"bending_y": 1, "points": n}}, gravity=(0.0, -1.0, 0.0)))  # noqa: E731
+    k, q = 6.0, np.zeros(2)
+    q[1] = k / made(4).chain.keys[0].shapes("bending_y").evaluate([0.5], 2)[0][0]
+    s, w = np.polynomial.legendre.leggauss(60)
+    parts = [(a + (b - a) * (s + 1) / 2, (b - a) / 2 * w) for a, b in pairwise(at)]
+    s, w = (np.concatenate(x) for x in zip(*parts, strict=True))
+    dm = w * np.interp(s, at, values)
+    weight, inertia = dm @ np.sin(k * s) / k, dm @ (2 - 2 * np.cos(k * s)) / k**2
+    errors = []
+    for n in (6, 12):
+        numeric = made(n).numpy()
+        held = numeric.inverse_dynamics(q, 0 * q, 0 * q, None)[0]
+        errors.append((abs(held - weight) + abs(numeric.mass_matrix(q)[0, 0] - inertia)) / inertia)
+    assert errors[0] < 2e-3 and errors[1] < 2e-8 and (kind == "stepped" or errors[1] < 1e-11)
+
+
+@pytest.mark.parametrize("count", [20, 21, 40])
+def test_a_uniform_rod_has_its_inertia_with_as_many_points_as_a_file_can_state(count):
+    """That of the straight rod about its base is a third."""
+    key = replace(model_of(arm(link(modes={"bending_y": 1}), order="exact")).chain.keys[0], points=count)
+    assert np.sum(collocation(key).uniform.sum(axis=1) ** 2) == pytest.approx(1 / 3, rel=1e-12)
 
 
 @pytest.mark.parametrize("count", [500, pytest.param(10_000, marks=pytest.mark.long)])

@@ -104,6 +104,7 @@ def start():
 def test_the_program_is_the_dense_one(controllers):
     """Hessian, gradient and constraints about a plan that is none of the motion, from another state."""
     c, rng = controllers(WHOLE), np.random.default_rng(1)
+    margin, c.options["margin"][:] = c.options["margin"].copy(), 1e3
     judge = Problem(model(), c.said, c.options, c.reference)
     c.initialise(start(), np.zeros(6))
     n = model().nq
@@ -113,6 +114,7 @@ def test_the_program_is_the_dense_one(controllers):
     X, U, acting = c.states, c.inner["tau"].copy(), c.inner["acting"].copy()
     x0 = np.r_[start(), np.zeros(n)] + 0.01 * rng.standard_normal(2 * n)
     c.feedback(x0[:n], x0[n:])
+    c.options["margin"][:] = margin
     H, g, D, jumps, rows, values = judge.dense(X, U, acting, x0 - X[0])
     unit, nz = np.tile(c.inner["unit"], 3), U.size
     lower = np.tril(c.inner["H"])
@@ -197,7 +199,9 @@ def test_late_and_limited(controllers):
     c.options["qp_iterations"][:] = 2
     c.prepare()
     shifted = c.torques
-    tau = c.feedback(start() + 0.5, np.full(6, 3.0))
+    patience, c.options["patience"][:] = c.options["patience"].copy(), 0
+    tau = c.feedback(start() + np.repeat([0.5, 0.0], 3), np.repeat([3.0, 0.0], 3))
+    c.options["patience"][:] = patience
     assert c.outcome == "limited" and np.array_equal(tau, shifted[0])
     c.options["qp_iterations"][:] = 100
     c.prepare()

@@ -12,6 +12,7 @@ from helpers import arm, example, link, model_of
 import screwgen
 from screwgen import ScrewgenError, UsageError, rollout
 from screwgen.runtime.batch import compiled_batch
+from screwgen.simulation.rollout_validity import ParameterWarning
 
 STEP = 1e-3
 
@@ -223,12 +224,17 @@ def test_failed_scenarios_are_reported_and_the_others_go_on(ella):
 @pytest.mark.parametrize("single", [False, True])
 def test_parameters_that_no_robot_has_stop_their_scenario_alone(ella, single):
     x0, rhoA = states(ella, 4), np.array([2.0, -1.0, 2.1, np.inf])
-    run = rollout(ella, x0, step=STEP, steps=3, parameters={"forearm.rhoA": rhoA}, single=single)
+    with pytest.warns(ParameterWarning) as warned:
+        run = rollout(ella, x0, step=STEP, steps=3, parameters={"forearm.rhoA": rhoA}, single=single)
+    said = (
+        "scenario 1 did not run (status 3): parameters: forearm.rhoA is -1; it must be > 0; 1 more such: see report()"
+    )
+    assert [str(x.message) for x in warned] == [said] and warned[0].filename == __file__
     good = rollout(ella, x0[::2], step=STEP, steps=3, parameters={"forearm.rhoA": rhoA[::2]}, single=single)
     assert list(run.status) == [0, 3, 0, 3] and list(run.completed) == [3, 0, 3, 0]
     assert np.array_equal(run.x[::2], good.x) and np.allclose(run.x[1], x0[1], atol=1e-7)
     assert run.report()[0] == "scenario 1 stopped at t = 0 s: parameters: forearm.rhoA is -1; it must be > 0"
-    with ThreadPoolExecutor(1) as executor:
+    with ThreadPoolExecutor(1) as executor, pytest.warns(ParameterWarning):
         again = rollout(
             ella, x0, step=STEP, steps=3, parameters={"forearm.rhoA": rhoA}, single=single, executor=executor
         )

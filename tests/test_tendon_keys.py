@@ -40,6 +40,8 @@ def written(tendons: str, modes: str = "bending_y = 1") -> str:
         (f'{{ name = "a", start = 0.1, {AT} }}', "bending_y = 1", "is an unknown key"),
         (f'{{ name = "a", actuated = 1, {AT} }}', "bending_y = 1", "true or false"),
         (f'{{ name = "a", {AT} }}', "", "give the link modes"),
+        (", ".join(f'{{ name = "a{k}", {AT} }}' for k in range(65)), "bending_y = 1", "at most 64 tendons"),
+        (f'{{ name = "a", foo = 1, bar = 2, {AT} }}', "bending_y = 1", "actuated; 1 more fault in the file"),
         (f'{{ name = "a", {AT} }}, {{ name = "a", actuated = false, {AT} }}', "bending_y = 1", "have one tension"),
     ],
 )

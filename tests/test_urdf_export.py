@@ -129,7 +129,7 @@ def test_a_screw_is_refused_in_one_line(tmp_path, capsys):
 
 
 def test_the_command_writes_what_pinocchio_reads(tmp_path, capsys):
-    text = 'name = "a"\ngravity = [0, 0, -1.62]\n[[links]]\nname = "world"\nlength = 1.0\n'
+    text = 'name = "a"\ngravity = [0, 0, -1.62]\n[[links]]\nname = "base"\nlength = 1.0\n'
     text += 'section.rhoA = 1.0\njoint.axes = ["y"]\n'
     (tmp_path / "a.toml").write_text(text)
     out = tmp_path / "a.urdf"
@@ -138,4 +138,4 @@ def test_the_command_writes_what_pinocchio_reads(tmp_path, capsys):
     assert printed.out == f"{out}\n" and "gravity = [0.0, 0.0, -1.62] is left out" in printed.err
     shapes = pin.buildGeomFromUrdf(pin.buildModelFromUrdf(str(out)), str(out), pin.GeometryType.VISUAL)
     assert shapes.ngeoms == 2
-    assert [link.name for link in import_urdf(out).robot.links] == ["world_2"]
+    assert [link.name for link in import_urdf(out).robot.links] == ["base"]

@@ -296,7 +296,7 @@ def test_analyse_prints_the_table_of_a_state_and_of_a_run(tmp_path, capsys):
     assert record["past"][0]["first"] == run.validity.findings[0].first
     assert main(["analyse", str(robot), "--state", str(out)]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert f"Limits of the model of first order, {out}" in said
+    assert f"Limits of the model, {out}" in said
     assert "link 'beam': tip deflection over length is" in said
     np.savez(out, **{name: getattr(run, name) for name in ("t", "q", "v", "tau")}, wrench=run.wrench + 1.0)
     assert main(["analyse", str(robot), "--state", str(out)]) == 2

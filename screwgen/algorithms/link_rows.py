@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..algebra.expression import Diagonal, Expression, Symbol, stack, zeros
 from ..algebra.screw import shift, twice
 from ..ir.block import Block
-from ..spec.link_class import LinkClass
+from ..spec.link_class import EXACT, LinkClass
 from .joint_rows import joint_point
 
 
@@ -50,7 +50,8 @@ def _modal_inertia(b: Block, key: LinkClass) -> Expression:
     """The (r, r) inertia of the modes; a diagonal one is given by its column."""
     r = key.modes
     if key.full_inertia:
-        return b.input("m_eta", (r, r), r"\mathbf{M}_{W\phi,i}", meaning="inertia of the modes", numbered=(0, 1))
+        display = r"\mathbf{M}_{\eta,i}" if key.order == EXACT else r"\mathbf{M}_{W\phi,i}"
+        return b.input("m_eta", (r, r), display, meaning="inertia of the modes", numbered=(0, 1))
     return Diagonal(b.input("m_eta", (r, 1)))
 
 

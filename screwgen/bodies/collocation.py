@@ -63,12 +63,13 @@ class Collocation:
     def masses(self) -> list[tuple[float, float]] | None:
         """Places and integration weights of the masses of a rod that varies, exact for its straight shape.
 
-        None for a uniform rod, whose masses are :attr:`uniform`.
+        Between two stations there are as many as there are points, or one more for every two degrees of the section, so
+        both errors of a bent rod fall together. None for a uniform rod, whose masses are :attr:`uniform`.
         """
         if not self.key.stations:
             return None
         own = weights(self.key)
-        x, w = gauss(max(self.key.counts) + 1 + (own.degree + 2) // 2)
+        x, w = gauss(points(self.key) - 1 + (own.degree + 2) // 2)
         return [(float(a + (b - a) * s), float((b - a) * v)) for a, b in own.ends() for s, v in zip(x, w, strict=True)]
 
     @cached_property
@@ -78,15 +79,20 @@ class Collocation:
         The transposed Cholesky factor of ``∫ a a^T ds``, a the weights of :meth:`reach`: exact, and half as many
         products as with the masses at points.
         """
-        s, w = gauss(FINE)
+        s, w = self._along
         reach = np.array([self.reach(x) for x in s])
         return np.linalg.cholesky(reach.T @ (w[:, None] * reach)).T
 
     @cached_property
     def centre(self) -> np.ndarray:
         """(N,): the weights of the tangents in the mean position of a uniform rod."""
-        s, w = gauss(FINE)
+        s, w = self._along
         return w @ np.array([self.reach(x) for x in s])
+
+    @property
+    def _along(self) -> tuple[np.ndarray, np.ndarray]:
+        """A quadrature that is exact for the squared position, of degree 2 N."""
+        return gauss(max(FINE, len(self.places) + 1))
 
     def reach(self, s: float) -> np.ndarray:
         """(N,): the weights of the integral from 0 to s, exact for polynomials of degree N - 1."""

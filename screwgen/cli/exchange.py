@@ -37,6 +37,13 @@ def import_(
     nearest_inertia: Annotated[
         bool, typer.Option("--nearest-inertia", help="Replace inertias that no body has by the nearest that one has.")
     ] = False,
+    density: Annotated[
+        float | None, typer.Option(metavar="KG/M3", help="Links without an inertial weigh what their shapes do.")
+    ] = None,
+    total_mass: Annotated[
+        float | None,
+        typer.Option("--total-mass", metavar="KG", help="As --density, of all links of the URDF together."),
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes and no summary.")] = False,
 ) -> None:
     """Write the robot file of a URDF. What is left out or changed is said on stderr and in the file's header."""
@@ -48,7 +55,8 @@ def import_(
     from .output import notes, say
 
     check_output(output, (".toml",))
-    found = import_urdf(urdf, flexible, Options(keep_fixed, floating, mimic, tip, nearest_inertia))
+    options = Options(keep_fixed, floating, mimic, tip, nearest_inertia, density, total_mass)
+    found = import_urdf(urdf, flexible, options)
     found = replace(found, notes=(*found.notes, *light_joints(derive(found.robot))))
     with outputs(output) as (stream,):
         stream.write(found.text(os.path.dirname(os.path.abspath(output))).encode())

@@ -19,7 +19,7 @@ from .output import load_robot
 if TYPE_CHECKING:
     from ..studies.convergence import Convergence
     from ..studies.equilibrium import Equilibrium
-    from ..studies.modes import ModeShapes
+    from ..studies.modes import Changed, ModeShapes
 
 
 def run_modes(
@@ -35,7 +35,7 @@ def run_modes(
     """Print natural frequencies, one a line or as JSON, and draw the shapes."""
     from ..simulation.runs import check_output, outputs
     from ..studies.convergence import convergence
-    from ..studies.modes import closed_posture, mode_shapes
+    from ..studies.modes import changed_by_gravity, closed_posture, mode_shapes
 
     if plot is not None:
         check_output(plot, (".png",))
@@ -61,6 +61,8 @@ def run_modes(
         from ..viewer.view import view_modes
 
         view_modes(model, q, found).save(view)
+    if not loaded and turning is None and (changed := changed_by_gravity(model, q, joints, found)):
+        print(f"screwgen: note: {gravity_note(changed)}", file=sys.stderr)
     if json:
         print(json_format.dumps(modes_record(found, more), allow_nan=False))
         return
@@ -68,6 +70,16 @@ def run_modes(
     if joints == "locked":
         for note in lock_notes(model, q):
             print(f"screwgen: note: --joints locked {note}", file=sys.stderr)
+
+
+def gravity_note(changed: Changed) -> str:
+    """What a frequency without gravity leaves out."""
+    which = f"frequency {changed.number} is"
+    if changed.growth:
+        there = f"unstable, it grows as exp({changed.growth:.4g}/s t)"
+    else:
+        there = f"{changed.loaded:.4g} Hz, not {changed.without:.4g} Hz"
+    return f"gravity is left out; with --loaded, which takes it in, {which} {there}"
 
 
 def lock_notes(model: Model, q: np.ndarray) -> list[str]:
@@ -132,7 +144,7 @@ NO_MODES = {
 # ------------------------------------------------------------------------------ equilibrium
 
 
-class Holding(NamedTuple):
+class HoldOptions(NamedTuple):
     """The options that say which joints are held."""
 
     all_without_springs: bool = False
@@ -155,7 +167,7 @@ def run_equilibrium(
     q: str | None,
     tau: str | None,
     tensions: str | None,
-    holding: Holding,
+    holding: HoldOptions,
     json: bool,
 ) -> None:
     """Print the equilibrium, as a report or as JSON."""
@@ -194,7 +206,7 @@ def with_tensions(model: Model, efforts: np.ndarray, tensions: str, tau: str | N
     return np.append(efforts[: model.n_joints], pulled)
 
 
-def without_held(model: Model, efforts: np.ndarray, holding: Holding, where: str) -> np.ndarray:
+def without_held(model: Model, efforts: np.ndarray, holding: HoldOptions, where: str) -> np.ndarray:
     """The efforts (n_tau,) of a state without those of joints that are held, which follow; a note says so."""
     from ..studies.held_joints import asked
     from ..studies.stiffness import stiffness

@@ -54,8 +54,8 @@ class AxisElement:
     def equations(cls) -> str:
         """Its section of text in documents."""
         symbols = ", ".join(f"{one.meaning} ${one.symbol}$" for one in cls.table().values())
-        start = f"Of an axis with {cls.WORDS} the force\n\n$$\nF &= {cls.FORMULA}\n$$"
-        return f"{start}\n\nis taken from the torque in the joint's rows, with {symbols}."
+        taken = rf"\tau_q &\leftarrow \tau_q - \tau_e, & \quad \tau_e &= {cls.FORMULA}"
+        return f"From what acts on an axis with {cls.WORDS} their force is taken,\n\n$$\n{taken}\n$$\n\nwith {symbols}."
 
     @property
     def values(self) -> tuple[float, ...]:

@@ -52,12 +52,14 @@ A cylinder of length $l(q)$ between an eye on the carrier, at the distance $b_0$
 link, at the distance $c_0$, acts on its joint through the lever $l' = \partial l/\partial q$:
 
 $$
-l^2 &= b_0^2 + c_0^2 - 2\,b_0\,c_0\cos(q + \alpha_0), & \quad \tau_i &="""
-        r""" l'\,(F - \tau_f) - J_r\,N^2\,l'\,l''\,\dot{q}^2, & \quad w &= l'\,\dot{q}
+l &= \sqrt{b_0^2 + c_0^2 - 2\,b_0\,c_0\,\cos(q + \alpha_0)}, & \quad l' &="""
+        r""" \frac{b_0\,c_0\,\sin(q + \alpha_0)}{l}, & \quad l'' &= \frac{b_0\,c_0\,\cos(q + \alpha_0) - l'^2}{l}
+\tau_q &= l'\,(F - \tau_f) - J_r\,N^2\,l'\,l''\,\dot{q}^2, & \quad w &= l'\,\dot{q}, & \quad j_m &\leftarrow j_m +"""
+        r""" J_r\,N^2\,l'^2
 $$
 
-Here $F$ is the force of the cylinder, positive where it extends it, which is the input of the axis, and $\tau_i$ stands
-in the place of the torque. The rotor turns by $N$ per travel, so that $J_r\,N^2\,l'^2$ is part of $\mathbf{J}_m$.
+Here $F$ is the force of the cylinder, positive where it extends it, which is the input of the axis. The rotor turns by
+$N$ per travel.
 """
     )
 

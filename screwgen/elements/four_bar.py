@@ -82,16 +82,22 @@ k_0^2 &= g_0^2 + a_0^2 + r_0^2 + 2\,g_0\,a_0\cos\psi - 2\,g_0\,r_0\cos u"""
         r""" - 2\,a_0\,r_0\cos\left( \psi - u \right)
 $$
 
-holds in every posture, and so do its derivatives with $q$. On the joint acts
+holds in every posture. Of its two solutions the sign $\sigma$ in the table of transmissions chooses one, and its
+derivatives with $q$ follow: with $x_0 = r_0\cos u - g_0$ and $y_0 = r_0\sin u$, from the crank's pivot to the rocker's
+pin,
 
 $$
-\psi' &= \frac{r_0}{a_0}\,\frac{g_0\sin u + a_0\sin\left( u - \psi \right)}{g_0\sin\psi"""
-        r""" - r_0\sin\left( \psi - u \right)}\,, & \quad \tau_i &= \psi'\,(\tau_c - \tau_f)"""
-        r""" - J_r\,N^2\,\psi'\,\psi''\,\dot{q}^2, & \quad w &= \psi'\,\dot{q}
+D &= x_0^2 + y_0^2, & \quad W &= D + a_0^2 - k_0^2, & \quad H &= \sqrt{4\,D\,a_0^2 - W^2}
+a_0\,\cos\psi &= \frac{W\,x_0 - \sigma\,H\,y_0}{2\,D}, & \quad a_0\,\sin\psi &= \frac{W\,y_0 + \sigma\,H\,x_0}{2\,D}
+\psi' &= \frac{r_0}{a_0}\,\frac{g_0\,\sin u + a_0\,\sin\left( u - \psi \right)}{g_0\,\sin\psi"""
+        r""" - r_0\,\sin\left( \psi - u \right)}
+\psi'' &= \frac{2\,\sigma}{H}\,\left( a_0\,r_0\,(2\,\psi' - 1)\,\cos\left( \psi - u \right) -"""
+        r""" g_0\,r_0\,\cos u - \tfrac{1}{2}\,\psi'^2\,W \right)
+\tau_q &= \psi'\,(\tau_c - \tau_f) - J_r\,N^2\,\psi'\,\psi''\,\dot{q}^2, & \quad w &= \psi'\,\dot{q}, & \quad j_m"""
+        r""" &\leftarrow j_m + J_r\,N^2\,\psi'^2
 $$
 
-Here $\tau_c$ is the torque at the crank, which is the input of the axis, and $\tau_i$ stands in the place of the
-torque. The rotor turns by $N$ per turn of the crank, so that $J_r\,N^2\,\psi'^2$ is part of $\mathbf{J}_m$.
+Here $\tau_c$ is the torque at the crank, which is the input of the axis. The rotor turns by $N$ per turn of the crank.
 """
     )
 

@@ -50,6 +50,9 @@ class DryFriction:
 
 FRICTION = DryFriction()
 
+LETTERS = {"coulomb": "c", "viscous": "b", "velocity": "v_f"}
+"""The letters of the keys of friction in formulas."""
+
 SYMBOLS = (
     (r"b, c", "viscous and dry friction", "N*m*s/rad, N*m", False),
     (r"v_f", "rate over which dry friction changes its sign", "rad/s", False),

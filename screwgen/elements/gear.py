@@ -68,8 +68,12 @@ def linear(drive: Driving) -> Linear:
     return ALONG_TRAVEL if drive.elastic else Linear()
 
 
+LETTERS = {"ratio": "N", "rotor_inertia": "J_r", "stiffness": "k", "damping": "d"}
+"""The letters of the keys of a drive in formulas."""
+
 SYMBOLS = (
     (r"\vartheta", "angle of the rotor of an elastic drive", "rad", True),
+    (r"\tau_q", "what acts on an axis, of slides a force; one of the entries of τ_{q,i}", "N*m", True),
     (r"\tau_J", "torque that the gear passes on, of slides a force", "N*m", True),
     (r"N", "ratio of the gear, of slides in rad/m", "-", False),
     (r"J_r", "inertia of the rotor", "kg*m^2", False),
@@ -92,10 +96,19 @@ J_r\,\ddot{\vartheta} &= \tau - \frac{\tau_J}{N} - \tau_f, & \quad \tau_J &= k\,
     r""" \left( b + \frac{c}{\sqrt{w^2 + v_f^2}} \right)\,w
 $$
 
-with the gear's stiffness $k$ and damping $d$ at the joint and friction at the rate $w$ of what the torque acts on. In
-the joint's rows the gear's $k$ and $d$ are part of $\mathbf{S}_q$ and $\mathbf{D}_q$, and $(k\,\vartheta +
-d\,\dot{\vartheta})/N$ stands in the place of the torque. A rigid gear adds $N^2 J_r$ to the armature, and its torque
-and friction act on the joint.
+with the gear's stiffness $k$ and damping $d$ at the joint and friction at the rate $w$ of what the torque acts on, here
+$w = \dot{\vartheta}$. What a drive does not state is zero, but $N = 1$. In the joint's rows the gear's $k$ and $d$ are
+part of $\mathbf{S}_q$ and $\mathbf{D}_q$, and what acts on the axis is
+
+$$
+\tau_q &= \frac{k\,\vartheta + d\,\dot{\vartheta}}{N}, & \quad s_q &\leftarrow s_q + k, & \quad d_q &\leftarrow d_q + d
+$$
+
+A rigid gear adds to the armature, and its torque and friction act on the joint, at the rate $w = \dot{q}$:
+
+$$
+\tau_q &= \tau - \tau_f, & \quad j_m &\leftarrow j_m + J_r\,N^2
+$$
 """
 )
 """The section of drives in documents."""
@@ -114,11 +127,11 @@ TRAVEL_EQUATIONS = (
     r"""
 Where the gear of such a drive is elastic, its rotor is ahead of the travel $TRAVEL$ that the posture demands by $e$, a
 coordinate of its own in the place of $\vartheta = N\,(TRAVEL + e)$. Its rotor is then no part of $\mathbf{J}_m$, and on
-the joint acts the force of the gear alone:
+the axis acts the force of the gear alone:
 
 $$
 J_r\,N^2\,\left( TRAVEL'\,\ddot{q} + TRAVEL''\,\dot{q}^2 + \ddot{e} \right) &= EFFORT - \tau_f - F_g, & \quad"""
-    r""" F_g &= k\,e + d\,\dot{e}, & \quad \tau_i &= TRAVEL'\,F_g, & \quad w &= TRAVEL'\,\dot{q} + \dot{e}
+    r""" F_g &= k\,e + d\,\dot{e}, & \quad \tau_q &= TRAVEL'\,F_g, & \quad w &= TRAVEL'\,\dot{q} + \dot{e}
 $$
 """
 )

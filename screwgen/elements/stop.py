@@ -71,6 +71,9 @@ class Stop:
 
 STOP = Stop()
 
+LETTERS = {"lower": "q_s", "upper": "q_s", "stiffness": "k_s", "damping": "d_s"}
+"""The letters of the keys of a limit in formulas."""
+
 SYMBOLS = (
     (r"q_s", "limit of a joint axis, of slides in m", "rad", False),
     (r"k_s, d_s", "stiffness and damping of its stop", "N*m/rad, N*m*s/rad", False),
@@ -78,13 +81,16 @@ SYMBOLS = (
 )
 """Symbol, meaning, unit of what documents name, and whether it is a state."""
 
-EQUATIONS = r"""
-A stop at the limit $q_s$ of an axis pushes the joint back while that is beyond it by $p > 0$, and never pulls: from the
-torque in the joint's rows is taken, at an upper limit, and to it is added, at a lower one,
+EQUATIONS = (
+    r"""
+A stop at the limit $q_s$ of an axis pushes the joint back while that is beyond it by $p > 0$, and never pulls. With
+$\sigma_s = 1$ at an upper limit and $-1$ at a lower one,
 
 $$
-\tau_s &= \max\left( 0,\ k_s\,p + d_s\,\dot{p} \right), & \quad p &= \pm\left( q - q_s \right)
+\tau_q &\leftarrow \tau_q - \sigma_s\,\tau_s, & \quad \tau_s &= \max\left( 0,\ k_s\,p + d_s\,\dot{p} \right), & \quad"""
+    r""" p &= \sigma_s\,\left( q - q_s \right), & \quad \dot{p} &= \sigma_s\,\dot{q}
 $$
 
-with the upper sign at an upper limit. The potential $k_s\,p^2/2$ is stored, all else is dissipated.
+and $\tau_s = 0$ where $p \leq 0$. The potential $k_s\,p^2/2$ is stored, all else is dissipated.
 """
+)

@@ -16,11 +16,13 @@ from ..spec.load import load as load_robot_file
 from ..spec.load import one_line, read, validated
 from ..spec.robot import Robot
 from .flexible import SideFile, read_side_file, replaced
+from .rigid import Inertial
 from .singular import first_without_inertia
 from .tables import robot_tables
 from .toml_write import document
 from .tree import MergedLink, Options, UrdfTree
 from .urdf import read_urdf
+from .weights import weigh
 
 SUFFIXES = (".urdf", ".xacro", ".xml")
 
@@ -66,6 +68,8 @@ def load(
     mimic: str = "couple",
     tip: str | None = None,
     nearest_inertia: bool = False,
+    density: float | None = None,
+    total_mass: float | None = None,
 ) -> Robot:
     """The robot that the file at `path` describes: a robot file (TOML), or a URDF.
 
@@ -73,7 +77,7 @@ def load(
     as :class:`.Options` has them.  Each thing of a URDF that is left out is an :class:`ImportNote`.  Raises
     RobotFileError, one line that names the file, the place in it, the fault and the remedy.
     """
-    options = Options(keep_fixed, floating, mimic, tip, nearest_inertia)
+    options = Options(keep_fixed, floating, mimic, tip, nearest_inertia, density, total_mass)
     if not is_urdf(path):
         if flexible is not None or options != Options():
             raise UsageError(
@@ -98,10 +102,12 @@ def import_urdf(
     file = one_line(os.fsdecode(path))
     urdf = read_urdf(read(path, file), file)
     side = read_side_file(flexible, urdf)
-    tree = UrdfTree(urdf, side, options or Options())
+    options = options or Options()
+    weigh(urdf, side, path, options.density, options.total_mass)
+    tree = UrdfTree(urdf, side, options)
     tables, comments, joints = robot_tables(tree)
-    _refuse_without_inertia(tree)
     robot = validated(tables, side.folder, lambda at: _place(at, tree, file))
+    _refuse_without_inertia(tree, robot)
     shaped = [(x, link) for x, link in zip(tree.nodes, robot.links, strict=True) if x.shape and x.shape.stated]
     tree.notes += [replaced(side, x.urdf, x.shape, urdf.links[x.urdf].body, link) for x, link in shaped if x.shape]
     sources = [os.path.basename(name) for name in (file, side.file) if name]
@@ -119,13 +125,13 @@ def _place(at: tuple, tree: UrdfTree, file: str) -> tuple[str, tuple]:
     return file, at
 
 
-def _refuse_without_inertia(tree: UrdfTree) -> None:
-    """Refuse a joint that the mass matrix could not be solved for; flexible links are taken to have inertia."""
+def _refuse_without_inertia(tree: UrdfTree, robot: Robot) -> None:
+    """Refuse a joint that the mass matrix could not be solved for; links with a shape are taken to have inertia."""
     nodes = tree.nodes
     inertias = []
-    for node in nodes:
-        bodies = [*node.base, *node.tip]
-        inertias.append(np.eye(6) if node.shape else sum((x.about_origin() for x in bodies), np.zeros((6, 6))))
+    for node, link in zip(nodes, robot.links, strict=True):
+        bodies = (Inertial.of(x.mass, x.com, x.inertia).about_origin() for x in link.bodies)
+        inertias.append(np.eye(6) if node.shape else sum(bodies, np.zeros((6, 6))))
     mounts = [node.mount for node in nodes]
     armature = [_armature(x, tree.side) for x in nodes]
     carriers = [node.carrier for node in nodes]
@@ -133,9 +139,12 @@ def _refuse_without_inertia(tree: UrdfTree) -> None:
     joint = nodes[found].joint if found is not None else None
     if joint is not None:
         what = f"moves nothing that resists it: link '{joint.child}' and what it carries have no inertia about its axis"
-        raise joint.element.fault(f"{what}; give the link an <inertial>, or make the joint fixed")
+        raise joint.element.fault(f"{what}; give the link an <inertial>, or bodies in a side file, or fix the joint")
     if tree.floating and np.linalg.matrix_rank(inertias[0]) < 6 and len(nodes) == 1:
-        raise tree.urdf.links[nodes[0].urdf].element.fault("is a floating base without mass; give it an <inertial>")
+        if not inertias[0].any():
+            raise tree.without_mass(nodes[0].urdf)
+        what = "is a floating base that does not resist every motion; give it a whole <inertial>"
+        raise tree.urdf.links[nodes[0].urdf].element.fault(what)
 
 
 def _armature(node: MergedLink, side: SideFile) -> float:

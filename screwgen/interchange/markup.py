@@ -6,6 +6,7 @@ declared, and are then names like any others.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
@@ -16,6 +17,8 @@ from ..spec.ranges import RANGES, Range
 from ..spec.values import number, quoted
 
 MAX_DEPTH = 64
+LATE_DECLARATION = re.compile(rb"\A(\xef\xbb\xbf)?(\s+)(<\?xml\s.*?\?>)", re.DOTALL)
+"""An XML declaration behind blank lines, which expat refuses; put in front of them every line keeps its number."""
 TO_EXPAND = ("${", "$(")
 """What only xacro understands in attributes."""
 ALLOWED = RANGES | {"any limit": Range(number, 0.0, 1e300, "in SI units")}
@@ -150,7 +153,7 @@ def read_xml(content: bytes, file: str) -> Element:
     """The root element of a file."""
     builder = _Builder(file)
     try:
-        builder.parser.Parse(content, True)
+        builder.parser.Parse(LATE_DECLARATION.sub(rb"\1\3\2", content), True)
     except expat.ExpatError as error:
         what = one_line(expat.ErrorString(error.code))
         raise RobotFileError(f"{file}: line {error.lineno}: is not valid XML ({what}); mend it there") from None

@@ -85,10 +85,20 @@ class Inertial:
     com: np.ndarray
     tensor: np.ndarray
 
+    @classmethod
+    def of(cls, mass: float, com: Sequence[float] | None, entries: Sequence[float] | None) -> Inertial:
+        """A body as a robot file states it, with the tensor's [xx, yy, zz, xy, xz, yz]."""
+        xx, yy, zz, xy, xz, yz = entries or (0.0,) * 6
+        return cls(mass, np.array(com or (0.0,) * 3), np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]))
+
     @property
     def something(self) -> bool:
         """Whether there is any inertia at all."""
         return self.mass > 0 or bool(self.tensor.any())
+
+    def matters_in(self, whole: Inertial) -> bool:
+        """Whether the tensor is more than the rounding of that of a body of which this one is a part."""
+        return bool(np.abs(self.tensor).max() > NOTHING * np.abs(whole.tensor).max())
 
     @property
     def entries(self) -> tuple[float, ...]:

@@ -73,7 +73,7 @@ def _link(tree: UrdfTree, i: int, node: MergedLink) -> dict[str, Any]:
     keys = node.shape.keys if node.shape else {key: value for key, value in side.items() if key != "name"}
     table |= {key: keys[key] for key in ORDER if key in keys}
     table["joint"] = _joint(tree, node) | side.get("joint", {})
-    bodies = [tree.inertia(node, parts).table(at) for at, parts in (("base", node.base), ("tip", node.tip)) if parts]
+    bodies = [tree.inertia(parts).table(at) for at, parts in (("base", node.base), ("tip", node.tip)) if parts]
     bodies += list(keys.get("bodies", ()))
     if not bodies and "section" not in keys and "profile" not in keys and "body" not in keys:
         bodies = [{"at": "base", "mass": 0.0}]

@@ -13,11 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import UsageError
+from ..errors import RobotFileError, UsageError
 from ..spec.names import FILE_NAMES, KEYWORDS, MAX_LENGTH
 from ..spec.parents import WORLD
 from ..spec.values import quoted
 from .flexible import LinkPlacement, SideFile, shape_of
+from .markup import Element
 from .rigid import HERE, Inertial, Pose, cleaned, nearest, possible, together
 from .urdf import FIXED, FREE, SLIDING, Urdf, UrdfJoint
 
@@ -32,7 +33,8 @@ class Options:
     ``keep_fixed``: fixed joints stay welded links instead of being merged; ``floating``: the root link is the floating
     base; ``mimic``: joints that mimic others are coupled to these, left to move on their own (``"free"``), welded
     (``"weld"``) or refused (``"refuse"``); ``tip``: the link that comes last, even where it is fixed, so that it is
-    *the tip*; ``nearest_inertia``: replaces inertias that no body has by the nearest that one has.
+    *the tip*; ``nearest_inertia``: replaces inertias that no body has by the nearest that one has; ``density`` (kg/m³)
+    or ``total_mass`` (kg): links without an inertial weigh what their shapes do, see :func:`.weights.weigh`.
     """
 
     keep_fixed: bool = False
@@ -40,6 +42,8 @@ class Options:
     mimic: str = "couple"
     tip: str | None = None
     nearest_inertia: bool = False
+    density: float | None = None
+    total_mass: float | None = None
 
 
 @dataclass
@@ -56,9 +60,9 @@ class MergedLink:
     literal: bool = False
     """Whether the mount is the origin of the URDF's joint as it stands."""
     at: Any = "tip"
-    base: list[Inertial] = field(default_factory=list)
-    """Bodies in axes of the link frame, from the joint."""
-    tip: list[Inertial] = field(default_factory=list)
+    base: list[tuple[str, Inertial]] = field(default_factory=list)
+    """Bodies in axes of the link frame, from the joint, with the links of the URDF whose they are."""
+    tip: list[tuple[str, Inertial]] = field(default_factory=list)
     """Bodies in axes of the tip frame, from the tip."""
 
 
@@ -162,14 +166,14 @@ class UrdfTree:
             return True
         node, body = self.nodes[index], self._body(link)
         if node.shape is None:
-            node.base += [body.seen(placed)] if body else []
+            node.base += [(link, body.seen(placed))] if body else []
             return True
         inside = node.shape.frame.inverse @ placed
         s = node.shape.foot(inside.p) if body else 1.0
         if s not in (0.0, 1.0):
             return False
         held = node.shape.section(s).inverse @ inside
-        (node.tip if s else node.base).extend([body.seen(held)] if body else [])
+        (node.tip if s else node.base).extend([(link, body.seen(held))] if body else [])
         return True
 
     def _body(self, link: str) -> Inertial | None:
@@ -202,7 +206,7 @@ class UrdfTree:
         node.literal = direct and above is None and shape is None
         node.mount = placed if shape is None else placed @ shape.frame
         if body and not (shape and shape.stated):
-            node.base.append(body.seen(shape.frame.inverse) if shape else body)
+            node.base.append((link, body.seen(shape.frame.inverse) if shape else body))
         self.nodes.append(node)
         return len(self.nodes) - 1
 
@@ -223,26 +227,52 @@ class UrdfTree:
         if self.dropped:
             self.notes.append(f"on the fixed base, left out: the inertia of {', '.join(self.dropped)}")
         if not self.nodes or not (self.floating or any(node.axes for node in self.nodes)):
-            what = "has no joint that moves mass, and its base is fixed"
-            raise self.urdf.element.fault(f"{what}; --floating lets the base float")
+            if moving := next((x.child for x in self.urdf.joints.values() if x.kind != FIXED), None):
+                raise self.without_mass(moving)
+            raise self.urdf.element.fault("has no joint that moves, and its base is fixed; --floating lets it float")
         both = {self.urdf.name: self.name} | {node.urdf: node.name for node in self.nodes}
         renamed = [f"{old} -> {new}" for old, new in both.items() if old != new]
         if renamed:
             self.notes.append(f"names that became C identifiers: {', '.join(renamed)}")
 
-    def inertia(self, node: MergedLink, bodies: list[Inertial]) -> Inertial:
-        """The bodies of a node as one; refuses an inertia that no body has."""
-        body = together(bodies)
-        if possible(body):
-            return body
-        element = self.urdf.links[node.urdf].element
-        w = np.linalg.eigvalsh(body.tensor)
-        said = f"principal moments {w[0]:.4g}, {w[1]:.4g}, {w[2]:.4g} kg·m²"
-        if not self.options.nearest_inertia:
-            what = f"has an inertia that no body has, {said}: none may be negative or exceed the sum of the others"
-            raise element.fault(f"{what}; mend it, or take the nearest (--nearest-inertia)")
-        self.notes.append(f"link '{node.urdf}': no body has its {said}; the nearest that one has are taken")
-        return nearest(body)
+    def without_mass(self, link: str) -> RobotFileError:
+        """The error of a link that has no mass where one is needed."""
+        what = "has no mass, nor has what it carries; give it an <inertial>, or bodies in a side file (--flexible)"
+        return self.urdf.links[link].element.fault(f"{what}, or take masses from its shapes (--density, --total-mass)")
+
+    def inertia(self, bodies: list[tuple[str, Inertial]]) -> Inertial:
+        """Bodies that are welded together as one; refuses an inertia that no body has.
+
+        A wrong one that is hidden by what it is welded to is kept, and said.
+        """
+        whole = together([body for _, body in bodies])
+        wrong = [(link, body) for link, body in bodies if not possible(body) and body.matters_in(whole)]
+        if wrong and self.options.nearest_inertia:
+            return together([self._nearest(link, body) if not possible(body) else body for link, body in bodies])
+        for link, body in wrong:
+            element, said = self._tensor(link), f"principal moments {_moments(body)}"
+            if not possible(whole):
+                what = f"is one that no body has, {said}: none may be negative or exceed the sum of the others"
+                raise element.fault(f"{what}; mend it, or take the nearest (--nearest-inertia)")
+            remedy = "what it is welded to hides that; --nearest-inertia takes the nearest"
+            self.notes.append(f"line {element.line}: link '{link}': no body has its {said}; {remedy}")
+        return whole
+
+    def _tensor(self, link: str) -> Element:
+        """The element that states the inertia of a link."""
+        own = self.urdf.links[link].element
+        return next((x for x in own.walk() if x.tag == "inertia"), own)
+
+    def _nearest(self, link: str, body: Inertial) -> Inertial:
+        taken = nearest(body)
+        what = f"no body has its principal moments {_moments(body)}; the nearest that one has are {_moments(taken)}"
+        self.notes.append(f"line {self._tensor(link).line}: link '{link}': {what}")
+        return taken
+
+
+def _moments(body: Inertial) -> str:
+    """The principal moments about the centre of mass."""
+    return ", ".join(f"{w:.4g}" for w in np.linalg.eigvalsh(body.tensor)) + " kg·m²"
 
 
 def _axes(joint: UrdfJoint, shape: LinkPlacement | None) -> list:

@@ -137,13 +137,13 @@ def _link(element: Element) -> UrdfLink:
 def _inertial(element: Element) -> Inertial:
     mass = element.needed("mass", 'state <mass value="…"/>, kg').number("value", "mass")
     tensor = element.needed("inertia", 'state <inertia ixx="…" ixy="…" … izz="…"/>, kg·m²')
-    xx, yy, zz, xy, xz, yz = (tensor.number(key, "inertia") for key in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
-    xyz, rpy = _origin(element)
-    J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    return Inertial(mass, np.zeros(3), J).seen(pose(xyz, rpy) if any(rpy) else Pose(HERE.R, np.array(xyz)))
+    entries = [tensor.number(key, "inertia") for key in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")]
+    xyz, rpy = origin_of(element)
+    return Inertial.of(mass, None, entries).seen(pose(xyz, rpy) if any(rpy) else Pose(HERE.R, np.array(xyz)))
 
 
-def _origin(element: Element) -> tuple[list[float], list[float]]:
+def origin_of(element: Element) -> tuple[list[float], list[float]]:
+    """Position and turn of the `<origin>` of an element, zero where there is none."""
     stated = element.only("origin")
     if stated is None:
         return [0.0] * 3, [0.0] * 3
@@ -155,7 +155,7 @@ def _joint(element: Element) -> UrdfJoint:
     if kind not in TYPES:
         raise element.fault(f"is {quoted(kind)}; it must be {', '.join(TYPES[:-1])} or {TYPES[-1]}", "type")
     ends = [element.needed(tag, f'state <{tag} link="…"/>').string("link") for tag in ("parent", "child")]
-    (parent, child), (xyz, rpy) = ends, _origin(element)
+    (parent, child), (xyz, rpy) = ends, origin_of(element)
     found = UrdfJoint(element, element.string("name"), kind, parent, child, xyz, rpy, _axis(element, kind))
     found.mimic = element.only("mimic")
     if (limit := element.only("limit")) is not None:

@@ -64,7 +64,7 @@ class _Writer:
                     raise UsageError(f"{self.file}: {where}: {what}; write a slide or a turning axis in its place")
         self._robot_notes()
         self.names = [link.name for link in robot.links]
-        self.root = next(name for name in (WORLD, "base", "ground", "origin_frame") if name not in self.names)
+        self.root = WORLD
         self.size = 0.02 * max(0.2, max(float(np.linalg.norm(self._end(link).p)) for link in robot.links))
         self.carriers, self.places = parents(robot.links), carried_at(robot.links)
         if not robot.floating:

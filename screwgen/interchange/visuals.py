@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
-from pathlib import Path
 from typing import NamedTuple
-from urllib.parse import unquote
 
 from ..spec.values import quoted
+from .geometry import placed_shape
 from .markup import Element
-from .rigid import HERE, Pose, pose
+from .rigid import HERE, Pose
 from .urdf import FREE, Urdf
-
-KINDS = ("mesh", "box", "cylinder", "sphere")
-PACKAGE, FILE = "package://", "file://"
-PATHS = {"ROS_PACKAGE_PATH": "", "AMENT_PREFIX_PATH": "share"}
-"""Variables with folders of packages, and where in these packages lie."""
 
 
 class Visual(NamedTuple):
@@ -34,18 +27,10 @@ def visuals(urdf: Urdf) -> Iterator[Visual]:
     named = _named(urdf)
     for link in urdf.links.values():
         for element in link.element.all("visual"):
-            geometry = element.needed("geometry", 'state <geometry><mesh filename="…"/></geometry>')
-            shapes = [x for x in geometry.children if x.tag in KINDS]
-            if len(shapes) != 1 or len(geometry.children) != 1:
-                raise geometry.fault(f"must have one of {', '.join(f'<{kind}>' for kind in KINDS)}")
-            origin = element.only("origin")
-            at = HERE
-            if origin is not None:
-                place = (origin.numbers(key, 3, kind, "0 0 0") for key, kind in (("xyz", "position"), ("rpy", "turn")))
-                at = pose(*place)
+            at, shape = placed_shape(element)
             color = _color(element.only("material"), named)
             if color is None or color[3] > 0:
-                yield Visual(link.name, at, shapes[0], None if color is None else _hex(color))
+                yield Visual(link.name, at, shape, None if color is None else _hex(color))
 
 
 def _named(urdf: Urdf) -> dict[str, Element]:
@@ -89,27 +74,3 @@ def at_zero(urdf: Urdf, held: set[str]) -> dict[str, Pose]:
             found[joint.child] = found[link] @ joint.origin @ (joint.mimicking if joint.child in held else HERE)
             left.append(joint.child)
     return found
-
-
-def located(name: str, urdf_file: str) -> Path | None:
-    """The file that a `filename` of a URDF means, None where there is none.
-
-    `package://` is looked for in the folders of ROS_PACKAGE_PATH and AMENT_PREFIX_PATH, then upwards from the URDF's
-    own folder; other names are relative to that folder.
-    """
-    own = Path(urdf_file).resolve().parent
-    if not name.startswith(PACKAGE):
-        path = own / (unquote(name[len(FILE) :]) if name.startswith(FILE) else name)
-        return path if path.is_file() else None
-    package, _, rest = name[len(PACKAGE) :].lstrip("/").partition("/")
-    folders = [
-        Path(x) / inner
-        for variable, inner in PATHS.items()
-        for x in os.environ.get(variable, "").split(os.pathsep)
-        if x
-    ]
-    for folder in (*folders, own, *own.parents):
-        for path in (folder / package / rest, *([folder / rest] if folder.name == package else [])):
-            if path.is_file():
-                return path
-    return None

@@ -207,7 +207,7 @@ class CompiledEstimator:
         if status == NONFINITE:
             raise DivergedError(NOT_FINITE)
         if status == SINGULAR and self.fault < 0:
-            root(self.covariance.astype(float), float(np.finfo(self.real).eps))
+            root(self.covariance.astype(float), self.real)
             raise SingularError(OPEN if self.model.chain.closing.rows else otherwise)
         if status:
             raise failure(self.model.chain, status, self.fault)

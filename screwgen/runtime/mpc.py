@@ -12,6 +12,7 @@ import numpy as np
 
 from ..arguments import Given, Numbers, array
 from ..backends.c.mpc import Fitted, MpcProject
+from ..errors import ScrewgenError
 from ..robot_model import RobotModel
 from .differentiated import failure
 from .lean import LeanProject
@@ -19,7 +20,10 @@ from .library import load
 from .memory import StructMemory, pointer
 
 OUTCOMES = ("solved", "limited", "infeasible")
-COUNTS = ("options.qp_iterations", "options.delay", "mpc.outcome", "mpc.iterations", "mpc.converged", "mpc.prepared")
+COUNTS = (
+    *(f"options.{name}" for name in ("patience", "qp_iterations", "delay")),
+    *(f"mpc.{name}" for name in ("outcome", "iterations", "converged", "refused", "mark", "prepared", "lost")),
+)
 
 
 class LeanMpcProject(MpcProject, LeanProject):
@@ -46,6 +50,9 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
         "fibre": gauges,
         "wrench": wrenches,
         "reference": (0,),
+        "scatter": (2 * nq,),
+        "margin": (1,),
+        "patience": (1,),
         "qp_iterations": (1,),
         "delay": (1,),
     }
@@ -59,7 +66,7 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
         "change": (1,),
         "violation": (1,),
     }
-    own |= {"outcome": (1,), "iterations": (1,), "converged": (1,), "prepared": (1,)}
+    own |= dict.fromkeys(("outcome", "iterations", "converged", "refused", "mark", "prepared", "lost"), (1,))
     own |= {
         "A": (N, 2 * nq, 2 * nq),
         "B": (N, 2 * nq, n),
@@ -157,10 +164,23 @@ class CompiledMpc:
         self._check(self.library.shim_prepare(self._memory))
 
     def feedback(self, q: Numbers, v: Numbers) -> np.ndarray:
-        """The torques (n_tau,) from a sample on, with the file's delay from the next one on."""
-        self._state(q, v)
-        self._check(self.library.shim_feedback(self._memory))
+        """The torques (n_tau,) from a sample on, with the file's delay from the next one on.
+
+        Raises :class:`ScrewgenError` also where the state is refused as one that the arm cannot have reached.
+        """
+        status = self._sample(q, v)
+        if status and self.refused:
+            raise ScrewgenError(
+                f"the measured state is not where the model expects it, {self.refused} samples in a row; after "
+                "options['patience'] of them the next is believed; initialise starts from another state at once"
+            )
+        self._check(status)
         return self._at["tau"].astype(float)
+
+    @property
+    def refused(self) -> int:
+        """Samples in a row that were finite and not believed."""
+        return int(self.inner["refused"][0])
 
     @property
     def outcome(self) -> str:
@@ -199,11 +219,18 @@ class CompiledMpc:
             self.initialise(q, v)
             self._next, self._due = self.inner["acting"].astype(float), t
         self._held, self._last = self._next, t
-        self._next = self.feedback(q, v)
+        status = self._sample(q, v)
+        if not self.refused:  # else the plan goes on
+            self._check(status)
+        self._next = self._at["tau"].astype(float)
         if not self.options["delay"][0]:
             self._held = self._next
         self._due += self.said.horizon.step
         return self._held
+
+    def _sample(self, q: Numbers, v: Numbers) -> int:
+        self._state(q, v)
+        return int(self.library.shim_feedback(self._memory))
 
     def _state(self, q: Numbers, v: Numbers) -> None:
         for name, values in (("q", q), ("v", v)):

@@ -71,7 +71,7 @@ class LoopWatch:
         seen, found = self.seen, self.mismatch(q)
         for kind in range(2):
             k = int(np.argmax(found[:, kind]))
-            if found[k, kind] > seen.mismatch[kind]:
+            if not found[k, kind] <= seen.mismatch[kind]:
                 seen.mismatch[kind], seen.at[kind], seen.which[kind] = found[k, kind], t, k
         return all(seen.mismatch[kind] <= seen.most[kind] for kind in range(2))
 
@@ -82,7 +82,7 @@ class LoopWatch:
             self.seen.total, self.seen.kinetic = kinetic + potential, kinetic
 
     def weigh(self, t: float, energy: np.ndarray, work: float, again: Callable[[], np.ndarray]) -> None:
-        """Note the energy after a step over which torques do `work`; `again` gives that after shorter ones."""
+        """Note the energy after a step over which the inputs do `work`; `again` gives that after shorter ones."""
         seen, total = self.seen, float(np.sum(energy))
         seen.kinetic = max(seen.kinetic, energy[0])
         if abs(total - seen.total - work) > CHANGE * seen.kinetic:

@@ -11,6 +11,7 @@ from ..robot_model import RobotModel
 
 MEASURED = tuple(row.name for row in FUNCTIONS if row.c_file == SENSORS)
 """The names of the functions."""
+STRAIN = "strain"
 
 
 def measured(
@@ -20,12 +21,20 @@ def measured(
 
     ``samples``: its arguments by name, ``q`` (N, nq), ``v`` (N, nv), ``tau`` (N, n_tau), ``w_ext`` (N, n, 6).
     """
+    if name == STRAIN:
+        return strain(model, samples["q"], p)
     row, count = BY_NAME[name], len(samples["q"])
     given = [samples[x].reshape(-1, samples[x].shape[-1]).T for x in row.names]
     found = model.casadi()[name].map(count).call([*given, np.tile(p, (count, 1)).T])
     sizes = [shape(signal, model.chain) for signal in row.results.values()]
     out = [_apart(x.full(), count, size) for x, size in zip(found, sizes, strict=True)]
     return tuple(out) if len(out) > 1 else out[0]
+
+
+def strain(model: RobotModel, q: np.ndarray, p: Sequence[float] | np.ndarray) -> np.ndarray:
+    """The strains (…, strains) at coordinates (…, nq): they are linear in those of the modes."""
+    slopes = model.numpy(np.asarray(p)).strain_slopes()
+    return np.asarray(q[..., model.chain.eta_q :] @ slopes.T)
 
 
 def _apart(columns: np.ndarray, count: int, size: tuple[int, ...]) -> np.ndarray:

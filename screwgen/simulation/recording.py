@@ -173,8 +173,11 @@ class Recorder:
             return
         tau, w_ext, dt = held
 
+        def reported(name: str, state: _State, *more: np.ndarray) -> np.ndarray:
+            return np.concatenate(self.reports[name][1](*plant.coordinates(state), *more, self.table.p))
+
         def energy(state: _State) -> np.ndarray:
-            return np.concatenate(self.reports["energy"][1](*plant.coordinates(state), self.table.p))
+            return reported("energy", state)
 
         def again() -> np.ndarray:
             state = before
@@ -182,9 +185,9 @@ class Recorder:
                 state = plant.step(state, tau, w_ext, dt / PARTS)
             return energy(state)
 
-        rates = (plant.coordinates(before)[1] + plant.coordinates(after)[1])[self.table.model.chain.effort_places]
+        power = sum(float(np.sum(reported("drive_power", x, tau))) for x in (before, after)) / 2
         self.table.loops.begin(lambda: energy(before))
-        self.table.loops.weigh(t, energy(after), float(tau @ rates) / 2 * dt, again)
+        self.table.loops.weigh(t, energy(after), power * dt, again)
 
     def check(self) -> None:
         """Raise SingularError if a joint wrench is not finite."""

@@ -26,7 +26,7 @@ from .compiled_runs import added
 from .measured import MEASURED
 from .rollout_loops import opened
 from .rollout_samples import Source
-from .rollout_validity import watched
+from .rollout_validity import warn_refused, watched
 from .runs import REPORTED
 from .validity import Validity
 
@@ -163,6 +163,7 @@ def rollout(
         run = rolled(model, given, count, how)
     else:
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
+    warn_refused(run.refused)
     run.validity.warn(model, stacklevel=2)
     collocated.warn(model, collocated.left_out(model, run.q))
     return run

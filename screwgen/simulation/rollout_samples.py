@@ -13,7 +13,7 @@ from ..integrators.methods import METHODS
 from ..robot_model import RobotModel
 from ..runtime.memory import pointer
 from .compiled_runs import instance
-from .measured import measured
+from .measured import STRAIN, measured, strain
 
 
 @dataclass(frozen=True)
@@ -59,6 +59,8 @@ class Source:
     def measured(self, name: str, q: np.ndarray, v: np.ndarray) -> np.ndarray | tuple[np.ndarray, ...]:
         """What sensors measure at the samples (batch, samples, …); a tuple where a function has several results."""
         p, samples = self.given["parameters"], q.shape[1]
+        if name == STRAIN and len(p) == 1:
+            return strain(self.model, q, p[0])
         found = []
         for k in range(len(q)):
             held = {

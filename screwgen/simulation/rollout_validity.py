@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 
 import numpy as np
@@ -38,6 +39,20 @@ def watched(
         inputs = (q[k, j], v[k, j], at("tau", k, j), at("w_ext", k, j), _of(given["parameters"], k))
         watch(t[j], evaluate(*inputs)[0].reshape(-1, len(MEASURES)))
     return watch.validity()
+
+
+class ParameterWarning(UserWarning):
+    """Scenarios that did not run, since no robot has their parameters."""
+
+
+def warn_refused(refused: Mapping[int, str]) -> None:
+    """Say of the first scenario of status 3 what is wrong with its parameters, and how many more there are."""
+    if refused:
+        first = min(refused)
+        more = f"; {len(refused) - 1} more such: see report()" if len(refused) > 1 else ""
+        warnings.warn(
+            f"scenario {first} did not run (status 3): {refused[first]}{more}", ParameterWarning, stacklevel=3
+        )
 
 
 def _of(values: np.ndarray, *place: int) -> np.ndarray:

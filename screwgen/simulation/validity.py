@@ -26,6 +26,7 @@ from ..errors import DivergedError
 from ..robot_model import RobotModel
 from ..spec.needs import MOST_SEGMENTS
 from ..spec.segments import owner
+from .definiteness import indefinite
 
 FAR = 1.0
 """Deflection over length at which a run ends."""
@@ -173,6 +174,8 @@ class Validity:
     """(n, 4): when each was first seen past its bound, s; NaN if never. None in a state."""
     at: np.ndarray | None = None
     """(n, 4): when each was largest, s."""
+    indefinite: str = ""
+    """What is wrong with the mass matrix of a posture, as :func:`.definiteness.indefinite` says; empty if nothing."""
 
     @property
     def findings(self) -> list[Finding]:
@@ -188,8 +191,8 @@ class Validity:
 
     @property
     def holds(self) -> bool:
-        """Whether all measures are within their bounds."""
-        return not self.findings
+        """Whether all measures are within their bounds, and the mass matrix of a posture is definite."""
+        return not self.findings and not self.indefinite
 
     def _rows(self) -> dict[str, list[int]]:
         """The rows of each link."""
@@ -217,6 +220,8 @@ class Validity:
     def line(self, known: Callable[[Finding], bool] = lambda _: False) -> str:
         """One line on the farthest that is not `known`; empty if all are within their bounds, or known."""
         found = self.findings
+        if self.indefinite:
+            return self.indefinite
         new = next((finding for finding in found if not known(finding)), None)
         if new is None:
             return ""
@@ -245,7 +250,8 @@ class Validity:
             | ({} if f.first is None else {"first": f.first, "at": f.at})
             for f in self.findings
         ]
-        return {"measures": measures, "past": past}
+        more = {"indefinite": self.indefinite} if self.indefinite else {}
+        return {"measures": measures, "past": past} | more
 
     def table(self) -> str:
         """The measures of every link beside their bounds, for a terminal."""
@@ -318,9 +324,11 @@ def validity(
     parameters: Given = None,
 ) -> Validity:
     """The implementation of :meth:`screwgen.Model.validity`."""
-    return Validity(tuple(model.chain.names), model.numpy(parameters).validity(q, v, tau, w_ext))
+    values = model.numpy(parameters).validity(q, v, tau, w_ext)
+    return Validity(tuple(model.chain.names), values, indefinite=indefinite(model, q, parameters))
 
 
 def validity_at_rest(model: RobotModel, q: Numbers, w_ext: Loads = None, parameters: Given = None) -> Validity:
     """The implementation of :meth:`screwgen.Model.validity_at_rest`."""
-    return Validity(tuple(model.chain.names), model.numpy(parameters).validity_at_rest(q, w_ext))
+    values = model.numpy(parameters).validity_at_rest(q, w_ext)
+    return Validity(tuple(model.chain.names), values, indefinite=indefinite(model, q, parameters))

@@ -19,7 +19,7 @@ def explain(error: ValidationError, root: type[BaseModel], data: Any) -> str:
     Unknown keys come first: a misspelt key is why another one is missing.
     """
     count = error.error_count()
-    more = f" (and {count - 1} more)" if count > 1 else ""
+    more = f"; {count - 1} more {'fault' if count == 2 else 'faults'} in the file" if count > 1 else ""
     return sentence(first_error(error), root, data) + more
 
 

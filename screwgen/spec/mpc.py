@@ -153,6 +153,12 @@ class Solver(Part):
 
     iterations: Annotated[int, PlainValidator(whole(1, 100_000))] = Field(100, description="iterations at most")
     delay: Annotated[int, PlainValidator(whole(0, 1))] = Field(1, description="samples between state and torque")
+    margin: Annotated[float, PlainValidator(positive)] = Field(
+        0.25, description="how far a sample may be from its prediction: share of what half the torques' range does"
+    )
+    patience: Annotated[int, PlainValidator(whole(0, MOST))] = Field(
+        12, description="samples in a row that may be refused; 0 believes every finite one"
+    )
 
 
 class Mpc(Part):

@@ -9,7 +9,7 @@ from .names import link_name
 from .values import quoted, refuse
 
 WORLD = "world"
-"""The parent of a link that no link carries; a link of that name takes precedence."""
+"""The parent of a link that no link carries, and the name of none."""
 
 
 class Named(Protocol):
@@ -28,11 +28,17 @@ def parent_name(value: Any) -> str:
 
 
 def parents(links: Sequence[Named]) -> tuple[int, ...]:
-    """The number of the link that carries each link, -1 for none. Refuses a parent that does not come before it."""
+    """The number of the link that carries each link, -1 for none.
+
+    Refuses a parent that does not come before it, and a link that is called as the world is.
+    """
     places: dict[str, int] = {}
     out = []
     for i, link in enumerate(links):
-        if link.parent is None or (link.parent == WORLD and WORLD not in places):
+        if link.name == WORLD:
+            what = f"is {quoted(WORLD)}, which as a parent is the inertial frame; choose another name"
+            raise refuse(what, at=("links", i, "name"))
+        if link.parent is None or link.parent == WORLD:
             out.append(i - 1 if link.parent is None else -1)
         elif link.parent not in places:
             raise refuse(_unknown(link.parent, [x.name for x in links], i, list(places)), at=("links", i, "parent"))

@@ -6,10 +6,11 @@ from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
+from pydantic_core import PydanticCustomError
 
 from ..bases.weighted import POLYNOMIAL
 from .part import Part
-from .ranges import within
+from .ranges import RANGES, within
 from .section import Section
 from .stations import Station, Stations, checked
 from .values import array, refuse, shown
@@ -190,7 +191,13 @@ class Profile(Part):
         return self
 
     def section(self, sheared: bool = False) -> Section | Stations:
-        """The line properties, at five stations where the shape is tapered; `sheared`: with those of Timoshenko."""
+        """The line properties, at five stations where the shape is tapered; `sheared`: with those of Timoshenko.
+
+        Refuses a property that is out of its range, such as the inertia of a section of a few micrometres.
+        """
+        for s in PLACES if self.shape.tapered else PLACES[:1]:
+            for name, value in self.line(s, sheared).items():
+                _refuse_out_of_range(name, value)
         if not self.shape.tapered:
             return Section(**self.line(0.0, sheared))
         return Stations(stations=tuple(Station(at=s, **self.line(s, sheared)) for s in PLACES), between=POLYNOMIAL)
@@ -207,6 +214,14 @@ class Profile(Part):
         return line | ({"rhoIy": self.density * Iy, "rhoIz": self.density * Iz} if sheared else {})
 
 
+def _refuse_out_of_range(name: str, value: float) -> None:
+    try:
+        within(name)(value)
+    except ValueError:
+        what = f"gives {name} = {value:.4g}, which is not {RANGES[name].text}"
+        raise refuse(f"{what}; check the dimensions, or state the section by line properties, without {name}") from None
+
+
 def profiled(data: Any) -> Any:
     """A link's table with the `section` that its `profile` amounts to."""
     if not (isinstance(data, dict) and "profile" in data):
@@ -218,5 +233,8 @@ def profiled(data: Any) -> Any:
     given, modes = data["profile"], data.get("modes")
     profile = given if isinstance(given, Profile) else checked(Profile, given, ("profile",))
     counts = modes if isinstance(modes, dict) else dict(modes) if isinstance(modes, Part) else {}
-    section = profile.section(any(counts.get(name) for name in ("shear_y", "shear_z")))
+    try:
+        section = profile.section(any(counts.get(name) for name in ("shear_y", "shear_z")))
+    except PydanticCustomError as error:
+        raise refuse(str(error), at=("profile",)) from None
     return {key: value for key, value in data.items() if key != "profile"} | {"section": section}

@@ -284,7 +284,8 @@ def refuse_beside_balls(robot: Robot) -> None:
     if ball is None:
         return
     joint = f"a {ball.joint.kind.name} joint, that of link '{ball.name}'"
-    beside = f"is stated of a robot with {joint}, beside which it is not known yet; leave it out"
+    beside = f"is stated of a robot with {joint}, beside which it is not known yet"
+    beside += f'; leave it out, or give \'{ball.name}\' axes in place of "ball", as axes = ["x", "y", "z"]'
     for name in CLOSING:
         if getattr(robot, name):
             raise refuse(beside, at=(name,))

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 Offset = tuple[float, float, float]
 Offsets = tuple[Offset, Offset]
+MOST_TENDONS = 64
 TENSION = ".tension"
 """The end of the name of a tendon's input."""
 ENDS = "two offsets from the centreline, as [[0.0, 0.01, 0.0], [0.0, 0.005, 0.0]]"
@@ -111,6 +112,10 @@ def tendon_names(robot: Robot) -> list[str]:
 
 def refuse_tendons(links: Sequence[Link]) -> None:
     """Refuse tendons of links that they do not bend, and pieces of one tendon of which something pulls some alone."""
+    for i, link in enumerate(links):
+        if len(link.tendons) > MOST_TENDONS:
+            what = f"has {len(link.tendons)} tables; a link has at most {MOST_TENDONS} tendons"
+            raise refuse(what, ("links", i, "tendons"))
     first: dict[str, bool] = {}
     for at, link, own in _stated(links):
         if not link.modes.total or link.body is not None:

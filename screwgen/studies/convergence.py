@@ -13,6 +13,7 @@ import numpy as np
 from scipy.linalg import block_diag
 
 from ..arguments import Numbers, parameters_keyword
+from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
 from ..bases import products
 from ..errors import SingularError
 from ..robot_model import RobotModel
@@ -21,16 +22,7 @@ from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .modes import (
-    closed_posture,
-    following,
-    loaded_motion,
-    loaded_shapes,
-    movable,
-    uncoupled,
-    vibrations,
-    without_rigid_motion,
-)
+from .modes import closed_posture, following, loaded_motion, loaded_shapes, movable
 from .steady import Steady, steady
 from .stiffness import from_travels, pressed, relative, stiffness_matrix
 from .vibrations_with_loops import about

@@ -15,6 +15,7 @@ from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..errors import UnknownNameError, UsageError
 from ..robot_model import RobotModel
+from ..simulation.definiteness import check_definite
 from ..simulation.mobility import motions
 from ..spec.load import one_line
 from ..spec.parameters import WRENCH, changes, coordinate_names, coordinate_units, force_units, rate_units
@@ -167,6 +168,7 @@ def linearise(
     givers, takers = input_groups(chain), output_groups(chain)
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
     own, T = motions(model, q, v, numbers.p)
+    check_definite(model, q, numbers.p)
     numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
     vdot, y, vdot_x, y_x = _changes(model, q, v, tau, w_ext.T, numbers.p)
     (vdot_x, vdot_u), (y_x, y_u) = (np.split(slopes, [2 * chain.nv], axis=1) for slopes in (vdot_x, y_x))

@@ -9,8 +9,10 @@ import scipy.linalg
 
 from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
+from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
+from ..simulation.definiteness import check_definite
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch, validity_at_rest
 from .linear import whole
@@ -51,7 +53,9 @@ def natural_frequencies(
     found = mode_shapes(model, q, joints, parameters, rates, loaded)
     found.validity.warn()
     if found.growth.any():
-        raise UsageError(f"{found.unstable}; mode_shapes tells how fast they grow")
+        first = rates is not None and any(key.order == 1 and key.modes for key in model.chain.keys)
+        remedy = '; give links that turn order = 2 or "exact", whose rotation stiffens them' if first else ""
+        raise UsageError(f"{found.unstable}; screwgen.mode_shapes tells how fast they grow{remedy}")
     return np.append(np.zeros(found.rigid), found.frequencies)
 
 
@@ -100,6 +104,7 @@ def mode_shapes(
         found, basis = loaded_shapes(model, about, T[:, moving], free)
         frequencies, shapes = found.omega / (2 * np.pi), basis @ found.shapes
         return ModeShapes(frequencies, shapes, found.rigid, about.validity(model), found.growth)
+    check_definite(model, q, p)
     out, frequencies, rigid = _at_rest(model, q, p, moving)
     weight = np.append(np.zeros(3), p[3:]) if model.chain.floating else p
     validity = validity_at_rest(model, q, loads_of_loops(model, q, weight), weight)
@@ -136,6 +141,42 @@ def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None
     return T @ out, frequencies, rigid
+
+
+CHANGED = 0.1
+"""The relative change of a frequency by gravity from which it is worth saying."""
+
+
+class Changed(NamedTuple):
+    """A frequency that gravity changes: its number among those of `natural_frequencies`, without and with gravity."""
+
+    number: int
+    without: float
+    loaded: float
+    growth: float
+    """1/s: how fast the motion grows under gravity, if it does."""
+
+
+def changed_by_gravity(
+    model: RobotModel, q: Numbers | None, joints: str, found: ModeShapes, parameters: Given = None
+) -> Changed | None:
+    """The first frequency of `found`, without gravity, that gravity changes by more than `CHANGED`; None without.
+
+    None also where there are no modes under load: of floating bases, and where links find no rest.
+    """
+    p = model.chain.parameters.vector(parameters)
+    if not p[:3].any():
+        return None
+    try:
+        under = mode_shapes(model, q, joints, p, loaded=True)
+    except (UsageError, SingularError):
+        return None
+    whole = lambda x, values: np.append(np.zeros(x.rigid), values)  # noqa: E731
+    triples = zip(whole(found, found.frequencies), *(whole(under, x) for x in under[:1] + under[4:]), strict=False)
+    for k, (f, loaded, growth) in enumerate(triples):
+        if abs(loaded - f) > CHANGED * max(loaded, f) or growth:
+            return Changed(k + 1, float(f), float(loaded), float(growth))
+    return None
 
 
 def loaded_motion(
@@ -205,50 +246,6 @@ def following(J: np.ndarray, springs: np.ndarray) -> np.ndarray | None:
     None without loops. `springs` (n,): those without a spring follow first, so that the others keep their stiffness.
     """
     return mobility(J, by_spring(J, springs)).follow if len(J) else None
-
-
-def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Angular frequencies, ascending, and columns of unit modal mass of `M ẍ + k x = 0`; all `k` > 0.
-
-    With `M = L Lᵀ` the columns of `Lᵀ k^(-1/2)` have the singular values 1/ω. Springs that differ by many orders of
-    magnitude scale its columns, which a Jacobi method bears: every frequency keeps its digits. An eigenvalue solver
-    for `k` and `M` leaves an error of the stiffest spring's size in the softest mode.
-    """
-    if not len(k):
-        return np.zeros(0), np.zeros((0, 0))
-    L = scipy.linalg.cholesky(M, lower=True)
-    periods, vectors, _, scale, _, failed = scipy.linalg.lapack.dgejsv(L.T / np.sqrt(k), joba=0, jobv=3, jobp=0)
-    if failed:
-        raise np.linalg.LinAlgError("the Jacobi method does not converge")
-    return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
-
-
-def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Columns ``T`` (n, n) with ``T^T K T = diag(k)``, and ``k`` (n,); rows of ``K`` without a spring are zero.
-
-    ``K = L diag(k) L^T`` and ``T = L^-T``, so that small stiffnesses keep their digits beside large ones.
-    """
-    k, held = np.diag(K).copy(), np.flatnonzero(np.diag(K))
-    T = np.eye(len(K))
-    if not np.array_equal(K, np.diag(k)):
-        C = scipy.linalg.cholesky(K[np.ix_(held, held)], lower=True)
-        k[held] = np.diag(C) ** 2
-        T[np.ix_(held, held)] = scipy.linalg.solve_triangular(C / np.diag(C), np.eye(len(held)), lower=True).T
-    return T, k
-
-
-def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """Mass and stiffness with the coordinates that no spring holds eliminated, and how many they are.
-
-    Such a coordinate follows the others without force: `M <- M_ee − M_er M_rr⁻¹ M_re`.
-    """
-    free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
-    factor = scipy.linalg.cho_factor(M[np.ix_(free, free)]) if len(free) else None
-    rest = M[np.ix_(held, held)]
-    if factor is not None and len(held):
-        coupling = M[np.ix_(free, held)]
-        rest = rest - coupling.T @ scipy.linalg.cho_solve(factor, coupling)
-    return rest, k[held], len(free)
 
 
 def _singular(model: RobotModel, q: np.ndarray, p: Numbers | None) -> SingularError:

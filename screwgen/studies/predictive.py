@@ -15,7 +15,10 @@ from ..runtime.mpc import CompiledMpc
 from ..spec.load import one_line
 from ..spec.mpc import load_mpc
 from .equilibrium import equilibrium
+from .stiffness import stiffness_matrix
 
+JOINT_SCATTER = 2e-3
+"""rad, of slides m: of measured joints."""
 ROUNDS = 60
 """Doublings, at most: each squares what is left of the initial error."""
 
@@ -29,8 +32,10 @@ def fitted(model: RobotModel, file: str | os.PathLike[str]) -> Fitted:
     found = equilibrium(model, out.joints, hold="all")
     R, r = model.numpy().tip_pose(found.q)
     out.rest = Rest(np.array(found.q), np.array(found.tau), np.array(r), np.array(R))
+    A, B = _interval(model, out)
+    out.scatter = scatter(model, out, B)
     if out.said.cost.terminal.riccati:
-        out.terminal = cost_to_go(model, out)
+        out.terminal = cost_to_go(model, out, A, B)
     return out
 
 
@@ -49,17 +54,40 @@ def controller(model: RobotModel, file: str | os.PathLike[str], **options: Any) 
         return CompiledMpc(model, fit, **options)
 
 
-def cost_to_go(model: RobotModel, f: Fitted) -> np.ndarray:
-    """``P`` (2 nq, 2 nq): ``x'Px / 2`` behind a plan is what the regulator's motion from there on costs.
-
-    Motion and tip are linearised at rest at the goal; what the last stage costs itself is taken off.
-    """
+def _interval(model: RobotModel, f: Fitted) -> tuple[np.ndarray, np.ndarray]:
+    """The derivatives of an interval at the goal with the state (2 nq, 2 nq) and with the torques (2 nq, n_tau)."""
     from ..backends.casadi.intervals import interval_slopes
 
-    said, weights, (q, tau, *_) = f.said, f.weights, f.rest
+    step = model.casadi()[f"step_{f.said.horizon.method}"]
+    return interval_slopes(step, f.said.horizon, model.parameter_values, f.rest.q, f.rest.tau)
+
+
+def scatter(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
+    """By how much an ordinary sample may miss the model's prediction whatever the torques are, (2 nq,).
+
+    Joints by JOINT_SCATTER, their rates as differences of such positions have it. A mode by as much energy as half the
+    range of the torques gives to the mode that they excite most, times the margin: some they do not excite at all.
+    """
+    n, nq, h = f.n, f.nq, f.said.horizon.step
+    out = np.r_[np.full(nq, JOINT_SCATTER), np.full(nq, JOINT_SCATTER / h)]
+    half = (np.array(f.bounds["torque_upper"]) - np.array(f.bounds["torque_lower"])) / 2
+    reach = f.said.solver.margin * np.abs(B) @ half
+    K, M = np.diag(stiffness_matrix(model)), np.diag(model.numpy().mass_matrix(f.rest.q))
+    energies = np.r_[K * reach[:nq] ** 2, M * reach[nq:] ** 2]
+    most = energies[nq + n :].max(initial=0.0) or energies.max()
+    out[n:nq] = np.sqrt(most / K[n:])
+    out[nq + n :] = np.sqrt(most / M[n:])
+    return out
+
+
+def cost_to_go(model: RobotModel, f: Fitted, A: np.ndarray, B: np.ndarray) -> np.ndarray:
+    """``P`` (2 nq, 2 nq): ``x'Px / 2`` behind a plan is what the regulator's motion from there on costs.
+
+    Motion (``A``, ``B``: of an interval) and tip are linearised at rest at the goal; what the last stage costs itself
+    is taken off.
+    """
+    said, weights, q = f.said, f.weights, f.rest.q
     functions, h, n = model.casadi(), said.horizon.step, model.nq
-    step = functions[f"step_{said.horizon.method}"]
-    A, B = interval_slopes(step, said.horizon, model.parameter_values, q, tau)
     Q = h * np.diag([*weights["joints"], *weights["modes"], *weights["joint_rates"], *weights["mode_rates"]])
     J = np.array(functions["tip_jacobian"](q, model.parameter_values))
     for name, part, first in (

@@ -25,10 +25,6 @@ FARTHEST = 1.0
 """Modal coordinate over its link's length (torsion: rad) at which small deflections are out of the question."""
 NEUTRAL = 1e-10
 """Scaled stiffness of a direction along which no step is made where forces are all but balanced."""
-FLAT = 1e-3
-"""Scaled stiffness below which a step is not made longer."""
-
-
 PARTS = np.linspace(0.1, 1.0, 10)
 """Of a load that grows."""
 
@@ -207,8 +203,11 @@ class Statics:
 
     def bounded(self, b: Balance, step: np.ndarray) -> np.ndarray:
         """`step` made so short that it turns, slides and bends nothing by more than `MOST_TURN`."""
-        turns = np.abs(self.directions(b) @ step / (self.units * self.reach)[self.moving])
-        return step * min(1.0, MOST_TURN / max(np.max(turns, initial=0.0), 1e-300))
+        return step * min(1.0, MOST_TURN / max(np.max(self.turned(b, step), initial=0.0), 1e-300))
+
+    def turned(self, b: Balance, step: np.ndarray) -> np.ndarray:
+        """(moving, ...): how far a step (d, ...) turns, slides or bends each coordinate, in units of about one rad."""
+        return np.abs(((self.directions(b) @ step).T / (self.units * self.reach)[self.moving]).T)
 
     def wandered(self, q: np.ndarray) -> np.ndarray:
         """The joints that turn and turn under a torque, or slide and slide: nothing holds them."""
@@ -231,14 +230,19 @@ def search(statics: Statics, start: np.ndarray) -> Balance:
 
 
 def downhill(statics: Statics, b: Balance) -> Balance:
-    """Newton steps down the potential energy, along negative curvature too; by steps that the joints bear."""
+    """Newton steps down the potential energy, along negative curvature too; by steps that the joints bear.
+
+    Each direction has its own bound, so that one of next to no stiffness neither holds the others up nor waits.
+    """
     start = b.q
     for _ in range(ITERATIONS):
         if b.residual <= RESIDUAL or statics.wandered(b.q - start).size or statics.bent(b.q) > 3 * FARTHEST:
             break
         force, K = statics.scaled(b)
         curvature, modes = np.linalg.eigh((K + K.T) / 2)
-        step = -modes @ ((modes.T @ force) / np.maximum(np.abs(curvature), FLAT))
+        own = (modes.T @ force) / np.maximum(np.abs(curvature), NEUTRAL)
+        most = MOST_TURN / np.maximum(np.max(statics.turned(b, modes), axis=0, initial=0.0), 1e-300)
+        step = -modes @ np.clip(own, -most, most)
         there = shortened(statics, b, statics.bounded(b, step), force, bool((curvature > 0).all()))
         if there is None:
             break

@@ -17,6 +17,7 @@ from ..arguments import Numbers
 from ..errors import SingularError, UsageError
 from ..robot_model import RobotModel
 from ..simulation import validity as valid
+from ..simulation.definiteness import check_definite
 from ..simulation.validity import Validity
 from .linear import checked
 from .stiffness import added_stiffness
@@ -88,6 +89,7 @@ def steady(
     q = deflected(model, q, v, p) if settle else q
     numeric, m = model.numpy(p), chain.eta_v
     M, K, C = numeric.slopes(q, v, None, None)
+    check_definite(model, q, p)
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)

@@ -12,6 +12,7 @@ import scipy.linalg
 
 from ..algorithms.travels import efforts
 from ..robot_model import RobotModel
+from ..simulation.definiteness import check_definite
 from ..simulation.mobility import closing
 from ..topology.loops import ClosingRow
 from .equilibrium import closed_start, rest
@@ -33,6 +34,7 @@ def about(
     model: RobotModel, q: np.ndarray, p: np.ndarray, loops: Mapping[ClosingRow, float], tau: np.ndarray | None = None
 ) -> Steady:
     """The same about `q` (nq,) with forces of rows, zero of those left out. `tau` (n_tau,): what the drives exert."""
+    check_definite(model, q, p)
     numeric, m, still = model.numpy(p), model.chain.eta_v, np.zeros(model.nv)
     forces = np.array([loops.get(row, 0.0) for row in model.chain.closing.rows])
     tau = np.zeros(model.n_tau) if tau is None else tau

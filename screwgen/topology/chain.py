@@ -14,6 +14,7 @@ import numpy as np
 
 from ..arguments import Numbers, Parameters, array
 from ..errors import SingularError, UsageError
+from ..spec.assumptions import assumptions
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
 from ..spec.markers import TIP as END
@@ -189,6 +190,11 @@ class Chain(Coordinates):
     def names(self) -> list[str]:
         """The names of the links, in messages and tables; of segments `boom[2]`."""
         return [s.name for s in self.segments]
+
+    def assumptions(self, quote: str = "'") -> list[str]:
+        """What the models of the links assume, in sentences; names of links stand between ``quote``."""
+        pairs = zip(self.segments, self.keys, strict=True)
+        return assumptions(((self.robot.links[s.link].name, key) for s, key in pairs if s.marker is None), quote)
 
     @property
     def identifiers(self) -> list[str]:

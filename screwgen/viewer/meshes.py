@@ -15,12 +15,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import UsageError
+from ..interchange.geometry import dimensions, meshes_of, trimesh_package
 from ..interchange.tree import identifiers
 from ..interchange.urdf import Urdf, read_urdf
-from ..interchange.visuals import PACKAGE, Visual, at_zero, located, visuals
+from ..interchange.visuals import Visual, at_zero, visuals
 from ..model import Model
 from ..spec.load import one_line, read
-from ..spec.values import quoted
 from .pack import b64, rounded
 from .solids import METAL, Solid
 
@@ -63,10 +63,7 @@ class Looks:
 
 def read_looks(path: str | os.PathLike[str]) -> Looks:
     """The visuals of the URDF at `path`. Raises RobotFileError, and UsageError for want of the package."""
-    try:
-        import trimesh
-    except ImportError:
-        raise UsageError("meshes need trimesh, which is not there; pip install 'screwgen[meshes]'") from None
+    trimesh = trimesh_package()
     file = one_line(os.fsdecode(path))
     looks = Looks(file, read_urdf(read(path, file), file))
     for visual in visuals(looks.urdf):
@@ -98,51 +95,17 @@ def _surfaces(
 def _meshes(trimesh: Any, visual: Visual, file: str, notes: list[str]) -> list[tuple[Any, str]]:
     shape = visual.shape
     if shape.tag != "mesh":
-        make, keys = {
-            "box": (trimesh.creation.box, ("size",)),
-            "sphere": (partial(trimesh.creation.icosphere, 3), ("radius",)),
-            "cylinder": (partial(trimesh.creation.cylinder, sections=40), ("radius", "length")),
+        make = {
+            "box": trimesh.creation.box,
+            "sphere": partial(trimesh.creation.icosphere, 3),
+            "cylinder": partial(trimesh.creation.cylinder, sections=40),
         }[shape.tag]
-        given = {key: shape.numbers(key, 3 if key == "size" else 1, "position") for key in keys}
-        for key, numbers in given.items():
-            if min(numbers) <= 0:
-                raise shape.fault(f"is {quoted(shape.attributes[key])}; lengths must be > 0", key)
-        return [(make(*(x if len(x) > 1 else x[0] for x in given.values())), METAL)]
-    name, scale = shape.string("filename"), shape.numbers("scale", 3, "position", "1 1 1")
-    if 0 in scale:
-        raise shape.fault(f"is {quoted(shape.attributes['scale'])}; factors must not be 0", "scale")
+        return [(make(*(x if len(x) > 1 else x[0] for x in dimensions(shape).values())), METAL)]
     try:
-        path = located(name, file)
-    except OSError:  # as of a name that is too long
-        path = None
-    if path is None:
-        notes.append(f"link '{visual.link}': there is no file {one_line(name)}; it is drawn without{_where(name)}")
+        return [(mesh, _color(mesh)) for mesh in meshes_of(shape, file, "it is drawn without")]
+    except ValueError as error:
+        notes.append(f"link '{visual.link}': {error}")
         return []
-    try:
-        scene = trimesh.load_scene(path)
-        unit = trimesh.units.unit_conversion(scene.units, "meters") if scene.units else 1.0
-        out = []
-        for node in scene.graph.nodes_geometry:
-            transform, geometry = scene.graph[node]
-            mesh = scene.geometry[geometry].copy()
-            if isinstance(mesh, trimesh.Trimesh) and len(mesh.faces):
-                mesh.apply_transform(np.diag([*scale, 1.0]) @ np.diag([unit] * 3 + [1.0]) @ transform)
-                out.append((mesh, _color(mesh)))
-        if np.isfinite([mesh.bounds for mesh, _ in out]).all() and any(mesh.area > 0 for mesh, _ in out):
-            return out
-        reason = "it holds no triangles that have an area"
-    except Exception as error:
-        reason = one_line(str(error)) or type(error).__name__
-    notes.append(f"link '{visual.link}': {one_line(str(path))} cannot be read ({reason}); it is drawn without")
-    return []
-
-
-def _where(name: str) -> str:
-    """How to say where a package lies, of which `name` is a file."""
-    if not name.startswith(PACKAGE):
-        return ""
-    package = one_line(name[len(PACKAGE) :].split("/")[0])
-    return f"; set ROS_PACKAGE_PATH to the folder that holds the folder '{package}'"
 
 
 def _color(mesh: Any) -> str:

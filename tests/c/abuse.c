@@ -107,7 +107,7 @@ static void try_step(const robot_state *x, const robot_input *u, real dt, int me
     } else {
         expect(memcmp(&moved, x, sizeof moved) == 0, "a refused step changed the state", method);
     }
-    expect(isfinite(dt) && dt > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
+    expect(isfinite(dt) && dt * ROBOT_REAL_EPSILON > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
         "a step took bad input", method);
     free(work);
 }
@@ -123,7 +123,7 @@ static void try_dae_step(const robot_dae_state *x, const robot_input *u, real dt
     } else {
         expect(memcmp(&moved, x, sizeof moved) == 0, "a refused DAE step changed the state", method);
     }
-    expect(isfinite(dt) && dt > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
+    expect(isfinite(dt) && dt * ROBOT_REAL_EPSILON > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
         "a DAE step took bad input", method);
     free(work);
 }

@@ -20,7 +20,10 @@ WARNINGS = (
     "-Wvla",
     "-Werror",
 )
-OWN = {"gcc": (), "clang": ("-Wanon-enum-enum-conversion", "-Wconditional-uninitialized", "-Wno-unknown-warning-option")}
+OWN = {
+    "gcc": (),
+    "clang": ("-Wanon-enum-enum-conversion", "-Wconditional-uninitialized", "-Wno-unknown-warning-option"),
+}
 """Warnings that only one of the compilers knows; the last of clang's lets older ones take those that they do not."""
 COMPILERS = tuple(OWN)
 LEVELS = ("-O0", "-O2")

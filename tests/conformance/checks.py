@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from conformance import commands, numbers, slopes, uses
+from conformance import commands, folders, numbers, slopes, uses
 from conformance.cases import Case
 from conformance.refusals import refusals_of
 from screwgen import ScrewgenError
@@ -30,6 +30,7 @@ CHECKS: dict[str, Check] = {
     "C, float": Check(numbers.c_float, "accelerations in single precision"),
     "lanes": Check(numbers.lanes, "a step of many scenarios at once, in double precision"),
     "lanes, float": Check(partial(numbers.lanes, single=True), "the same in single precision"),
+    "C folder": Check(folders.folder, "compiles without a warning and passes its self-check, in double and float"),
     "derivatives": Check(slopes.dynamics, "exact slopes of accelerations, in C and NumPy, equal differences"),
     "derivatives of wrenches": Check(slopes.wrenches, "exact slopes of joint wrenches equal differences"),
     "derivatives of steps": Check(slopes.steps, "exact slopes of every step equal differences"),
@@ -40,6 +41,7 @@ CHECKS: dict[str, Check] = {
     "estimator": Check(uses.estimator, "the filter in C equals that in Python, a prediction equals a step"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
     "modes": Check(uses.modes, "frequencies with the joints locked"),
+    "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),
     "commands": Check(commands.every_command, "every command ends well"),
     "mock-up unit": Check(commands.units, "a unit of FMI 3 steps as the C does"),
     "URDF": Check(commands.urdf, "exported and imported again"),

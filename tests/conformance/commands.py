@@ -7,6 +7,7 @@ import os
 from pathlib import Path
 
 import numpy as np
+import pinocchio
 from every_command import DONE, GCC, REFUSED, TCC, called
 from random_robots import to_toml
 
@@ -73,11 +74,23 @@ def units(case: Case) -> None:
 
 
 def urdf(case: Case) -> None:
-    """Exported and imported again it moves as the robot without its modes."""
-    folder = written(case)
-    found = called(["export", str(folder / "robot.toml"), "-o", str(folder / "robot.urdf")])
+    """Pinocchio reads what is exported: the mass of all, and where the links are; and it can be imported again."""
+    path = written(case) / "robot.urdf"
+    found = called(["export", str(case.folder / "robot.toml"), "-o", str(path)])
     if found.said == REFUSED:
         raise ScrewgenError(found.why)
     assert found.said == DONE, found
-    again = called(["import", str(folder / "robot.urdf"), "-o", str(folder / "imported.toml")])
+    again = called(["import", str(path), "-o", str(case.folder / "imported.toml")])
     assert again.said == DONE, again
+    base = (pinocchio.JointModelFreeFlyer(),) if "base" in case.robot else ()
+    rigid, oracle = pinocchio.buildModelFromUrdf(str(path), *base), case.judge.oracle
+    masses = sum(float(np.sum(cloud.masses)) for cloud in oracle.clouds)
+    assert abs(pinocchio.computeTotalMass(rigid) - masses) < 1e-9 * masses
+    data, poses = rigid.createData(), oracle.poses(np.zeros(oracle.nv))
+    pinocchio.framesForwardKinematics(rigid, data, pinocchio.neutral(rigid))
+    names = [x["name"] for x in case.judge.twin["links"]]
+    for link in case.robot["links"]:
+        first = names.index(link["name"] if link.get("segments", 1) == 1 else f"{link['name']}_0")
+        frame = data.oMf[rigid.getFrameId(link["name"])]
+        near(frame.rotation, poses["R"][first], 1e-9, link["name"])
+        assert np.max(np.abs(frame.translation - poses["joint_point"][first])) < 1e-9, link["name"]

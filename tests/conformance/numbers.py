@@ -89,6 +89,8 @@ def casadi(case: Case) -> None:
     x = case.model.numpy().dae_state(q, v)
     near(np.ravel(functions["dae_state"](q, v, p)), x, case.agreement, "state of the DAE form")
     rows = [np.asarray(y.full()) for y in functions["assemble"](x, tau, w_ext.T, p)]
+    sizes = [x.full().ravel() for x in functions["scaling"](p)]
+    assert [len(x) for x in sizes] == [len(q), len(v), len(tau)] and np.all(np.concatenate(sizes) > 0)
     for found, wanted, what in zip(rows, case.model.numpy().assemble(x, tau, w_ext), "MHW", strict=True):
         near(found.ravel(), np.ravel(wanted), case.agreement, f"{what} of the assembled rows")
 

@@ -100,12 +100,13 @@ def estimator(case: Case) -> None:
 
 
 def equilibrium(case: Case) -> None:
-    """Where it is found nothing accelerates: joints held, by torques that follow; a floating base without gravity."""
+    """Where it is found nothing accelerates: joints held, torques follow, with little weight or none."""
     model, chain = case.model, case.model.chain
-    still = {f"gravity[{k}]": 0.0 for k in range(3)} if chain.floating else {}
+    weight = 0.0 if chain.floating else 0.1  # of the robot's: a link of order 2 bends little
+    light = {f"gravity[{k}]": weight * g for k, g in enumerate(case.robot["gravity"])}
     q = closed(case)[0]
-    rest = screwgen.equilibrium(model, q if chain.floating else q[: model.n_joints], hold=True, parameters=still)
-    f = model.numpy(model.chain.parameters.vector(still))
+    rest = screwgen.equilibrium(model, q if chain.floating else q[: model.n_joints], hold=True, parameters=light)
+    f = model.numpy(model.chain.parameters.vector(light))
     zero = np.zeros(model.nv)
     vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)
     pushed = np.abs(f.forward_dynamics(rest.q, zero, np.add(rest.tau, 1.0), None)[0] - vdot).max()

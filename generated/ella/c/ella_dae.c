@@ -260,7 +260,7 @@ static void leap(const ella_dae_state *x, ella_real dt, ella_real kick, ella_rea
 static int bad_step(const ella_constants *c, const ella_dae_state *s, const ella_input *u, ella_real dt,
     const ella_dae_work *work)
 {
-    return !c || !s || !u || !work || !(dt > 0) || !ella_finite(&dt, 1);
+    return !c || !s || !u || !work || !ella_is_step(dt);
 }
 
 /* Projects the new state, which is accepted only if that succeeds. */

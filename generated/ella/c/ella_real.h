@@ -113,6 +113,12 @@ static inline int ella_finite(const ella_real *x, int n)
     return sum - sum <= 0;
 }
 
+/* 1 if dt is the length of a step: finite, positive, and not so small that a part of it is rounded to zero. */
+static inline int ella_is_step(ella_real dt)
+{
+    return ella_finite(&dt, 1) && dt * ELLA_REAL_EPSILON > 0;
+}
+
 /* 1 if the cubes of all n numbers are finite, so that products in the dynamics do not overflow. */
 static inline int ella_moderate(const ella_real *x, int n)
 {

@@ -83,7 +83,7 @@ ella_status ella_accelerations(const ella_constants *c, const ella_state *state,
 static int bad_step(const ella_constants *c, const ella_state *s, const ella_input *u, ella_real dt,
     const ella_work *work)
 {
-    return !c || !s || !u || !work || !(dt > 0) || !ella_finite(&dt, 1);
+    return !c || !s || !u || !work || !ella_is_step(dt);
 }
 
 /* y = x + dt * rate for coordinates and rates. */

@@ -277,7 +277,7 @@ static void leap(const six_link_dae_state *x, six_link_real dt, six_link_real ki
 static int bad_step(const six_link_constants *c, const six_link_dae_state *s, const six_link_input *u, six_link_real dt,
     const six_link_dae_work *work)
 {
-    return !c || !s || !u || !work || !(dt > 0) || !six_link_finite(&dt, 1);
+    return !c || !s || !u || !work || !six_link_is_step(dt);
 }
 
 /* Projects the new state, which is accepted only if that succeeds. */

@@ -113,6 +113,12 @@ static inline int six_link_finite(const six_link_real *x, int n)
     return sum - sum <= 0;
 }
 
+/* 1 if dt is the length of a step: finite, positive, and not so small that a part of it is rounded to zero. */
+static inline int six_link_is_step(six_link_real dt)
+{
+    return six_link_finite(&dt, 1) && dt * SIX_LINK_REAL_EPSILON > 0;
+}
+
 /* 1 if the cubes of all n numbers are finite, so that products in the dynamics do not overflow. */
 static inline int six_link_moderate(const six_link_real *x, int n)
 {

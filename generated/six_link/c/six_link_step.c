@@ -90,7 +90,7 @@ six_link_status six_link_accelerations(const six_link_constants *c, const six_li
 static int bad_step(const six_link_constants *c, const six_link_state *s, const six_link_input *u, six_link_real dt,
     const six_link_work *work)
 {
-    return !c || !s || !u || !work || !(dt > 0) || !six_link_finite(&dt, 1);
+    return !c || !s || !u || !work || !six_link_is_step(dt);
 }
 
 /* y = x + dt * rate for coordinates and rates. */

@@ -36,7 +36,8 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         | {
             "slopes_of_stumpff": slopes([program]),
             "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closing.rows) * chain.nv**2,
-            "per_entry": 6 * chain.nv**2,
+            "per_update": 3 * chain.nv**3,
+            "per_entry": 4 * chain.nv**2,
             "patience": PATIENCE,
             "gauges": [_gauge(chain, g) for g in gauges(chain)],
             "curvatures": _curvatures(chain),

@@ -61,6 +61,8 @@ class Fitted:
     """A controller's numbers at a robot's sizes. Raises :class:`UsageError` with the file, key, fault and remedy."""
 
     rest: Rest
+    scatter: np.ndarray
+    """(2 nq,): by how much an ordinary sample may miss the model's prediction."""
     terminal: np.ndarray
     """The regulator's cost-to-go (2 nq, 2 nq) behind the last state; only where the file asks for it."""
 
@@ -222,6 +224,8 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
         "penalty": literal(bounds.penalty),
         "iterations": said.solver.iterations,
         "delay": said.solver.delay,
+        "margin": literal(said.solver.margin),
+        "patience": said.solver.patience,
         "plant_steps": max(horizon.substeps, round(horizon.step / PLANT_STEP)),
         "check_duration": repr(max(1.0, 2 * horizon.intervals * horizon.step)),
         **_tip(fitted, baked),
@@ -273,6 +277,7 @@ def _tables(fitted: Fitted) -> dict[str, Any]:
     q, tau, r, R = fitted.rest
     tables: dict[str, Numbers] = {"GOAL_Q": q, "GOAL_TAU": tau, "GOAL_PLACE": r, "GOAL_ROTATION": R.ravel()}
     members: dict[str, Numbers] = {f"o->{name}": w for name, w in (fitted.weights | fitted.bounds).items() if len(w)}
+    members["o->scatter"] = fitted.scatter
     if fitted.said.cost.terminal.riccati:
         members["&o->terminal[0][0]"] = fitted.terminal.ravel()
     defaults = []

@@ -149,6 +149,7 @@ class CProject:
             **steps.content(self.methods),
             "rounds": ROUNDS,
             "example": changing_parameter(robot),
+            "assumptions": chain.assumptions(),
             "link_names": [link.name for link in robot.links],
             "names": chain.names,
             "segments": chain.segments if chain.n > len(robot.links) else (),

@@ -8,6 +8,7 @@ from functools import partial
 import casadi as ca
 
 from ...algorithms import fused
+from ...algorithms import robot_programs as programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import stage
 from ...algorithms.schedule import COLUMNS
@@ -98,12 +99,12 @@ def _axis(spin: ca.SX) -> ca.SX:
 
 
 def scaling(chain: Chain) -> ca.Function:
-    """``(p) -> (q, v, tau)``: the size of a coordinate, rate and torque; divided by it they are of order one.
+    """``(p) -> (q, v, tau)``: the size of a coordinate, rate and input; divided by it they are of order one.
 
     Each is what the energy E says, that of the stretched arm whose heaviest joint moves at 1 rad/s or 1 m/s: a mode
-    bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle.  Joints turn by 1 rad or
-    slide by 1 m, and rotors with them; the gear of a transmission stretches as a mode bends.  E is 1 J where there are
-    no joints.
+    bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle, a tension 2 E as the mode
+    that it moves most bends.  Joints turn by 1 rad or slide by 1 m, and rotors with them; the gear of a transmission
+    stretches as a mode bends.  E is 1 J where there are no joints.
     """
     given, m, first = symbols(chain, "p"), chain.n_joints, chain.base_v
     inputs = symbols(chain, "q v vdot w_ext") | given
@@ -120,4 +121,14 @@ def scaling(chain: Chain) -> ca.Function:
         else:
             tau[joint] /= ratio
     q = ca.vertcat(ca.SX.ones(chain.q_offset[-1]), ratios, modes)
-    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=tau)
+    tensions = [twice / ca.mmax(ca.fabs(row.T) * modes) for row in ca.vertsplit(_pulls(chain, inputs))]
+    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=ca.vertcat(tau, *tensions))
+
+
+def _pulls(chain: Chain, given: Mapping[str, ca.SX]) -> ca.SX:
+    """(tensions, n_modes): the change of each tendon's length with each mode of the straight arm."""
+    if not chain.n_tensions:
+        return ca.SX(0, chain.n_modes)
+    slopes = ca.jacobian(expressions(programs.tendon_length(chain), given)["length"], given["q"])
+    straight = ca.vertcat(ca.SX(0, 1), *chain.home)
+    return ca.densify(ca.substitute(slopes, given["q"], straight))[:, chain.nq - chain.n_modes :]

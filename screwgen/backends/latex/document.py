@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,11 +13,11 @@ from ...algorithms.scope import derived
 from ...ir.block import Block
 from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
-from ...spec.link_class import LinkClass
-from ...spec.parameters import parameters
+from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ...version import __version__
+from ..numpy.loop_rows import choose_rows
 from ..templates import render
 from . import elements, tables, text
 from .blocks import LETTERS
@@ -28,12 +29,16 @@ from .notation import Notation, respelled
 from .page import extras as extras
 from .page import math_font as math_font
 from .page import page as page
+from .parameter_symbols import with_symbols
 from .pattern import pattern
-from .steps import KEY_STEPS, BlockView, block_view
+from .robot_tables import besides
+from .steps import KEY_STEPS, BlockView, Seen, block_view
 from .style import DocumentStyle
 from .symbols import SLIDING, entries
 
 PLAIN = DocumentStyle()
+TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
+"""What the tensions of tendons do to the rows of a link."""
 
 
 def document(
@@ -45,7 +50,14 @@ def document(
 
 def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None = None) -> str:
     """The same document as one HTML page with MathML, which needs nothing else; it shows the lines of generated C."""
-    return page(content(robot, plugins, notation), extras(Chain(robot)))
+    return page(content(robot, plugins, notation), extras(chain_of(robot)))
+
+
+def chain_of(robot: Robot) -> Chain:
+    """The links of a robot, with the rows of its loops that bear forces."""
+    chain = Chain(robot)
+    choose_rows(chain)
+    return chain
 
 
 def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
@@ -57,7 +69,7 @@ def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
 def notebook(robot: Robot) -> str:
     """A short piece of Markdown: the robot's links and the blocks of each class, for notebooks."""
     chain = Chain(robot)
-    table = tables.links(robot, chain.keys, chain.classes)
+    table = tables.links(chain)
     cells = (tuple(map(text.in_markdown, row)) for row in (table.head, *table.rows))
     parts = [f"**{plain(robot.name)}**: {plain(robot.summary)}\n", markdown_table(next(cells), cells)]
     alike: dict[str, list[str]] = {}
@@ -74,7 +86,7 @@ def notebook(robot: Robot) -> str:
 
 def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None = None) -> Document:
     """The document of a robot, independent of the output format, in the paper's letters or in a ``notation``."""
-    chain = Chain(robot)
+    chain = chain_of(robot)
     plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_added)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
@@ -94,7 +106,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     ]
     sections += [
         DocumentSection(SYMBOLS, [tables.symbols(entries(known, named))]),
-        DocumentSection(PARAMETERS, [tables.parameters(parameters(robot))]),
+        DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),
     ]
     shown = Document(robot.name, __version__, tuple(sections))
     if notation is None:
@@ -110,11 +122,23 @@ def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Bl
 
 def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
-    seen: dict[str, str] = {}
+    seen: dict[str, Seen] = {}
     letters = [LETTERS[direction] for direction, _ in key.directions if direction in LETTERS]
     parts = tuple(Counter(letters).items())
     given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes), parts)
-    return tuple(block_view(blocks[name], seen, *given) for name in ordered(blocks))
+    out: list[BlockView] = []
+    for name in ordered(blocks):
+        out.append(block_view(blocks[name], seen, *given))
+        if name == "tip":
+            out += station_views(key, seen, given)
+    return tuple(out)
+
+
+def station_views(key: LinkClass, seen: Mapping[str, Seen], given: tuple) -> Iterator[BlockView]:
+    """The steps of the sections before the tip at which links are carried, where they differ from those of the tip."""
+    for number, place in enumerate(key.stations_at):
+        block = derived(key.station(number))["tip"]
+        yield replace(block_view(block, dict(seen), *given), title=f"Section at $s = {place:.6g}$")
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:
@@ -129,13 +153,16 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     links = f"{len(robot.links)} link{'s' if len(robot.links) > 1 else ''}"
     pieces = sum(link.pieces for link in robot.links)
     links += f" of {pieces} segments" if pieces > len(robot.links) else ""
-    links += f", {chain.n - pieces} markers that loops join" if chain.n > pieces else ""
+    markers = chain.n - pieces
+    links += f", {markers} marker{'s' * (markers > 1)} that loops join" if markers else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     joints += f", {chain.n_added} of rotors" if chain.n_added else ""
-    count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal"
+    tendons = f", {chain.n_tensions} tendon{'s' * (chain.n_tensions > 1)}" if chain.n_tensions else ""
+    count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal{tendons}"
     items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
-        tables.links(robot, chain.keys, chain.classes),
+        tables.links(chain),
+        *besides(chain),
     ]
     return DocumentSection("The robot", items)
 
@@ -143,8 +170,14 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
 def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
     free_fall = rf"[{gravity}]^{{\top}}".replace(", ", r",\ ")
-    first = all(key.order == 1 for key in chain.keys)
-    conventions = render("latex/conventions.tex.jinja", gravity=free_fall, citation=CITATION, first_order=first)
+    conventions = render(
+        "latex/conventions.tex.jinja",
+        gravity=free_fall,
+        citation=CITATION,
+        assumptions=chain.assumptions("`"),
+        shear=any(len(key.counts) > 4 for key in chain.keys),
+    )
+    exact = any(key.order == EXACT for key in chain.keys)
     equations = render(
         "latex/equations.tex.jinja",
         section_rotation=robot.section_rotation,
@@ -160,6 +193,16 @@ def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
         markers=any(segment.marker is not None for segment in chain.segments),
         floating=chain.floating,
         elements=elements.equations(chain),
+        acting=elements.acting(chain),
+        effort=elements.effort(chain),
+        first_order=all(key.order == 1 for key in chain.keys),
+        exact=exact,
+        M_eta=r"\mathbf{M}_{\eta,i}" if exact else r"\mathbf{M}_{W\phi,i}",
+        tendons=bool(chain.n_tensions),
+        tension=TENSION if chain.n_tensions else "",
+        relations=bool(chain.closing.related),
+        shared=chain.closing.overconstrained,
+        jointed=any(not key.floats for key in chain.keys),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
         point="J" if chain.slides else "m",
     )

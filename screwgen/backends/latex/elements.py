@@ -19,6 +19,16 @@ def symbols(chain: Chain) -> list[Named]:
     return [(symbol, meaning, unit, "1", "-", binding[state]) for symbol, meaning, unit, state in stated]
 
 
+def acting(chain: Chain) -> bool:
+    """Whether anything acts on the axes but torques, and springs and dampers with one end at rest."""
+    return _drives(chain) or bool(chain.laws) or bool(chain.robot.couplings)
+
+
+def effort(chain: Chain) -> str:
+    """The LaTeX of what acts on the axes of a joint."""
+    return r"\boldsymbol{\tau}_{q,i}" if acting(chain) else r"\boldsymbol{\tau}_i"
+
+
 def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
     out = [gear.EQUATIONS] if _drives(chain) else []

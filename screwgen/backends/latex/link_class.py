@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
 from ...bodies.collocation import collocation
+from ...bodies.varying_fields import weights
 from ...ir.block import Binding, Block
 from ...reduction.invariants import Invariants
 from ...spec.link_class import AXIS, EXACT, LinkClass
@@ -23,6 +24,13 @@ ORDER = (
     *("energy", "link_rows", "joint_rows"),
 )
 """The order of the blocks that are known; others follow."""
+
+DISPLACEMENT: dict[int | str, str] = {
+    1: r"The elastic displacement is $\mathbf{r}_{\xi} = \boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72),",
+    2: r"To first order the elastic displacement is $\boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72),",
+    EXACT: r"The strains are those of a small displacement $\boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72),",
+}
+"""What the modes displace, by the order of the link."""
 
 FORMULAS = 6
 """Of up to that many polynomial shapes the coefficients are printed."""
@@ -131,8 +139,8 @@ def _field(key: LinkClass) -> Iterator[Item]:
         yield from _from_file(key.elastic)
         return
     yield Paragraph(
-        r"The elastic displacement is $\mathbf{r}_{\xi} = \boldsymbol{\phi}_i(\xi)\,\boldsymbol{\eta}_i$ (72), with "
-        r"shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
+        DISPLACEMENT.get(key.order, DISPLACEMENT[1])
+        + r" with shapes $\varphi_k(\xi) = \psi(s)$ along the axes of $\mathcal{F}_i$:"
     )
     yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
     sheared = len(key.counts) > 4
@@ -141,8 +149,10 @@ def _field(key: LinkClass) -> Iterator[Item]:
     if key.order == 2:
         yield from parse(render("latex/second_order.tex.jinja", shear=sheared))
     if key.order == EXACT:
-        count = len(collocation(key).places)
-        yield from parse(render("latex/exact_rod.tex.jinja", shear=sheared, points=count, stations=key.stations))
+        yield from _exact(key, sheared)
+    if key.tendons:
+        count, straight = len(collocation(key).places), key.order == 1
+        yield from parse(render("latex/tendon.tex.jinja", points=count, straight=straight, segments=key.segments > 1))
     alike: dict[tuple, list[str]] = {}
     for direction in dict.fromkeys(d for d, _ in key.directions):
         shapes = key.shapes(direction)
@@ -155,6 +165,22 @@ def _field(key: LinkClass) -> Iterator[Item]:
         r"is the dimensionless stiffness:"
     )
     yield modes(key)
+
+
+def _exact(key: LinkClass, sheared: bool) -> Iterator[Item]:
+    """The recursion along a rod whose kinematics are kept whole."""
+    rod = collocation(key)
+    ends = weights(key).ends() if key.stations else []
+    given = {
+        "points": len(rod.places),
+        "stations": key.stations,
+        "masses": len(rod.masses) // len(ends) if rod.masses else 0,
+        "pieces": ", ".join(f"{s:.6g}" for s in dict.fromkeys(x for pair in ends for x in pair)),
+        "turned": bool(key.turned),
+        "offset": key.frame_at,
+        "start": r"\mathbf{a}_r" if key.frame_at else r"\mathbf{a}_0",
+    }
+    yield from parse(render("latex/exact_rod.tex.jinja", shear=sheared, **given))
 
 
 def _from_file(body: Invariants) -> Iterator[Item]:

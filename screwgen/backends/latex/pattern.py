@@ -55,8 +55,8 @@ def _cell(chain: Chain, row: Place, column: Place, rate: str) -> str:
     (of, i), (to, j) = row, column
     number = f",{i + 1}"
     inside = {
-        ("joint", "joint"): r"\mathbf{M}_{\mathcal{W}" + number + "}",
-        ("joint", "link"): rf"\mathbf{{M}}_{{{rate}{number}}}",
+        ("joint", "joint"): r"\mathbf{P}_{\mathcal{W}" + number + "}",
+        ("joint", "link"): rf"\mathbf{{P}}_{{{rate}{number}}}",
         ("link", "joint"): rf"-\mathbf{{J}}_{{B{number}}}^{{\top}}" if chain.keys[i].frame_at else r"-\mathbf{I}_6",
         ("link", "link"): rf"\mathbf{{M}}_{{V{rate}{number}}}",
         ("link", "modes"): r"\mathbf{M}_{V\eta" + number + "}",
@@ -68,7 +68,7 @@ def _cell(chain: Chain, row: Place, column: Place, rate: str) -> str:
         ("modes", "joint"): r"\mathbf{M}_{\eta\mathcal{W}" + number + "}",
     }
     back = {
-        ("joint", "link"): rf"\mathbf{{M}}_{{{rate}{number}}}^{{-}}",
+        ("joint", "link"): rf"\mathbf{{P}}_{{{rate}{number}}}^{{-}}",
         ("joint", "modes"): r"\mathbf{M}_{\eta" + number + "}^{-}",
     }
     tree = chain.tree.parents

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import sympy as sp
@@ -20,8 +20,29 @@ from .tidy import has_integral, is_elementwise, is_symbols_product, tidy
 
 Axes = Sequence[tuple[tuple[sp.Expr, ...], str]]
 """Unit axes with their names."""
+Labels = Mapping[str, tuple[str, tuple[int, int]]]
+"""By the label of an entry: the LaTeX of its symbol, and its place."""
 KEY_STEPS = ("M_star", "M_DPsi", "M_D", "h_MD", "H_star", "M_Dphi", "M_Wphi", "h_phi")
 """The blocks of a link's equations, by which the paper calls them."""
+
+
+Seen = tuple[str, tuple[sp.Expr, ...]]
+"""Formula and entries of a step that has been shown."""
+
+
+@dataclass(frozen=True)
+class Definition:
+    """What a step says, with all digits: the symbol, the right side of its equation, and the entries of its components.
+
+    ``entries`` are over the labels of entries of earlier symbols; ``labels`` has, for each of these, the LaTeX of the
+    symbol with row and column of the entry. Equal are definitions with the same integrals and numbers.
+    """
+
+    signal: NamedSignal = field(compare=False)
+    right: ex.Expression = field(compare=False)
+    entries: Array = field(compare=False)
+    labels: Labels = field(compare=False)
+    numbers: tuple[sp.Expr, ...]
 
 
 @dataclass(frozen=True)
@@ -37,6 +58,7 @@ class StepView:
     formula: Formula
     components: Formula
     """Empty if the matrix equation suffices."""
+    definition: Definition
 
 
 @dataclass(frozen=True)
@@ -52,6 +74,8 @@ class BlockView:
     """The numbers of joint rates and of modes in the class of links."""
 
 
+AXES_OF_JOINT = ("A", "T")
+"""Identities that are shown: what a joint does without them is nothing."""
 DIAGONAL = 4
 """From that size on a diagonal matrix is written by its diagonal."""
 MANY = 36
@@ -60,7 +84,7 @@ MANY = 36
 
 def block_view(
     block: Block,
-    seen: dict[str, str] | None = None,
+    seen: dict[str, Seen] | None = None,
     axes: Axes = (),
     structure: Mapping[str, Array] | None = None,
     counts: tuple[int, int] = (0, 0),
@@ -74,15 +98,16 @@ def block_view(
     """
     seen = {} if seen is None else seen
     values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
-    write = scalars(block)
+    write, labels = scalars(block), _labels(block)
     steps, used, defined = [], [], []
     for step in block.steps.values():
         right = tidy(step.expression, values, write)
-        text = latex(right)
-        if ex.is_zero(right) or ex.is_identity(right) or seen.get(step.signal.name) == text or _vanishes(block, step):
+        found = latex(right), tuple(_entries(block, step).flat)
+        plain = ex.is_zero(right) or (ex.is_identity(right) and step.signal.name not in AXES_OF_JOINT)
+        if plain or seen.get(step.signal.name) == found or _vanishes(block, step):
             continue
-        seen[step.signal.name] = text
-        view = _view(block, step, right, write, axes, parts)
+        seen[step.signal.name] = found
+        view = _view(block, step, right, write, axes, parts, labels)
         if len(view.formula) == 1 and not view.formula[0][1]:
             continue  # its symbol says it all
         steps.append(view)
@@ -102,9 +127,27 @@ def _vanishes(block: Block, step: Step) -> bool:
     return not any(value != 0 for value in block.values[step.signal.name].flat)
 
 
-def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes, parts: Parts) -> StepView:
+def _labels(block: Block) -> Labels:
+    """By the label of every entry of a block's signals: the LaTeX of the signal, and the place of the entry."""
+    signals = (*block.inputs.values(), *(step.signal for step in block.steps.values()))
+    return {label: (_written(s), index) for s in signals for index, label in s.labels()}
+
+
+def _written(s: NamedSignal) -> str:
+    return latex(ex.Symbol(s.name, s.shape, s.display))
+
+
+def _entries(block: Block, step: Step) -> Array:
+    """The entries of a step over those of earlier symbols."""
+    made = dict(step.assignments)
+    return np.vectorize(lambda v: made.get(v, v), otypes=[object])(block.values[step.signal.name])
+
+
+def _view(
+    block: Block, step: Step, right: ex.Expression, write: Scalars, axes: Axes, parts: Parts, labels: Labels
+) -> StepView:
     s = step.signal
-    left = latex(ex.Symbol(s.name, s.shape, s.display))
+    left = _written(s)
     # a step that only names what its symbol says (omega~ squared) is shown by its entries alone
     sides = (
         []
@@ -113,7 +156,10 @@ def _view(block: Block, step: Step, right: ex.Expression, write: Scalars, axes: 
     )
     bracket, below = _components(block, step, right, write, parts)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
-    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below)
+    entries = _entries(block, step)
+    own = tuple(e for e in entries.flat if has_integral(right) or sp.sympify(e).has(sp.Float))
+    definition = Definition(s, right, entries, labels, own)
+    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below, definition)
 
 
 def _terms(right: ex.Expression) -> list[str]:
@@ -128,9 +174,7 @@ def _terms(right: ex.Expression) -> list[str]:
 
 def _components(block: Block, step: Step, right: ex.Expression, write: Scalars, parts: Parts) -> tuple[str, Formula]:
     """The components in brackets, by blocks or entry by entry below the equation, or none."""
-    made = dict(step.assignments)
-    values = block.values[step.signal.name]
-    entries = np.vectorize(lambda v: made.get(v, v), otypes=[object])(values)
+    made, entries = dict(step.assignments), _entries(block, step)
     if not _worth_showing(block, step, right, entries, write):
         return "", ()
     bracket = _bracket(entries, write)

@@ -12,11 +12,12 @@ from ...bases import Basis, Shapes
 from ...ir.block import Binding
 from ...joints.screw import Screw
 from ...spec.link_class import LinkClass
-from ...spec.markers import Place
 from ...spec.modes import DIRECTIONS
 from ...spec.parameters import Parameter
-from ...spec.robot import Link, Robot
-from ...spec.segments import segments
+from ...spec.parents import WORLD
+from ...spec.robot import Link
+from ...topology.chain import Chain
+from ...topology.tree import BASE, TIP
 from . import elements
 from .content import DocumentTable
 from .symbols import Entry
@@ -33,16 +34,31 @@ def decimal(value: float) -> str:
     return f"${number(sp.Float(value) if value != int(value) or abs(value) > 1e6 else sp.Integer(int(value)))}$"
 
 
-def links(robot: Robot, keys: Sequence[LinkClass], classes: Sequence[LinkClass]) -> DocumentTable:
-    """One row per link: its class, joint, shapes and bodies."""
+def exact(value: float) -> str:
+    """A number with all its digits, as a formula."""
+    mantissa, _, exponent = repr(float(value)).removesuffix(".0").partition("e")
+    power = rf"\times 10^{{{int(exponent)}}}" if exponent else ""
+    return f"${mantissa}{power}$"
+
+
+def links(chain: Chain) -> DocumentTable:
+    """One row per link: its class, joint, shapes and bodies; one per marker that a loop joins."""
+    robot, keys, classes = chain.robot, chain.keys, chain.classes
     kinds = "x, y, z, torsion" + ", shear" * any(len(key.counts) > 4 for key in keys)
     head = ("link", "name", "class", "length", "joint axes", f"modes: {kinds}", "bodies, remarks")
-    rows, firsts = [], [i for i, segment in enumerate(segments(robot)) if segment.first]
-    for link, first in zip(robot.links, firsts, strict=True):
+    rows, pieces = [], chain.segments
+    for link, first in zip(robot.links, chain.firsts, strict=True):
         own = keys[first : first + link.pieces]
         numbers = dict.fromkeys(f"{classes.index(key) + 1}" for key in own)
         place = f"{first + 1}" if len(own) == 1 else f"{first + 1}–{first + len(own)}"
-        rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(link, own[0])))
+        rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(chain, first)))
+        for i in range(first + link.pieces, len(pieces)):
+            if pieces[i].first:
+                break
+            where = f"marker that a loop joins, {_carrier(chain, i)}"
+            rows.append(
+                (f"{i + 1}", f"`{pieces[i].name}`", f"{classes.index(keys[i]) + 1}", NONE, "welded", "rigid", where)
+            )
     return DocumentTable(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
 
 
@@ -66,12 +82,12 @@ def axis_text(screw: Screw) -> str:
     axis = _axis(screw.axis)
     if not screw.slides:
         return axis
-    return f"{axis}, {screw.travel:.4g} m/rad" if screw.turn else f"{axis}, sliding"
+    return f"{axis}, {screw.travel:.6g} m/rad" if screw.turn else f"{axis}, sliding"
 
 
 def _axis(axis: Sequence[float]) -> str:
     letters = [name for name, unit in zip("xyz", np.eye(3), strict=True) if tuple(unit) == tuple(axis)]
-    return letters[0] if letters else f"({', '.join(f'{x:.4g}' for x in axis)})"
+    return letters[0] if letters else f"({', '.join(f'{x:.6g}' for x in axis)})"
 
 
 def _modes(key: LinkClass) -> str:
@@ -85,7 +101,8 @@ def _basis(basis: str | Basis) -> str:
     return basis if isinstance(basis, str) else basis(1, 2).family.name
 
 
-def _remarks(link: Link, key: LinkClass) -> str:
+def _remarks(chain: Chain, i: int) -> str:
+    link, key = chain.robot.links[chain.segments[i].link], chain.keys[i]
     split = [f"{link.pieces} segments"] if link.pieces > 1 else []
     bodies = [f"{decimal(body.mass)} kg at the {body.at}" for body in link.bodies]
     stated = {
@@ -100,19 +117,22 @@ def _remarks(link: Link, key: LinkClass) -> str:
         "rotary inertia": key.rotary,
         "measured frequencies": key.measured,
     }
-    bodies += [f"on `{link.parent}`"] if link.parent else []
-    bodies += [f"at {_place(link)}"] if link.at != "tip" else []
+    bodies += [_carrier(chain, i)] if chain.tree.parents[i] != i - 1 or chain.tree.at(i) != TIP else []
     return "; ".join(split + bodies + [name for name, present in stated.items() if present])
 
 
-def _place(link: Link) -> str:
-    """Where on its parent a link is carried."""
-    return rf"$s = {link.at.s:.6g}$" if isinstance(link.at, Place) else f"`{link.at}`"
+def _carrier(chain: Chain, i: int) -> str:
+    """What carries a link, and where if not at the tip: with segments that of one of them."""
+    parent, station = chain.tree.parents[i], chain.tree.at(i)
+    if parent == BASE:
+        return f"on `{WORLD}`"
+    place = "" if station == TIP else f" at $s =$ {exact(chain.keys[parent].stations_at[station])}"
+    return f"on `{chain.names[parent]}`, link {parent + 1}{place}"
 
 
 def stations(key: LinkClass) -> DocumentTable:
     """The values and slopes of the mode shapes at the sections where a link carries others, besides its tip."""
-    head = ("shape", *(rf"${x}({s:.4g})$" for s in key.stations_at for x in (r"\psi", r"\psi'")))
+    head = ("shape", *(rf"${x}({s:.6g})$" for s in key.stations_at for x in (r"\psi", r"\psi'")))
     rows = []
     for k, (direction, i) in enumerate(key.directions):
         at = [key.shapes(direction).evaluate(key.stations_at, derivative)[i] for derivative in (0, 1)]
@@ -145,10 +165,14 @@ def _constants(shapes: Shapes, i: int) -> Iterable[str]:
     return (decimal(column[i]) for column in columns)
 
 
-def parameters(items: Sequence[Parameter]) -> DocumentTable:
-    """The numbers of the robot file."""
-    rows = ((f"`{p.name}`", decimal(p.value), plain_unit(p.unit), p.description) for p in items)
-    return DocumentTable(("parameter", "value", "unit", "meaning"), (0.35, 0.17, 0.12, 0.36), tuple(rows))
+def parameters(items: Sequence[tuple[Parameter, str]]) -> DocumentTable:
+    """The numbers of the robot file, each with the LaTeX of its symbol in the equations, if it has one."""
+    rows = (
+        (f"`{p.name}`", f"${symbol}$" if symbol else NONE, exact(p.value), plain_unit(p.unit), p.description)
+        for p, symbol in items
+    )
+    head, widths = ("parameter", "symbol", "value", "unit", "meaning"), (0.32, 0.09, 0.2, 0.1, 0.29)
+    return DocumentTable(head, widths, tuple(rows))
 
 
 def plain_unit(text: str) -> str:

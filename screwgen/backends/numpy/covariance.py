@@ -5,34 +5,35 @@ from __future__ import annotations
 import numpy as np
 
 from ...errors import DivergedError, SingularError
-from .numeric import EPSILON
 
 LOST = "the filter's covariance has lost its definiteness"
 KNOWN = 8
 """Rounding errors of the variance of an entry; with less left of it, the entry follows from others."""
 
 
-def root(P: np.ndarray, epsilon: float = EPSILON) -> np.ndarray:
+def root(P: np.ndarray, real: type = np.float64) -> np.ndarray:
     """``S`` (n, rank) with ``S S^T = P``: Cholesky's elimination, what is left most uncertain first.
 
-    Uncertain is relative to the variance of each entry. Raises DivergedError, or SingularError where P (n, n) is
-    indefinite by more than rounding errors ``epsilon``.
+    Uncertain is relative to the variance of each entry. Variances are taken for zero where products of deviations
+    lose digits as they underflow. Raises DivergedError, or SingularError where P (n, n) is indefinite by more than
+    rounding errors of ``real``.
     """
     if not np.isfinite(P).all():
         raise DivergedError("the filter's covariance is not finite")
-    variance, remaining = np.diag(P), np.ones(len(P), bool)
-    scale = np.divide(1.0, variance, out=np.zeros(len(P)), where=variance > 0)
+    precision, variance = np.finfo(real), np.diag(P)
+    remaining = variance > precision.tiny / precision.eps
+    scale = np.divide(1.0, variance, out=np.zeros(len(P)), where=remaining)
     left, S, rank = variance.copy(), np.zeros_like(P), 0
     while remaining.any():
         share = np.where(remaining, left * scale, -np.inf)
         i = int(np.argmax(share))
-        if not share[i] > KNOWN * epsilon:
+        if not share[i] > KNOWN * precision.eps:
             break
         pivot = np.sqrt(left[i])
         column = np.where(remaining, P[:, i] - S[:, :rank] @ S[i, :rank], 0.0) / pivot
         column[i], remaining[i] = pivot, False
         S[:, rank], left, rank = column, left - column**2, rank + 1
-    if (left < -np.sqrt(epsilon) * variance)[remaining].any():
+    if (variance < 0).any() or (left < -np.sqrt(precision.eps) * variance)[remaining].any():
         raise SingularError(LOST)
     return S[:, :rank]
 

@@ -197,7 +197,7 @@ def limits_of_model(what: str, v: Validity, rods: Sequence[LeftOut] = ()) -> str
         errors = ", ".join(f"{x.link} {x.error:.1g} ({x.section}, {_count(x.points, 'point')})" for x in rods)
         notes.append(_wrapped(f"Error of the sections of exact links by their points, over the length: {errors}"))
         notes += [_wrapped(f"- {x.text()}", "  ") for x in rods if x.past]
-    return "\n".join([f"Limits of the model of first order, {what}; * is past its bound", v.table(), *notes])
+    return "\n".join([f"Limits of the model, {what}; * is past its bound", v.table(), *notes])
 
 
 # ------------------------------------------------------------------------------ the spectrum

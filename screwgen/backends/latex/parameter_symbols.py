@@ -1,0 +1,56 @@
+"""The symbols of parameters in the equations of a document."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from ...algorithms.scope import derived
+from ...elements import KINDS, TRAVELS, friction, gear, stop
+from ...spec.link_class import LinkClass
+from ...spec.parameters import Parameter, parameters
+from ...topology.chain import Chain
+from ...topology.parameters import label
+from .scalars import entry
+
+BLOCKS = ("link", "tip", "tip_body", "joint", "joint_rows")
+"""The blocks whose inputs are parameters, or follow from them alone."""
+OF_AXES = {"joint.armature": "j_{m", "joint.damping": "d_{q", "joint.stiffness": "s_{q"}
+"""The symbols of what each axis of a joint has one of, without the number of the axis."""
+
+
+def with_symbols(chain: Chain) -> list[tuple[Parameter, str]]:
+    """All parameters of a robot, each with its LaTeX; empty where a parameter only makes others."""
+    return [(p, _symbol(chain, p)) for p in parameters(chain.robot)]
+
+
+def _symbol(chain: Chain, p: Parameter) -> str:
+    if p.link is None:
+        return rf"g_{'xyz'[p.index[0]]}"
+    if p.field in OF_AXES:
+        return rf"{OF_AXES[p.field]},{p.index[0] + 1}}}"
+    if p.field == "tendons.at":
+        return rf"d_{{{p.index[1]},{'xyz'[p.index[2]]}}}"
+    first = chain.firsts[p.link]
+    own = [key for s, key in zip(chain.segments[first:], chain.keys[first:], strict=True) if s.link == p.link]
+    found = (_inputs(key).get(label(p), "") for key in dict.fromkeys(own))
+    return next(filter(None, found), "") or _of_axis(p)
+
+
+def _of_axis(p: Parameter) -> str:
+    """That of what acts on an axis."""
+    *_, table, name = ("", *p.field.split("."))
+    if p.field.startswith("joint.limits."):
+        return stop.LETTERS.get(name, "")
+    if p.field.startswith("joint.elements."):
+        return KINDS[table].table()[name].symbol if table in KINDS else ""
+    if ".transmission." in p.field:
+        below = p.field.partition(".transmission.")[2]
+        return next((kind.KEYS[name].symbol for kind in TRAVELS if below == f"{kind.TABLE}{name}"), "")
+    return (gear.LETTERS | friction.LETTERS).get(name, "") if p.field.startswith("joint.drives.") else ""
+
+
+@cache
+def _inputs(key: LinkClass) -> dict[str, str]:
+    """The entries of the parameters of a class's blocks, by label."""
+    signals = (s for name in BLOCKS for s in derived(key)[name].inputs.values())
+    return {own: entry(s, index) for s in signals for index, own in s.labels()}

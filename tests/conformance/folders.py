@@ -1,0 +1,27 @@
+"""Checks of the folders of generated C: warnings, headers in C++, and the self-check that they bring."""
+
+from __future__ import annotations
+
+from every_command import DONE, checked
+
+from conformance.c_warnings import COMPILERS, compile_cleanly
+from conformance.cases import Case
+
+LAYOUTS = ("auto", "modular")
+
+
+def folder(case: Case) -> None:
+    """A folder with all that a robot can have compiles without a warning, and its self-check passes, also in float.
+
+    Compilers, layouts and levels take turns from robot to robot.
+    """
+    compiler, layout = COMPILERS[case.seed % 2], LAYOUTS[case.seed // 2 % 2]
+    place = case.folder / "c"
+    place.mkdir(exist_ok=True)
+    options = dict(batch=True, derivatives=True, estimator=True, outputs=True)
+    for name, data in case.model.c_files("runtime", layout, None, **options).items():
+        (place / name).write_bytes(data)
+    said = compile_cleanly(place, compiler, "-O0")
+    assert not said, said
+    found = checked(place)
+    assert found.said == DONE, found

@@ -1,0 +1,183 @@
+"""The document of a robot, read in a state: links and their sections with their symbols."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from document_axes import Axis, axes_of
+from document_points import exact_rod
+from document_symbols import Part, Printed, Scope, Undefined, plain
+
+WORLD, WELDED, FREE, BALL = "world", "welded", "free", "ball"
+
+
+@dataclass
+class Link:
+    """A row of the table of links."""
+
+    number: int
+    name: str
+    parts: list[Part]
+    parent: int
+    station: float | None
+    segment: tuple[int, int]
+    """Which of how many segments."""
+    sizes: tuple[int, int, int]
+    """The numbers of joint coordinates, joint rates and modes."""
+    floats: bool
+    axes: list[Axis] = field(default_factory=list)
+
+
+class Reading:
+    """The document of a robot, read."""
+
+    def __init__(self, document: Printed):
+        self.document = document
+        self.links = list(self._links())
+        self.names = [link.name for link in self.links]
+        names = {link.name.partition("[")[0]: None for link in self.links}
+        self.gravity = np.array([[document.parameters[f"gravity[{k}]"][1]] for k in range(3)])
+        self.axes = [axis for link in self.links for axis in link.axes]
+        self.parameters = {name: self._parameters(name) for name in names}
+
+    def _links(self) -> Iterator[Link]:
+        before = -1
+        for row in self.document.table("link"):
+            first, last = (int(row[0].split("–")[end]) for end in (0, -1))
+            name, classes = row[1].strip("`"), [int(x) for x in row[2].split(",")]
+            for k in range(last - first + 1):
+                parts = self._class(name, k, last - first + 1, classes)
+                parent, station = (before, None) if k == 0 else (first + k - 2, None)
+                if k == 0 and (on := re.search(r"on `([^`]*)`(?:, link (\d+)(?: at \$s =\$ \$([^$]*)\$)?)?", row[6])):
+                    parent = -1 if on[1] == WORLD else int(on[2]) - 1
+                    station = float(on[3]) if on[3] else None
+                floats = k == 0 and row[4] == FREE
+                sizes = (*(joint_sizes(row[4]) if k == 0 else (0, 0)), modes(row[5]))
+                own = name if last == first else f"{name}[{k}]"
+                axes = axes_of(self.document, name, sizes[1]) if k == 0 and not floats else []
+                yield Link(first + k - 1, own, parts, parent, station, (k, last - first + 1), sizes, floats, axes)
+            before = last - 1
+
+    def _class(self, name: str, k: int, count: int, classes: Sequence[int]) -> list[Part]:
+        """The class of a segment: the first paragraph of a class names its members."""
+        own = f"`{name}`" if count == 1 else f"`{name}[{k}]`"
+        return next(parts for n, parts in self.document.classes.items() if n in classes and own in parts[0].text)
+
+    def _parameters(self, name: str) -> dict[str, float]:
+        own = {}
+        for full, (symbol, x) in self.document.parameters.items():
+            if (
+                full.startswith(f"{name}.")
+                and symbol != "–"
+                and not re.search(r"joint\.(drives|limits|elements)|tendons", full)
+            ):
+                own.setdefault(symbol, x)
+        return own
+
+
+def joint_sizes(said: str) -> tuple[int, int]:
+    """The numbers of coordinates and rates of a joint by the cell of the table of links."""
+    if said in (WELDED, FREE, BALL):
+        return {WELDED: (0, 0), FREE: (7, 6), BALL: (4, 3)}[said]
+    entries = re.sub(r"\([^)]*\)", "axis", said).split(", ")
+    count = sum(entry != "sliding" and not entry.endswith("m/rad") for entry in entries)
+    return count, count
+
+
+def modes(said: str) -> int:
+    return sum(int(x) for x in re.findall(r"\d+", said.partition("`")[0]))
+
+
+class State:
+    """A reading in a state: scopes for all links and their sections."""
+
+    def __init__(self, reading: Reading, q, v, tau, w_ext):
+        self.reading, self.links, self.w_ext = reading, reading.links, w_ext
+        self._split(q, v, tau)
+        self.scopes: list[Scope] = []
+        self.stations: dict[tuple[int, float], Scope] = {}
+        for link in self.links:
+            self.scopes.append(self._scope(link))
+
+    def _split(self, q, v, tau) -> None:
+        links, axes = self.links, self.reading.axes
+        self.q, self.v, self.eta, self.rate = {}, {}, {}, {}
+        at_q = at_v = 0
+        for link in links:
+            nq, nv, _ = link.sizes
+            self.q[link.number], self.v[link.number] = q[at_q : at_q + nq], v[at_v : at_v + nv]
+            at_q, at_v = at_q + nq, at_v + nv
+        for axis in axes:
+            if axis.elastic:
+                axis.added, axis.added_rate, at_q, at_v = q[at_q], v[at_v], at_q + 1, at_v + 1
+        for link in links:
+            r = link.sizes[2]
+            self.eta[link.number], self.rate[link.number] = q[at_q : at_q + r], v[at_v : at_v + r]
+            at_q, at_v = at_q + r, at_v + r
+        if (at_q, at_v) != (len(q), len(v)):
+            raise Undefined(f"the document has {at_q} coordinates and {at_v} rates, the robot {len(q)} and {len(v)}")
+        for link in links:
+            for k, axis in enumerate(link.axes):
+                axis.q, axis.qdot = self.q[link.number][k], self.v[link.number][k]
+        for axis, x in zip(axes, tau, strict=False):
+            axis.tau = x
+        self.tensions = tau[len(axes) :]
+
+    def _scope(self, link: Link) -> Scope:
+        column = lambda x: np.reshape(x, (-1, 1))  # noqa: E731
+        i = link.number
+        own = (
+            dict(self.reading.parameters[link.name.partition("[")[0].partition(".")[0]])
+            if not self._marker(link)
+            else {}
+        )
+        count = link.segment[1]
+        given = {
+            "parameters": own,
+            r"\mathbf{q}_i": column(self.q[i]),
+            r"\dot{\mathbf{q}}_i": column(self.v[i]),
+            r"\boldsymbol{\eta}_i": column(self.eta[i]),
+            r"\dot{\boldsymbol{\eta}}_i": column(self.rate[i]),
+            r"\mathbf{g}": self.reading.gravity,
+        }
+        if count > 1 and "l_{0,i}" in own:
+            given["l_i"] = np.full((1, 1), own["l_{0,i}"] / count)
+        if link.floats:
+            given |= {r"\boldsymbol{\omega}_i": column(self.v[i][:3]), r"\mathbf{v}_i": column(self.v[i][3:])}
+        scope = Scope(self.reading.document, link.parts, given)
+        scope.parent = self._carrier(link)
+        if any(part.title == "Section of the rod" for part in link.parts):
+            scope.given |= {plain(n): x for n, x in exact_rod(scope, link.parts).items()}
+        return scope
+
+    def _marker(self, link: Link) -> bool:
+        return "." in link.name
+
+    def _carrier(self, link: Link) -> Scope:
+        if link.parent < 0:
+            none = {
+                r"\mathbf{R}_{oT}": np.eye(3),
+                r"\mathbf{r}_{oT}": np.zeros((3, 1)),
+                r"\mathbf{V}_T": np.zeros((6, 1)),
+            }
+            return Scope(self.reading.document, [], none | {"parameters": {}, r"\mathbf{b}_T": np.zeros((6, 1))})
+        return self.scopes[link.parent] if link.station is None else self._station(link.parent, link.station)
+
+    def _station(self, parent: int, s: float) -> Scope:
+        """A section of a link before its tip."""
+        if (parent, s) not in self.stations:
+            link, whole = self.links[parent], self.scopes[parent]
+            over = [
+                p
+                for p in link.parts
+                if (m := re.fullmatch(r"Section at \$s = (.*)\$", p.title)) and abs(float(m[1]) - s) < 1e-6
+            ]
+            scope = Scope(self.reading.document, link.parts, whole.given, over)
+            scope.parent = whole.parent
+            if any(part.title == "Section of the rod" for part in link.parts):
+                scope.given = scope.given | {plain(n): x for n, x in exact_rod(scope, link.parts, s).items()}
+            self.stations[parent, s] = scope
+        return self.stations[parent, s]

@@ -1,0 +1,335 @@
+"""What filters refuse and say: false samples behind a gate, innovations, arguments, covariances that are none."""
+
+import subprocess
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from c_tools import SANITIZERS
+from conftest import require_tool
+from floating_robots import rod
+from helpers import QUICK, arm, link, model_of
+from sensors import measured
+from test_estimator import SOFT, TIP
+
+from screwgen import ScrewgenError, SingularError, UsageError
+from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.runtime.lean import LeanProject
+from screwgen.simulation.estimator import Estimator
+from screwgen.simulation.integrate import JointStepper
+
+BEAM = arm(link("a", axes="z", modes={"bending_y": 1, "bending_z": 1}, section=SOFT, bodies=TIP))
+PULLED = arm(link("rod", axes="z", modes={"bending_y": 1, "bending_z": 1}, section=SOFT))
+PULLED["links"][0]["tendons"] = [{"name": "left", "at": [[0.0, 0.01, 0.0], [0.0, 0.01, 0.0]]}]
+NOISE = Noise([2.0, 0.1, 0.1], 1e-12, 1e-4, 2e-6, 0.2, 0.02)
+SPREAD, REST, STEP = np.array([1e-2, 1e-3, 1e-3]), np.zeros((1, 6)), 1e-3
+FILTERS = [CompiledEstimator, Estimator]
+
+
+@cache
+def model(pulled=False):
+    return model_of(PULLED if pulled else BEAM)
+
+
+def begun(kind, noise=NOISE, pulled=False):
+    e = kind(model(pulled), flags=QUICK) if kind is CompiledEstimator else kind(model(pulled))
+    e.start(np.zeros(3), np.zeros(3), SPREAD, 10 * SPREAD, noise)
+    return e
+
+
+@cache
+def samples(count=75):
+    """Torques and measurements of a beam that unknown forces push."""
+    robot, rng, rows = model(), np.random.default_rng(1), []
+    stepper, q, v = JointStepper(robot, "modal_midpoint", robot.parameter_values), np.zeros(3), np.zeros(3)
+    for _ in range(count):
+        tau = np.array([-q[0] - 0.05 * v[0]]) + rng.normal(size=1)
+        q, v = stepper.step(stepper.initial(q, v), tau, REST, STEP)
+        v = v + np.sqrt(STEP * np.array(NOISE.density_v)) * rng.normal(size=3)
+        rows.append((tau, measured(robot, q, v, tau, REST, rng, NOISE)))
+    return rows
+
+
+def estimates(kind, noise, first=0, length=0, name="encoder", entry=0, added=0.0) -> tuple[np.ndarray, np.ndarray]:
+    """The states after each sample, of which a burst is falsified, and their deviations."""
+    e, states, sizes = begun(kind, noise), [], []
+    for k, (tau, exact) in enumerate(samples()):
+        z = {key: value.copy() for key, value in exact.items()}
+        z[name][entry] += added if first <= k < first + length else 0.0
+        e.predict(tau, REST, STEP)
+        e.update(tau, REST, **z)
+        states.append(np.concatenate(e.state))
+        sizes.append(np.sqrt(np.diag(e.covariance)))
+    return np.array(states), np.array(sizes)
+
+
+# ------------------------------------------------------------------------------ a gate
+
+
+ENTRIES = [("encoder", 0), ("strain", 0), ("strain", 1), ("acceleration", 0), ("acceleration", 2)]
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "entry"), [*((CompiledEstimator, *x) for x in ENTRIES), (Estimator, "strain", 1)]
+)
+def test_false_samples_are_as_samples_that_are_missing(kind, name, entry):
+    """Every size that the estimate excludes, bursts of 1, 3 and 10; without a gate the worst of them leads far away."""
+    noise, unit = replace(NOISE, gate=5.0), getattr(NOISE, name)
+    for length in (1, 3, 10) if kind is CompiledEstimator else (3,):
+        missing, _ = estimates(kind, noise, 40, length, name, entry, np.nan)
+        for size in (1e3, -1e4, 1e6, 1e9, 1e300) if kind is CompiledEstimator else (1e3, 1e9):
+            found, _ = estimates(kind, noise, 40, length, name, entry, size * unit)
+            assert np.array_equal(found, missing)
+    ungated, deviation = estimates(kind, NOISE, 40, 3, name, entry, 1e3 * unit)
+    assert np.max(np.abs(ungated - missing)[42] / deviation[42]) > 30
+
+
+@pytest.mark.parametrize(("name", "entry"), ENTRIES)
+def test_samples_near_the_gate_are_forgotten_within_the_patience(name, entry):
+    """Sizes about the gate may pass it; then what follows may be refused, but never longer than is stated."""
+    noise, unit = replace(NOISE, gate=5.0, patience=12), getattr(NOISE, name)
+    for length in (1, 3, 10):
+        undisturbed, deviation = estimates(CompiledEstimator, noise)
+        ungated, _ = estimates(CompiledEstimator, NOISE, 30, length, name, entry, 10 * unit)
+        for size in (1.0, 3.0, 10.0, 30.0, 100.0):
+            gated, _ = estimates(CompiledEstimator, noise, 30, length, name, entry, size * unit)
+            off = [x - undisturbed for x in (ungated, gated)]
+            back = [int(np.flatnonzero(np.max(np.abs(x) / deviation, axis=1) > 0.5).max(initial=30)) for x in off]
+            assert back[1] <= max(back[0], 30 + length) + 12
+
+
+@pytest.mark.parametrize("kind", FILTERS)
+def test_a_measurement_that_stays_beyond_the_gate_is_taken_again(kind):
+    """An encoder that has slipped by 0.3 rad: refused as often as stated, then it is believed."""
+    e, patience = begun(kind, replace(NOISE, gate=5.0, patience=7)), 7
+    for _ in range(30):
+        e.predict([0.0], REST, STEP)
+        e.update([0.0], REST, [0.0])
+    refused = []
+    for _ in range(250):
+        e.predict([0.0], REST, STEP)
+        e.update([0.0], REST, [0.3])
+        refused.append(bool(e.innovations["encoder"].refused[0]))
+    assert refused[: patience + 1] == [True] * patience + [False] and not any(refused[150:])
+    assert abs(e.state[0][0] - 0.3) < 1e-3 and abs(e.innovations["encoder"].normalised[0]) < 5
+
+
+def test_an_attitude_is_refused_as_a_whole():
+    ball = model_of({"name": "arm", "gravity": [0.0, 0.0, 0.0], "links": [rod("a", "ball")]})
+    still = np.zeros(ball.n_tau), REST
+    turned = [np.cos(0.3), np.sin(0.3), 0.0, 0.0]
+    for e in (CompiledEstimator(ball, flags=QUICK), Estimator(ball)):
+        e.start(ball.chain.home, np.zeros(ball.nv), 1e-2, 1e-2, Noise(0.0, joint_attitude=1e-3, gate=4.0))
+        e.update(*still, joint_attitude=turned)
+        found = e.innovations["joint_attitude"]
+        assert np.allclose(found.value, [2 * np.sin(0.3), 0, 0]) and found.refused.all()
+        assert np.array_equal(e.state[0], ball.chain.home)
+
+
+# ------------------------------------------------------------------------------ innovations
+
+
+def test_innovations_are_the_textbooks():
+    """Of both filters: z - H x over sqrt(H P H^T + R) with rows by hand; NaN where nothing was measured."""
+    for e in map(begun, FILTERS):
+        e.predict([0.3], REST, STEP)
+        (q, _), P = e.state, e.covariance
+        e.update([0.3], REST, [0.02], [np.nan, 3e-5])
+        assert e.innovations["encoder"].value == pytest.approx([0.02 - q[0]])
+        assert e.innovations["encoder"].normalised == pytest.approx([(0.02 - q[0]) / np.sqrt(P[0, 0] + 1e-8)])
+        row = np.array(e.gauges[1].curvatures) * -NOISE.fibre / model().robot.links[0].length ** 2
+        rest = 3e-5 - row[0] * q[2]
+        assert e.innovations["strain"].value == pytest.approx([np.nan, rest], nan_ok=True)
+        size = rest / np.sqrt(row[0] ** 2 * P[2, 2] + 4e-12)
+        assert e.innovations["strain"].normalised == pytest.approx([np.nan, size], nan_ok=True)
+        assert np.isnan(e.innovations["acceleration"].normalised).all() and not e.innovations["encoder"].refused.any()
+
+
+@pytest.mark.parametrize("kind", FILTERS)
+def test_a_payload_that_nobody_told_is_seen(kind):
+    """The accelerometer at the tip of a pendulum with 100 kg more than its model has, under the same torque."""
+    light, heavy = (model_of(arm(link("a", axes="z", bodies=[{**TIP[0], "mass": m}]))) for m in (1.0, 101.0))
+    vdot = [x.numpy().forward_dynamics([0.0], [0.0], [20.0], REST)[0][0] for x in (light, heavy)]
+    e = kind(light, flags=QUICK) if kind is CompiledEstimator else kind(light)
+    e.start([0.0], [0.0], 1e-4, 1e-3, Noise(1e-4, encoder=1e-5))
+    worst = []
+    for k in range(1, 51):
+        e.predict([20.0], REST, STEP)
+        e.update([20.0], REST, [vdot[1] * (k * STEP) ** 2 / 2])
+        worst.append(abs(e.innovations["encoder"].normalised[0]))
+    assert vdot[0] > 10 * vdot[1] and max(worst) > 20
+
+
+# ------------------------------------------------------------------------------ tensions
+
+
+def test_both_filters_take_tensions():
+    """A tendon pulls 40 N: the mean is that of a step of the model, and both filters agree."""
+    robot, tau = model(pulled=True), [0.1, 40.0]
+    stepper = JointStepper(robot, "modal_midpoint", robot.parameter_values)
+    state = stepper.initial(np.zeros(3), np.zeros(3))
+    filters = [begun(kind, pulled=True) for kind in FILTERS]
+    for _ in range(5):
+        state = stepper.step(state, tau, REST, STEP)
+        for e in filters:
+            e.predict(tau, REST, STEP)
+            e.update(tau, REST)
+    slack = begun(CompiledEstimator, pulled=True)
+    slack.predict([0.1, 0.0], REST, STEP)
+    for e in filters:
+        assert np.allclose(e.state[0], state.q, rtol=1e-10, atol=1e-15)
+        with pytest.raises(UsageError, match=r"^tau has 1 numbers; it must have 2$"):
+            e.predict([0.1], REST, STEP)
+    assert np.max(np.abs(state.q[1:])) > 1e-6
+
+
+# ------------------------------------------------------------------------------ what is no argument
+
+
+NO_NOISE = [
+    ({"fibre": 0.0}, "fibre: is 0 of a gauge whose strain is measured; state its distance from the centreline, m"),
+    ({"fibre": [0.02, 0.0]}, "fibre: is 0 of a gauge whose strain is measured"),
+    ({"fibre": [0.02] * 3}, "fibre: must be a finite number, or 2 of them"),
+    ({"fibre": np.nan}, "fibre: must be a finite number, or 2 of them"),
+    ({"fibre": "wide"}, "fibre: must be a finite number, or 2 of them"),
+    ({"strain": np.nan}, "strain: must be a number >= 0, or 2 of them"),
+    ({"gate": -1.0}, "gate: must be a finite number >= 0, of standard deviations"),
+    ({"gate": np.nan}, "gate: must be a finite number"),
+    ({"patience": 0}, "patience is 0; it must be a whole number from 1"),
+]
+NO_CALL = [
+    (lambda e: e.predict([np.inf], REST, STEP), UsageError, "tau holds a number that is not finite"),
+    (lambda e: e.predict([0.0], REST, 0.0), UsageError, "the step is 0 s; it must be a finite number > 0"),
+    (lambda e: e.update([0.0], REST, [np.inf]), UsageError, "encoder is not finite; give NaN for what was not"),
+    (lambda e: e.start(np.zeros(2), np.zeros(3), 1, 1, NOISE), UsageError, "q has 2 numbers; it must have 3"),
+    (lambda e: e.start(np.zeros(3), np.zeros(3), [1, 2], 1, NOISE), UsageError, "deviation_q: must be a number >= 0"),
+    (lambda e: (e.set(Noise(0.0)), e.update([0.0], REST, [1.0])), UsageError, "noise: encoder has no standard deviat"),
+    (
+        lambda e: (e.put(np.zeros(3), np.zeros(3), np.diag([1.0, -1, 1, 1, 1, 1])), e.predict([0.0], REST, STEP)),
+        SingularError,
+        "the filter's covariance has lost its definiteness",
+    ),
+    (
+        lambda e: (e.put(np.zeros(3), np.zeros(3), np.eye(6) + 2 * np.eye(6)[::-1]), e.update([0.0], REST, [0.1])),
+        SingularError,
+        "the filter's covariance has lost its definiteness",
+    ),
+]
+
+
+@pytest.mark.parametrize(("change", "said"), NO_NOISE)
+def test_a_noise_model_that_is_none_is_refused_in_a_line(change, said):
+    for e in map(begun, FILTERS):
+        with pytest.raises(UsageError, match=f"^{said}"):
+            e.set(replace(NOISE, **change))
+
+
+@pytest.mark.parametrize(("call", "error", "said"), NO_CALL)
+def test_both_filters_refuse_alike(call, error, said):
+    caught = []
+    for e in map(begun, FILTERS):
+        with pytest.raises(error, match=f"^{said}") as found:
+            call(e)
+        caught.append((found.type, str(found.value)))
+    assert caught[0] == caught[1]
+
+
+# ------------------------------------------------------------------------------ a covariance
+
+
+@pytest.mark.parametrize("single", [False, True], ids=["double", "float"])
+def test_no_input_makes_a_variance_negative(single):
+    """Wild steps, torques, deviations and measurements: what is not refused leaves a covariance."""
+    e, rng = CompiledEstimator(model(), single=single, flags=QUICK), np.random.default_rng(3)
+    taken, fine = 0, np.finfo(e.real).eps
+    for k in range(3000):
+        wild = 10 ** rng.uniform(-8, 8, 3)
+        if k % 100 == 0:
+            e.start(np.zeros(3), np.zeros(3), SPREAD * wild[0], SPREAD * wild[1], NOISE)
+        try:
+            e.predict(rng.normal(size=1) * wild[0], REST, 10 ** rng.uniform(-6, 0))
+            e.update([0.0], REST, 1e-3 * wild[1] * rng.normal(size=1), 1e-6 * wild[2] * rng.normal(size=2))
+        except ScrewgenError:
+            continue
+        P, taken = e.covariance.astype(float), taken + 1
+        deviation = np.sqrt(np.diag(P))
+        there = deviation > 1e-15
+        assert (np.diag(P) >= 0).all() and np.array_equal(P, P.T)
+        scaled = (P / np.outer(deviation + ~there, deviation + ~there))[np.ix_(there, there)]
+        assert np.linalg.eigvalsh(scaled)[0] > -16 * fine
+    assert taken > 100
+
+
+def test_a_variance_that_vanishes_is_no_fault():
+    """Far below the smallest number of full precision, where a covariance is indefinite by rounding."""
+    P = np.diag([1e-8, 2e-317, 1e-8, 1e-4, 1e-4, 1e-4])
+    P[0, 1] = P[1, 0] = 1.00001 * np.sqrt(P[0, 0]) * np.sqrt(P[1, 1])
+    for e in map(begun, FILTERS):
+        e.put(np.zeros(3), np.zeros(3), P)
+        e.update([0.0], REST, [1e-4])
+        assert e.covariance[1, 1] >= 0 and e.covariance[0, 0] == pytest.approx(5e-9)
+
+
+# ------------------------------------------------------------------------------ in C alone
+
+
+PROGRAM = """
+#include <float.h>
+#include <stdio.h>
+#include <string.h>
+#include "arm_estimator.h"
+static arm_parameters p; static arm_constants c; static arm_work work; static arm_estimator_work scratch;
+static arm_state run(int entry, int length, double added, int missing)
+{
+    static arm_estimator e; arm_state truth = {{0}}, deviation; arm_input u = {0}; int k, i;
+    for (i = 0; i < ARM_NQ; ++i) { deviation.q[i] = 1e-3; deviation.v[i] = 1e-2; }
+    arm_estimator_init(&p, &truth, &deviation, &e);
+    for (i = 0; i < ARM_NV; ++i) e.density_v[i] = 0.1;
+    e.encoder_variance[0] = 1e-8; e.gate = 5;
+    for (i = 0; i < ARM_NGAUGES; ++i) { e.strain_variance[i] = 4e-12; e.fibre[i] = 0.02; }
+    for (k = 0; k < 60; ++k) {
+        arm_measurement z = {{0}}; int false_one = k >= 30 && k < 30 + length;
+        u.tau[0] = k % 20 < 10 ? 1 : -1;
+        arm_step_modal_midpoint(&c, &truth, &u, 1e-3, &work);
+        if (arm_estimator_predict(&c, &e, &u, 1e-3, &scratch) != ARM_OK) printf("predict\\n");
+        z.has_encoder[0] = 1; z.encoder[0] = truth.q[0];
+        for (i = 0; i < ARM_NGAUGES; ++i) {
+            z.has_strain[i] = 1; z.strain[i] = -0.02 * e.curvature[i] * truth.q[1 + i];
+        }
+        if (false_one && entry == 0) { z.encoder[0] += added; z.has_encoder[0] = !missing; }
+        if (false_one && entry > 0) { z.strain[entry - 1] += added; z.has_strain[entry - 1] = !missing; }
+        if (arm_estimator_update(&c, &e, &u, &z, &scratch) != ARM_OK) printf("update\\n");
+        if (e.innovations.refused != (false_one && !missing)) printf("refused %d\\n", e.innovations.refused);
+    }
+    return e.state;
+}
+int main(void)
+{
+    static const double SIZES[] = { 1, -30, 1e3, 1e9, 1e150, 1e307 };
+    static const int LENGTHS[] = { 1, 3, 10 };
+    int entry, s, l;
+    arm_parameters_default(&p); arm_prepare(&p, &c);
+    for (entry = 0; entry < 1 + ARM_NGAUGES; ++entry)
+        for (l = 0; l < 3; ++l) {
+            arm_state missing = run(entry, LENGTHS[l], 0, 1);
+            for (s = 0; s < 6; ++s) {
+                arm_state found = run(entry, LENGTHS[l], SIZES[s], 0);
+                if (memcmp(&found, &missing, sizeof found) != 0) printf("entry %d size %g\\n", entry, SIZES[s]);
+            }
+        }
+    printf("done\\n");
+    return 0;
+}
+"""
+
+
+def test_the_gate_in_c_under_sanitizers(tmp_path):
+    """Bit for bit what drop-outs leave, and the count of refused entries; nothing else is printed."""
+    files = LeanProject(model().chain, "0", "runtime", estimator=True).files() | {"main.c": PROGRAM}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    sources = [name for name in files if name.endswith(".c")]
+    command = [require_tool("gcc"), "-std=c99", "-O0", *SANITIZERS, "-o", "run", *sources, "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    assert subprocess.run([tmp_path / "run"], capture_output=True, text=True, check=True).stdout == "done\n"

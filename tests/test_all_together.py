@@ -1,14 +1,12 @@
 """One robot with a tree, slides, a screw, segments, sections that vary, shear, both orders, and a body from a file."""
 
 import re
-import subprocess
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from conftest import require_tool
 from divided import state
 from helpers import casadi_forward, model_of, relative
 from oracle import Oracle
@@ -93,15 +91,12 @@ def test_segments_of_a_tree_against_the_oracle():
     assert np.allclose(numeric.energy(*given[:2]), oracle.energy(*given[:2]), rtol=1e-11)
 
 
-def test_the_generated_folder_checks_itself(tmp_path):
+def test_the_header_says_what_carries_each_link(tmp_path):
     with_body().write(tmp_path / "machine", targets=("c",), layout="modular", derivatives=True)
     header = (tmp_path / "machine" / "c" / "machine.h").read_text()
     carriers = ("TORSO", "the base"), ("BOOM", "torso"), ("JIB", "torso"), ("TOOL", "boom"), ("PROBE", "tool")
     for k, (link, carrier) in enumerate(carriers):
         assert re.search(rf"MACHINE_LINK_{link} = {k},? /\* on {carrier} \*/", header)
-    command = [require_tool("make"), "-s", "-C", tmp_path / "machine" / "c", "check"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 0 and "all checks passed" in done.stdout, done.stdout + done.stderr
 
 
 @pytest.mark.long

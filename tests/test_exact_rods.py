@@ -1,4 +1,4 @@
-"""Rods of order "exact": the oracle's collocated Lagrangian in every back end, its limits, and what it keeps."""
+"""Rods of order "exact": the oracle's collocated Lagrangian, its limits, and what it keeps."""
 
 from dataclasses import replace
 from functools import cache
@@ -11,7 +11,6 @@ from conftest import swept
 from helpers import Case, arm, drawn, link, model_of, quick, relative
 from oracle import Oracle
 from scipy.integrate import solve_ivp
-from test_derivatives import by_casadi, worst
 
 from screwgen import Screw
 from screwgen.bodies.collocation import collocation
@@ -30,17 +29,6 @@ def case_of(seed: int) -> Case:
 @pytest.mark.parametrize("seed", swept(range(100), *SHORT))
 def test_random_robots_equal_the_oracle(seed):
     judges.numpy_and_casadi(case_of(seed))
-
-
-@pytest.mark.parametrize("seed", swept(range(6), 0, 1))
-def test_compiled_c_equals_the_oracle(seed):
-    judges.compiled_dynamics(case_of(seed), ("fused", "modular")[seed % 2])
-
-
-@pytest.mark.parametrize("seed", swept(range(12), *SHORT))
-def test_exact_derivatives_equal_casadi(seed):
-    case = case_of(seed)
-    assert worst(case.model.numpy().derivatives(*case.inputs), by_casadi(case.model, *case.inputs)) <= case.tolerance
 
 
 def test_the_robots_have_all_kinds_of_exact_links():

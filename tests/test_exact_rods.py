@@ -207,6 +207,18 @@ def test_weight_and_inertia_of_a_circle_converge_with_the_points(kind):
     assert errors[0] < 2e-3 and errors[1] < 2e-8 and (kind == "stepped" or errors[1] < 1e-11)
 
 
+def test_sections_turn_with_their_whole_inertia_where_it_has_a_kink_and_a_step():
+    """Straight, an exact rod has the mass matrix of order 1, whose integrals along the stations are closed forms."""
+    turned = {"rhoIp": 0.02, "rhoIy": 0.01, "rhoIz": 0.015}
+    stiff = {"rhoA": 1.2, "EIy": 9.0, "EIz": 8.0, "GJ": 3.0}
+    ends = ((0.0, 1.0), (0.3, 1.0), (0.3, 0.1), (1.0, 0.3))
+    section = [{"at": s, **stiff, **{key: x * value for key, value in turned.items()}} for s, x in ends]
+    modes = {"bending_y": 1, "bending_z": 1, "torsion": 1}
+    table = {"name": "a", "length": 0.7, "section": section, "modes": modes, "joint": {"axes": ["z", "y", "x"]}}
+    first, exact = (model_of(arm(table, order=order)).numpy().mass_matrix(np.zeros(6)) for order in (1, "exact"))
+    assert np.max(np.abs(exact - first)) < 1e-14
+
+
 @pytest.mark.parametrize("count", [20, 21, 40])
 def test_a_uniform_rod_has_its_inertia_with_as_many_points_as_a_file_can_state(count):
     """That of the straight rod about its base is a third."""

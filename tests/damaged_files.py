@@ -64,7 +64,8 @@ profile = { rod = { diameter = [0.03, 0.02] }, E = 7e10, density = 2700.0, nu = 
 joint.axes = ["z", "y"]
 joint.limits = [{ lower = -1.0, upper = 1.0, stiffness = 1e4 }, {}]
 joint.elements = [{ spring = { stiffness = 80.0, rest = 0.4 } }, {}]
-joint.drives = [{}, { transmission = { crank = 0.1, base = 0.3, angle = 1.2 }, friction = { coulomb = 3.0, velocity = 0.02 } }]
+joint.drives = [{},
+    { transmission = { crank = 0.1, base = 0.3, angle = 1.2 }, friction = { coulomb = 3.0, velocity = 0.02 } }]
 
 [[links]]
 name = "arm"

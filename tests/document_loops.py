@@ -31,7 +31,10 @@ def gaps(document: Printed) -> list[Gap]:
     """In the order of their forces."""
     loops = {row[0]: row for row in document.table("loop")}
     couplings = {row[0]: row for row in document.table("coupling")}
-    return [_of_loop(row, loops[row[1]]) if row[1] in loops else _coupling(couplings[row[1]]) for row in document.table("force")]
+    return [
+        _of_loop(row, loops[row[1]]) if row[1] in loops else _coupling(couplings[row[1]])
+        for row in document.table("force")
+    ]
 
 
 def _of_loop(row: tuple[str, ...], loop: tuple[str, ...]) -> Gap:
@@ -122,6 +125,10 @@ class Loops:
         known = self._tips(gap, tips) | {rf"\mathbf{{W}}_{x}": unit[x] for x in "AB"}
         kind = 0 if "n" in gap.directions else 1
         known[r"\gamma"] = value(self.formulas(r"\gamma")[kind], self._lookup(known))
-        own = {"g": self.formulas("g")[kind], r"\dot{g}": self.formulas(r"\dot{g}")[0], r"\ddot{g}": self.formulas(r"\ddot{g}")[0]}
+        own = {
+            "g": self.formulas("g")[kind],
+            r"\dot{g}": self.formulas(r"\dot{g}")[0],
+            r"\ddot{g}": self.formulas(r"\ddot{g}")[0],
+        }
         g, rate, second = (float(value(text, self._lookup(known)).item()) for text in own.values())
         return second + 2 * gap.rate * rate + gap.rate**2 * g

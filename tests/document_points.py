@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import pairwise
 
 import mpmath as mp
 import numpy as np
@@ -31,7 +32,9 @@ def functions(direction: str, basis: str, count: int) -> list:
         return clamped_free(count)
     waves = [(2 * k - 1) * mp.pi / 2 for k in range(1, count + 1)]
     root = mp.sqrt(2)
-    return [lambda s, w=w: (root * mp.sin(w * s), root * w * mp.cos(w * s), -root * w * w * mp.sin(w * s)) for w in waves]
+    return [
+        lambda s, w=w: (root * mp.sin(w * s), root * w * mp.cos(w * s), -root * w * w * mp.sin(w * s)) for w in waves
+    ]
 
 
 class Rod:
@@ -138,7 +141,9 @@ def exact_rod(scope: Scope, parts: list[Part], s: float = 1.0) -> dict:
     none, before, place, at = np.zeros((3, r)), None, 0.0, []
 
     def section(to: float, stretch: np.ndarray) -> dict:
-        return _section(scope, named["Section of the rod"], turn(rod, place, to, zeta, rate), stretch, before, length, zeta, rate)
+        return _section(
+            scope, named["Section of the rod"], turn(rod, place, to, zeta, rate), stretch, before, length, zeta, rate
+        )
 
     end = None
     for x in rod.s:
@@ -198,7 +203,7 @@ def _masses(scope, rod) -> tuple[list[np.ndarray], list[float], np.ndarray]:
         return list(factor.T), [1.0] * rod.points, w @ a
     count, ends = re.search(r"the (\d+) Gauss points of each piece between \$s = ([^$]*)\$", rod.text).groups()
     bounds, (x, _) = [number(e) for e in ends.split(",")], gauss(int(count))
-    places = [a + (b - a) * y for a, b in zip(bounds, bounds[1:], strict=False) for y in x]
+    places = [a + (b - a) * y for a, b in pairwise(bounds) for y in x]
     shares = np.ravel(scope(r"\mathrm{d}\mathbf{m}/\mu"))
     return [rod.reach(p) for p in places], shares.tolist(), np.ravel(scope(r"\mathbf{c}"))
 
@@ -217,7 +222,7 @@ def _sums(scope, parts, rod, at, Z) -> dict:
     total |= {r"\bar{\mathbf{a}}": mean(centre, a_t), r"\bar{\mathbf{u}}": mean(centre, u_t)}
     a_0 = scope(r"\mathbf{a}_r") if scope.has(r"\mathbf{a}_r") else scope(r"\mathbf{a}_0")
     force = [w * a_0 for w in centre]
-    summed = {name: 0.0 for name in ("J", "C", "M", "tau")}
+    summed = dict.fromkeys(("J", "C", "M", "tau"), 0.0)
     letters = {"J": r"\mathbf{J}_k", "C": r"\mathbf{C}_k", "M": r"\mathbf{M}_k", "tau": r"\boldsymbol{\tau}_k"}
     for c, share in zip(rows, shares, strict=True):
         own = {r"\mathrm{d}m_k/\mu": np.full((1, 1), share), r"\mathbf{r}_k": mean(c, t), r"\mathbf{P}_k": mean(c, by)}
@@ -231,7 +236,9 @@ def _sums(scope, parts, rod, at, Z) -> dict:
     if "Inertia of a section" in named:
         spun = {"I": 0.0, "C": 0.0, "M": 0.0}
         for k, x in enumerate(at):
-            local = dict(x) | {rf"\mathrm{{d}}I_{{{a}k}}": scope.entry(rf"\mathrm{{d}}\mathbf{{I}}_{a}", k) for a in "xyz"}
+            local = dict(x) | {
+                rf"\mathrm{{d}}I_{{{a}k}}": scope.entry(rf"\mathrm{{d}}\mathbf{{I}}_{a}", k) for a in "xyz"
+            }
             local |= {r"\boldsymbol{\alpha}_i": np.zeros((3, 1))}
             found = run(scope, named["Inertia of a section"], local)
             moments[k] = found[r"\boldsymbol{\tau}_{s,k}"]

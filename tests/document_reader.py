@@ -28,7 +28,9 @@ AXIS_ROWS = (r"\mathbf{S}_i^{\top}\,\mathbf{w}_i", r"\mathbf{A}_i^{\top}\,\bolds
 FAR = 1e8
 """An unknown so large that what does not depend on it is lost beside it."""
 TENSION = r" - \sum\limits_c T_c"
-JOINT_MOTION = re.compile(r"\+ (?:\\begin\{bmatrix\} \\mathbf\{A\}_i.*?\\end\{bmatrix\} |\\mathbf\{S\}_i\\,)\\ddot\{\\mathbf\{q\}\}_i")
+JOINT_MOTION = re.compile(
+    r"\+ (?:\\begin\{bmatrix\} \\mathbf\{A\}_i.*?\\end\{bmatrix\} |\\mathbf\{S\}_i\\,)\\ddot\{\\mathbf\{q\}\}_i"
+)
 
 
 def accelerations_from_document(model: Model, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
@@ -113,7 +115,9 @@ class System:
         for n, axis in enumerate(self.state.reading.axes):
             if axis.elastic:
                 out.append(self._rotor(n, axis, x))
-        axes = dict(enumerate(a for k in self.links if not k.floats for a in x[self.places[f"q{k.number}"]][: len(k.axes)]))
+        axes = dict(
+            enumerate(a for k in self.links if not k.floats for a in x[self.places[f"q{k.number}"]][: len(k.axes)])
+        )
         out.append(self.loops.rates(dict(enumerate(tips)), axes))
         return np.concatenate([np.ravel(o) for o in out])
 
@@ -193,7 +197,10 @@ class System:
         known |= {r"\boldsymbol{\tau}_{q,i}": effort[:, None], r"\boldsymbol{\tau}_i": effort[:, None]}
         known |= {r"\ddot{\mathbf{q}}_i": part(f"q{i}"), r"\mathbf{w}_i": part(f"w{i}")}
         known[r"\boldsymbol{\tau}_{w,i}"] = part(f"w{i}")[:3]
-        diagonals = {rf"\mathbf{{{a}}}": value(self._right(rf"\mathbf{{{a}}}"), self._with(scope, known)) for a in ("J}_{m", "D}_{q", "S}_{q")}
+        diagonals = {
+            rf"\mathbf{{{a}}}": value(self._right(rf"\mathbf{{{a}}}"), self._with(scope, known))
+            for a in ("J}_{m", "D}_{q", "S}_{q")
+        }
         known |= {plain(name): x for name, x in diagonals.items()}
         if link.sizes[0] != nv:  # a ball joint has no springs
             known[r"\mathbf{q}_i"] = np.zeros((nv, 1))

@@ -8,6 +8,9 @@ from pathlib import Path
 
 import flexible_robots as fr
 import numpy as np
+from pydantic import ValidationError
+
+from screwgen import Robot
 
 Change = Callable[[dict], None]
 BODY = {"mass": 0.7, "com": [0.05, 0.02, -0.03], "inertia": [0.02, 0.03, 0.025, 0.001, -0.002, 0.0015]}
@@ -23,7 +26,11 @@ def arm() -> dict:
     fore = {"name": "fore", "length": 0.5, "section": dict(SECTION), "joint": {"axes": ["z"]}}
     upper["modes"], fore["modes"] = {"bending_y": 1, "bending_z": 2, "torsion": 1}, {"axial": 1, "bending_z": 1}
     hand = {"name": "hand", "length": 0.3, "section": {"rhoA": 0.9, "rhoIp": 1e-3}, "joint": {"axes": ["x"]}}
-    return {"name": "arm", "gravity": [0.4, -0.3, -9.7], "links": [upper, fore, hand | {"bodies": [{"at": "tip", **BODY}]}]}
+    return {
+        "name": "arm",
+        "gravity": [0.4, -0.3, -9.7],
+        "links": [upper, fore, hand | {"bodies": [{"at": "tip", **BODY}]}],
+    }
 
 
 def joint(link: int, **keys) -> Change:
@@ -68,7 +75,9 @@ def floating(robot: dict) -> None:
 
 
 def coupled(robot: dict) -> None:
-    robot["couplings"] = [{"axis": "hand.joint[0]", "of": "fore.joint[0]", "ratio": 0.7, "offset": 0.1, "stabilisation": 15.0}]
+    robot["couplings"] = [
+        {"axis": "hand.joint[0]", "of": "fore.joint[0]", "ratio": 0.7, "offset": 0.1, "stabilisation": 15.0}
+    ]
 
 
 def looped(end: str, *axes) -> Change:
@@ -77,7 +86,10 @@ def looped(end: str, *axes) -> Change:
     def change(robot: dict) -> None:
         cart = {"name": "cart", "parent": "world", "joint": {"axes": [{"slide": "x"}, {"slide": "y"}, {"slide": "z"}]}}
         stay = {"name": "stay", "length": 0.2, "section": {"rhoA": 0.8}, "joint": {"axes": ["x", "y", "z"]}}
-        robot["links"] += [cart | {"bodies": [{"at": "base", "mass": 0.5}]}, stay | {"bodies": [{"at": "base", **BODY}]}]
+        robot["links"] += [
+            cart | {"bodies": [{"at": "base", "mass": 0.5}]},
+            stay | {"bodies": [{"at": "base", **BODY}]},
+        ]
         robot["links"][FORE]["markers"] = [{"name": "eye", "at": 0.55}]
         robot["loops"] = [{"between": [end, "stay.tip"], "joint": {"axes": list(axes)}, "stabilisation": 12.0}]
 
@@ -119,8 +131,12 @@ SLOTS: dict[str, dict[str, Change]] = {
         "segments": of(UPPER, segments=2),
         "frame off": of(UPPER, frame_at=0.1),
     },
-    "fore": {"from a file": from_file, "measured": measured, "carried": of(FORE, at={"s": 0.6}), "mounted": joint(
-        FORE, mount={"xyz": [0.02, -0.03, 0.04], "rpy": [0.2, -0.3, 0.4]})},
+    "fore": {
+        "from a file": from_file,
+        "measured": measured,
+        "carried": of(FORE, at={"s": 0.6}),
+        "mounted": joint(FORE, mount={"xyz": [0.02, -0.03, 0.04], "rpy": [0.2, -0.3, 0.4]}),
+    },
     "damping": {"ratio": of(UPPER, damping={"ratio": 0.02}), "time": of(UPPER, damping={"time": 0.01})},
     "base": {"floating": floating},
     "tendons": {"tendons": tendons},
@@ -154,9 +170,6 @@ SLOTS: dict[str, dict[str, Change]] = {
 }
 """What can be chosen, one of each kind."""
 CHOICES = {name: change for own in SLOTS.values() for name, change in own.items()}
-AGAINST = {"coupling": ("ball", "slide", "screw", "elastic cylinder", "elastic four-bar", "cylinder", "four-bar")}
-AGAINST |= {"measured": ("order 2", "exact"), "frame off": ("floating",)}
-"""What a robot file refuses together."""
 
 
 def robot_with(*names: str, folder: Path | None = None) -> dict:
@@ -169,11 +182,23 @@ def robot_with(*names: str, folder: Path | None = None) -> dict:
     return fr.with_files(out, folder) if folder is not None else out
 
 
-def mixed(seed: int) -> list[str]:
+def drawn(seed: int, folder: Path) -> dict:
+    """A robot with features of all kinds; what a robot file refuses is drawn again."""
+    for attempt in range(100):
+        robot = robot_with(*mixed(seed, attempt), folder=folder)
+        try:
+            Robot.model_validate(robot)
+        except ValidationError:
+            continue
+        return robot
+    raise RuntimeError("no robot in 100 draws")
+
+
+def mixed(seed: int, attempt: int = 0) -> list[str]:
     """Features of all kinds together, by chance."""
-    rng, out = np.random.default_rng([7, seed]), []
+    rng, out = np.random.default_rng([7, seed, attempt]), []
     for own in SLOTS.values():
         name = [None, *own][rng.integers(len(own) + 1)]
-        if name and not any(x in AGAINST.get(name, ()) or name in AGAINST.get(x, ()) for x in out):
+        if name:
             out.append(name)
     return out

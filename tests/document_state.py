@@ -69,7 +69,11 @@ class Reading:
     def _parameters(self, name: str) -> dict[str, float]:
         own = {}
         for full, (symbol, x) in self.document.parameters.items():
-            if full.startswith(f"{name}.") and symbol != "–" and not re.search(r"joint\.(drives|limits|elements)|tendons", full):
+            if (
+                full.startswith(f"{name}.")
+                and symbol != "–"
+                and not re.search(r"joint\.(drives|limits|elements)|tendons", full)
+            ):
                 own.setdefault(symbol, x)
         return own
 
@@ -125,7 +129,11 @@ class State:
     def _scope(self, link: Link) -> Scope:
         column = lambda x: np.reshape(x, (-1, 1))  # noqa: E731
         i = link.number
-        own = dict(self.reading.parameters[link.name.partition("[")[0].partition(".")[0]]) if not self._marker(link) else {}
+        own = (
+            dict(self.reading.parameters[link.name.partition("[")[0].partition(".")[0]])
+            if not self._marker(link)
+            else {}
+        )
         count = link.segment[1]
         given = {
             "parameters": own,
@@ -150,7 +158,11 @@ class State:
 
     def _carrier(self, link: Link) -> Scope:
         if link.parent < 0:
-            none = {r"\mathbf{R}_{oT}": np.eye(3), r"\mathbf{r}_{oT}": np.zeros((3, 1)), r"\mathbf{V}_T": np.zeros((6, 1))}
+            none = {
+                r"\mathbf{R}_{oT}": np.eye(3),
+                r"\mathbf{r}_{oT}": np.zeros((3, 1)),
+                r"\mathbf{V}_T": np.zeros((6, 1)),
+            }
             return Scope(self.reading.document, [], none | {"parameters": {}, r"\mathbf{b}_T": np.zeros((6, 1))})
         return self.scopes[link.parent] if link.station is None else self._station(link.parent, link.station)
 
@@ -158,7 +170,11 @@ class State:
         """A section of a link before its tip."""
         if (parent, s) not in self.stations:
             link, whole = self.links[parent], self.scopes[parent]
-            over = [p for p in link.parts if (m := re.fullmatch(r"Section at \$s = (.*)\$", p.title)) and abs(float(m[1]) - s) < 1e-6]
+            over = [
+                p
+                for p in link.parts
+                if (m := re.fullmatch(r"Section at \$s = (.*)\$", p.title)) and abs(float(m[1]) - s) < 1e-6
+            ]
             scope = Scope(self.reading.document, link.parts, whole.given, over)
             scope.parent = whole.parent
             if any(part.title == "Section of the rod" for part in link.parts):

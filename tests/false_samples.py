@@ -27,12 +27,17 @@ def turning(name: str, length: float, inertia: float, axes="z", **more) -> dict:
     return link(name, length, axes=axes, joint={"armature": [inertia]} | joint, **more)
 
 
-LIMITED = {"friction": {"coulomb": [0.5]}, "limits": {"lower": [-1.0], "upper": [1.0], "stiffness": [500.0]}}
+LIMITED = {
+    "limits": {"lower": -1.0, "upper": 1.0, "stiffness": 500.0},
+    "drives": [{"friction": {"coulomb": 0.5, "velocity": 0.05}}],
+}
 ROBOTS = {
     "flexible": arm(turning("up", 0.6, 0.2, **BENDS), turning("fore", 0.5, 0.1, **BENDS, bodies=LOAD)),
     "rigid": arm(turning("up", 0.6, 0.2), turning("fore", 0.5, 0.1, bodies=LOAD)),
     "hanging": arm(
-        turning("up", 0.6, 0.3, **BENDS), turning("fore", 0.5, 0.2, "y", **BENDS, bodies=LOAD), gravity=[0.0, 0.0, -9.81]
+        turning("up", 0.6, 0.3, **BENDS),
+        turning("fore", 0.5, 0.2, "y", **BENDS, bodies=LOAD),
+        gravity=[0.0, 0.0, -9.81],
     ),
     "slide": arm(link("cart", 0.3, axes=[{"slide": "y"}]), turning("mast", 0.8, 0.1, **BENDS, bodies=LOAD)),
     "stops": arm(turning("up", 0.6, 0.2, **BENDS, joint=LIMITED), turning("fore", 0.5, 0.1, bodies=LOAD)),
@@ -41,7 +46,7 @@ CONTROL = """
 [horizon]
 intervals = 5
 step = 0.02
-substeps = 2
+substeps = {substeps}
 {blocks}
 [goal]
 joints = [-0.4, 0.6]
@@ -61,22 +66,24 @@ iterations = 30
 delay = {delay}
 """
 OTHERWISE = {
-    "hanging": {"delay": 0, "bounds": "torque_rates = 20000.0", "blocks": ""},
+    "hanging": {"delay": 1, "bounds": "torque_rates = 20000.0", "blocks": "blocks = [1, 1, 1, 2]"},
     "slide": {"delay": 0, "bounds": "", "blocks": "blocks = [1, 1, 3]"},
 }
 
 
-def program(name: str, folder: Path, *flags: str) -> Path:
-    """The closed loop of a robot, compiled in a folder."""
-    file, out = folder / "mpc.toml", folder / "false_samples"
-    file.write_text(CONTROL.format(**({"delay": 1, "bounds": "", "blocks": ""} | OTHERWISE.get(name, {}))))
+def program(name: str, folder: Path, *flags: str, driver="false_samples") -> Path:
+    """The closed loop of a robot, or another driver, compiled in a folder."""
+    file, out = folder / "mpc.toml", folder / driver
+    file.write_text(
+        CONTROL.format(**({"delay": 1, "bounds": "", "blocks": "", "substeps": 2} | OTHERWISE.get(name, {})))
+    )
     texts = project(model_of(ROBOTS[name] | {"name": "robot"}), file).files()
     for path, text in texts.items():
         (folder / path).parent.mkdir(exist_ok=True)
         (folder / path).write_text(text)
     sources = [n for n in texts if n.endswith(".c") and n.startswith("robot_")]
     options = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function", "-DSAMPLE=0.02", "-I.", *flags)
-    command = [require_tool("gcc"), *options, "-o", out, DRIVERS / "false_samples.c", *sources, "-lm"]
+    command = [require_tool("gcc"), *options, "-o", out, DRIVERS / f"{driver}.c", *sources, "-lm"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[:3000]
     return out

@@ -1,6 +1,6 @@
 """Formulas of a document read as LaTeX: `value(text, known)` is what a formula is, with what `known` says of symbols.
 
-Values are arrays of two dimensions. A symbol is meant by its LaTeX with its scripts; `known` raises KeyError for others.
+Values are arrays of two dimensions. A symbol is meant by its LaTeX with scripts; `known` raises KeyError for others.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ import numpy as np
 
 GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"
 LETTER = rf"(?:\\(?:mathbf|boldsymbol|mathcal|mathrm|bar|hat|dot|ddot){GROUP}|\\partial\\(?:mathbf|boldsymbol){GROUP}"
-LETTER += r"|\\partial\\ell|\\(?!left|right|frac|tfrac|sqrt|sum|cos|sin|max|begin|end|times|quad|operatorname)[a-zA-Z]+|[a-zA-Z])"
+WORDS = "left|right|frac|tfrac|sqrt|sum|cos|sin|max|begin|end|times|quad|operatorname"
+LETTER += rf"|\\partial\\ell|\\(?!{WORDS})[a-zA-Z]+|[a-zA-Z])"
 SCRIPT = r"(?:\{[^{}]*\}|\\[a-zA-Z]+|[a-zA-Z0-9])"
 SYMBOL = re.compile(rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^\*)?(?:_{SCRIPT})?")
 NUMBER = re.compile(r"\d+(?:\.\d+)?")

@@ -1,9 +1,10 @@
 """Random robots with everything at once, held against the oracle: `python tests/mixed_arms.py 0 300`.
 
 Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, four-bar
-linkages, rigid and elastic drives with friction, modes of both orders, sections that vary, shear, bodies from files,
-segments, fixed and floating bases, up to two loops. What the robot file refuses is counted and drawn without. Where
-loops close the tree, the judge is the oracle's mass matrix and bias with Lagrange multipliers.
+linkages, rigid and elastic drives with friction, modes of all orders, sections that vary, shear, bodies from files,
+segments, damping of the material, fixed and floating bases, couplings, up to two loops. What the robot file refuses is
+counted and drawn without. Where loops or couplings close the tree, the judge is the oracle's mass matrix and bias with
+Lagrange multipliers.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from mixed_loops import Loops, bridged
 from oracle import Oracle, part_error
 from oracle_floating import ANGLE, coordinates, floating, twin
 from pydantic import ValidationError
+from test_couplings import coupled, names
 from test_loops import JOINTS
 
 from screwgen import Model
@@ -37,10 +39,14 @@ LIMITS = {
     "linkages": 0.5,
     "stops": 0.25,
     "second_order": 0.25,
+    "exact": 0.3,
+    "time": 0.3,
     "stations": 0.15,
     "shear": 0.2,
     "max_axes": 2,
 }
+COUPLED = 0.3
+"""Of the robots, where two axes are free."""
 LINKS = 8
 CONDITION = 1e8
 EVERY = 8
@@ -166,6 +172,13 @@ def with_places(rng, robot: dict) -> dict:
     return robot
 
 
+def with_coupling(rng, base: dict, judged: dict, state: dict) -> dict:
+    """The judged robot, perhaps with a coupling of two axes of links in one piece, which are named alike in `base`."""
+    whole = {link["name"] for link in base["links"] if "segments" not in link}
+    free = [name for name in names(base) if name.partition(".")[0] in whole]
+    return coupled(rng, judged, state, among=free) if len(free) > 1 and rng.random() < COUPLED else judged
+
+
 def drawn(seed: int, folder: Path, most: int = LINKS, **limits) -> Mixed:
     """A robot of `most` links or fewer whose equations are regular in its state.
 
@@ -202,9 +215,10 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str]) -> Mix
         if joints and oracle.n > 1:
             judged, state = bridged(rng, judged, state, oracle, joints[rng.integers(len(joints))], number)
     base = base | {"links": [*base["links"], *(x for x in judged["links"] if x["name"].startswith("bridge"))]}
-    base |= {"loops": judged["loops"]} if "loops" in judged else {}
+    judged = with_coupling(rng, base, judged, state)
+    base |= {key: judged[key] for key in ("loops", "couplings") if key in judged}
     oracle = Oracle(judged)
-    loops = Loops(oracle, judged) if "loops" in judged else None
+    loops = Loops(oracle, judged) if {"loops", "couplings"} & set(judged) else None
     state = {name: np.array(x, float) for name, x in state.items()}
     M = oracle.mass_matrix(state["q"])
     if np.linalg.cond(M) > CONDITION or np.linalg.eigvalsh(M)[0] <= 0:
@@ -242,8 +256,10 @@ def described(case: Mixed) -> str:
         "nv": chain.nv,
         "gears": case.oracle.n_rotor,
         "order 2": sum(k.order == 2 for k in keys),
+        "exact": sum(k.order == "exact" for k in keys),
         "files": sum(k.elastic is not None for k in keys),
         "loops": len(case.robot.get("loops", [])),
+        "couplings": len(case.robot.get("couplings", [])),
         "rows": len(chain.closing.rows),
         "floating": int(case.floating),
         "tree": int(not chain.tree.is_chain),

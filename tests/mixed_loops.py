@@ -25,7 +25,7 @@ class Loops:
             )
             for i, c in enumerate(oracle.clouds)
         ]
-        ends = SimpleNamespace(clouds=tips, q=oracle.q, section=lambda i, cloud, s: (cloud.tip_R, cloud.tip_point))
+        ends = SimpleNamespace(q=oracle.q, clouds=tips, section=lambda i, cloud, s: (cloud.tip_R, cloud.tip_point))
         gap = ca.vertcat(*rows(ends, robot))
         still = lambda x: ca.substitute(x, ca.vertcat(ca.vec(turn), ca.vec(shift)), ca.SX.zeros(6 * n))  # noqa: E731
         wrenches = still(ca.jacobian(gap, ca.vertcat(ca.vec(turn), ca.vec(shift))))
@@ -53,6 +53,10 @@ class Loops:
         return np.block([[M, -G.T], [G, np.zeros((len(G),) * 2)]]), scale
 
     def condition(self, q) -> float:
+        """Infinite where no motion changes a row."""
+        sizes = np.linalg.norm(self.jacobian(q), axis=1)
+        if np.min(sizes) < 1e-9 * np.max(sizes):
+            return np.inf
         return float(np.linalg.cond(self.matrix(q)[0]))
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:

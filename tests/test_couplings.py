@@ -33,10 +33,10 @@ def names(robot: dict) -> list[str]:
     return found
 
 
-def coupled(rng, robot: dict, state: dict, count: int = 1, base: str = "") -> dict:
-    """The robot with couplings between random axes, but those of the link `base`, that the state satisfies."""
+def coupled(rng, robot: dict, state: dict, count: int = 1, among: list[str] | None = None) -> dict:
+    """The robot with couplings between random axes, of all or `among` these, that the state satisfies."""
     every = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
-    free = [name for name in names(robot) if name.partition(".")[0] != base]
+    free = names(robot) if among is None else among
     order = rng.permutation(len(free))[: 2 * count]
     couplings = []
     for axis, of in zip(order[::2], order[1::2], strict=False):

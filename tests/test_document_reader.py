@@ -1,16 +1,11 @@
 """A program that reads the document of a robot alone computes the robot's accelerations and joint wrenches."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from conftest import swept
-from document_reader import accelerations_from_document, reading
-from document_robots import CHOICES, mixed, robot_with
-from document_symbols import Undefined
+from document_reader import accelerations_from_document
+from document_robots import CHOICES, drawn, robot_with
 from helpers import model_of
-
-from screwgen.backends.latex.content import Display, StepEquation
 
 TOLERANCE = 1e-10
 
@@ -35,11 +30,15 @@ def judged(robot) -> float:
     return max(np.max(np.abs(a - b)) / max(1.0, np.max(np.abs(a))) for a, b in zip(own, read, strict=True))
 
 
-@pytest.mark.parametrize("name", CHOICES)
+SINGLE = ("exact", "segments", "coupling")
+TOGETHER = range(3)
+
+
+@pytest.mark.parametrize("name", swept(CHOICES, *SINGLE))
 def test_the_document_of_every_feature_is_complete(name, tmp_path):
     assert judged(robot_with(name, folder=tmp_path)) < TOLERANCE
 
 
-@pytest.mark.parametrize("seed", swept(range(40), 0, 1, 2, 3, 4, 5))
+@pytest.mark.parametrize("seed", swept(range(40), *TOGETHER))
 def test_so_is_that_of_features_together(seed, tmp_path):
-    assert judged(robot_with(*mixed(seed), folder=tmp_path)) < TOLERANCE
+    assert judged(drawn(seed, tmp_path)) < TOLERANCE

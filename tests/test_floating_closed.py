@@ -14,7 +14,7 @@ from floating_robots import start as flying
 from helpers import casadi_forward, flat, model_of, quick, quick_batch, relative
 from oracle import Oracle, part_error
 from oracle_floating import case_of, coordinates, draw, twin
-from test_couplings import coupled
+from test_couplings import coupled, names
 from test_loops import JOINTS, SIXTH, bridged, constrained
 
 from screwgen import PD, OpenLoopError, UsageError, assemble, rollout, simulate
@@ -57,7 +57,7 @@ def test_random_closed_trees_equal_the_constrained_oracle(seed, closing):
     if "loop" in closing:
         robot, state = bridged(rng, JOINTS[seed % len(JOINTS)], robot, state, case.oracle)
     if "coupling" in closing:
-        couplings = coupled(rng, twin(robot), state, base=robot["links"][0]["name"])["couplings"]
+        couplings = coupled(rng, twin(robot), state, among=names(robot))["couplings"]
         assert couplings
         robot = robot | {"couplings": couplings}
     oracle, model = Oracle(twin(robot)), model_of(robot)

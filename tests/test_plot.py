@@ -6,15 +6,17 @@ from functools import cache
 import numpy as np
 import pytest
 from figures import collisions, covered, laid_out, outside
-from helpers import arm, example, link, model_of
+from helpers import ROOT, arm, example, link, model_of
 
 from screwgen import PD, Run
 from screwgen.algorithms.robot_functions import BY_NAME, entry_names
 from screwgen.algorithms.signals import Signal
+from screwgen.cli.main import main
 from screwgen.plotting import curves, plot
 from screwgen.plotting.look import canvas
 from screwgen.simulation.motion import displacements
 from screwgen.simulation.runs import OWN, segments
+from screwgen.viewer.view import read_run
 
 SET_POINTS = (-0.4928, 0.6922, 0.4270)
 LAW = PD((400.0,) * 3, (28.0,) * 3, SET_POINTS, duration=1.5, tau_max=(90.0, 60.0, 30.0))
@@ -195,3 +197,19 @@ def test_axes_of_a_joint_are_named_beside_their_curves():
     legend = panel(picture("ella"), "Joint angles").get_legend()
     assert [text.get_text() for text in legend.get_texts()] == ["upper_arm y", "upper_arm z", "forearm"]
     assert len({handle.get_linestyle() for handle in legend.legend_handles[:2]}) == 2
+
+
+def test_panels_are_chosen_by_words_of_their_titles(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    run = f"simulate {ROOT / 'examples' / 'ella.toml'} --duration 0.003 --step 1e-3 -o run.npz --quiet".split()
+    assert main([*run, "--plot", "run.png", "--panel", "ENERGY", "--panel", "angles"]) == 0
+    drawn = plot.figure(read_run("run.npz"), only=["energy", "angles"])
+    titles = {axes.get_title(loc="left") for axes in drawn.axes} - {""}
+    assert titles == {"Joint angles", "Energy"}
+    for wrong, said in (
+        (["--plot", "a.png", "--panel", "nonsense"], "panel: no title has 'nonsense'; there are Joint angles, "),
+        (["--panel", "energy"], "--panel: is given without --plot"),
+    ):
+        assert main([*run[:-3], "-o", "a.npz", "--quiet", *wrong]) == 2
+        assert capsys.readouterr().err.startswith(f"screwgen: error: {said}")
+    assert sorted(x.name for x in tmp_path.iterdir()) == ["run.npz", "run.png"]

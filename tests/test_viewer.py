@@ -14,10 +14,12 @@ from screwgen.cli.main import main
 from screwgen.plotting.demands import set_points
 from screwgen.simulation.controllers import PD
 from screwgen.viewer import pack
+from screwgen.viewer.actuators import eyes
 from screwgen.viewer.meshes import packed
 from screwgen.viewer.panels import panels
+from screwgen.viewer.scene import scene
 from screwgen.viewer.shapes import sections
-from screwgen.viewer.solids import Solid
+from screwgen.viewer.solids import THREAD, Bend, Solid, solids
 from screwgen.viewer.view import read_run, view
 
 MODES = {"axial": 1, "bending_y": 2, "bending_z": 2, "torsion": 1}
@@ -170,3 +172,51 @@ def test_a_file_of_an_earlier_version_is_read_and_one_without_energies_is_not(tm
     np.savez(tmp_path / "worse.npz", **kept)
     with pytest.raises(screwgen.UsageError, match=r"worse.npz: cannot be read as a run .it has no .energy."):
         read_run(tmp_path / "worse.npz")
+
+
+# -------- tendons and cylinders
+
+
+@pytest.mark.parametrize(("order", "size"), [(1, 1e-3), ("exact", 1.0)])
+def test_a_tendon_is_drawn_as_long_as_the_model_has_it(order, size):
+    """Of a link that bends a little, or far, beside the tube; one that runs inside the tube is drawn on it."""
+    outside = [{"name": "a", "from": 0.1, "to": 0.9, "at": [[0.0, 0.05, 0.02], [0.0, 0.02, 0.06]]}]
+    inside = [{"name": "b", "at": [[0.0, 0.0, 0.001], [0.0, 0.0, 0.0]]}]
+    one = link("one", modes={"bending_y": 2, "bending_z": 1}, tendons=outside + inside)
+    model = model_of(arm(one) | {"order": order})
+    q = np.append(np.zeros(model.chain.eta_q), np.array([0.05, -0.01, 0.03]) * size)
+    drawn = scene(model)
+    tendons = [x for x in solids(drawn, 0) if x.color == THREAD]
+    lines = [Bend(drawn["links"][0]).moved(x, tendons[0]).reshape(-1, 5, 3).mean(axis=1) for x in (0 * q, q)]
+    before, after = (np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in lines)
+    change = model.numpy().tendon_length(q)[0] - model.numpy().tendon_length(0 * q)[0]
+    assert abs(change) > 1e-3 * size and after - before == pytest.approx(change, rel=0.02)
+    assert np.linalg.norm(drawn["links"][0]["tendons"][1]["offsets"], axis=1).min() > drawn["links"][0]["radius"]
+
+
+@pytest.mark.parametrize("axes", [["y"], ["z", "y"], ["y", {"slide": "x"}]])
+def test_a_cylinder_is_drawn_as_long_as_the_law_of_cosines_has_it(axes):
+    k = axes.index("y")
+    drives = [{"transmission": {"crank": 0.3, "base": 0.5, "angle": 0.9}} if x == "y" else {} for x in axes]
+    first = link("first", axes=["z"])
+    joint = {"axes": axes, "drives": drives, "mount": {"xyz": [0.1, 0.2, 0.3], "rpy": [0.3, -0.4, 0.5]}}
+    model = model_of(arm(first, link("boom") | {"joint": joint}))
+    q = np.array([0.4, 0.3, -0.5, *[0.0] * 9])[: model.nq]
+    drawn, (R, r) = scene(model)["links"][1], model.numpy().link_pose(q)
+    (found,) = drawn["cylinders"]
+    near, far = eyes(drawn, found, R[1], r[1], q)
+    expected = np.sqrt(0.3**2 + 0.5**2 - 2 * 0.3 * 0.5 * np.cos(q[1 + k] + 0.9))
+    assert np.linalg.norm(far - near) == pytest.approx(expected, rel=1e-12)
+    still = q.copy()
+    still[1 + k :] = 0.0
+    unmoved, _ = eyes(drawn, found, *(x[1] for x in model.numpy().link_pose(still)), still)
+    assert unmoved == pytest.approx(near, abs=1e-12)
+
+
+@pytest.mark.parametrize(("q", "hangs"), [(0.0, False), (1.3, True), (-1.3, False)])
+def test_the_foot_is_above_a_robot_that_hangs(q, hangs):
+    model = model_of(arm(link("one", axes=["y"])))
+    drawn = scene(model, None, np.array([q]))
+    assert drawn["links"][0]["hangs"] == hangs
+    (foot,) = [x for x in solids(drawn, 0) if x.to == "world"]
+    assert (foot.points[:, 2].mean() > 0) == hangs

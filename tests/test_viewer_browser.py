@@ -223,3 +223,23 @@ def test_ghost_themes_and_widths(browser, ella, tmp_path):
     assert browser.run("document.documentElement.scrollWidth") <= 390
     browser.resize(*SIZE)
     quiet(browser)
+
+
+def test_cylinders_are_as_long_as_in_the_model_and_small_bending_is_magnified(browser, tmp_path):
+    """Of the crane that sags by millimetres; a linkage, which magnified modes would open, is drawn as it is."""
+    model = screwgen.derive(screwgen.load(ROOT / "examples" / "crane.toml"))
+    q = np.append([0.3, -0.2, 0.4], np.full(model.nq - 3, 1e-3))
+    opened(browser, tmp_path, view(still(model, q)))
+    factor = browser.run("screwgen.state.magnified")
+    assert factor > 1 and f"bending drawn × {factor}" in browser.run("document.getElementById('legend').textContent")
+    for name in ("heel", "jib"):
+        k = model.chain.names.index(name)
+        place = model.parameter_names.index(f"{name}.joint.drives[0].transmission.crank")
+        a, b, angle = model.parameter_values[place : place + 3]
+        u = angle + q[model.chain.q_offset[k]]
+        ((near, far),) = browser.run(f"screwgen.eyes({k})")
+        assert np.linalg.norm(np.subtract(far, near)) == pytest.approx(np.sqrt(a * a + b * b - 2 * a * b * np.cos(u)))
+    closed = screwgen.derive(screwgen.load(ROOT / "examples" / "parallelogram.toml"))
+    opened(browser, tmp_path, view(still(closed, np.array(closed.chain.home, float))))
+    assert browser.run("screwgen.state.magnified") == 1
+    quiet(browser)

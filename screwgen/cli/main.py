@@ -137,6 +137,10 @@ def simulate(
         ),
     ] = None,
     plot: Annotated[str | None, typer.Option(metavar="FILE", help="Also draw the run, as .png.")] = None,
+    panel: Annotated[
+        list[str] | None,
+        typer.Option(metavar="WORD", help="Of --plot only panels with WORD in their title; may be given again."),
+    ] = None,
     view: ViewFile = None,
     every: Annotated[int, typer.Option(metavar="N", min=1, help="Store every N-th step, and the end.")] = 1,
     keep: Annotated[
@@ -147,8 +151,8 @@ def simulate(
     """Simulate the robot and store t, q, v, tau, wrench, tip_position and energy at every step."""
     from .simulating import run_simulate
 
-    quiet = quiet or context.obj
-    run_simulate(robot, duration, step, output, state, controller, form, integrator, (plot, view), every, keep, quiet)
+    quiet, pictures = quiet or context.obj, (plot, view, panel or [])
+    run_simulate(robot, duration, step, output, state, controller, form, integrator, pictures, every, keep, quiet)
 
 
 @app.command(short_help="Print the dynamics at a state, as JSON.", epilog=EPILOG)

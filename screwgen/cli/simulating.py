@@ -24,14 +24,15 @@ def run_simulate(
     controller: str | None,
     form: str,
     integrator: str | None,
-    pictures: tuple[str | None, str | None],
+    drawn: tuple[str | None, str | None, Sequence[str]],
     every: int,
     keep: bool,
     quiet: bool,
 ) -> None:
     """Simulate and store; the run and its pictures appear together or not at all, unless a stopped run is kept.
 
-    `pictures`: the files of --plot and --view. What a run that fails had until then is in `run.failed.npz`, and so on.
+    `drawn`: the files of --plot and --view, and the words of --panel. What a run that fails had until then is in
+    `run.failed.npz`, and so on.
     """
     from ..simulation.controllers import read_controller
     from ..simulation.hits import lines
@@ -39,6 +40,9 @@ def run_simulate(
     from ..simulation.simulate import FORMS as known_forms
     from ..simulation.simulate import simulate, step_count
 
+    *pictures, only = drawn
+    if only and pictures[0] is None:
+        raise UsageError("--panel: is given without --plot, whose panels it chooses; give both, or none")
     check_output(output, FORMATS)
     check_choice("--form", form, known_forms)
     for path, end in zip(pictures, (".png", ".html"), strict=True):
@@ -57,21 +61,23 @@ def run_simulate(
             with bar("simulating", steps, quiet) as progress, stoppable():
                 run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
             with busy("drawing", quiet):
-                _write((run, model, torque, output), wanted, streams)
+                _write((run, model, torque, output), wanted, streams, only)
     except ScrewgenError as error:
         if error.run is None:
             raise
         failed = [None if path is None else failed_name(path) for path in (output, *pictures)]
         with outputs(*filter(None, failed)) as streams:
-            _write((error.run, model, torque, failed_name(output)), failed, streams)
+            _write((error.run, model, torque, failed_name(output)), failed, streams, only)
         raise type(error)(f"{error}; {one_line(', '.join(filter(None, failed)))}: the run until then") from None
     say("\n".join(filter(None, (output, *pictures, *lines(run.hits)))), quiet)
 
 
-def _write(made: tuple[Any, Model, Any, str], paths: Sequence[str | None], streams: Iterable[BinaryIO]) -> None:
+def _write(
+    made: tuple[Any, Model, Any, str], paths: Sequence[str | None], streams: Iterable[BinaryIO], only: Sequence[str]
+) -> None:
     """Write a run, its plot and its page, as far as they have a path; `made`: run, model, torques, and its file."""
     run, model, torque, name = made
-    drawn, viewed = (lambda: _drawn(run, model, torque)), (lambda: _viewed(run, model, torque, name))
+    drawn, viewed = (lambda: _drawn(run, model, torque, only)), (lambda: _viewed(run, model, torque, name))
     writers: tuple[Callable[[], bytes], ...] = (drawn, viewed)
     each = iter(streams)
     if paths[0] is not None:
@@ -81,10 +87,10 @@ def _write(made: tuple[Any, Model, Any, str], paths: Sequence[str | None], strea
             next(each).write(picture())
 
 
-def _drawn(run: Any, model: Model, torque: Any) -> bytes:
+def _drawn(run: Any, model: Model, torque: Any, only: Sequence[str]) -> bytes:
     from ..plotting.plot import png
 
-    return png(run, model, torque)
+    return png(run, model, torque, only)
 
 
 def _viewed(run: Any, model: Model, torque: Any, name: str) -> bytes:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable
 
 from ..backends.equations import document as scalars
@@ -58,9 +60,31 @@ def run_latex(
     say(output, quiet)
 
 
+PI = re.compile(r"([+-]?)(?:(\d+(?:\.\d+)?)\*?)?pi(?:/(\d+))?")
+PARTS = 12
+"""Angles that are rounded multiples of π over this are meant to be these."""
+DIGITS = 4
+"""With fewer digits behind the point a number is what it is."""
+
+
+def angles(given: str) -> str:
+    """Coordinates with `pi/2` and its like as numbers, and with 1.5707963 as the angle that it is rounded from."""
+    return " ".join(map(_angle, given.replace(",", " ").split()))
+
+
+def _angle(word: str) -> str:
+    if match := PI.fullmatch(word):
+        sign, factor, below = match.groups()
+        return repr(float(f"{sign}1") * float(factor or 1) * math.pi / int(below or 1)) if below != "0" else word
+    if not (match := re.fullmatch(r"[+-]?\d*\.(\d+)", word)) or len(match[1]) < DIGITS:
+        return word
+    near = round(float(word) * PARTS / math.pi) * math.pi / PARTS
+    return repr(near) if abs(near - float(word)) <= 10.0 ** -len(match[1]) else word
+
+
 def _scalars(robot: Robot, about: str | None) -> Document:
     """The equations entry by entry, and about a posture if one is given."""
     model = derive(robot)
     found = model.equations()
-    q = None if about is None else numbers("q", about, model.n_joints, "joint coordinates", "about")
+    q = None if about is None else numbers("q", angles(about), model.n_joints, "joint coordinates", "about")
     return scalars.content(model.chain, found, None if q is None else found.linearised(q))

@@ -83,7 +83,8 @@ k_0^2 &= g_0^2 + a_0^2 + r_0^2 + 2\,g_0\,a_0\cos\psi - 2\,g_0\,r_0\cos u"""
 $$
 
 holds in every posture. Of its two solutions the sign $\sigma$ in the table of transmissions chooses one, and its
-derivatives with $q$ follow: with $x_0 = r_0\cos u - g_0$ and $y_0 = r_0\sin u$, from the crank's pivot to the rocker's pin,
+derivatives with $q$ follow: with $x_0 = r_0\cos u - g_0$ and $y_0 = r_0\sin u$, from the crank's pivot to the rocker's
+pin,
 
 $$
 D &= x_0^2 + y_0^2, & \quad W &= D + a_0^2 - k_0^2, & \quad H &= \sqrt{4\,D\,a_0^2 - W^2}

@@ -97,8 +97,8 @@ J_r\,\ddot{\vartheta} &= \tau - \frac{\tau_J}{N} - \tau_f, & \quad \tau_J &= k\,
 $$
 
 with the gear's stiffness $k$ and damping $d$ at the joint and friction at the rate $w$ of what the torque acts on, here
-$w = \dot{\vartheta}$. What a drive does not state is zero, but $N = 1$. In the joint's rows the gear's $k$ and $d$ are part
-of $\mathbf{S}_q$ and $\mathbf{D}_q$, and what acts on the axis is
+$w = \dot{\vartheta}$. What a drive does not state is zero, but $N = 1$. In the joint's rows the gear's $k$ and $d$ are
+part of $\mathbf{S}_q$ and $\mathbf{D}_q$, and what acts on the axis is
 
 $$
 \tau_q &= \frac{k\,\vartheta + d\,\dot{\vartheta}}{N}, & \quad s_q &\leftarrow s_q + k, & \quad d_q &\leftarrow d_q + d

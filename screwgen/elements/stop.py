@@ -87,8 +87,8 @@ A stop at the limit $q_s$ of an axis pushes the joint back while that is beyond 
 $\sigma_s = 1$ at an upper limit and $-1$ at a lower one,
 
 $$
-\tau_q &\leftarrow \tau_q - \sigma_s\,\tau_s, & \quad \tau_s &= \max\left( 0,\ k_s\,p + d_s\,\dot{p} \right), & \quad p"""
-    r""" &= \sigma_s\,\left( q - q_s \right), & \quad \dot{p} &= \sigma_s\,\dot{q}
+\tau_q &\leftarrow \tau_q - \sigma_s\,\tau_s, & \quad \tau_s &= \max\left( 0,\ k_s\,p + d_s\,\dot{p} \right), & \quad"""
+    r""" p &= \sigma_s\,\left( q - q_s \right), & \quad \dot{p} &= \sigma_s\,\dot{q}
 $$
 
 and $\tau_s = 0$ where $p \leq 0$. The potential $k_s\,p^2/2$ is stored, all else is dissipated.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from ..simulation.runs import Run, check_output, outputs
 from . import look
 from .curves import over_time, scale, thin
 from .look import GREY, INK, PALE, PALETTE, STYLES, canvas, filled, fitted_legend, legend_above, styled
-from .run_panels import Panel, PanelCurve, link_names, panels, sift
+from .run_panels import Panel, PanelCurve, chosen, link_names, panels, sift
 from .strands import feet, strands
 
 if TYPE_CHECKING:
@@ -44,14 +45,15 @@ NAMED = dict(zip("xyz", PALETTE, strict=False)) | {"kinetic": PALETTE[0], "poten
 
 
 @styled
-def figure(run: Run, model: RobotModel | None = None, controller: Any = None) -> Figure:
+def figure(run: Run, model: RobotModel | None = None, controller: Any = None, only: Sequence[str] = ()) -> Figure:
     """The figure of a run; quantities that are always zero are named, not drawn.
 
     `model`: that of the run, to draw the arm, and the displacements of tips in place of modal coordinates.
     Displacements, forces and moments are along the axes of their links. `controller`: its set points
-    (`reference(t)`) and torque limits (`tau_max`) are drawn where it states them.
+    (`reference(t)`) and torque limits (`tau_max`) are drawn where it states them. `only`: words, one of which
+    the titles of drawn panels have, in any case of letters; without it all are. Raises UsageError where none has one.
     """
-    shown, silent = sift(panels(run, controller, model))
+    shown, silent = sift(chosen(panels(run, controller, model), only))
     below = max(len(shown) - SPACE[0], 0)
     rows = SPACE[0] + -(-below // COLUMNS)
     out = canvas(COLUMNS * PANEL[0], rows * PANEL[1] + 0.5, _headline(run))
@@ -73,16 +75,22 @@ def figure(run: Run, model: RobotModel | None = None, controller: Any = None) ->
     return out
 
 
-def save(run: Run, path: str | os.PathLike[str], model: RobotModel | None = None, controller: Any = None) -> None:
+def save(
+    run: Run,
+    path: str | os.PathLike[str],
+    model: RobotModel | None = None,
+    controller: Any = None,
+    only: Sequence[str] = (),
+) -> None:
     """Write the figure as a .png file, the same bytes every time; arguments as of `figure`. Raises UsageError."""
     check_output(path, (".png",))
     with outputs(path) as (stream,):
-        stream.write(png(run, model, controller))
+        stream.write(png(run, model, controller, only))
 
 
-def png(run: Run, model: RobotModel | None = None, controller: Any = None) -> bytes:
+def png(run: Run, model: RobotModel | None = None, controller: Any = None, only: Sequence[str] = ()) -> bytes:
     """The figure as PNG, without date or version; arguments as of `figure`."""
-    return look.png(figure(run, model, controller))
+    return look.png(figure(run, model, controller, only))
 
 
 # ------------------------------------------------------------------------------ how it is drawn

@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from ..algorithms.robot_functions import BY_NAME, PARTS, written
 from ..elements import ROTOR
+from ..errors import UsageError, one_line
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run, segments
@@ -62,6 +63,15 @@ def panels(run: Run, controller: Any = None, model: RobotModel | None = None) ->
     """The panels over time, link by link within each; a unit lacks its prefix, which depends on the size."""
     goals, bounds = set_points(run, model, controller), bounds_of(run, model, controller)
     return [*motion_panels(run, model, goals, bounds), *_wrenches(run)]
+
+
+def chosen(found: Sequence[Panel], only: Sequence[str]) -> list[Panel]:
+    """The panels whose titles have one of the words; all where there are no words."""
+    for word in only:
+        if not any(word.lower() in panel.title.lower() for panel in found):
+            titles = ", ".join(dict.fromkeys(panel.title for panel in found if panel.lines))
+            raise UsageError(f"panel: no title has '{one_line(word)}'; there are {titles}")
+    return [x for x in found if not only or any(word.lower() in x.title.lower() for word in only)]
 
 
 def motion_panels(

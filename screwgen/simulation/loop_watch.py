@@ -82,7 +82,7 @@ class LoopWatch:
             self.seen.total, self.seen.kinetic = kinetic + potential, kinetic
 
     def weigh(self, t: float, energy: np.ndarray, work: float, again: Callable[[], np.ndarray]) -> None:
-        """Note the energy after a step over which drives and tensions do `work`; `again` gives that after shorter ones."""
+        """Note the energy after a step over which the inputs do `work`; `again` gives that after shorter ones."""
         seen, total = self.seen, float(np.sum(energy))
         seen.kinetic = max(seen.kinetic, energy[0])
         if abs(total - seen.total - work) > CHANGE * seen.kinetic:

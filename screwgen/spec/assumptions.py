@@ -32,14 +32,14 @@ SENTENCES: tuple[tuple[Condition, str], ...] = (
     ),
     (
         lambda key: _is_rod(key, 1) and _bends(key),
-        "The bending of {} has no foreshortening: rotation does not stiffen it, and axial loads neither stiffen nor buckle "
-        "it.",
+        "The bending of {} has no foreshortening: rotation does not stiffen it, and axial loads neither stiffen nor "
+        "buckle it.",
     ),
     (
         lambda key: _is_rod(key, 2),
-        "The shape of {} is of second order in the modal coordinates, and the energy keeps what is of degree two in them: "
-        "foreshortening, centrifugal stiffening and the effect of axial loads on bending are included, and deflections "
-        "must stay moderate.",
+        "The shape of {} is of second order in the modal coordinates, and the energy keeps what is of degree two in "
+        "them: foreshortening, centrifugal stiffening and the effect of axial loads on bending are included, and "
+        "deflections must stay moderate.",
     ),
     (
         lambda key: _is_rod(key, EXACT),
@@ -56,8 +56,8 @@ SENTENCES: tuple[tuple[Condition, str], ...] = (
     ),
     (
         lambda key: key.elastic is not None and not key.elastic.geometric,
-        "The displacements of {} are those of a file, linear in the modal coordinates: deflections must stay small, and "
-        "neither rotation nor axial loads change the stiffness.",
+        "The displacements of {} are those of a file, linear in the modal coordinates: deflections must stay small, "
+        "and neither rotation nor axial loads change the stiffness.",
     ),
     (
         lambda key: key.elastic is not None and key.elastic.geometric,

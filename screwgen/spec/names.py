@@ -18,11 +18,11 @@ KEYWORDS = """
 
 # The generated main.c and check.c, targets of make and those that CMake keeps for itself, files that make looks for,
 # libraries, and the C headers, or what C libraries' headers include, that a generated <name>.h
-# would hide.
+# would hide; flt, whose FLT_ROUNDS is one of <float.h>.
 FILE_NAMES = """
     main check all clean test install help package m c shim
     all_build zero_check run_tests preinstall edit_cache rebuild_cache makefile gnumakefile
-    features alloca endian newlib
+    features alloca endian newlib flt
     assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign
     stdarg stdatomic stdbool stdckdint stdbit stddef stdint stdio stdlib stdnoreturn string tgmath threads
     time uchar wchar wctype

@@ -16,9 +16,10 @@ from ..model import Model
 from ..plotting.canvas import Canvas, Polygons, rgb
 from ..simulation.runs import Run
 from ..spec.load import one_line
+from .actuators import eyes
 from .meshes import Looks, placed
 from .scene import scene
-from .solids import Bend, Solid, solids
+from .solids import AROUND, DARK_METAL, METAL, Bend, Solid, solids, strut
 
 PAPER, INK, SOFT, GRID, SHADOW = "#f5f6f8", "#1d2733", "#5d6b7a", "#c3cad3", "#dfe3e8"
 LIGHT = np.array([0.35, 0.25, 1.0])
@@ -27,6 +28,8 @@ LIT = (0.7, 1.25)
 """By how much colours are multiplied in the shade, and where light falls straight."""
 OPENING = np.radians(32.0)
 """The camera's angle of view, top to bottom."""
+BARREL = 0.55
+"""How long the barrel of a cylinder is, over the distance of its eyes at zero coordinates."""
 FAINT = 0.3
 """How much of its colour a ghost has, over that of the paper."""
 PATH, SURVEYED = 400, 16
@@ -61,7 +64,7 @@ class Actor:
 
     def __init__(self, run: Run, model: Model, label: str, magnified: float, looks: Looks | None = None):
         self.run, self.model, self.magnified = run, model, magnified
-        self.scene, self.numeric = scene(model, run.parameters), model.numpy(run.parameters)
+        self.scene, self.numeric = scene(model, run.parameters, run.q[0]), model.numpy(run.parameters)
         links = self.scene["links"]
         self.bends = [Bend(link) for link in links]
         worn = placed(looks, model, self.scene, label, run.parameters) if looks else []
@@ -72,7 +75,11 @@ class Actor:
             for x in solids(self.scene, i)
             if not (any(k < 0 for k, _ in worn) if x.to == "world" else link["owner"] in over)
         ] + worn
-        self.colors = np.concatenate([np.tile(rgb(x.color), (len(x.faces), 1)) for _, x in self.solids])
+        thick = 1.3 * max(0.006 * self.scene["size"], min((x["radius"] for x in links if x["radius"]), default=0.0))
+        self.cylinders = [(i, x, thick) for i, link in enumerate(links) for x in link["cylinders"]]
+        bars = [color for _ in self.cylinders for color in (DARK_METAL, METAL) for _ in range(AROUND)]
+        colors = [color for _, x in self.solids for color in [x.color] * len(x.faces)] + bars
+        self.colors = np.array([rgb(color) for color in colors])
         self.leaf = max(i for i, x in enumerate(links) if x["radius"] or x["bodies"] or i == 0)
 
     def at(self, times: np.ndarray) -> np.ndarray:
@@ -96,6 +103,10 @@ class Actor:
                 turn, place = (R_tip[i], r_tip[i]) if solid.to == "tip" else (R[i], r[i])
                 points = place + points @ turn.T
             out.append(points[solid.faces])
+        for i, found, thick in self.cylinders:
+            near, far = eyes(self.scene["links"][i], found, R[i], r[i], q)
+            half = near + BARREL * np.linalg.norm(np.subtract(found["link"], found["carrier"])) * _unit(far - near)
+            out += [strut(near, half, thick), strut(near, far, 0.55 * thick)]
         return np.concatenate(out)
 
 
@@ -202,6 +213,10 @@ class Film:
         lit = faces[normal @ LIGHT > 0]
         fallen = lit - (lit[..., 2:] - self.ground) / LIGHT[2] * LIGHT
         self.shadow.move(self.camera.flat(fallen)[0])
+
+
+def _unit(way: np.ndarray) -> np.ndarray:
+    return np.asarray(way / max(float(np.linalg.norm(way)), 1e-12))
 
 
 def _between(times: np.ndarray, values: np.ndarray, time: float) -> list[float]:

@@ -20,7 +20,7 @@ from .panels import panels
 from .scene import scene
 
 SUFFIXES = (".html",)
-PARTS = ("kinematics.js", "plots.js", "drawing.js", "player.js", "controls.js")
+PARTS = ("kinematics.js", "plots.js", "drawing.js", "actuators.js", "player.js", "controls.js")
 """The page's own script, in this order."""
 FINE = 1e-4
 """How far a joint may be off, rad, or a displacement over the size of the robot."""
@@ -98,7 +98,7 @@ def run_page(
 
     `looks`: the visuals that they wear; `goals` (n_joints, N): the set points of the first one's joints.
     """
-    scenes = [scene(model, run.parameters) for run, model, _ in runs]
+    scenes = [scene(model, run.parameters, run.q[0]) for run, model, _ in runs]
     if looks is not None:
         dressed = [
             placed(looks, model, x, label, run.parameters) for x, (run, model, label) in zip(scenes, runs, strict=True)

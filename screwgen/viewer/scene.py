@@ -13,10 +13,12 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..backends.numpy.numeric import Numeric
 from ..model import Model
 from ..spec.link_class import EXACT, LinkClass
 from ..spec.robot import Body, Link
 from ..spec.segments import Segment
+from .actuators import cylinders, tendons
 from .pack import floats
 from .shapes import FINE, sections, strains
 
@@ -26,12 +28,17 @@ SLENDER, STOUT, PLAIN = 0.01, 0.03, 0.012
 """Least and largest radius of a tube over the size of the robot, and that of one whose section says nothing."""
 MODULUS_OVER_DENSITY = 2.6e7
 """m²/s²: of steel, aluminium and titanium alike; it tells the size of a section from its stiffness and its mass."""
+HANGING = 0.2
+"""How far below its foot the middle of a robot that hangs is, over how far it reaches."""
 DENSITY = 2700.0
 """kg/m³: a body without inertia is drawn as a sphere of aluminium."""
 
 
-def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
-    """The robot for the page; `p`: values of its parameters, those of the file by default."""
+def scene(model: Model, p: np.ndarray | None = None, q: np.ndarray | None = None) -> dict[str, Any]:
+    """The robot for the page; `p`: values of its parameters, those of the file by default.
+
+    `q`: the posture that tells whether the robot hangs from its foot, by default that of zero coordinates.
+    """
     robot, chain = model.robot, model.chain
     values = dict(zip(model.parameter_names, model.parameter_values if p is None else p, strict=True))
     numeric, rest = model.numpy(p), chain.home
@@ -48,6 +55,8 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
         columns = strains(key, length, places) if exact else table.columns
         at, carried = _carried(model, i)
         mount = _between(carried, (R, r), i, parent, R_tip, r_tip, tips, np.array(bases))
+        radius = 0.0 if segment.marker is not None else _radius(own, values, size)
+        screws = [{"axis": s.axis, "turn": s.turn, "travel": s.travel} for s in key.screws]
         links.append(
             {
                 "name": segment.name,
@@ -58,7 +67,7 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
                 "moves": key.joint.name,
                 "joint": chain.q_offset[i],
                 "force": chain.tau_offset[i],
-                "screws": [{"axis": s.axis, "turn": s.turn, "travel": s.travel} for s in key.screws],
+                "screws": screws,
                 "welded": not segment.first or segment.marker is not None,
                 "eta": chain.eta_q + chain.eta_offset[i],
                 "modes": key.modes,
@@ -70,12 +79,29 @@ def scene(model: Model, p: np.ndarray | None = None) -> dict[str, Any]:
                 "places": places.tolist(),
                 "fine": FINE * exact,
                 "columns": floats(columns.swapaxes(0, 1)),
-                "radius": 0.0 if segment.marker is not None else _radius(own, values, size),
+                "radius": radius,
+                "twists": own.modes.torsion > 0,
                 "bodies": list(_bodies(own, segment)),
+                "tendons": list(tendons(own, segment, values, radius)),
+                "hangs": parent < 0 and _hangs(numeric, chain.tree.parents, i, np.array(rest if q is None else q)),
+                "cylinders": list(cylinders(own, segment, screws, reach, values)),
             }
         )
     gravity = [float(x) for x in numeric.p[:3]]
-    return {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "links": links}
+    whole = {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "closed": bool(robot.loops)}
+    return whole | {"links": links}
+
+
+def _hangs(numeric: Numeric, carriers: Sequence[int], i: int, q: np.ndarray) -> bool:
+    """Whether the links that link `i` carries, and itself, are below its foot."""
+    down, branch = np.array(numeric.p[:3], float), {i}
+    for k, parent in enumerate(carriers):
+        branch |= {k} if parent in branch else set()
+    (_, r), (_, tips) = numeric.link_pose(q), numeric.tip_poses(q)
+    ways = np.array([x[k] for x in (r, tips) for k in sorted(branch)]) - r[i]
+    far = float(np.linalg.norm(ways, axis=1).max())
+    size = float(np.linalg.norm(down))
+    return size > 0 and far > 0 and float(ways.mean(axis=0) @ down) > HANGING * far * size
 
 
 def _places(key: LinkClass, pieces: int) -> np.ndarray:

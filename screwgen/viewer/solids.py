@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 AROUND = 14
 """Sides of tubes and cylinders."""
-METAL, DARK_METAL = "#8b95a1", "#4b5561"
+METAL, DARK_METAL, THREAD = "#8b95a1", "#4b5561", "#c2541b"
 COLORS = ("#2f6fab", "#d17a22", "#3c9a6b", "#b0527a", "#7568bb", "#6b7886", "#2a95a5", "#a8912f")
 """The colours of the page, templates/view/style.css."""
 
@@ -90,6 +90,8 @@ def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:
     thin = max(0.006 * size, min((x["radius"] for x in scene["links"] if x["radius"]), default=0.0))
     if link["radius"] and np.linalg.norm(link["reach"]) > 1e-9:
         yield _tube(link)
+    for tendon in link["tendons"]:
+        yield _thread(link, tendon, 0.25 * thin)
     if not link["welded"] and link["screws"]:
         radius, base = 1.55 * max(link["radius"], thin), np.array(link["base"])
         slide = not link["screws"][0]["turn"]
@@ -97,9 +99,13 @@ def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:
         shape = _box(np.array([3.0, 2.2, 2.2]) * radius) if slide else _ring(radius, radius, 3.2 * radius)
         yield _hull(base + shape @ turn.T, DARK_METAL)
     if link["parent"] < 0 and link["moves"] != "free":
-        radius, up = 0.035 * size, -np.array(scene["gravity"])
+        radius, up = 0.035 * size, np.array(scene["gravity"]) * (1.0 if link["hangs"] else -1.0)
         turn = _along(up if up.any() else np.array([0.0, 0.0, 1.0]))
-        cone = _ring(1.25 * radius, 0.8 * radius, 0.9 * radius) - [0.45 * radius + 1.2 * thin, 0, 0]
+        cone = _ring(1.25 * radius, 0.8 * radius, 0.9 * radius) - [
+            0.45 * radius + (1.2 * thin if link["screws"] else 0.0),
+            0,
+            0,
+        ]
         yield _hull(np.array(link["mount"]["at"]) + cone @ turn.T, DARK_METAL, "world")
     for body in link["bodies"]:
         at = np.array(body["at"]) + (0.0 if body["tip"] else np.array(link["base"]))
@@ -121,6 +127,34 @@ def _tube(link: dict[str, Any]) -> Solid:
     near, far = (np.full(count, len(points) - k) for k in (2, 1))
     ends = [np.column_stack([b, a, near, near]), np.column_stack([last * count + a, last * count + b, far, far])]
     return Solid(points, np.concatenate(sides + ends), COLORS[link["owner"] % len(COLORS)], "sections", rows)
+
+
+def _thread(link: dict[str, Any], tendon: dict[str, Any], radius: float) -> Solid:
+    """A tendon: a thin tube beside the centreline."""
+    count, offsets = 5, np.array(tendon["offsets"])
+    angle = 2 * np.pi * np.arange(count) / count
+    ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    across = (offsets[:, None] + ring).reshape(-1, 2)
+    rows = np.interp(tendon["places"], link["places"], np.arange(len(link["places"])))
+    points = np.column_stack([np.zeros(len(across)), across])
+    return Solid(points, _sides(count, len(offsets)), THREAD, "sections", np.repeat(rows, count))
+
+
+def strut(near: np.ndarray, far: np.ndarray, radius: float) -> np.ndarray:
+    """The faces (F, 4, 3) of a bar between two points, of which there are always as many."""
+    way = far - near
+    turn = _along(way if way.any() else AHEAD)
+    angle = 2 * np.pi * np.arange(AROUND) / AROUND
+    ring = radius * np.column_stack([0 * angle, np.cos(angle), np.sin(angle)]) @ turn.T
+    points = np.concatenate([near + ring, far + ring])
+    return points[_sides(AROUND, 2)]
+
+
+def _sides(around: int, rings: int) -> np.ndarray:
+    """The faces between rings of points."""
+    a, b = np.arange(around), (np.arange(around) + 1) % around
+    starts = range(0, (rings - 1) * around, around)
+    return np.concatenate([np.column_stack([k + a, k + b, k + around + b, k + around + a]) for k in starts])
 
 
 def _along(way: Any) -> np.ndarray:

@@ -5,7 +5,6 @@ const options = (id, values, chosen, text, change) => {
   find(id).addEventListener("change", () => change(Number(find(id).value)));
 };
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10];
-const MAGNIFICATIONS = [0, 1, 2, 5, 10, 20, 50, 100];
 function magnify(value) {
   state.magnified = value;
   find("magnify").value = String(value);
@@ -31,8 +30,9 @@ function legend() {
   if (ghostly) rows.push(["background:var(--soft)", "faint", modes ? "at rest" : ghostly.label]);
   for (const [kind, [name, unit]] of Object.entries(KINDS))
     if (state.shown[kind] && scales[kind]) rows.push([`background:var(--${kind})`, "", `${name}: ${+scales[kind].toPrecision(3)} ${unit || DRIVEN} per ${+cell.toPrecision(3)} m`]);
+  if (modes && links.some((x) => x.twists)) rows.push(["background:var(--dark-metal)", "", "line along a link that twists"]);
   if (state.shown.floor) rows.push(["", "grid", `${+cell.toPrecision(3)} m`]);
-  if (state.magnified !== 1) rows.push(["", "none", `bending × ${state.magnified}`]);
+  if (state.magnified !== 1) rows.push(["", "none", `bending drawn × ${state.magnified}`]);
   find("legend").replaceChildren(...rows.map(([style, kind, text]) => {
     const row = document.createElement("li");
     const mark = document.createElement("i");
@@ -69,7 +69,7 @@ if (modes) {
   find("clips").addEventListener("change", () => { state.clip = Number(find("clips").value); facts(); retrace(); state.stale = true; });
 }
 options("speed", SPEEDS, 1, (x) => `${x} ×`, (x) => { state.speed = x; });
-options("magnify", MAGNIFICATIONS, 1, (x) => `× ${x}`, magnify);
+options("magnify", MAGNIFICATIONS, state.magnified, (x) => `× ${x}`, magnify);
 find("scrub").max = String(end());
 find("scrub").addEventListener("input", () => { play(false); seek(Number(find("scrub").value)); });
 find("play").addEventListener("click", () => play(!state.playing));
@@ -126,6 +126,8 @@ window.screwgen = {
     return { matrix: whole.multiply(new THREE.Matrix4().makeRotationFromQuaternion(world.quaternion)).transpose().toArray() };
   },
   poses: () => found,
+  /** Where the eyes of a link's cylinders are drawn, on the carrier and on the link, inertial frame, m. */
+  eyes: (link) => robot.parts[link].cylinders.map((cylinder) => cylinder.eyes),
   frames: () => drawn.slice(),
   /** When what was asked for has been drawn and shown. */
   settled: () => new Promise((done) => {

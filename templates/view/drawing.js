@@ -166,7 +166,7 @@ class Robot {
     const paint = this.paint(mesh.color, { shininess: 25 });
     const bends = mesh.table.data.length > 3;
     const out = new THREE.Mesh(surface(mesh, part && part.link), bends ? bending(paint, part.uniforms, true, false, true) : paint);
-    if (bends) out.bends = part.uniforms;
+    if (bends) [out.bends, out.between] = [part.uniforms, true];
     out.frustumCulled = !bends;
     const owner = part && part.link.owner;
     const over = this.parts.filter((x) => part && x.link.owner === owner);
@@ -217,6 +217,13 @@ class Robot {
     }
     out.solids = [...frame.children, ...tip.children];
     out.covered = false;
+    const paint = (color) => this.paint(color);
+    for (const mesh of threads(link, out.uniforms, 0.25 * this.thin, paint)) frame.add(mesh);
+    const seam = { places: Array.from(link.places), offsets: link.places.map(() => [0, 1.01 * link.radius]) };
+    const seams = modes && link.twists && link.radius ? threads({ ...link, tendons: [seam] }, out.uniforms, 0.12 * link.radius, () => this.paint("--dark-metal")) : [];
+    for (const mesh of seams) frame.add(mesh);
+    out.cylinders = link.cylinders.map((found) => new Cylinder(found, 1.3 * this.thin, paint));
+    for (const cylinder of out.cylinders) this.group.add(cylinder.group);
     return out;
   }
 
@@ -234,12 +241,12 @@ class Robot {
   }
 
   foot(link) {
-    const up = vector(this.scene.gravity).negate();
+    const up = vector(this.scene.gravity).multiplyScalar(link.hangs ? 1 : -1); // a robot that hangs has its foot above it
     const way = up.length() > 1e-9 ? up.normalize() : new THREE.Vector3(0, 0, 1);
     const radius = 0.035 * this.scene.size;
     const mesh = new THREE.Mesh(new THREE.CylinderGeometry(0.8 * radius, 1.25 * radius, 0.9 * radius, 36), this.paint("--dark-metal"));
     mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), way);
-    mesh.position.set(...link.mount.at).addScaledVector(way, -0.45 * radius - 1.2 * this.thin);
+    mesh.position.set(...link.mount.at).addScaledVector(way, -0.45 * radius - (link.screws.length ? 1.2 * this.thin : 0));
     this.group.add(mesh);
     return mesh;
   }
@@ -255,7 +262,8 @@ class Robot {
   pose(q, magnified) {
     const found = poses(this.scene, q, magnified);
     this.parts.forEach((part, i) => {
-      const { frame, tip, joint, coordinates } = found[i];
+      const { frame, tip, joint, coordinates, stages } = found[i];
+      for (const cylinder of part.cylinders) cylinder.follow(stages);
       part.frame.position.set(...frame.at);
       part.frame.quaternion.set(...frame.turn);
       part.tip.position.set(...tip.at);
@@ -329,8 +337,7 @@ class Shadows {
     this.flat = new THREE.Matrix4().set(1, 0, -x / z, (x / z) * height, 0, 1, -y / z, (y / z) * height, 0, 0, 0, height, 0, 0, 0, 1);
     robot.group.traverse((mesh) => {
       if (!mesh.isMesh) return;
-      const between = robot.skins.includes(mesh);
-      const material = mesh.bends ? bending(new THREE.MeshBasicMaterial(), mesh.bends, false, false, between) : this.material;
+      const material = mesh.bends ? bending(new THREE.MeshBasicMaterial(), mesh.bends, false, false, Boolean(mesh.between)) : this.material;
       const twin = new THREE.Mesh(mesh.geometry, material);
       [twin.matrixAutoUpdate, twin.frustumCulled, twin.renderOrder] = [false, false, -1];
       this.pairs.push([mesh, twin]);

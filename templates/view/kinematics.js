@@ -118,7 +118,8 @@ function section(link, row, coordinates, drawn = false) {
   return pose(at, row === link.rows - 1 ? chain(turn, link.axes) : turn);
 }
 
-/** Every link: `frame`, its modal `coordinates`, `joint` (where its mount is), `axes` of its screws, and its `tip`. */
+/** Every link: `frame`, its modal `coordinates`, `joint` (where its mount is), `axes` of its screws, its `stages` before and
+ * behind each of these, and its `tip`. */
 function poses(scene, q, magnified = 1) {
   const out = [];
   for (const link of scene.links) {
@@ -131,16 +132,18 @@ function poses(scene, q, magnified = 1) {
     if (link.moves === "free") frame = pose(q.slice(link.joint, link.joint + 3), turned_by(link.joint + 3));
     if (link.moves === "ball") frame = behind(joint, pose(ORIGIN.at, turned_by(link.joint)));
     const axes = [];
+    const stages = [frame];
     link.screws.forEach((screw, k) => {
       const x = q[link.joint + k];
       axes.push(turned(frame.turn, screw.axis));
       const turn = screw.turn ? exponential(times(x, screw.axis)) : ORIGIN.turn;
       frame = behind(frame, pose(times(screw.travel * x, screw.axis), turn));
+      stages.push(frame);
     });
     if (link.moves !== "free") frame = behind(frame, pose(times(-1, link.base), ORIGIN.turn));
     const coordinates = modal(link, q, magnified);
     const tip = behind(frame, section(link, link.rows - 1, coordinates));
-    out.push({ frame, coordinates, joint, axes, tip });
+    out.push({ frame, coordinates, joint, axes, stages, tip });
   }
   return out;
 }

@@ -6,6 +6,7 @@ for (const scene of data.scenes) if (scene.meshes === "as the first") scene.mesh
 const scenes = data.scenes.map(unpacked);
 const motions = data.clips.map((clip) => new Motion(clip));
 const modes = data.kind === "modes";
+const MAGNIFICATIONS = [0, 1, 2, 5, 10, 20, 50, 100];
 const ghostly = data.ghost === null ? null : motions[data.ghost];
 const state = {
   clip: 0, time: 0, playing: true, speed: 1, magnified: 1, loop: true,
@@ -72,11 +73,26 @@ function travelled(robot, motion, magnified) {
   }
   return { path, times, low, high, cloud };
 }
+/** The largest of some factors with which the tips of a motion are at most this share of the robot away from where they
+ * are without bending; 1 where they are seen to bend as they are. */
+const [SEEN, BARELY] = [0.06, 0.02];
+function preset(robot, motion, factors) {
+  const count = Math.min(motion.t.length, SURVEYED);
+  let most = 0;
+  for (let k = 0; k < count; k++) {
+    const q = motion.q.map((x) => x[count > 1 ? Math.round((k * (motion.t.length - 1)) / (count - 1)) : 0]);
+    const [bent, straight] = [1, 0].map((factor) => poses(robot.scene, q, factor));
+    bent.forEach((x, i) => { most = Math.max(most, norm(plus(x.tip.at, times(-1, straight[i].tip.at)))); });
+  }
+  const share = most / robot.scene.size;
+  return share > 1e-7 && share < BARELY ? Math.max(1, ...factors.filter((x) => x * share <= SEEN)) : 1;
+}
 const nice = (x) => {
   const power = 10 ** Math.floor(Math.log10(x));
   return power * [5, 2, 1].find((k) => k * power <= x * 1.0001);
 };
-const reachOf = motions.map((m) => travelled(m === ghostly ? ghost : robot, m, 1));
+if (!modes && !robot.scene.closed) state.magnified = preset(robot, motions[0], MAGNIFICATIONS);
+const reachOf = motions.map((m) => travelled(m === ghostly ? ghost : robot, m, state.magnified));
 const framed = modes ? [reachOf[data.ghost]] : reachOf; // of modes the robot at rest, with room to vibrate
 const room = modes ? 0.15 * robot.scene.size : 0;
 const low = framed.reduce((a, x) => a.min(x.low), framed[0].low.clone()).subScalar(room);
@@ -184,7 +200,8 @@ function fitted(places, depths, below, above) {
   return { near: (top + bottom) / (above + below), at: (far) => (top - bottom + (below - above) * far) / 2 };
 }
 
-const MARGINS = [62, 44, 24]; // pixels that the title, the legend and the sides take
+const NARROWEST = 190; // pixels of a panel of curves
+const MARGINS = [innerWidth > 640 ? 62 : 104, 44, 24]; // pixels that the title, the legend and the sides take
 function look() {
   const box = find("stage").getBoundingClientRect();
   camera.aspect = box.width / Math.max(box.height, 1);
@@ -216,6 +233,8 @@ function resize() {
     renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     renderer.setSize(box.width, box.height, false);
   }
+  const fit = Math.max(1, Math.floor(find("panels").clientWidth / NARROWEST)); // whole panels, the others scroll
+  find("panels").style.setProperty("--whole", Math.min(panels.length, fit) || 1);
   for (const panel of panels) panel.draw();
   state.stale = true;
 }

@@ -18,6 +18,20 @@ function ticks(low, high, count) {
   return out;
 }
 
+/** Of each curve, how many run where it does, and its place among these: they take turns, so that none hides another. */
+const [LIKE, COMPARED] = [0.008, 40];
+function alike(curves, range) {
+  const out = new Map();
+  for (const curve of curves) {
+    const same = curves.filter((other) => other.goal === curve.goal && other.ghost === curve.ghost && Array.from({ length: COMPARED }, (_, k) => {
+      const t = curve.x[0] + (k / (COMPARED - 1)) * (curve.x[curve.x.length - 1] - curve.x[0]);
+      return Math.abs(valueAt(curve, t) - valueAt(other, t)) < LIKE * range;
+    }).every(Boolean));
+    out.set(curve, [same.indexOf(curve), same.length]);
+  }
+  return out;
+}
+
 class Panel {
   /** `sets`: the same panel of the run and, perhaps, of its ghost; `seek`: what a click on a time calls. */
   constructor(parent, sets, end, seek) {
@@ -71,11 +85,15 @@ class Panel {
     const x = (t) => LEFT + (t / this.end) * (box.width - LEFT - RIGHT);
     const y = (value) => TOP + ((high - value) / (high - low)) * (box.height - TOP - BOTTOM);
     this.axes(pen, box, low, high, x, y);
+    this.alike = alike(this.curves, (high - low) * this.factor);
     for (const curve of [...this.curves].sort((a, b) => b.goal - a.goal || b.ghost - a.ghost)) {
       pen.beginPath();
       pen.strokeStyle = css(curve.color);
       pen.globalAlpha = curve.goal ? 0.35 : curve.ghost ? 0.75 : 1;
-      pen.setLineDash(curve.ghost ? [2, 3] : DASHES[curve.dash % DASHES.length]);
+      const [place, count] = this.alike.get(curve);
+      if (count > 1) pen.setLineDash([7, 7 * (count - 1)]);
+      else pen.setLineDash(curve.ghost ? [2, 3] : DASHES[curve.dash % DASHES.length]);
+      pen.lineDashOffset = count > 1 ? -7 * place : 0;
       pen.lineWidth = curve.goal ? 5 : 1.5;
       pen.lineJoin = "round";
       curve.x.forEach((t, k) => pen[k ? "lineTo" : "moveTo"](x(t), y(curve.y[k] / this.factor)));

@@ -280,9 +280,13 @@ typedef struct {
 ella_status ella_forward_dynamics(const ella_constants *c, const ella_state *state, const ella_input *input,
     ella_work *work, ella_output *output);
 
-/* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
- * and centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the
- * lowest frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
+/* Measures of validity: how far the links are from the limits of their models.
+ * The shape of the links is linear in the modal coordinates: deflections must stay small against the length. The
+ * bending of the links has no foreshortening: rotation does not stiffen it, and axial loads neither stiffen nor buckle
+ * it. The sections of the links stay at right angles to the centreline (Euler-Bernoulli).
+ * At a measure's bound what a model of order 1 leaves out causes an error of about 1 % of the tip deflection or of the
+ * lowest frequency. A link without bending modes has zeros, and so has one of order "exact"; one of order 2 has no
+ * axial load and rotation.
  */
 enum {
     ELLA_DEFLECTION, /* transverse deflection of the tip over the length */

@@ -55,7 +55,7 @@ ella_status ella_inertia_column(const ella_constants *c, const ella_call *call, 
 /* Poses of links and tips, twists of the tips. */
 ella_status ella_motion_of(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
 
-/* How far every link is from the limits of the first-order model. */
+/* How far every link is from the limits of its model. */
 ella_status ella_measuring(const ella_constants *c, const ella_call *call, ella_chain *chain, int *fault);
 
 /* M_sys, H_sys and W_sys. */

@@ -330,9 +330,13 @@ six_link_status six_link_forward_dynamics(const six_link_constants *c, const six
     const six_link_input *input,
     six_link_work *work, six_link_output *output);
 
-/* Measures of validity. The model is of first order in a link's deformation and neglects large deflections, buckling
- * and centrifugal stiffening. At a measure's bound this causes an error of about 1 % of the tip deflection or of the
- * lowest frequency. A link without bending modes has zeros, and one of order 2 no axial load and rotation.
+/* Measures of validity: how far the links are from the limits of their models.
+ * The shape of the flexible links is linear in the modal coordinates: deflections must stay small against the length.
+ * The bending of the flexible links has no foreshortening: rotation does not stiffen it, and axial loads neither
+ * stiffen nor buckle it. The sections of the flexible links stay at right angles to the centreline (Euler-Bernoulli).
+ * At a measure's bound what a model of order 1 leaves out causes an error of about 1 % of the tip deflection or of the
+ * lowest frequency. A link without bending modes has zeros, and so has one of order "exact"; one of order 2 has no
+ * axial load and rotation.
  */
 enum {
     SIX_LINK_DEFLECTION, /* transverse deflection of the tip over the length */

@@ -66,7 +66,7 @@ six_link_status six_link_inertia_column(const six_link_constants *c, const six_l
 six_link_status six_link_motion_of(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
     int *fault);
 
-/* How far every link is from the limits of the first-order model. */
+/* How far every link is from the limits of its model. */
 six_link_status six_link_measuring(const six_link_constants *c, const six_link_call *call, six_link_chain *chain,
     int *fault);
 

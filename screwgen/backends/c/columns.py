@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import textwrap
 
+from ...errors import UsageError
 from ..templates import render
 
 WIDTH = 120
@@ -25,8 +26,31 @@ def rendered(template: str, **values: object) -> str:
 
 
 def written(text: str, name: str) -> str:
-    """C source with the robot's prefix, in limited columns."""
+    """C source with the robot's prefix, in limited columns; UsageError where that makes a name twice."""
+    if twice := _twice(text, name):
+        raise UsageError(f"robot '{name}': the generated C has '{twice}' for something else; choose another name")
     return folded(text.replace("$$_", f"{name.upper()}_").replace("$_", f"{name}_"))
+
+
+def _twice(text: str, name: str) -> str | None:
+    """A name that the source has without the prefix and would have a second time with it."""
+    for prefix, mark, always in (
+        (f"{name}_", r"(?<!\$)\$_", {"kinematics"}),
+        (f"{name.upper()}_", r"\$\$_", IN_HEADERS),
+    ):
+        if not re.search(rf"(?<![\w$]){prefix}", text):
+            continue
+        code = COMMENTS_AND_STRINGS.sub(" ", text)
+        own = always.union(re.findall(rf"{mark}(\w+)", code))
+        both = sorted(own.intersection(re.findall(rf"(?<![\w$]){prefix}(\w+)", code)))
+        if both:
+            return prefix + both[0]
+    return None
+
+
+IN_HEADERS = {"H", "ROTATION"}
+"""Macros and constants that a file sees and need not use; of functions it is the kinematics."""
+COMMENTS_AND_STRINGS = re.compile(r'/\*.*?\*/|"(?:[^"\\\n]|\\.)*"', re.DOTALL)
 
 
 def folded(text: str) -> str:

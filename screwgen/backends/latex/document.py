@@ -37,9 +37,7 @@ from .style import DocumentStyle
 from .symbols import SLIDING, entries
 
 PLAIN = DocumentStyle()
-TENSION = (
-    r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
-)
+TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
 """What the tensions of tendons do to the rows of a link."""
 
 

@@ -152,9 +152,7 @@ def _field(key: LinkClass) -> Iterator[Item]:
         yield from _exact(key, sheared)
     if key.tendons:
         count, straight = len(collocation(key).places), key.order == 1
-        yield from parse(
-            render("latex/tendon.tex.jinja", points=count, straight=straight, segments=key.segments > 1)
-        )
+        yield from parse(render("latex/tendon.tex.jinja", points=count, straight=straight, segments=key.segments > 1))
     alike: dict[tuple, list[str]] = {}
     for direction in dict.fromkeys(d for d, _ in key.directions):
         shapes = key.shapes(direction)

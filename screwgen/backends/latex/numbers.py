@@ -87,9 +87,9 @@ def _number(entry: sp.Expr, known: Mapping[str, mpmath.mpf]) -> str:
 
 
 def mode_table(chain: Chain, found: Mapping[str, Mapping[str, Table]]) -> DocumentTable | None:
-    """The modes of the links: inertia, stiffness, frequency with the link's base held. None if there are none."""
+    """The modes of the links: inertia, stiffness, frequency of the link by itself. None if there are none."""
     rows = [row for i in range(min(chain.n, MANY_LINKS)) for row in _modes(chain, i, found)]
-    head = ("link", "name", "mode", "direction", "inertia", "stiffness", "frequency, base held")
+    head = ("link", "name", "mode", "direction", "inertia", "stiffness", "frequency, clamped, unloaded")
     return DocumentTable(head, (0.06, 0.17, 0.07, 0.18, 0.17, 0.2, 0.15), tuple(rows)) if rows else None
 
 

@@ -33,21 +33,21 @@ def besides(chain: Chain) -> Iterator[Item]:
 
 TRANSMITTED = (
     "The drives that act on their axes through a transmission; their lengths and angles are among the parameters. "
-    r"The sign $\sigma$ says how a linkage is assembled: 1 where the crank's pin is left of the line from its pivot to the "
-    "rocker's pin, else $-1$."
+    r"The sign $\sigma$ says how a linkage is assembled: 1 where the crank's pin is left of the line from its pivot to "
+    "the rocker's pin, else $-1$."
 )
 PULLED = (
-    r"Each piece of a tendon runs from $s_0$ to $s_1$ along its link, at the offsets $\mathbf{d}_0$ and $\mathbf{d}_1$ from the "
-    r"centreline there, in axes of the section. Pieces with the same tension $T_c$ belong to one tendon."
+    r"Each piece of a tendon runs from $s_0$ to $s_1$ along its link, at the offsets $\mathbf{d}_0$ and $\mathbf{d}_1$ "
+    r"from the centreline there, in axes of the section. Pieces with the same tension $T_c$ belong to one tendon."
 )
 JOINED = (
-    "A loop joins the tip frames A and B of two links by a joint, whose axes are those of A; what the joint leaves free is not a "
-    r"coordinate. Gaps close at the rate $c_s$."
+    "A loop joins the tip frames A and B of two links by a joint, whose axes are those of A; what the joint leaves "
+    r"free is not a coordinate. Gaps close at the rate $c_s$."
 )
 COUPLED = r"An axis follows another, $q_b = r\,q_a + c$; a gap closes at the rate $c_s$."
 CLOSED = (
-    r"The conditions that bear a force $\lambda_j$ each. Directions $\mathbf{n}$ and $\mathbf{x}$ of loops are in axes of A, "
-    r"$\mathbf{y}$ in axes of B."
+    r"The conditions that bear a force $\lambda_j$ each. Directions $\mathbf{n}$ and $\mathbf{x}$ of loops are in axes "
+    r"of A, $\mathbf{y}$ in axes of B."
 )
 
 
@@ -78,7 +78,9 @@ def tendons(chain: Chain) -> DocumentTable | None:
             if own.actuated:
                 k = names.index(own.name)
                 offsets = (vector((0.0, *own.offset(end))) for end in range(2))
-                out.append((f"$T_{{{k + 1}}}$", f"`{inputs[k]}`", f"`{link.name}`", exact(own.start), exact(own.to), *offsets))
+                out.append(
+                    (f"$T_{{{k + 1}}}$", f"`{inputs[k]}`", f"`{link.name}`", exact(own.start), exact(own.to), *offsets)
+                )
     return _table(head, (0.09, 0.19, 0.14, 0.09, 0.09, 0.2, 0.2), out)
 
 
@@ -109,7 +111,9 @@ def couplings(chain: Chain) -> DocumentTable | None:
 def rows(chain: Chain) -> DocumentTable | None:
     """The rows that bear forces."""
     head, widths = ("force", "of", "gap"), (0.1, 0.18, 0.72)
-    return _table(head, widths, [(rf"$\lambda_{{{k}}}$", f"`{c.name}`", _gap(c)) for k, c in enumerate(chain.closing.rows, 1)])
+    return _table(
+        head, widths, [(rf"$\lambda_{{{k}}}$", f"`{c.name}`", _gap(c)) for k, c in enumerate(chain.closing.rows, 1)]
+    )
 
 
 def _gap(closing: ClosingRow) -> str:

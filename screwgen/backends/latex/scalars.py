@@ -16,7 +16,9 @@ from ...ir.block import Binding, Block, NamedSignal
 ELLIPSIS_ABOVE = 16
 """A sum of more terms shows its first and last ones."""
 
-SCRIPT = re.compile(r"(?P<head>.+?)(?P<scripts>(?:[_^](?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|[A-Za-z0-9*]))*)", re.DOTALL)
+SCRIPT = re.compile(
+    r"(?P<head>.+?)(?P<scripts>(?:[_^](?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|[A-Za-z0-9*]))*)", re.DOTALL
+)
 ONE_SCRIPT = re.compile(r"([_^])(\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|[A-Za-z0-9*])")
 OWN_LINK = re.compile(r",?\s*(\(i-1\))?i")
 """The index of the link itself: entries are written without it."""

@@ -35,14 +35,14 @@ class Definition:
     """What a step says, with all digits: the symbol, the right side of its equation, and the entries of its components.
 
     ``entries`` are over the labels of entries of earlier symbols; ``labels`` has, for each of these, the LaTeX of the
-    symbol with row and column of the entry. Equal are definitions whose integrals have the same components.
+    symbol with row and column of the entry. Equal are definitions with the same integrals and numbers.
     """
 
     signal: NamedSignal = field(compare=False)
     right: ex.Expression = field(compare=False)
     entries: Array = field(compare=False)
     labels: Labels = field(compare=False)
-    integrated: tuple[sp.Expr, ...]
+    numbers: tuple[sp.Expr, ...]
 
 
 @dataclass(frozen=True)
@@ -157,7 +157,8 @@ def _view(
     bracket, below = _components(block, step, right, write, parts)
     formula = equation(left, *sides, *([[bracket]] if bracket else []))
     entries = _entries(block, step)
-    definition = Definition(s, right, entries, labels, tuple(entries.flat) if has_integral(right) else ())
+    own = tuple(e for e in entries.flat if has_integral(right) or sp.sympify(e).has(sp.Float))
+    definition = Definition(s, right, entries, labels, own)
     return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below, definition)
 
 

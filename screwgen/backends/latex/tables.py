@@ -56,7 +56,9 @@ def links(chain: Chain) -> DocumentTable:
             if pieces[i].first:
                 break
             where = f"marker that a loop joins, {_carrier(chain, i)}"
-            rows.append((f"{i + 1}", f"`{pieces[i].name}`", f"{classes.index(keys[i]) + 1}", NONE, "welded", "rigid", where))
+            rows.append(
+                (f"{i + 1}", f"`{pieces[i].name}`", f"{classes.index(keys[i]) + 1}", NONE, "welded", "rigid", where)
+            )
     return DocumentTable(head, (0.06, 0.17, 0.07, 0.1, 0.2, 0.19, 0.21), tuple(rows))
 
 
@@ -169,7 +171,7 @@ def parameters(items: Sequence[tuple[Parameter, str]]) -> DocumentTable:
         (f"`{p.name}`", f"${symbol}$" if symbol else NONE, exact(p.value), plain_unit(p.unit), p.description)
         for p, symbol in items
     )
-    head, widths = ("parameter", "symbol", "value", "unit", "meaning"), (0.32, 0.09, 0.2, 0.1, 0.29)
+    head, widths = ("parameter", "symbol", "value", "unit", "meaning"), (0.28, 0.09, 0.26, 0.12, 0.25)
     return DocumentTable(head, widths, tuple(rows))
 
 

@@ -69,8 +69,7 @@ def curvatures(case: Case) -> None:
     chain, judge = case.model.chain, case.judge
     if "shear" in case.features or not any(not m.is_tip for m in chain.markers):
         return
-    names = [name for name in case.model.strain_names]
-    found = dict(zip(names, case.model.numpy().strain(case.given[0]), strict=True))
+    found = dict(zip(case.model.strain_names, case.model.numpy().strain(case.given[0]), strict=True))
     state = judge.state["q"].copy()
     state[judge.oracle.n_joint + judge.oracle.n_rotor :] *= SMALL
     poses = judge.oracle.poses(state)

@@ -30,7 +30,7 @@ COPIED = ("screwgen", "templates", "tests")
 SHARED = "numpy scipy.optimize scipy.linalg sympy casadi jax pinocchio pydantic jinja2 pytest typer hypothesis".split()
 """Libraries that are loaded once for all mutants."""
 HEAVY = ("mock-up unit", "C folder", "commands")
-ROBOTS, OTHERS = 6, 2
+ROBOTS, OTHERS = 6, int(os.environ.get("OTHERS", "2"))
 """Robots that meet the check of the consumer, and those that meet all others."""
 PATIENCE = 1200
 """Seconds that one mutant may take."""
@@ -109,7 +109,7 @@ def failure(number: int, name: str) -> str:
     try:
         outcome(name, case_of(tuple(covering()[number].items()), number))
     except Exception as error:
-        return f"{type(error).__name__}: {' '.join(str(error).split())[:160]}" or type(error).__name__
+        return f"{type(error).__name__}: {' '.join(str(error).split())[:160]}"
     return ""
 
 
@@ -148,7 +148,7 @@ def tried(folder: Path, mutant: Mutant, broken: set[Cell]) -> str:
 
 
 def verdict(folder: Path, mutant: Mutant, sound: dict[Cell, str]) -> str:
-    """What finds a mutant, "" if nothing does; `sound`: what checks say without any, which are tried where they fail."""
+    """What finds a mutant, "" if nothing does; `sound`: what checks say without any, tried where they fail."""
     while True:
         broken = {cell for cell, said in sound.items() if said}
         check, _, rest = tried(folder, mutant, broken).partition("|")

@@ -51,7 +51,7 @@ def steps(case: Case) -> None:
 
 
 def kinematic(case: Case, q: np.ndarray, v: np.ndarray, h: float = 1e-4) -> np.ndarray:
-    """(nv, 2 nv): the rates of small changes of coordinates with these and with changes of the rates, by differences."""
+    """(nv, 2 nv): the rates of small changes of coordinates, with these and with changes of rates, by differences."""
 
     def after(x, t):
         there = case.moved(case.moved(q, x[: len(v)]), t * (v + x[len(v) :]))

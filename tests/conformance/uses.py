@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg import eigvalsh, null_space
 from helpers import QUICK, quick_batch
+from scipy.linalg import eigvalsh, null_space
 
 import screwgen
 from conformance.cases import STEP, Case

@@ -55,16 +55,17 @@ def blocks(rows: list[list[Value]]) -> Value:
     """A matrix of blocks; the size of zeros follows from their neighbours."""
     if all(isinstance(x, Zero) for row in rows for x in row):
         return ZERO
-    heights = _filled([next((x.shape[0] for x in row if not isinstance(x, Zero)), 0) for row in rows])
+    heights = _filled([next((x.shape[0] for x in row if not isinstance(x, Zero)), None) for row in rows])
     columns = list(zip(*rows, strict=True))
-    widths = _filled([next((x.shape[1] for x in column if not isinstance(x, Zero)), 0) for column in columns])
+    widths = _filled([next((x.shape[1] for x in column if not isinstance(x, Zero)), None) for column in columns])
     whole = lambda x, i, j: np.zeros((heights[i], widths[j])) if isinstance(x, Zero) else x  # noqa: E731
     return np.block([[whole(x, i, j) for j, x in enumerate(row)] for i, row in enumerate(rows)])
 
 
-def _filled(sizes: list[int]) -> list[int]:
-    """Sizes of rows; one of zeros alone is as large as the largest."""
-    return [size or max(sizes) or 1 for size in sizes]
+def _filled(sizes: list[int | None]) -> list[int]:
+    """Sizes of rows; one of zeros alone is as large as the largest. A link without modes has columns of size 0."""
+    largest = max(size or 0 for size in sizes) or 1
+    return [largest if size is None else size for size in sizes]
 
 
 class Reader:

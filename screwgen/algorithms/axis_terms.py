@@ -45,6 +45,7 @@ MEANINGS = {
     "gear_inertia": "kg*m^2, of slides kg*m: inertia between rotor and joint",
     "gear_damping": "N*m*s/rad, of slides N*s/rad: damping of the gear between rotor and joint, less than 0",
     "gear_stiffness": "N*m/rad, of slides N/rad: stiffness of the gear between rotor and joint, less than 0",
+    "spring": "N*m/rad, of slides N/m: stiffness of the joint's own spring, without that of a gear",
     tm.INERTIA: "kg*m^2, of cylinders kg: inertia of the rotor, times the square of the ratio, along the travel",
 }
 """Units and meanings of those that no key of the robot file states under these names."""

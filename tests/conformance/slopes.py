@@ -50,6 +50,17 @@ def steps(case: Case) -> None:
                 near(found[half], wanted[half], SMOOTH, f"a step of {method}")
 
 
+def kinematic(case: Case, q: np.ndarray, v: np.ndarray, h: float = 1e-4) -> np.ndarray:
+    """(nv, 2 nv): the rates of small changes of coordinates, with these and with changes of rates, by differences."""
+
+    def after(x, t):
+        there = case.moved(case.moved(q, x[: len(v)]), t * (v + x[len(v) :]))
+        return case.change(case.moved(q, t * v), there)
+
+    rate = lambda x: (after(x, h) - after(x, -h)) / (2 * h)  # noqa: E731
+    return np.array([(rate(h * e) - rate(-h * e)) / (2 * h) for e in np.eye(2 * len(v))]).T
+
+
 def linear(case: Case) -> None:
     """The linear model, whose lower rows are the accelerations' slopes, with all inputs named."""
     q, v, tau, w_ext = case.given
@@ -61,6 +72,7 @@ def linear(case: Case) -> None:
         assert len(linear.A) < 2 * nv
         return
     A, B = np.asarray(linear.A), np.asarray(linear.B)
+    near(A[:nv], kinematic(case, q, v), 1e-7, "rates of changes")
     near(A[nv:, :nv], by_q, case.tolerance, "A by coordinates")
     near(A[nv:, nv:], by_v, case.tolerance, "A by rates")
     near(B[nv:, : len(tau)], by_tau, case.tolerance, "B")

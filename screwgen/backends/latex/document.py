@@ -141,7 +141,7 @@ def station_views(key: LinkClass, seen: Mapping[str, Seen], given: tuple, told: 
     """
     for number, place in enumerate(key.stations_at):
         block = derived(key.station(number))["tip"]
-        yield replace(block_view(block, dict(seen), *given, told), title=f"Section at $s = {place:.6g}$")
+        yield replace(block_view(block, dict(seen), *given, told=told), title=f"Section at $s = {place:.6g}$")
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:

@@ -105,7 +105,8 @@ def block_view(
     values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
     write, labels = scalars(block), _labels(block)
     steps, used, defined = [], [], []
-    zeros, identities = [], []
+    zeros: list[str] = []
+    identities: list[str] = []
     for step in block.steps.values():
         right = tidy(step.expression, values, write)
         found = latex(right), tuple(_entries(block, step).flat)

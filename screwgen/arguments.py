@@ -12,7 +12,6 @@ from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
-from .elements import TRAVELS
 from .errors import UnknownNameError, UsageError
 from .spec.load import one_line
 from .spec.modes import NEEDS
@@ -134,37 +133,13 @@ def parameters_keyword(function: Callable[_P, _R]) -> Callable[_P, _R]:
     return call
 
 
-TRAVELLING = {
-    sign: [
-        f"joint.drives.transmission.{kind.TABLE}{name}"
-        for kind in TRAVELS
-        for name, key in kind.KEYS.items()
-        if key.sign == sign
-    ]
-    for sign in ("any", "positive")
-}
-"""The fields of transmissions by the sign of their numbers."""
-FREE = (
-    *("gravity", "joint.mount.xyz", "joint.mount.rpy", "bodies.com", "bodies.inertia"),
-    *("joint.limits.lower", "joint.limits.upper"),
-    *TRAVELLING["any"],
-)
-"""Fields whose numbers may have either sign."""
-
-DRIVES = ("ratio", "rotor_inertia", "stiffness", "friction.velocity")
-POSITIVE = (
-    *("length", "rhoA", "joint.limits.stiffness", *(f"joint.drives.{name}" for name in DRIVES)),
-    *TRAVELLING["positive"],
-)
-
-
 class Parameters:
     """The parameters of a robot as a caller may set them: by the rules of the robot file."""
 
     def __init__(self, robot: Robot):
         own = parameters(robot)
         self.names, self.values = [x.name for x in own], np.array([x.value for x in own])
-        self.least = np.array([-np.inf if x.field in FREE or x.sign == "any" else 0.0 for x in own])
+        self.least = np.array([-np.inf if x.sign == "any" else 0.0 for x in own])
         self.positive = np.array([_must_be_positive(robot, x) for x in own], bool)
         self.tensors, self.ranges = _tensors(own), _ranges(own)
 
@@ -226,13 +201,10 @@ def _title(rows: np.ndarray, row: int) -> str:
 
 
 def _must_be_positive(robot: Robot, x: Parameter) -> bool:
-    """Whether the value must be positive: a length, a mass per length, a parameter of a direction with modes."""
-    field = x.field.removeprefix("section.")
-    if field in POSITIVE or x.field.startswith("frequencies.") or x.sign == "positive":
-        return True
-    if x.link is None:
-        return False
-    modes = robot.links[x.link].modes
+    """Whether the value must be positive: by its range, or as a stiffness or inertia of a direction with modes."""
+    if x.sign == "positive" or x.link is None:
+        return x.sign == "positive"
+    field, modes = x.field.removeprefix("section."), robot.links[x.link].modes
     return any(field in needed and getattr(modes, direction) for direction, needed in NEEDS.items())
 
 

@@ -63,8 +63,9 @@ def blocks(rows: list[list[Value]]) -> Value:
 
 
 def _filled(sizes: list[int | None]) -> list[int]:
-    """Sizes of rows; one of zeros alone is as large as the largest, one of entries that are empty is empty."""
-    return [max(x or 0 for x in sizes) or 1 if size is None else size for size in sizes]
+    """Sizes of rows; one of zeros alone is as large as the largest. A link without modes has columns of size 0."""
+    largest = max(size or 0 for size in sizes) or 1
+    return [largest if size is None else size for size in sizes]
 
 
 class Reader:

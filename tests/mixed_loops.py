@@ -53,6 +53,10 @@ class Loops:
         return np.block([[M, -G.T], [G, np.zeros((len(G),) * 2)]]), scale
 
     def condition(self, q) -> float:
+        """Infinite where no motion changes a row."""
+        sizes = np.linalg.norm(self.jacobian(q), axis=1)
+        if np.min(sizes) < 1e-9 * np.max(sizes):
+            return np.inf
         return float(np.linalg.cond(self.matrix(q)[0]))
 
     def forward_dynamics(self, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:

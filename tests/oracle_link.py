@@ -270,7 +270,10 @@ def exact_parts(link: dict, counts: dict, parts: tuple) -> tuple[type, dict]:
     stations, between = stations_of(link["section"])
     degree = len(stations) - 1 if between == "polynomial" else 1
     masses = quadrature(count - 1 + (degree + 2) // 2, parts) if stations else gauss(20)
-    line = properties_along(link["section"], points)
-    inertia = np.array([line[name] for name in ("rhoIp", "rhoIy", "rhoIz")])
+    fine, shares = quadrature(count + degree, parts)
+    line = properties_along(link["section"], fine)
+    others = [np.delete(points, k) for k in range(count)]
+    products = [[np.prod((s - x) / (p - x)) for s in fine] for p, x in zip(points, others, strict=True)]
+    inertia = np.array([products @ (shares * line[name]) for name in ("rhoIp", "rhoIy", "rhoIz")]) / weights
     own = dict(points=points, section_weights=weights, section_inertia=inertia, basis=basis, masses=masses)
     return ExactLink, own

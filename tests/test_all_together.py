@@ -1,16 +1,14 @@
 """One robot with a tree, slides, a screw, segments, sections that vary, shear, both orders, and a body from a file."""
 
 import re
-import subprocess
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from conftest import require_tool, swept
 from divided import state
-from helpers import casadi_forward, model_of, quick, relative
+from helpers import casadi_forward, model_of, relative
 from oracle import Oracle
 
 from screwgen import simulate, write_sid
@@ -93,28 +91,12 @@ def test_segments_of_a_tree_against_the_oracle():
     assert np.allclose(numeric.energy(*given[:2]), oracle.energy(*given[:2]), rtol=1e-11)
 
 
-@pytest.mark.parametrize("layout", swept(["fused", "modular"], "modular"))
-def test_a_body_from_a_file_among_them_in_c(layout):
-    model = with_body()
-    given = state(model, 3, angle=1.0)
-    expected = model.numpy().forward_dynamics(*given)
-    compiled = quick(model, layout=layout, derivatives=True)
-    for form in ("joint", "dae"):
-        found = compiled.forward_dynamics(*given, form=form)
-        assert max(relative(a, b) for a, b in zip(found, expected, strict=True)) < 1e-10
-    slopes = model.numpy().derivatives(*given)
-    assert all(relative(a, b) < 1e-9 for a, b in zip(compiled.linearise(*given)[1:], slopes, strict=True))
-
-
-def test_the_generated_folder_checks_itself(tmp_path):
+def test_the_header_says_what_carries_each_link(tmp_path):
     with_body().write(tmp_path / "machine", targets=("c",), layout="modular", derivatives=True)
     header = (tmp_path / "machine" / "c" / "machine.h").read_text()
     carriers = ("TORSO", "the base"), ("BOOM", "torso"), ("JIB", "torso"), ("TOOL", "boom"), ("PROBE", "tool")
     for k, (link, carrier) in enumerate(carriers):
         assert re.search(rf"MACHINE_LINK_{link} = {k},? /\* on {carrier} \*/", header)
-    command = [require_tool("make"), "-s", "-C", tmp_path / "machine" / "c", "check"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 0 and "all checks passed" in done.stdout, done.stdout + done.stderr
 
 
 @pytest.mark.long

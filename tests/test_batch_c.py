@@ -46,7 +46,7 @@ def test_lanes_of_every_width_step_bit_for_bit_as_the_scalar_code(width, name="e
 
 
 @pytest.mark.parametrize(
-    "name", ["rigid", "torsion, mount, body", "many modes", "welded", "tapered", "second order", "drives"]
+    "name", ["rigid", "torsion, mount, body", "many modes", "welded", "tapered", "second order", "exact", "drives"]
 )
 def test_robots_of_every_kind_step_bit_for_bit(name):
     given = scenarios(name, 5)

@@ -206,6 +206,16 @@ def test_singular_postures_are_named_in_c(name, layout):
         assert model.robot.links[c.library.shim_fault(c.memory)].name == culprit
 
 
+@pytest.mark.parametrize("name", SINGULAR_ARMS)
+def test_what_is_singular_in_every_posture_is_said_so(name):
+    """By evaluation as by generation; the others are so in their posture alone."""
+    robot, culprit, q = SINGULAR_ARMS[name]
+    model = model_of(robot)
+    said = "nothing resists the joint of" if name in ALWAYS_SINGULAR else "is singular in this posture"
+    with pytest.raises(SingularError, match=f"^(?=.*link '{culprit}').*{said}"):
+        model.numpy().forward_dynamics(q, 0 * q, np.ones(model.n_joints), None)
+
+
 def test_near_a_singular_posture_the_numbers_are_finite():
     """The guard refuses what rounding would decide, not what is merely steep."""
     robot, _, _ = SINGULAR_ARMS["spherical"]

@@ -34,9 +34,7 @@ torque_rates = 3000.0
 """
 KINDS = tuple(product(("fused", "modular"), ("runtime", "baked")))
 BUILDS = tuple(product(COMPILERS, LEVELS, ("double", "float")))
-CASES = [
-    (feature, *kind, *build) for feature, kind, build in zip(FEATURES, cycle(KINDS), cycle(BUILDS), strict=False)
-]
+CASES = [(feature, *kind, *build) for feature, kind, build in zip(FEATURES, cycle(KINDS), cycle(BUILDS), strict=False)]
 """By turns: what a feature adds stands in every layout and binding."""
 WARNED = (
     ("rigid", "fused", "runtime", "gcc", "-O0", "double"),
@@ -48,14 +46,20 @@ WARNED = (
 """Each of these failed once, for a reason of its own."""
 
 
+def write(folder, feature: str, binding: str, layout: str, control: str | None) -> None:
+    """The C of a robot in a folder, with all options, and with a predictive controller if its file is given."""
+    mpc = None if control is None else folder / "control.toml"
+    if mpc is not None:
+        mpc.write_text(control)
+    files = model_with(feature).c_files(binding, layout, mpc, batch=True, estimator=True, outputs=True)
+    for name, data in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(data)
+
+
 @pytest.mark.parametrize("case", swept([*WARNED, *CASES], *WARNED), ids="-".join)
 def test_compiles_without_a_warning(tmp_path, case):
     """With batch, derivatives, estimator, outputs, sensors and, where it can be, the predictive controller."""
     feature, layout, binding, compiler, level, precision = case
-    (tmp_path / "control.toml").write_text(CONTROL)
-    mpc = None if feature in WITHOUT_CONTROL or case in WARNED else tmp_path / "control.toml"
-    files = model_with(feature).c_files(binding, layout, mpc, batch=True, estimator=True, outputs=True)
-    for name, data in files.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_bytes(data)
+    write(tmp_path, feature, binding, layout, None if feature in WITHOUT_CONTROL or case in WARNED else CONTROL)
     assert compile_cleanly(tmp_path, compiler, level, ["-DROBOT_REAL_FLOAT"] * (precision == "float")) == []

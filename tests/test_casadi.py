@@ -166,22 +166,6 @@ def test_functions_take_symbols(kind):
             assert np.array_equal(a, b)
 
 
-@pytest.mark.parametrize("name", ["ella", "six_link"])
-def test_jacobian_equals_finite_differences(name):
-    """d vdot / d (q, v, tau) by AD against fourth-order central differences."""
-    model = example(name)
-    f, given = model.casadi()["forward_dynamics"], arguments(model)
-    jacobian = f.jacobian()
-    found = jacobian(**{n: given[n] for n in f.name_in()}, out_vdot=0, out_wrench=0)
-    for wrt, h in (("q", 1e-4), ("v", 1e-3), ("tau", 1e-2)):
-        value = lambda x, wrt=wrt: called(f, given | {wrt: x})[0][:, 0]  # noqa: E731
-        columns = []
-        for e in h * np.eye(given[wrt].size):
-            x = given[wrt]
-            columns.append((value(x - 2 * e) - 8 * value(x - e) + 8 * value(x + e) - value(x + 2 * e)) / (12 * h))
-        assert relative(found[f"jac_vdot_{wrt}"].full(), np.array(columns).T) <= 1e-6
-
-
 def test_functions_survive_a_file(tmp_path):
     model = example("six_link")
     given = arguments(model)

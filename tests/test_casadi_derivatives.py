@@ -12,7 +12,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from conftest import swept
-from helpers import EPS, arm, drawn, example, flat, link, model_of, quick, relative
+from helpers import EPS, arm, drawn, example, flat, link, model_of, relative
 
 from screwgen.backends.casadi.functions import as_function
 
@@ -153,18 +153,6 @@ def test_hessians_equal_finite_differences(which, name):
 
 def ends(f: ca.Function) -> np.ndarray:
     return np.cumsum([f.numel_in(i) for i in range(f.n_in())])[:-1]
-
-
-@pytest.mark.parametrize("which", ["ella", "drawn"])
-def test_jacobians_equal_the_generated_c(which):
-    """d vdot / d (q, v, tau) of `linearise` in C, an elimination of its own, against CasADi's of the same function."""
-    model = robot(which)
-    q, v, tau, w_ext, p = values(model, "forward_dynamics", seed=4)
-    _, table = by_casadi(saved(model, "forward_dynamics"), [q, v, tau, w_ext, p])
-    _, *by_c = quick(model, derivatives=True).linearise(q.ravel(), v.ravel(), tau.ravel(), w_ext.T)
-    condition = np.linalg.cond(model.numpy().mass_matrix(q.ravel()))
-    for i, block in enumerate(by_c):
-        assert relative(table[0, i].full(), block) <= max(1e-11, 50 * EPS * condition)
 
 
 # -------- patterns

@@ -90,6 +90,11 @@ def test_of_all_functions_those_that_a_robot_lacks_are_said():
             model.casadi_files(named)
 
 
+def test_readme_says_which_casadi_loads_the_functions():
+    readme = example("ella").casadi_files("energy")["README.md"].decode()
+    assert f"of version {'.'.join(ca.__version__.split('.')[:2])}\nor later" in readme
+
+
 def test_unknown_functions_are_refused(tmp_path):
     with pytest.raises(UsageError, match="there is no function 'mass_matirx'"):
         example("ella").write(tmp_path / "out", functions=["mass_matirx"])

@@ -99,20 +99,6 @@ def test_accelerations_and_wrenches_in_c(seed):
     check(case, {form: case.oracle.errors(case.state, *result) for form, result in results.items()})
 
 
-@some_robots
-def test_back_ends_agree(seed):
-    """C = CasADi = NumPy, all layouts, baked and runtime parameters: to max(1e-12, 50 eps cond M)."""
-    case = case_of(seed)
-    judge = case.model.numpy().forward_dynamics(*case.inputs)
-    layout, other = layouts_of(seed)
-    results = {"CasADi": casadi_forward(case.model, *case.inputs)}
-    for name, options in {"runtime": {"layout": layout}, "baked": {"layout": other, "parameters": "baked"}}.items():
-        compiled = quick(case.model, **options)
-        results |= {(name, form): compiled.forward_dynamics(*case.inputs, form=form) for form in ("joint", "dae")}
-    errors = {who: disagreement(case.oracle, judge, result) for who, result in results.items()}
-    assert max(errors.values()) <= case.agreement, errors
-
-
 @pytest.mark.parametrize("seed", swept(range(4), 0, 1))
 def test_single_precision(seed):
     """Float C is right to 50 eps32 cond M, on robots where that leaves digits."""

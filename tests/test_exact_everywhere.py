@@ -1,29 +1,19 @@
-"""Rods of order "exact" in every back end and in all that is built on the dynamics, in robots of a link or two."""
+"""Rods of order "exact" in what is built on the dynamics, in robots of a link or two."""
 
-import json
 from functools import cache
-from pathlib import Path
 
 import judges
 import numpy as np
 import pytest
-from batch_c import batch, one_by_one, scalar, scenarios, stepped
 from conftest import package
 from fmi_units import Unit, written
 from fmpy import simulate_fmu
 from fmpy.validation import validate_fmu
-from helpers import QUICK, Case, arm, casadi_forward, case_of, link, model_of, quick, quick_batch, relative
-from oracle import Oracle
-from oracle_floating import draw
-from robot_toml import to_toml
-from step_judges import by_differences
-from step_judges import worst as worst_block
+from helpers import QUICK, Case, arm, case_of, link, model_of, quick, relative
 from test_estimator import as_the_dense_filter
-from test_loops import constrained, looped, moving
 from test_mpc import PLAIN
 
-from screwgen import rollout, simulate
-from screwgen.cli.main import main
+from screwgen import simulate
 from screwgen.integrators import METHODS
 from screwgen.runtime.estimator import CompiledEstimator
 from screwgen.simulation.motion import centrelines
@@ -103,22 +93,6 @@ def test_the_estimator_is_a_dense_filter():
     as_the_dense_filter(one, CompiledEstimator(one, flags=QUICK), 25)
 
 
-def test_lanes_of_a_batch_step_bit_for_bit_as_the_scalar_code():
-    given = scenarios("exact", 5)
-    for method in ("rk4", "modal_midpoint"):
-        path, status, *_ = stepped(batch("exact"), *given, method)
-        assert not status.any() and np.array_equal(path[:, -1], one_by_one(scalar("exact"), *given, method)), method
-
-
-def test_rollouts_move_as_simulations_do():
-    quick_batch(model())
-    states = [np.concatenate(bent(seed)[:2]) for seed in range(3)]
-    run = rollout(model(), np.array(states), step=1e-3, steps=10)
-    for k, x in enumerate(states):
-        other = simulate(model(), 0.01, 1e-3, q0=x[:4], v0=x[4:])
-        assert relative(run.q[k], other.q) < 1e-11 and relative(run.energy[k], other.energy) < 1e-9
-
-
 def test_predictive_control_reaches_its_goal(tmp_path):
     (tmp_path / "mpc.toml").write_text(PLAIN.replace("[0.3, 0.2, -0.2]", "[0.2, 0.1]").replace(", 4.0]", "]"))
     table = boom(section={"EIy": 300.0, "EIz": 500.0})
@@ -138,28 +112,8 @@ def test_predictive_control_reaches_its_goal(tmp_path):
 # -------- derivatives
 
 
-@pytest.mark.parametrize("method", ["modal_midpoint", pytest.param("rk4", marks=pytest.mark.long)])
-def test_derivatives_of_a_step_equal_differences(method):
-    x = (*bent(2),)
-    compiled = quick(model(), derivatives=True)
-    _, _, *AB = compiled.step_derivatives(*x, 0.005, method)
-    assert worst_block(AB, by_differences(model(), method, *x, 0.005), 4) < 1e-9
-
-
-def test_slopes_of_wrenches_equal_differences():
-    q, v, tau, w_ext = bent(3)
-    numeric, e = model().numpy(), 1e-6
-    wrench, *slopes = quick(model(), derivatives=True).linearise_wrenches(q, v, tau, w_ext)
-    at = lambda *x: numeric.forward_dynamics(*x, w_ext)[1]  # noqa: E731
-    assert relative(wrench, at(q, v, tau)) < 1e-12
-    for slope, change in zip(slopes[:2], (lambda s: (q + s, v, tau), lambda s: (q, v + s, tau)), strict=True):
-        expected = [(at(*change(s)) - at(*change(-s))) / (2 * e) for s in e * np.eye(4)]
-        assert relative(np.moveaxis(slope, 2, 0), np.array(expected)) < 1e-7
-
-
-def test_linear_models_equal_differences():
-    """About a bent posture: the rows of the rates, and of the place of the tip."""
-    judges.differences(model(), *bent(4))
+def test_the_place_of_the_tip_in_linear_models_equals_differences():
+    """About a bent posture."""
     q, *_ = bent(4)
     linear, e = model().linearise(q, outputs=("tip_position",)), 1e-6
     place = lambda s: model().numpy().tip_pose(q + s)[1]  # noqa: E731
@@ -168,37 +122,6 @@ def test_linear_models_equal_differences():
 
 
 # -------- trees, loops, floating bases
-
-
-def test_closed_loops_equal_the_oracle():
-    rng = np.random.default_rng(7)
-    made, state = looped(rng, ["y"], 2, exact=1.0)
-    assert any(x.get("order") == "exact" and "modes" in x for x in made["links"])
-    closed, oracle = model_of(made), Oracle(made)
-    numeric = closed.numpy()
-    q = np.array(state["q"])
-    state["v"] = moving(numeric, q, state["v"])
-    given = q, state["v"], state["tau"], state["w_ext"]
-    expected = constrained(oracle, made, state)
-    compiled = quick(closed)
-    found = {
-        "NumPy": numeric.forward_dynamics(*given)[0],
-        "NumPy, DAE": numeric.dae_forward_dynamics(*given)[0],
-        "CasADi": casadi_forward(closed, *given)[0],
-        "C": compiled.forward_dynamics(*given)[0],
-    }
-    assert {name: x for name, x in found.items() if relative(x, expected) > 1e-9} == {}
-
-
-@pytest.mark.parametrize("seed", [0, 1])
-def test_a_floating_base_equals_the_oracle(seed):
-    """The base itself is an exact rod, or carries one."""
-    case = draw(7100 + seed, 1 + seed, exact=1.0, max_modes=1, rigid=0.0, branching=0.5)
-    assert case.model.chain.floating and any(key.order == "exact" for key in case.model.chain.keys)
-    numeric = case.model.numpy()
-    found = [numeric.forward_dynamics(*case.given), numeric.dae_forward_dynamics(*case.given)]
-    found += [casadi_forward(case.model, *case.given), quick(case.model).forward_dynamics(*case.given)]
-    assert max(x for one in found for x in case.errors(*one).values()) < case.tolerance
 
 
 @cache
@@ -239,38 +162,4 @@ def test_sensors_at_a_marker_measure_the_motion_of_its_section():
     assert abs(strain["rod.hook.strain.bending_y"] / curvature - 1) < 1e-12
 
 
-@pytest.mark.parametrize("basis", ["clamped_free", "polynomial"])
-def test_both_bases_are_compiled(basis):
-    modes = {"basis": basis, "bending_y": 2, "bending_z": 1}
-    made = arm(boom(modes=modes, frame_at=0.3), order="exact")
-    q, v, tau, w_ext = bent(5)
-    state = {"q": [*q, 0.1], "v": [*v, 0.3], "tau": tau.tolist(), "w_ext": w_ext.tolist()}
-    judges.numpy_and_casadi(case_of(made, state))
-    judges.c_forms(case_of(made, state), "fused")
-
-
 # -------- commands
-
-COMMANDS = {
-    "modes robot.toml": "Hz",
-    "equilibrium robot.toml --hold": "tip",
-    "analyse robot.toml --samples 0": "Spectrum",
-    "evaluate robot.toml --state state.json --form dae": "boom",
-    "simulate robot.toml --duration 0.01 --step 0.001 -o run.npz": "",
-    "latex robot.toml -o equations.html": "",
-    "generate robot.toml -o out --target casadi": "",
-    "view run.npz -o run.html": "",
-}
-
-
-def test_commands_take_exact_rods(capsys, monkeypatch, tmp_path):
-    monkeypatch.chdir(tmp_path)
-    Path("robot.toml").write_text(to_toml(robot()))
-    Path("state.json").write_text(json.dumps({"q": bent(6)[0].tolist()}))
-    for line, said in COMMANDS.items():
-        assert main(line.split()) == 0, line
-        out, err = capsys.readouterr()
-        assert said in out, line
-        assert "screwgen: warning" not in err, (line, err)
-    page = Path("equations.html").read_text(encoding="utf-8")
-    assert "Section of the rod" in page and "Load of a section on the modes" in page

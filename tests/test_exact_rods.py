@@ -1,4 +1,4 @@
-"""Rods of order "exact": the oracle's collocated Lagrangian in every back end, its limits, and what it keeps."""
+"""Rods of order "exact": the oracle's collocated Lagrangian, its limits, and what it keeps."""
 
 from dataclasses import replace
 from functools import cache
@@ -11,7 +11,6 @@ from conftest import swept
 from helpers import Case, arm, drawn, link, model_of, quick, relative
 from oracle import Oracle
 from scipy.integrate import solve_ivp
-from test_derivatives import by_casadi, worst
 
 from screwgen import Screw
 from screwgen.bodies.collocation import collocation
@@ -30,17 +29,6 @@ def case_of(seed: int) -> Case:
 @pytest.mark.parametrize("seed", swept(range(100), *SHORT))
 def test_random_robots_equal_the_oracle(seed):
     judges.numpy_and_casadi(case_of(seed))
-
-
-@pytest.mark.parametrize("seed", swept(range(6), 0, 1))
-def test_compiled_c_equals_the_oracle(seed):
-    judges.compiled_dynamics(case_of(seed), ("fused", "modular")[seed % 2])
-
-
-@pytest.mark.parametrize("seed", swept(range(12), *SHORT))
-def test_exact_derivatives_equal_casadi(seed):
-    case = case_of(seed)
-    assert worst(case.model.numpy().derivatives(*case.inputs), by_casadi(case.model, *case.inputs)) <= case.tolerance
 
 
 def test_the_robots_have_all_kinds_of_exact_links():
@@ -217,6 +205,18 @@ def test_weight_and_inertia_of_a_circle_converge_with_the_points(kind):
         held = numeric.inverse_dynamics(q, 0 * q, 0 * q, None)[0]
         errors.append((abs(held - weight) + abs(numeric.mass_matrix(q)[0, 0] - inertia)) / inertia)
     assert errors[0] < 2e-3 and errors[1] < 2e-8 and (kind == "stepped" or errors[1] < 1e-11)
+
+
+def test_sections_turn_with_their_whole_inertia_where_it_has_a_kink_and_a_step():
+    """Straight, an exact rod has the mass matrix of order 1, whose integrals along the stations are closed forms."""
+    turned = {"rhoIp": 0.02, "rhoIy": 0.01, "rhoIz": 0.015}
+    stiff = {"rhoA": 1.2, "EIy": 9.0, "EIz": 8.0, "GJ": 3.0}
+    ends = ((0.0, 1.0), (0.3, 1.0), (0.3, 0.1), (1.0, 0.3))
+    section = [{"at": s, **stiff, **{key: x * value for key, value in turned.items()}} for s, x in ends]
+    modes = {"bending_y": 1, "bending_z": 1, "torsion": 1}
+    table = {"name": "a", "length": 0.7, "section": section, "modes": modes, "joint": {"axes": ["z", "y", "x"]}}
+    first, exact = (model_of(arm(table, order=order)).numpy().mass_matrix(np.zeros(6)) for order in (1, "exact"))
+    assert np.max(np.abs(exact - first)) < 1e-14
 
 
 @pytest.mark.parametrize("count", [20, 21, 40])

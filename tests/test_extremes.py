@@ -135,10 +135,6 @@ def test_welded_and_rigid_has_nothing_to_solve():
         assert np.allclose(wrench[:, 5], [3.0 * 9.81, 2.0 * 9.81], rtol=1e-14)
 
 
-def test_without_section_rotation():
-    check(drawn(760, 2, no_section_rotation=1.0))
-
-
 @pytest.mark.parametrize("basis", swept(["clamped_free", "polynomial"], "clamped_free"))
 def test_different_counts_in_y_and_z(basis):
     """Then y and z share no functions (polynomial) or only some (clamped_free): full products of shapes."""

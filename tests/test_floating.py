@@ -82,16 +82,6 @@ def test_the_assembled_system_has_no_wrench_on_the_base(robot):
     assert relative(numeric.project(scaled), x) < 1e-13
 
 
-@pytest.mark.parametrize("layout", ["fused", "modular"])
-@pytest.mark.parametrize("seed", swept(range(12), 3))
-def test_compiled_c_equals_the_oracle_in_both_forms(layout, seed):
-    robot = random_robot(seed)
-    compiled = quick(robot.model, layout=layout)
-    for form in ("joint", "dae"):
-        assert max(robot.errors(*compiled.forward_dynamics(*robot.given, form)).values()) < robot.tolerance
-    assert relative(compiled.mass_matrix(robot.given[0]), robot.model.numpy().mass_matrix(robot.given[0])) < 1e-12
-
-
 @pytest.mark.parametrize("n_links", swept(range(1, 9), 5))
 def test_rigid_robots_equal_pinocchios_free_flyer(n_links):
     import pinocchio as pin

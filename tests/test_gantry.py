@@ -5,9 +5,9 @@ from functools import partial
 
 import numpy as np
 import pytest
-from helpers import QUICK, example, quick, quick_batch
+from helpers import QUICK, example, quick
 
-from screwgen import PD, NoEquilibriumError, equilibrium, rollout, simulate
+from screwgen import PD, NoEquilibriumError, equilibrium, simulate
 from screwgen.cli.main import main
 from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
@@ -113,21 +113,6 @@ def test_the_header_of_the_generated_c_states_units(model, tmp_path):
     assert "forces of slides" in (tmp_path / "out" / "casadi" / "README.md").read_text()
     text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
     assert r"\mathbf{I}_6 - \mathbf{S}_i\mathbf{S}_i^{+}" in text and r"\mathbf{A}_i^{+}\,\boldsymbol{\tau}" not in text
-
-
-def test_both_forms_the_batch_and_float_make_the_same_motion(model):
-    x0 = np.zeros((3, 2 * model.nq))
-    x0[:, :4] = np.random.default_rng(3).uniform(-0.3, 0.3, (3, 4))
-    tau = np.tile([30.0, -20.0, -WEIGHT, 1.0], (3, 25, 1))
-    quick_batch(model)
-    quick_batch(model, single=True)
-    batch = rollout(model, x0, tau, step=2e-3)
-    held = dict(q0=x0[1, : model.nq], controller=lambda t, q, v: tau[0, 0])
-    joint, dae = (simulate(model, 0.05, 2e-3, form=form, **held) for form in ("joint", "dae"))
-    assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11 * abs(joint.q).max())
-    assert np.allclose(dae.q[-1], joint.q[-1], rtol=0, atol=1e-6)
-    single = rollout(model, x0, tau, step=2e-3, single=True)
-    assert np.allclose(single.q, batch.q, rtol=0, atol=1e-5)
 
 
 @pytest.mark.parametrize("binding", ["runtime", "baked"])

@@ -1,6 +1,5 @@
 """Libraries of generated C: built once, kept, checked before they are loaded, and what goes wrong with compilers."""
 
-import hashlib
 import os
 import shutil
 import subprocess
@@ -67,6 +66,16 @@ def test_a_damaged_entry_is_built_again(tmp_path, damage):
     assert path.read_bytes() == data or len(path.read_bytes()) == len(data)
 
 
+def test_an_entry_under_the_name_of_another_is_built_again(tmp_path):
+    """Copied whole, with its own digest: it is a library, but not that of these sources."""
+    other = tmp_path / "other"
+    assert answer(tmp_path / "own") == 42 and answer(other, {"one.c": "int answer(void) { return 43; }\n"}) == 43
+    (mine,), (theirs,) = (list(folder.iterdir()) for folder in (tmp_path / "own", other))
+    mine.unlink()
+    shutil.copy(theirs, mine)
+    assert answer_elsewhere(tmp_path / "own") == 42
+
+
 def test_two_processes_at_once_both_succeed(tmp_path):
     code = f"""
 import sys
@@ -118,7 +127,7 @@ def test_a_library_that_others_can_plant_is_not_loaded(tmp_path, monkeypatch):
     assert answer(folder) == 42 and folder.stat().st_mode & 0o777 == 0o700
     entry = folder / entries(folder)[0]
     planted = library._compiled(tmp_path, {"one.c": "int answer(void) { return 666; }\n"}, ["cc"], ()).read_bytes()
-    plant = lambda: entry.unlink() or entry.write_bytes(planted + hashlib.sha256(planted).digest())  # noqa: E731
+    plant = lambda: entry.unlink() or entry.write_bytes(planted + library._seal(entry.stem, planted))  # noqa: E731
     plant()
     assert answer_elsewhere(folder) == 666  # the digest does not tell who wrote it
     for place, mode in ((entry, 0o720), (entry, 0o702)):

@@ -6,9 +6,8 @@ from functools import cache
 import judges
 import numpy as np
 import pytest
-from conftest import package, swept
+from conftest import swept
 from helpers import Case, arm, drawn, link, model_of, relative
-from test_derivatives import by_casadi, worst
 from test_reduced import arm_of, free_cloud
 
 import screwgen
@@ -60,30 +59,10 @@ def test_random_robots_equal_the_oracle(seed):
     judges.numpy_and_casadi(case_of(seed))
 
 
-@pytest.mark.parametrize("seed", swept(range(12), *SHORT))
-def test_derivatives_equal_casadi(seed):
-    case = case_of(seed)
-    assert worst(case.model.numpy().derivatives(*case.inputs), by_casadi(case.model, *case.inputs)) <= case.tolerance
-
-
-@pytest.mark.parametrize("seed", swept(range(6), 0, 1))
-def test_compiled_c_equals_the_oracle(seed):
-    judges.compiled_dynamics(case_of(seed), ("fused", "modular")[seed % 2])
-
-
 def test_the_robots_have_it_on_coupled_modes_of_every_order_and_beside_a_ratio():
     keys = [key for seed in SHORT for key in case_of(seed).model.chain.keys if "time" in key.damping]
     assert {key.order for key in keys} == {1, 2, "exact"} and {len(key.damping) for key in keys} == {1, 2}
     assert any(key.coupled for key in keys)
-
-
-def test_jax_equals_numpy():
-    jax = package("jax")
-    case = case_of(3)
-    with jax.enable_x64(True):
-        found = jax.jit(case.model.jax()["forward_dynamics"])(*case.inputs, np.array(case.model.parameter_values))
-    for one, expected in zip(found, case.model.numpy().forward_dynamics(*case.inputs), strict=True):
-        assert relative(one, expected) < 1e-12
 
 
 # -------- the matrix

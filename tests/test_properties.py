@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import random_robots as rr
 from conftest import swept
-from helpers import Case, case_of, disagreement, drawn, flat, link, model_of, quick, relative, rotation_of
+from helpers import Case, case_of, drawn, flat, link, model_of, quick, relative, rotation_of
 from oracle import part_error
 from oracle_robots import pinocchio_model
 
@@ -176,13 +176,6 @@ def test_assembled_system_is_the_same_in_all_back_ends(seed):
     for ours, theirs, c in zip(expected, from_casadi, compiled.assemble(x, tau, w_ext), strict=True):
         assert relative(np.reshape(theirs, ours.shape), ours) <= 1e-12
         assert relative(c, ours) <= 1e-12
-
-
-@every_robot
-def test_dae_form_equals_joint_form(seed):
-    case, numeric = robot_case(seed), robot_case(seed).model.numpy()
-    joint, dae = numeric.forward_dynamics(*case.inputs), numeric.dae_forward_dynamics(*case.inputs)
-    assert disagreement(case.oracle, joint, dae) <= case.agreement
 
 
 @every_robot

@@ -12,7 +12,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-import random_robots as rr
 from conftest import require_tool
 from helpers import model_of
 from test_simulate import END, START, soft, soft_dict
@@ -70,15 +69,6 @@ def test_c_and_casadi_make_the_same_run(way):
 def test_every_integrator_is_the_same(integrator):
     a, b = (simulate(soft(), END, 1e-3, integrator=integrator, backend=x, **START) for x in ("c", "casadi"))
     assert_same(a, b)
-
-
-@pytest.mark.parametrize("seed", [3])
-def test_random_robots_move_the_same(seed):
-    robot, state, _ = rr.draw_regular(np.random.default_rng(seed), 1, limit=1e5, soft=1.0, max_modes=2)
-    model = model_of(robot)
-    given = {name: state[name] for name in ("q", "v", "tau", "w_ext")}
-    a, b = (simulate(model, 0.02, 1e-3, *given.values(), backend=x) for x in ("c", "casadi"))
-    assert_same(a, b, 1e-7)
 
 
 def test_a_law_in_c_is_the_law_in_python():

@@ -12,7 +12,7 @@ from drive_robots import ELASTIC, RIGID
 from dual_arm import dual_arm
 from dual_arm import start as flying
 from floating_robots import HULL, rod
-from helpers import EPS32, arm, example, link, model_of, quick, relative
+from helpers import EPS32, arm, example, link, model_of, quick
 from step_judges import by_casadi, by_differences, point, worst
 from test_linear_loops import BALL, linkage
 from test_loop_derivatives import moved
@@ -43,15 +43,6 @@ KUTTA = Method(
 )
 OWN = Method("late", 1, (Stage(implicit=1), Stage([1], "new", implicit=1)), Move(["1/2", "1/2"]), "two implicit stages")
 LONG = pytest.mark.long
-CASES = [
-    ("gears", "modal_midpoint", 0.01),
-    pytest.param("floating", "modal_midpoint", 0.02, marks=LONG),
-    pytest.param("slides", "modal_midpoint", 0.01, marks=LONG),
-    pytest.param("second", "modal_midpoint", 0.01, marks=LONG),
-    pytest.param("stops", "modal_midpoint", 0.02, marks=LONG),
-    pytest.param("stops", "semi_implicit", 0.001, marks=LONG),
-    pytest.param("floating", "rk4", 0.02, marks=LONG),
-]
 
 
 def compiled(model, **options):
@@ -64,15 +55,6 @@ def found(model, x, h, method, **options):
 
 
 # -------- against CasADi and differences of 50 digits
-
-
-@pytest.mark.parametrize(("robot", "method", "h"), CASES)
-def test_equal_casadi(robot, method, h):
-    model = model_of(SMALL[robot])
-    for seed in (1, 2):
-        x = point(model, seed)
-        _, _, *AB = found(model, x, h, method)
-        assert worst(AB, by_casadi(model, method, *x, h), model.chain.nv) < 1e-10
 
 
 @pytest.mark.parametrize(
@@ -164,17 +146,6 @@ def test_large_loops_equal_casadi(robot, method):
 # -------- the step that is differentiated
 
 
-@pytest.mark.parametrize("robot", [pytest.param("stops", marks=LONG), "floating"])
-def test_the_new_state_is_that_of_the_step(robot):
-    model = model_of(SMALL[robot])
-    x = point(model, 2)
-    for method in ("euler", "semi_implicit", "modal_implicit", "modal_midpoint", "rk4"):
-        q, v, A, B = found(model, x, 0.002, method)
-        expected = compiled(model).step(*x, 0.002, method)
-        assert relative(q, expected[0]) < 1e-14 and relative(v, expected[1]) < 1e-13
-        assert A.shape == (2 * model.chain.nv,) * 2 and B.shape == (2 * model.chain.nv, model.chain.n_tau)
-
-
 @LONG
 def test_baked_and_float():
     model = model_of(SMALL["gears"])
@@ -221,32 +192,3 @@ def test_statuses():
 
 
 # -------- joint wrenches
-
-
-@pytest.mark.parametrize("robot", ["gears", pytest.param("slides", marks=LONG), pytest.param("second", marks=LONG)])
-def test_wrenches_equal_casadi(robot):
-    model = model_of(SMALL[robot])
-    q, v, tau, w_ext = x = point(model, 7)
-    f = model.casadi()["forward_dynamics"]
-    given = [ca.SX.sym(n, *f.size_in(n)) for n in f.name_in()]
-    y = ca.vec(f.call(given)[1])
-    J = ca.Function("J", given, [y, *(ca.jacobian(y, s) for s in given[:3])])
-    expected = [m.full() for m in J(q, v, tau, w_ext.T, model.parameter_values)]
-    for a, b in zip(compiled(model).linearise_wrenches(*x), expected, strict=True):
-        assert relative(a.reshape(b.shape), b) < 1e-10
-
-
-def test_wrenches_in_a_floating_tree_equal_differences():
-    """Central differences along v; the base's own wrench is zero."""
-    model = model_of(SMALL["floating"])
-    q, v, tau, w_ext = point(model, 8)
-    c, dynamics, nv, e = compiled(model), model.numpy(), model.chain.nv, 1e-5
-    wrench, *slopes = c.linearise_wrenches(q, v, tau, w_ext)
-    assert relative(wrench, dynamics.forward_dynamics(q, v, tau, w_ext)[1]) < 1e-12 and not wrench[0].any()
-    moved = lambda k, d: c.step(q, np.eye(nv)[k] * d, None, None, 1.0, "euler")[0]  # noqa: E731
-    at = lambda *x: dynamics.forward_dynamics(*x, w_ext)[1]  # noqa: E731
-    by_q = [(at(moved(k, e), v, tau) - at(moved(k, -e), v, tau)) / (2 * e) for k in range(nv)]
-    by_v = [(at(q, v + s, tau) - at(q, v - s, tau)) / 2 for s in np.eye(nv)]
-    by_tau = [at(q, v, tau + s) - at(q, v, tau) for s in np.eye(model.chain.n_tau)]
-    for a, b, tolerance in zip(slopes, (by_q, by_v, by_tau), (1e-7, 1e-10, 1e-10), strict=True):
-        assert relative(np.moveaxis(a, 2, 0), b) < tolerance

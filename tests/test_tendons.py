@@ -1,4 +1,4 @@
-"""Tendons: threads along links whose tensions are inputs, against their definition and from back end to back end."""
+"""Tendons: threads along links whose tensions are inputs, against their definition."""
 
 from __future__ import annotations
 
@@ -64,53 +64,6 @@ def test_tensions_do_their_work_along_the_lengths(order):
     assert done == pytest.approx(-J.T @ TAU[2:], abs=1e-10)
     assert f.drive_power(q, v, TAU)[2:] == pytest.approx(-TAU[2:] * (J @ v), rel=1e-10)
     assert model.tau_names[2:] == ["left.tension", "right.tension"]
-
-
-@pytest.mark.parametrize("order", ORDERS)
-def test_every_back_end_has_them(order):
-    model = pulled(order)
-    q, v = state(model)
-    expected, _ = model.numpy().forward_dynamics(q, v, TAU, None)
-    found = model.casadi()["forward_dynamics"](q, v, TAU, np.zeros((6, 2)), model.parameter_values)
-    assert found[0].full().ravel() == pytest.approx(expected, rel=1e-9, abs=1e-9)
-    with jax.enable_x64(True):
-        there = model.jax()["forward_dynamics"](q, v, TAU, np.zeros((2, 6)), np.array(model.parameter_values))
-        assert np.asarray(there[0]) == pytest.approx(expected, rel=1e-9, abs=1e-9)
-    for layout in ("fused", "modular"):
-        c = model.compile(layout=layout, flags=["-O0"])
-        assert c.forward_dynamics(q, v, TAU)[0] == pytest.approx(expected, rel=1e-9, abs=1e-9)
-    x = c.dae_step(c.dae_state(q, 0 * v), TAU, None, 1e-4)
-    there = c.step(q, 0 * v, TAU, None, 1e-4)
-    assert x == pytest.approx(c.dae_state(*there), rel=1e-9, abs=1e-9)
-
-
-def slopes_of(f, q: np.ndarray, v: np.ndarray, step: float = 1e-6) -> tuple[np.ndarray, ...]:
-    """Central differences of the accelerations with q, v, and with the inputs, in which they are linear."""
-
-    def by(change):
-        return np.array([change(step * e) - change(-step * e) for e in np.eye(len(q))]).T / (2 * step)
-
-    of_tau = [f(q, v, TAU + e) - f(q, v, TAU) for e in np.eye(len(TAU))]
-    return by(lambda e: f(q + e, v, TAU)), by(lambda e: f(q, v + e, TAU)), np.array(of_tau).T
-
-
-@pytest.mark.parametrize("order", ORDERS)
-def test_derivatives(order):
-    model = pulled(order)
-    q, v = state(model)
-    c = model.compile(flags=["-O0"], derivatives=True)
-    expected = slopes_of(lambda *x: model.numpy().forward_dynamics(*x, None)[0], q, v)
-    _, *found = c.linearise(q, v, TAU)
-    for a, b in zip(found, expected, strict=True):
-        assert a == pytest.approx(b, rel=2e-6, abs=2e-6 * np.abs(b).max())
-    dt, h = 1e-3, 1e-5
-    *_, B = c.step_derivatives(q, v, TAU, None, dt, "modal_midpoint")
-
-    def after(tau):
-        return np.concatenate(c.step(q, v, tau, None, dt, "modal_midpoint"))
-
-    by = np.array([(after(TAU + h * e) - after(TAU - h * e)) / (2 * h) for e in np.eye(4)]).T
-    assert np.abs(B - by).max() < 1e-6 * np.abs(by).max()
 
 
 def test_the_length_is_that_of_a_thread_through_guides():

@@ -3,9 +3,9 @@
 import casadi as ca
 import numpy as np
 import pytest
-from helpers import QUICK, quick_batch, relative
+from helpers import QUICK, relative
 
-from screwgen import PD, Model, equilibrium, rollout, simulate
+from screwgen import PD, Model, equilibrium, simulate
 from screwgen.algorithms.travels import travels
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 
@@ -21,20 +21,6 @@ def power(model: Model, start: np.ndarray, controller) -> None:
     assert abs(work) > 20 and work == pytest.approx(gained, rel=2e-4)
     powers = run.drive_power.sum(axis=1)
     assert np.sum((powers[1:] + powers[:-1]) / 2 * np.diff(run.t)) == pytest.approx(gained, rel=2e-4)
-
-
-def same_motion(model: Model, start: np.ndarray, tau: np.ndarray, integrator: str) -> None:
-    """Both back ends, both forms, and a batch."""
-    given = dict(q0=start, integrator=integrator, controller=tau)
-    joint, numpy = (simulate(model, 0.02, 1e-3, backend=x, **given) for x in ("c", "numpy"))
-    assert np.allclose(joint.q, numpy.q, rtol=0, atol=1e-12)
-    dae = simulate(model, 0.02, 1e-3, form="dae", **given)
-    assert np.allclose(dae.q[-1], joint.q[-1], rtol=0, atol=1e-7)
-    if integrator == "rk4":
-        quick_batch(model)
-        states, push = np.tile(np.r_[start, 0 * start], (2, 1)), np.tile(tau, (2, 20, 1))
-        batch = rollout(model, states, push, step=1e-3, integrator=integrator)
-        assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11)
 
 
 def held_posture(model: Model, q: np.ndarray) -> np.ndarray:

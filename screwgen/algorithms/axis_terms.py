@@ -38,6 +38,17 @@ COLUMNS = {
     "between": {"M_gear": "gear_inertia", "K_gear": "gear_stiffness", "D_gear": "gear_damping"},
 }
 """The columns of joint coordinates, of those that elements add, and between both, with the constants that they hold."""
+MEANINGS = {
+    "rotor_inertia": "kg*m^2, behind cylinders kg: inertia that moves with the coordinate of the rotor",
+    "rotor_damping": "N*m*s/rad, behind cylinders N*s/m: damping of the rotor's coordinate, of gear and friction",
+    "rotor_stiffness": "N*m/rad, behind cylinders N/m: stiffness of the gear as the rotor's coordinate feels it",
+    "gear_inertia": "kg*m^2, of slides kg*m: inertia between rotor and joint",
+    "gear_damping": "N*m*s/rad, of slides N*s/rad: damping of the gear between rotor and joint, less than 0",
+    "gear_stiffness": "N*m/rad, of slides N/rad: stiffness of the gear between rotor and joint, less than 0",
+    "spring": "N*m/rad, of slides N/m: stiffness of the joint's own spring, without that of a gear",
+    tm.INERTIA: "kg*m^2, of cylinders kg: inertia of the rotor, times the square of the ratio, along the travel",
+}
+"""Units and meanings of those that no key of the robot file states under these names."""
 OTHERS = ("spring", tm.INERTIA)
 """The stiffness of the joint's own spring, and the inertia of a rotor along a travel."""
 

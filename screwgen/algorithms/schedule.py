@@ -8,7 +8,6 @@ from functools import cache
 
 from ..elements import FRICTION, STOP
 from ..elements.axis_element import PREFIX
-from ..errors import SingularError
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
 from ..ir.program import Program, Tracer, Value
@@ -234,6 +233,9 @@ def _place(name: str, places: Mapping[str, dict]) -> tuple[dict, str]:
 
 def _fetch(name: str, places: Mapping[str, dict]) -> list:
     store, what = _place(name, places)
+    if name.startswith("c.") and what not in store:
+        said = f"the constant '{name[2:]}' was not prepared, since no algorithm that reads it is named"
+        raise LookupError(f"{said}; name its algorithm in the row of the function in robot_functions.FUNCTIONS")
     return store[what]
 
 
@@ -246,6 +248,4 @@ def _applied(apply: Apply, chain: Chain, link: int, number: int, program: Progra
     try:
         return apply(link, number, program, inputs)
     except ZeroDivisionError:
-        what = f"nothing resists the joint of link '{chain.names[link]}'"
-        remedy = "give the link rhoIp, a body with inertia, or the joint an armature"
-        raise SingularError(f"{what}; {remedy}") from None
+        raise chain.unresisted(link) from None

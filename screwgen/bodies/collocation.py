@@ -54,11 +54,6 @@ class Collocation:
         """(N,): their integration weights, of sum one."""
         return gauss(points(self.key))[1]
 
-    @property
-    def sections(self) -> list[tuple[float, float]]:
-        """Places and weights of the Gauss points."""
-        return list(zip(self.places.tolist(), self.weights.tolist(), strict=True))
-
     @cached_property
     def masses(self) -> list[tuple[float, float]] | None:
         """Places and integration weights of the masses of a rod that varies, exact for its straight shape.
@@ -71,6 +66,21 @@ class Collocation:
         own = weights(self.key)
         x, w = gauss(points(self.key) - 1 + (own.degree + 2) // 2)
         return [(float(a + (b - a) * s), float((b - a) * v)) for a, b in own.ends() for s, v in zip(x, w, strict=True)]
+
+    @cached_property
+    def shared(self) -> list[dict[int, float]]:
+        """Of each Gauss point the integrals of its Lagrange polynomial times the weight function of each station.
+
+        They share a property out among the points: with them sums over the points are exact for polynomials of degree
+        N - 1 times the property, also where it has kinks and steps between the points, which samples would miss.
+        """
+        own, out = weights(self.key), np.zeros((len(self.places), len(self.key.stations)))
+        x, w = gauss(len(self.places) + own.degree)
+        for a, b in own.ends():
+            for s, v in zip((a + (b - a) * x).tolist(), ((b - a) * w).tolist(), strict=True):
+                for station, value in own.at(s).items():
+                    out[:, station] += v * value * self._lagrange(np.array([s]))[:, 0]
+        return [{int(k): float(row[k]) for k in np.flatnonzero(row)} for row in out]
 
     @cached_property
     def uniform(self) -> np.ndarray:
@@ -98,11 +108,13 @@ class Collocation:
         """(N,): the weights of the integral from 0 to s, exact for polynomials of degree N - 1."""
         if s == TIP:
             return self.weights
-        x, n = self.places, len(self.places)
-        fine, own = gauss(n)
-        legendre = np.polynomial.legendre.legvander
-        values = np.linalg.solve(legendre(2.0 * x - 1.0, n - 1).T, legendre(2.0 * s * fine - 1.0, n - 1).T)
-        return s * values @ own
+        fine, own = gauss(len(self.places))
+        return s * self._lagrange(s * fine) @ own
+
+    def _lagrange(self, at: np.ndarray) -> np.ndarray:
+        """(N, len(at)): the Lagrange polynomials of the points at some places."""
+        n, legendre = len(self.places), np.polynomial.legendre.legvander
+        return np.linalg.solve(legendre(2.0 * self.places - 1.0, n - 1).T, legendre(2.0 * at - 1.0, n - 1).T)
 
     def stretch(self, s: float) -> np.ndarray:
         """(3, r): the stretch ``gamma`` at the place s by each mode."""

@@ -229,9 +229,8 @@ def masses(b: Block, key: LinkClass, body: RodBody) -> None:
     Of a uniform rod the masses are known.
     """
     c, l = collocation(key), b.values[body.length.name].item()
-    at_points = lambda name, points: [l * number(w) * body.sampled(name, s) for s, w in points]  # noqa: E731
     if c.masses is not None:
-        dm = b.step("dm", _at_points(b, "dm", at_points("rhoA", c.masses)))
+        dm = b.step("dm", _at_points(b, "dm", [l * number(w) * body.sampled("rhoA", s) for s, w in c.masses]))
         b.step("shares", dm @ Inverse(b.symbol("mu")))
         centre = matrix_of(np.array([c.reach(s) for s, _ in c.masses]).T, r"\mathbf{A}^{\top}")
         b.step("centre", centre @ b.symbol("shares"))
@@ -240,7 +239,7 @@ def masses(b: Block, key: LinkClass, body: RodBody) -> None:
             "unit": "kg*m^2",
             "meaning": f"inertia of the pieces about axis {'xyz'[axis]} of their sections",
         }
-        values = at_points(TURNED[axis][0], c.sections)
+        values = [l * x for x in body.shared(TURNED[axis][0])]
         display = rf"\mathrm{{d}}\mathbf{{I}}_{{{'xyz'[axis]}}}"
         b.step(f"dI_{axis}", _at_points(b, f"dI_{axis}", values), display, **words)
 

@@ -14,9 +14,10 @@ import sympy as sp
 from ..algebra.expression import Expression, Inverse, Symbol, add, identity, is_zero, unit, zeros
 from ..ir.block import Binding, Block
 from ..spec.link_class import AXIS, EXACT, TURN, LinkClass
+from .collocation import collocation
 from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
-from .fields import XI, Fields, length
+from .fields import XI, Fields, length, number
 from .rod_stiffness import RodStiffness
 
 TURNED = (
@@ -55,6 +56,10 @@ class RodBody(Elastic, RodStiffness):
     def sampled(self, name: str, s: float) -> sp.Expr:
         """A property of the section at the place s in [0, 1]."""
         return self.b.values[name].item()
+
+    def shared(self, name: str) -> list[sp.Expr]:
+        """A property shared out among the Gauss points of an exact rod, per unit of its length."""
+        return [number(w) * self.b.values[name].item() for w in collocation(self.key).weights]
 
     # what follows from the parameters ---------------------------------------------------------
 

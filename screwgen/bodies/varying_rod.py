@@ -13,6 +13,7 @@ from ..ir.block import Block
 from ..ir.quantities import QUANTITIES
 from ..spec.link_class import LinkClass
 from ..spec.modes import DIRECTIONS
+from .collocation import collocation
 from .coupled_rod import CoupledRod
 from .fields import STRAIN, number
 from .rod_stiffness import SECTION
@@ -45,6 +46,11 @@ class VaryingRod(CoupledRod):
     def sampled(self, name: str, s: float) -> sp.Expr:
         """A property of the section at the place s in [0, 1]: interpolated between the stations."""
         return sp.Add(*(number(w) * self._values[name][station] for station, w in weights(self.key).at(s).items()))
+
+    def shared(self, name: str) -> list[sp.Expr]:
+        """A property shared out among the Gauss points of an exact rod, per unit of its length."""
+        values = self._values[name]
+        return [sp.Add(*(number(w) * values[k] for k, w in row.items())) for row in collocation(self.key).shared]
 
     def _section_stiffness(self) -> Symbol:
         """``∫ EA φ_x' φ_x'^T + EIz φ_y'' φ_y''^T + ...``: every direction by the property that resists it."""

@@ -54,7 +54,8 @@ def run_generate(
     check_choice("--layout", layout, LAYOUTS)
     for name, asked in more.items():
         what, target = ("CasADi files", "casadi") if name == "functions" else ("C", "c")
-        if asked and targets and target not in targets:
+        served = (target, *UNITS) if name == "outputs" else (target,)
+        if asked and targets and not set(served) & set(targets):
             said = f"--{name} adds to the {what}, which --target leaves out"
             raise UsageError(f"{said}; add --target {target} or leave --{name} out")
     if not output:

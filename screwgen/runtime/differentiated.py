@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import Loads, Numbers, seconds
+from ..backends.numpy.numeric import singular
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
@@ -35,7 +36,7 @@ def known(method: str | Method, project: LeanProject) -> Method:
 def failure(chain: Chain, status: int, fault: int, otherwise: str = "") -> ScrewgenError:
     """The error of a status that is not OK; ``fault``: the link at fault, or -1 where that is ``otherwise``."""
     if status == SINGULAR:
-        return SingularError(otherwise) if otherwise and fault < 0 else chain.singular(fault)
+        return SingularError(otherwise) if otherwise and fault < 0 else singular(chain, fault)
     return ScrewgenError(f"the generated C reports: {STATUS[status]}")
 
 

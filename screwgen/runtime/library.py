@@ -1,9 +1,10 @@
 """Shared libraries of generated C: compiled once, cached by content in a folder of the user, and loaded.
 
-The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in its own digest, so a
-truncated one is detected without loading it. It is built aside and renamed, so processes may build the same library at
-once. If the folder cannot be written, the library is built in a temporary folder. The same holds if others than this
-user and root can write to the folder, because its contents run as this user. The folder may be deleted at any time.
+The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in the digest of its key
+and itself, so one that is truncated, or stands under the name of another, is detected without loading it. It is built
+aside and renamed, so processes may build the same library at once. If the folder cannot be written, the library is
+built in a temporary folder. The same holds if others than this user and root can write to the folder, because its
+contents run as this user. The folder may be deleted at any time.
 """
 
 from __future__ import annotations
@@ -208,7 +209,7 @@ def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
     try:
         with open_regular(path) as stream:
             ours, data = _private(os.fstat(stream.fileno())), stream.read()
-        if not ours or hashlib.sha256(data[:-DIGEST]).digest() != data[-DIGEST:]:
+        if not ours or _seal(key, data[:-DIGEST]) != data[-DIGEST:]:
             return None
         library = ctypes.CDLL(str(path))
     except OSError:
@@ -218,6 +219,11 @@ def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
     return library
 
 
+def _seal(key: str, library: bytes) -> bytes:
+    """What binds the bytes of a library to the key that they were built for."""
+    return hashlib.sha256(key.encode() + library).digest()
+
+
 def _build_and_keep(
     folder: Path, key: str, files: Mapping[str, str], command: Sequence[str], flags: Sequence[str]
 ) -> ctypes.CDLL:
@@ -225,7 +231,7 @@ def _build_and_keep(
     with tempfile.TemporaryDirectory(prefix="building-", dir=folder) as place:
         built = _compiled(Path(place), files, command, flags)
         with built.open("ab") as stream:
-            stream.write(hashlib.sha256(built.read_bytes()).digest())
+            stream.write(_seal(key, built.read_bytes()))
         built.chmod(0o700)
         os.replace(built, folder / f"{key}.so")
     _prune(folder)

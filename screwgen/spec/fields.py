@@ -15,11 +15,15 @@ from .stated import stated_numbers
 
 
 class Field(NamedTuple):
-    """A kind of parameter: the pattern of its names below the link's, unit, meaning, names of components."""
+    """A kind of parameter: the pattern of its names below the link's, unit, meaning, sign, names of components.
+
+    `sign`: ``positive``, ``non-negative`` or ``any``, from the range of the quantity.
+    """
 
     pattern: str
     unit: str
     description: str
+    sign: str
     components: tuple[str, ...] = ()
 
 
@@ -30,7 +34,7 @@ def _numbers(part: type[Part], table: str = "", place: str = "") -> dict[str, Fi
     """
     return {
         f"{table}{name}": Field(
-            f"{place or table}{name}{'[{}]' * bool(x.several or x.components)}", x.unit, x.meaning, x.components
+            f"{place or table}{name}{'[{}]' * bool(x.several or x.components)}", x.unit, x.meaning, x.sign, x.components
         )
         for name, x in stated_numbers(part)
     }
@@ -56,13 +60,13 @@ FIELDS = {
     **{name: x for table, (part, place) in OF_AXES.items() for name, x in _numbers(part, table, place).items()},
     **{
         f"joint.drives.transmission.{kind.TABLE}{name}": Field(
-            f"joint.drives[{{}}].transmission.{kind.TABLE}{name}", key.unit, key.meaning
+            f"joint.drives[{{}}].transmission.{kind.TABLE}{name}", key.unit, key.meaning, key.sign
         )
         for kind in TRAVELS
         for name, key in kind.KEYS.items()
     },
     **_numbers(Body, "bodies.", "bodies[{}]."),
-    "tendons.at": Field("tendons[{}].at[{}][{}]", "m", "offset of the tendon from the centreline"),
+    "tendons.at": Field("tendons[{}].at[{}][{}]", "m", "offset of the tendon from the centreline", "any"),
 }
 
 FIELDS |= {  # of a section that is stated at stations

@@ -29,7 +29,7 @@ class Parameter:
 
     `name`: as in `upper_arm.bodies[0].mass`; `value` in `unit`; `link`: the link's place in `robot.links`,
     None for gravity; `field`: a key of `FIELDS`, or of an element of an axis; `index`: what the name's brackets hold,
-    left to right; `sign`: where the range of the field does not say it, as :class:`screwgen.elements.Key` states it.
+    left to right; `sign`: which values are allowed, ``positive``, ``non-negative`` or ``any``.
     """
 
     name: str
@@ -39,7 +39,7 @@ class Parameter:
     field: str
     index: Index
     description: str
-    sign: str = ""
+    sign: str
 
 
 BODY_FRAMES = {"base": ("F_i axes", "from the joint point"), "tip": ("tip-frame axes", "from the tip point")}
@@ -80,7 +80,7 @@ def _offset(i: int, link: Link, number: int, end: int, component: int, value: fl
     kind, index = FIELDS["tendons.at"], (number, end, component)
     where = f"{kind.description}, {'xyz'[component]}, where it {('begins', 'ends')[end]}"
     return Parameter(
-        f"{link.name}.{kind.pattern.format(*index)}", value, kind.unit, i, "tendons.at", index, where, "any"
+        f"{link.name}.{kind.pattern.format(*index)}", value, kind.unit, i, "tendons.at", index, where, kind.sign
     )
 
 
@@ -128,7 +128,7 @@ def spread(
         name = ".".join(filter(None, (link, kind.pattern.format(*place, *index))))
         component = (kind.components[index[0]], frame) if kind.components else ()
         description = ", ".join(filter(None, (kind.description, *component)))
-        yield Parameter(name, number, kind.unit, i, field, (*place, *index), description)
+        yield Parameter(name, number, kind.unit, i, field, (*place, *index), description, kind.sign)
 
 
 def numbered(value: Value) -> Iterator[tuple[Index, float]]:

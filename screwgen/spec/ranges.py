@@ -20,6 +20,11 @@ class Range(NamedTuple):
     unit: str
 
     @property
+    def sign_name(self) -> str:
+        """``positive``, ``non-negative`` or ``any``, as :class:`screwgen.elements.Key` states it."""
+        return {positive: "positive", non_negative: "non-negative"}.get(self.sign, "any")
+
+    @property
     def units(self) -> tuple[str, ...]:
         """The unit; on a joint axis that of one that turns, then that of one that slides."""
         return tuple(self.unit.split(" or "))

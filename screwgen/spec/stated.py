@@ -38,6 +38,11 @@ class Stated:
         return RANGES[self.quantity].units[0]
 
     @property
+    def sign(self) -> str:
+        """Which numbers are allowed: ``positive``, ``non-negative`` or ``any``."""
+        return RANGES[self.quantity].sign_name
+
+    @property
     def on_slide(self) -> tuple[str, str]:
         """Unit and meaning on an axis that slides."""
         return RANGES[self.quantity].units[-1], self.sliding or self.meaning

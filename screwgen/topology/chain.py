@@ -150,6 +150,11 @@ class Chain(Coordinates):
         said = f"the joint of link '{self.names[link]}' is singular in this posture"
         return SingularError("".join((said, *(f", or {end}" for end in self.keys[link].ends), self.caution)))
 
+    def unresisted(self, link: int) -> SingularError:
+        """The error of a link whose joint has no inertia in any posture."""
+        said = f"nothing resists the joint of link '{self.names[link]}'"
+        return SingularError(f"{said}; give the link rhoIp, a body with inertia, or the joint an armature")
+
     def singular_loops(self) -> SingularError:
         """The error of loops whose rows depend on each other in a posture."""
         remedy = "let their joints leave free what the links cannot follow, or give the links modes that can"

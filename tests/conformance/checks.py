@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from conformance import commands, folders, numbers, slopes, uses
+from conformance import commands, folders, measured, numbers, slopes, uses
 from conformance.cases import Case
 from conformance.refusals import refusals_of
 from screwgen import ScrewgenError
@@ -23,11 +23,13 @@ CHECKS: dict[str, Check] = {
     "judge": Check(numbers.judge, "accelerations, wrenches, energy, inverse dynamics equal an independent Lagrangian"),
     "DAE form": Check(numbers.numpy_dae, "the DAE form equals it, by elimination and by dense solving"),
     "CasADi": Check(numbers.casadi, "every function equals NumPy's"),
+    "acados": Check(numbers.acados, "implicit and explicit rows agree, forces of loops among the unknowns"),
     "JAX": Check(numbers.jax_functions, "dynamics both ways, energy and a step equal NumPy's"),
     "C, fused": Check(partial(numbers.c_functions, layout="fused"), "every function and every step, both forms"),
     "C, modular": Check(partial(numbers.c_functions, layout="modular"), "every function and every step, both forms"),
     "C, baked": Check(partial(numbers.c_functions, layout="auto", parameters="baked"), "with parameters as numbers"),
     "C, float": Check(numbers.c_float, "accelerations in single precision"),
+    "sensors": Check(measured.sensors, "what markers read equals the judge's sections, their rates and curvatures"),
     "lanes": Check(numbers.lanes, "a step of many scenarios at once, in double precision"),
     "lanes, float": Check(partial(numbers.lanes, single=True), "the same in single precision"),
     "C folder": Check(folders.folder, "compiles without a warning and passes its self-check, in double and float"),

@@ -95,6 +95,27 @@ def casadi(case: Case) -> None:
         near(found.ravel(), np.ravel(wanted), case.agreement, f"{what} of the assembled rows")
 
 
+def acados(case: Case) -> None:
+    """The implicit rows vanish at the accelerations of the explicit ones, in a state whose loops are slightly open.
+
+    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics.
+    """
+    (q, v, tau, w_ext), export = case.given, case.model.acados(w_ext=True)
+    x = np.append(case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v))), v)
+    p = np.concatenate([case.model.parameter_values, np.ravel(w_ext)])
+    explicit = ca.Function("rates", [export.x, export.u, export.p], [export.f_expl_expr])(x, tau, p)
+    near(explicit.full()[case.model.nq :, 0], case.model.numpy().forward_dynamics(x[: len(q)], v, tau, w_ext)[0],
+         case.tolerance, "accelerations")  # fmt: skip
+    rows = ca.Function("rows", [export.xdot, export.z, export.x, export.u, export.p], [export.f_impl_expr])
+    at = lambda z: rows(explicit, z, x, tau, p).full()[:, 0]  # noqa: E731
+    count = export.z.numel()
+    start = at(np.zeros(count))
+    slopes = np.array([at(e) - start for e in np.eye(count)]).reshape(count, len(start)).T
+    z = np.linalg.lstsq(slopes, -start, rcond=None)[0]
+    size = max(np.abs(start).max(), np.abs(case.judge.forces).max(), 1.0)
+    assert np.abs(start + slopes @ z).max() <= 100 * case.tolerance * size, f"{start + slopes @ z} of {size:.1e}"
+
+
 def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
     """A result of CasADi as an array of the shape that it has elsewhere: links and markers stand side by side there."""
     size = shape(signal, chain)

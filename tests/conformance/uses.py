@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from helpers import QUICK, quick_batch
+from scipy.linalg import eigvalsh, null_space
 
 import screwgen
 from conformance.cases import STEP, Case
@@ -11,6 +12,7 @@ from conformance.numbers import near
 from screwgen.backends.numpy.closing import moving
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.estimator import Estimator
+from screwgen.studies.modes import movable
 
 COUNT = 6
 PERIOD = 2e-3
@@ -42,12 +44,13 @@ def runs(case: Case) -> None:
 def dae_runs(case: Case) -> None:
     """A run of the DAE form by C and by CasADi, beside the joint form."""
     model, duration = case.model, COUNT * STEP
-    run = screwgen.simulate(model, duration, STEP / 4, form="dae", every=4, **held(case))
-    other = screwgen.simulate(model, duration, STEP / 4, form="dae", every=4, backend="casadi", **held(case))
+    how = dict(every=4, integrator="rk4", **held(case))
+    run = screwgen.simulate(model, duration, STEP / 4, form="dae", **how)
+    other = screwgen.simulate(model, duration, STEP / 4, form="dae", backend="casadi", **how)
     near(other.q, run.q, 100 * case.agreement, "coordinates by CasADi")
-    joint = screwgen.simulate(model, duration, STEP / 4, every=4, integrator="rk4", **held(case))
-    near(run.q, joint.q, 1e-4, "coordinates beside the joint form")
-    near(run.energy, joint.energy, 1e-2, "energy beside the joint form")
+    joint = screwgen.simulate(model, duration, STEP / 4, **how)
+    near(run.q, joint.q, 1e-6, "coordinates beside the joint form")
+    near(run.energy, joint.energy, 1e-4, "energy beside the joint form")
 
 
 def energy(case: Case) -> None:
@@ -105,7 +108,8 @@ def equilibrium(case: Case) -> None:
     weight = 0.0 if chain.floating else 0.1  # of the robot's: a link of order 2 bends little
     light = {f"gravity[{k}]": weight * g for k, g in enumerate(case.robot["gravity"])}
     q = closed(case)[0]
-    rest = screwgen.equilibrium(model, q if chain.floating else q[: model.n_joints], hold=True, parameters=light)
+    start, pulled = q if chain.floating else q[: model.n_joints], 0.1 * case.given[2][model.n_joints :]
+    rest = screwgen.equilibrium(model, start, pulled if len(pulled) else None, hold=True, parameters=light)
     f = model.numpy(model.chain.parameters.vector(light))
     zero = np.zeros(model.nv)
     vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)
@@ -123,10 +127,19 @@ def closed(case: Case) -> tuple[np.ndarray, np.ndarray]:
 
 
 def modes(case: Case) -> None:
-    """Frequencies with the joints locked are those of the mass matrix and the stiffness of the modes."""
-    model = case.model
-    found = screwgen.natural_frequencies(model, closed(case)[0])
-    assert np.all(np.isfinite(found)) and len(found)
+    """Frequencies with the joints locked are those of mass matrix and springs in the motions that loops leave."""
+    model, q = case.model, closed(case)[0]
+    chain, f = model.chain, model.numpy(np.append(np.zeros(3), model.parameter_values[3:]))
+    found, moving = screwgen.natural_frequencies(model, q), movable(model, "locked", q, model.parameter_values)
+    T = np.eye(model.nv)
+    for joint, place in chain.elastic_travels.items():
+        T[place, chain.base_v + joint] = -f.levers(q)[joint]
+    T = T[:, moving] @ null_space(f.gap_slopes(q) @ T[:, moving]) if chain.closing.rows else T[:, moving]
+    rest, h = np.zeros(model.nv), 1e-6
+    at = lambda x: np.asarray(f.inverse_dynamics(case.moved(q, x), rest, rest, None))  # noqa: E731
+    K = np.array([(at(h * x) - at(-h * x)) / (2 * h) for x in T.T]).T
+    squares = eigvalsh(T.T @ K, T.T @ f.mass_matrix(q) @ T)
+    near(found, np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi), 1e-6, "frequencies")
 
 
 def toml(case: Case) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
 
+from ...algorithms.axis_terms import MEANINGS
 from ...algorithms.columns import link_columns, robot_columns, width
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import AXES, INPUTS, NODE, ROBOT, STORE, Signal, is_node, plain
@@ -114,16 +115,24 @@ def fused_place(name: str, k: int) -> str:
     return entries(f"{'c' if struct == 'constants' else struct}->{name}", *sizes)(k)
 
 
-def constant_fields(chain: Chain, labels: Iterable[str]) -> list[StructMember]:
-    """The members of ``ella_link_constants``, documented by the steps that define them."""
-    signals, offsets = _signals_of_labels(chain.classes), tendons.offset_comments(chain)
-    return [StructMember(name, (), offsets.get(name) or _comment(signals, name)) for name in sorted(labels)]
+def constant_fields(chain: Chain, labels: Iterable[str], stated: Mapping[str, str]) -> list[StructMember]:
+    """The members of ``ella_link_constants``, documented by the steps that define them.
+
+    ``stated``: the comments of parameters of the robot file by their labels.
+    """
+    signals, given = _signals_of_labels(chain.classes), {**stated, **tendons.offset_comments(chain)}
+    return [StructMember(name, (), _comment(signals, given, name)) for name in sorted(labels)]
 
 
-def _comment(signals: Mapping[str, Constant], label: str) -> str:
+def _comment(signals: Mapping[str, Constant], stated: Mapping[str, str], label: str) -> str:
     """The comment of a constant; where it is of a station, what it is at the tip."""
     own = own_label(label)
-    return _constant_comment(signals.get(own)) + "; of a station" * (own != label)
+    if own in signals:
+        return f"{signals[own].unit}: {signals[own].meaning}" + "; of a station" * (own != label)
+    known = stated.get(label) or MEANINGS.get(label.rstrip("0123456789").removesuffix("_"))
+    if known is None:
+        raise LookupError(f"the constant '{label}' has no unit and meaning; state them in axis_terms.MEANINGS")
+    return known
 
 
 def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Constant]:
@@ -139,10 +148,6 @@ def _signals_of_labels(classes: Sequence[LinkClass]) -> dict[str, Constant]:
             for _, text in signal.labels():
                 out.setdefault(text, signal)
     return out
-
-
-def _constant_comment(signal: Constant | None) -> str:
-    return f"{signal.unit}: {signal.meaning}" if signal else "SI units: of the joint, or of its drive behind the gear"
 
 
 def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:

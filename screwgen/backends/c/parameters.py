@@ -69,20 +69,35 @@ def parameter_structs(robot: Robot, read: Sequence[frozenset[str]]) -> dict[str,
     """
     own = [(p.link, p) for p in parameters(robot) if p.link is not None]
     live = {member(p)[:2] for link, p in own if label(p) in read[link]}
-    along = dict.fromkeys(kind.PLURAL for kind in travels(robot) if kind.ADDED.unit == "m")
-    sliding = " and ".join(["slides", *along])
     structs: dict[str, dict[str, StructMember]] = {"link": {}, "joint": {}, "body": {}}
-    meanings: dict[tuple[str, str], dict[str, str]] = defaultdict(dict)
+    same: dict[tuple[str, str], list[Parameter]] = defaultdict(list)
     for _, p in own:
         struct, name, _, entry = member(p)
         known = structs[struct].get(name)
         shape = tuple(k + 1 for k in entry)
         unused = "" if (struct, name) in live else "; this model does not use it"
-        meanings[struct, name][p.unit] = _general(p)
-        units = sorted(meanings[struct, name], key=SLIDING_UNITS.count)
-        comment = ascii_unit(f"{f', of {sliding} '.join(units)}: {meanings[struct, name][units[0]]}{unused}")
+        same[struct, name].append(p)
+        comment = f"{described(robot, same[struct, name])}{unused}"
         structs[struct][name] = StructMember(name, _joined(shape, known.shape) if known else shape, comment)
     return {struct: list(fields.values()) for struct, fields in structs.items()}
+
+
+def described(robot: Robot, same: Sequence[Parameter]) -> str:
+    """Units and meaning of parameters that stand in one member, of axes that turn first."""
+    along = dict.fromkeys(kind.PLURAL for kind in travels(robot) if kind.ADDED.unit == "m")
+    meanings = {p.unit: _general(p) for p in same}
+    units = sorted(meanings, key=SLIDING_UNITS.count)
+    sliding = " and ".join(["slides", *along])
+    return ascii_unit(f"{f', of {sliding} '.join(units)}: {meanings[units[0]]}")
+
+
+def comments(robot: Robot) -> dict[str, str]:
+    """Units and meanings of the parameters of links, by the labels that blocks and phases know them by."""
+    same: dict[str, list[Parameter]] = defaultdict(list)
+    for p in parameters(robot):
+        if p.link is not None:
+            same[label(p)].append(p)
+    return {name: described(robot, own) for name, own in same.items()}
 
 
 def _joined(shape: tuple[int, ...], other: tuple[int | str, ...]) -> tuple[int, ...]:

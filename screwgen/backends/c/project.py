@@ -37,7 +37,7 @@ from .fields import (
     topology,
 )
 from .links import WATCHED, WITHIN, Links, sparsity
-from .parameters import bodies, changing_parameter, defaults, limits, parameter_structs, place
+from .parameters import bodies, changing_parameter, comments, defaults, limits, parameter_structs, place
 from .runs import RUNS
 
 PARTS = (OUTPUTS, SENSORS)
@@ -297,7 +297,7 @@ class CProject:
     def constants(self) -> list[StructMember]:
         if self.baked is not None:
             return []
-        fields = constant_fields(self.seen, {x for labels in self.labels for x in labels})
+        fields = constant_fields(self.seen, {x for labels in self.labels for x in labels}, comments(self.chain.robot))
         return fields or [StructMember("none", (), "no constant depends on parameters")]
 
     @cached_property

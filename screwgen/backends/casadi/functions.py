@@ -258,6 +258,7 @@ def casadi_files(
         "casadi/README.md.jinja",
         name=robot.name,
         version=version,
+        casadi=".".join(ca.CasadiMeta.version().split(".")[:2]),
         functions=rows,
         others=[name for name in functions if name not in saved | missing],
         parameters=parameter_names,

@@ -32,12 +32,15 @@ from ...algorithms.marker_functions import STRAINED
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, results
 from ...algorithms.schedule import Algorithm
 from ...arguments import Loads, Numbers, array
+from ...errors import ScrewgenError, SingularError
 from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .python import Function, compiled
 from .rates import Rates
 
+ELSEWHERE = 7
+"""The seed of a posture in which no axes are in line."""
 EPSILON = float(np.finfo(float).eps)
 SPRINGS = ("K", "K_q", "K_below", "K_theta", "K_gear", "stop_K")
 """Constants of springs: their forces are no part of the mass matrix and would swamp it."""
@@ -52,6 +55,25 @@ def function_of(program: Program) -> Function:
     return _COMPILED[id(program)][1]
 
 
+def singular(chain: Chain, link: int, p: Numbers | None = None) -> SingularError:
+    """The error of a link that cannot be solved for: of its posture, or of all of them if another one has it too.
+
+    ``p``: the parameters, by default the file's values.
+    """
+    if chain.keys[link].floats:
+        return chain.singular(link)
+    other = Numeric(chain, p)
+    other._failure = Chain.singular
+    q, rng = np.array(chain.home, float), np.random.default_rng(ELSEWHERE)
+    q[list(chain.axis_places)] += rng.uniform(-1.0, 1.0, len(chain.axis_places))
+    try:
+        other.forward_dynamics(q, np.zeros(chain.nv), None, None)
+    except ScrewgenError as error:
+        if str(error) == str(chain.singular(link)):
+            return chain.unresisted(link)
+    return chain.singular(link)
+
+
 class Numeric:
     """The functions of a robot on NumPy arrays; ``p`` is the parameter vector (default: the file's values).
 
@@ -63,6 +85,7 @@ class Numeric:
         self.chain = chain
         self.p = [x.value for x in parameters(chain.robot)] if p is None else [float(x) for x in p]
         self._made: dict[tuple[Algorithm, ...], DaeFunctions] = {}
+        self._failure: Callable[[Chain, int], SingularError] = partial(singular, p=self.p)
 
     @cached_property
     def constants(self) -> list[dict[str, list[float]]]:
@@ -87,7 +110,7 @@ class Numeric:
         except (ZeroDivisionError, ValueError):  # a quotient, a root
             guards = [0.0]
         if not all(g > 0 for g in guards):
-            raise self.chain.singular(link)
+            raise self._failure(self.chain, link)
         return outputs
 
     @property

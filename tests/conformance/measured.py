@@ -1,0 +1,84 @@
+"""Checks of what sensors at markers read, against the judge's sections and against differences in time.
+
+The back ends share the derivation of these functions, so that it is not enough that they agree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from conformance.cases import Case
+from conformance.numbers import near
+
+BENDING = ("bending_y", "bending_z")
+APART, SMALL = 0.02, 1e-4
+
+
+def sensors(case: Case) -> None:
+    """Poses equal the judge's, twists and accelerations the rates of poses, strains the judge's curvatures."""
+    (q, v, tau, w_ext), f = case.given, case.model.numpy()
+    R, r = f.marker_pose(q)
+    for marker, rotation, place in zip(case.model.chain.markers, R, r, strict=True):
+        wanted = section(case, marker.segment, None if marker.is_tip else marker.at, case.judge.state["q"])
+        near(rotation, wanted[0], case.tolerance, f"rotation of {marker.name}")
+        near(place, wanted[1], case.tolerance, f"place of {marker.name}")
+    vdot = f.forward_dynamics(q, v, tau, w_ext)[0]
+    twist, gravity = f.marker_velocity(q, v), np.array(case.robot["gravity"])
+    rates = in_time(case, vdot, lambda q, v: np.concatenate([np.ravel(x) for x in f.marker_pose(q)]))
+    turn, move = np.split(rates, [9 * len(R)])
+    spin = np.einsum("kji,kjl->kil", R, turn.reshape(R.shape))
+    near(twist[:, :3], np.stack([spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]], 1), 1e-7, "angular velocities")
+    near(twist[:, 3:], np.einsum("kji,kj->ki", R, move.reshape(r.shape)), 1e-7, "velocities")
+    near(f.gyro(q, v), twist[:, :3], case.agreement, "gyroscopes")
+    near(f.marker_jacobian(q) @ v, twist, case.agreement, "Jacobians")
+    felt = in_time(case, vdot, lambda q, v: np.ravel(moving(f, q, v))).reshape(-1, 2, 3)
+    felt = np.concatenate([felt[:, 0], np.einsum("kji,kj->ki", R, felt[:, 1])], axis=1)
+    near(f.marker_jacobian(q) @ vdot + f.marker_bias(q, v), felt, 1e-6, "accelerations")
+    free = np.einsum("kji,j->ki", R, gravity)
+    near(f.accelerometer(q, v, tau, w_ext), felt[:, 3:] - free, 1e-6, "accelerometers")
+    curvatures(case)
+
+
+def section(case: Case, i: int, s: float | None, state: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rotation and place of a section, None for the tip, by the judge."""
+    if s is not None:
+        return case.judge.oracle.section_pose(i, state, s)
+    poses = case.judge.oracle.poses(state)
+    return poses["tip_R"][i], poses["tip_point"][i]
+
+
+def moving(f, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Angular velocities of markers in their axes and velocities of their points in the inertial frame, (n, 2, 3)."""
+    R, twist = f.marker_pose(q)[0], f.marker_velocity(q, v)
+    return np.stack([twist[:, :3], np.einsum("kij,kj->ki", R, twist[:, 3:])], axis=1)
+
+
+def in_time(case: Case, vdot: np.ndarray, f: Callable) -> np.ndarray:
+    """The rate of a function of a state in the motion, by differences extrapolated once."""
+    q, v, *_ = case.given
+    at = lambda t: f(case.moved(q, v * t + vdot * (t * t / 2)), v + vdot * t)  # noqa: E731
+    size = 2e-3 / max(1.0, np.abs(v).max(), np.sqrt(np.abs(vdot).max()))
+    coarse, fine = ((at(t) - at(-t)) / (2 * t) for t in (size, size / 2))
+    return (4 * fine - coarse) / 3
+
+
+def curvatures(case: Case) -> None:
+    """Curvatures at markers are second differences of the judge's sections, where modes are small and do not shear."""
+    chain, judge = case.model.chain, case.judge
+    if "shear" in case.features or not any(not m.is_tip for m in chain.markers):
+        return
+    found = dict(zip(case.model.strain_names, case.model.numpy().strain(case.given[0]), strict=True))
+    state = judge.state["q"].copy()
+    state[judge.oracle.n_joint + judge.oracle.n_rotor :] *= SMALL
+    poses = judge.oracle.poses(state)
+    for marker in (m for m in chain.markers if not m.is_tip):
+        i, length = marker.segment, judge.twin["links"][marker.segment]["length"]
+        places = [section(case, i, marker.at + APART * k, state)[1] for k in (-1, 0, 1)]
+        a, b, c = (poses["R"][i].T @ (place - poses["origin"][i]) for place in places)
+        bent = (a - 2 * b + c) / (APART * length) ** 2 / SMALL
+        for axis, direction in enumerate(BENDING, 1):
+            name = f"{marker.name}.strain.{direction}"
+            error = abs(found[name] - bent[axis]) if name in found else 0.0
+            assert error < 2e-3 * max(np.abs(bent[1:])), f"{name}: {found[name]:.6g} is not {bent[axis]:.6g}"

@@ -12,7 +12,6 @@ import numpy as np
 
 from ..arguments import Given, Numbers, array
 from ..backends.c.mpc import Fitted, MpcProject
-from ..errors import ScrewgenError
 from ..robot_model import RobotModel
 from .differentiated import failure
 from .lean import LeanProject
@@ -166,14 +165,13 @@ class CompiledMpc:
     def feedback(self, q: Numbers, v: Numbers) -> np.ndarray:
         """The torques (n_tau,) from a sample on, with the file's delay from the next one on.
 
-        Raises :class:`ScrewgenError` also where the state is refused as one that the arm cannot have reached.
+        Where :attr:`refused` is not zero after the call, the arm cannot have come to this state since the last one: the
+        torques are then those of the state that the model predicts. After ``options["patience"]`` refusals in a row the
+        next state is believed; :meth:`initialise` starts from another state at once.
         """
         status = self._sample(q, v)
-        if status and self.refused:
-            raise ScrewgenError(
-                f"the measured state is not where the model expects it, {self.refused} samples in a row; after "
-                "options['patience'] of them the next is believed; initialise starts from another state at once"
-            )
+        if self.refused:
+            return self._at["tau"].astype(float)
         self._check(status)
         return self._at["tau"].astype(float)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -134,7 +135,9 @@ def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView,
     return tuple(out)
 
 
-def station_views(key: LinkClass, seen: Mapping[str, Seen], given: tuple, told: Set[str]) -> Iterator[BlockView]:
+def station_views(
+    key: LinkClass, seen: Mapping[str, Seen], given: tuple[Any, Any, Any, Any], told: Set[str]
+) -> Iterator[BlockView]:
     """The steps of the sections before the tip at which links are carried, where they differ from those of the tip.
 
     ``told``: the names of the steps of the tip.

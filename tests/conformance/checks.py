@@ -30,6 +30,7 @@ CHECKS: dict[str, Check] = {
     "C, baked": Check(partial(numbers.c_functions, layout="auto", parameters="baked"), "with parameters as numbers"),
     "C, float": Check(numbers.c_float, "accelerations in single precision"),
     "sensors": Check(measured.sensors, "what markers read equals the judge's sections, their rates and curvatures"),
+    "validity": Check(measured.validity, "how far links are from the model's limits, by the judge's loads"),
     "lanes": Check(numbers.lanes, "a step of many scenarios at once, in double precision"),
     "lanes, float": Check(partial(numbers.lanes, single=True), "the same in single precision"),
     "C folder": Check(folders.folder, "compiles without a warning and passes its self-check, in double and float"),

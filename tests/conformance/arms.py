@@ -22,7 +22,7 @@ TURNS: dict[str, dict] = {
     "hinge": {"axes": ["z"]},
     "ball": {"axes": "ball"},
     "slide": {"axes": [{"slide": "y"}]},
-    "screw": {"axes": [{"screw": "z", "pitch": 0.07}]},
+    "screw": {"axes": [{"screw": "z", "pitch": 0.07}, "y"]},
     "two axes": {"axes": ["z", [0.2, 1.0, 0.3]], "mount": {"xyz": [0.1, -0.05, 0.2], "rpy": [0.2, -0.4, 0.3]}},
     "three axes": {"axes": ["z", "y", "x"]},
 }

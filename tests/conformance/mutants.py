@@ -169,7 +169,8 @@ def main(first: int = 0, last: int = 40) -> int:
     for name in SHARED:
         importlib.import_module(name)
     sys.dont_write_bytecode = False
-    missed, sound = 0, {}
+    missed = 0
+    sound: dict[Cell, str] = {}
     with tempfile.TemporaryDirectory(prefix="screwgen-mutants-") as place:
         folder = Path(place) / "tree"
         folder.mkdir()

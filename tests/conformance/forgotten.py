@@ -218,7 +218,6 @@ TABLE: list[Mutant] = [
       '"at": "tip", "frame_at": None}', '"at": "tip", "frame_at": None, "bodies": ()}'),
     M("station", "URDF", "screwgen/interchange/urdf_write.py", "return Pose(turned, s * end.p) @ placed",
       "return Pose(turned, end.p) @ placed"),
-    M("coupling", "robot file", "screwgen/spec/load.py",
-      "tables = [(key, table) for key in TABLES for",
-      'tables = [(key, table) for key in TABLES if key != "couplings" for'),
+    M("coupling", "robot file", "screwgen/spec/load.py", "for key, table in tables)])",
+      'for key, table in tables if key != "couplings")])'),
 ]  # fmt: skip

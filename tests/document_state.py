@@ -10,6 +10,7 @@ import numpy as np
 from document_axes import Axis, axes_of
 from document_points import exact_rod
 from document_symbols import Part, Printed, Scope, Undefined, plain
+from latex_formula import Value
 
 WORLD, WELDED, FREE, BALL = "world", "welded", "free", "ball"
 
@@ -41,7 +42,7 @@ class Reading:
         names = {link.name.partition("[")[0]: None for link in self.links}
         self.gravity = np.array([[document.parameters[f"gravity[{k}]"][1]] for k in range(3)])
         self.axes = [axis for link in self.links for axis in link.axes]
-        self.parameters = {name: self._parameters(name) for name in names}
+        self.parameters = {(name, first): self._parameters(name, first) for name in names for first in (True, False)}
 
     def _links(self) -> Iterator[Link]:
         before = -1
@@ -66,16 +67,18 @@ class Reading:
         own = f"`{name}`" if count == 1 else f"`{name}[{k}]`"
         return next(parts for n, parts in self.document.classes.items() if n in classes and own in parts[0].text)
 
-    def _parameters(self, name: str) -> dict[str, float]:
-        own = {}
+    def _parameters(self, name: str, first: bool) -> dict[str, float]:
+        """By symbol: those of a link; a segment that is not the first is welded, and has none of a joint."""
+        apart = r"joint\.(drives|limits|elements)|tendons" if first else r"\.joint\.|tendons"
+        own: dict[str, float] = {}
         for full, (symbol, x) in self.document.parameters.items():
-            if (
-                full.startswith(f"{name}.")
-                and symbol != "–"
-                and not re.search(r"joint\.(drives|limits|elements)|tendons", full)
-            ):
+            if full.startswith(f"{name}.") and symbol != "–" and not re.search(apart, full):
                 own.setdefault(symbol, x)
         return own
+
+    def own(self, link: Link) -> dict[str, float]:
+        """The parameters of a row of the table of links; a marker has none."""
+        return {} if "." in link.name else self.parameters[link.name.partition("[")[0], link.segment[0] == 0]
 
 
 def joint_sizes(said: str) -> tuple[int, int]:
@@ -89,6 +92,13 @@ def joint_sizes(said: str) -> tuple[int, int]:
 
 def modes(said: str) -> int:
     return sum(int(x) for x in re.findall(r"\d+", said.partition("`")[0]))
+
+
+def plain_values(scope: Scope, part: Part) -> Iterator[tuple[str, Value]]:
+    """What the text of a section says to be zero or the identity there."""
+    for what, symbols in re.findall(r"(Zero|The identity) at this section: (.*)\.", part.text):
+        for name in map(plain, re.findall(r"\$([^$]*)\$", symbols)):
+            yield name, scope.nothing(name) if what == "Zero" else np.eye(3)
 
 
 class State:
@@ -129,12 +139,7 @@ class State:
     def _scope(self, link: Link) -> Scope:
         column = lambda x: np.reshape(x, (-1, 1))  # noqa: E731
         i = link.number
-        own = (
-            dict(self.reading.parameters[link.name.partition("[")[0].partition(".")[0]])
-            if not self._marker(link)
-            else {}
-        )
-        count = link.segment[1]
+        own, count = self.reading.own(link), link.segment[1]
         given = {
             "parameters": own,
             r"\mathbf{q}_i": column(self.q[i]),
@@ -152,9 +157,6 @@ class State:
         if any(part.title == "Section of the rod" for part in link.parts):
             scope.given |= {plain(n): x for n, x in exact_rod(scope, link.parts).items()}
         return scope
-
-    def _marker(self, link: Link) -> bool:
-        return "." in link.name
 
     def _carrier(self, link: Link) -> Scope:
         if link.parent < 0:
@@ -177,6 +179,7 @@ class State:
             ]
             scope = Scope(self.reading.document, link.parts, whole.given, over)
             scope.parent = whole.parent
+            scope.given |= {name: x for part in over for name, x in plain_values(scope, part)}
             if any(part.title == "Section of the rod" for part in link.parts):
                 scope.given = scope.given | {plain(n): x for n, x in exact_rod(scope, link.parts, s).items()}
             self.stations[parent, s] = scope

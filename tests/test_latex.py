@@ -12,6 +12,7 @@ from helpers import arm, link
 from latex_documents import NAMES, PLUGINS, content, every_robot, page, robot, tex, views
 
 from screwgen import Robot
+from screwgen.algebra import expression as ex
 from screwgen.algebra.notation import latex as formula
 from screwgen.algebra.notation import number, tilde
 from screwgen.algorithms.scope import derived
@@ -223,6 +224,18 @@ def test_numbers_have_six_digits(value, text):
 def test_tilde_sits_on_the_letter():
     assert tilde(r"\boldsymbol{\omega}_i") == r"\tilde{\boldsymbol{\omega}}_i"
     assert tilde(r"\dot{\mathbf{r}}_{\xi}") == r"\tilde{\dot{\mathbf{r}}}_{\xi}"
+
+
+@pytest.mark.parametrize(("pitch", "plus", "minus"), [("0.07", "+", "-"), ("-0.07", "-", "+")])
+def test_each_term_has_one_sign(pitch, plus, minus):
+    """Also one whose number is negative, as the pitch of a left-handed screw."""
+    r, q = ex.Symbol("r", (3, 1), r"\mathbf{r}"), ex.Symbol("q", (1, 1), "q")
+    shift = ex.product(ex.product(ex.number(sp.Float(pitch)), q), ex.unit(2))
+    assert formula(ex.add(r, shift)) == rf"\mathbf{{r}} {plus} 0.07\,q\,\mathbf{{e}}_z"
+    assert formula(ex.add(r, -shift)) == rf"\mathbf{{r}} {minus} 0.07\,q\,\mathbf{{e}}_z"
+    turned = {"joint": {"axes": ["z", {"screw": "y", "pitch": float(pitch)}], "mount": {"xyz": [0.1, 0.0, 0.3]}}}
+    text = latex.document(Robot.model_validate(arm(link("rod", 1.0, [], **turned))))
+    assert r"0.07\,q_{2}" in text and not re.search(r"[+-] -", text)
 
 
 def _block(modes: int) -> Block:

@@ -1,5 +1,6 @@
 """Links carried at, and loops joining, places between base and tip: against the oracle, Pinocchio and each other."""
 
+import re
 import tomllib
 from functools import cache
 
@@ -244,6 +245,11 @@ def test_the_header_and_the_document_say_where_links_are_carried(tmp_path):
     assert "ARM_LINK_LEFT = 1, /* on trunk at s = 0.4 */" in header and "ARM_LINK_FORE = 3 /* on trunk */" in header
     text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
     assert r"The link carries others at $s = 0, 0.4$ too." in text and "that section stands for the tip" in text
+    base, rest = text.partition(r"\subsection{Section at $s = 0$}")[2].split(r"\subsection{Section at $s = 0.4$}")
+    zeros = re.search(r"Zero at this section: (.*)\.", base)[1]
+    assert all(f"${name}$" in zeros for name in (r"\mathbf{r}_T", r"\boldsymbol{\phi}_c", r"\mathbf{b}_{v}"))
+    assert r"The identity at this section: $\mathbf{J}_l$, $\mathbf{R}_T$." in base
+    assert "at this section:" not in rest and "(-0)" not in text
 
 
 def test_markers_survive_their_file(branched):

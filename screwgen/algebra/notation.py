@@ -26,6 +26,7 @@ from .expression import (
     Transpose,
     is_identity,
     is_zero,
+    product,
     transpose,
 )
 
@@ -87,11 +88,24 @@ def _bracketed(e: Expression) -> str:
 
 
 def _signed(e: Expression) -> tuple[bool, Expression]:
-    """Whether ``e`` has a minus sign, and ``e`` without its signs."""
+    """Whether ``e`` has a minus sign, that of its number too, and ``e`` without its signs."""
     negative = False
     while isinstance(e, Negative):
         negative, e = not negative, e.arg
-    return negative, e
+    positive = _positive(e)
+    return (negative, e) if positive is None else (not negative, positive)
+
+
+def _positive(e: Expression) -> Expression | None:
+    """A negative number, or a product that has one, without the minus sign; None of others."""
+    if isinstance(e, Constant) and e.shape == (1, 1) and e.rows[0][0].is_negative:
+        return Constant(((-e.rows[0][0],),), e.shape, "")
+    if isinstance(e, Product):
+        if (left := _positive(e.left)) is not None:
+            return product(left, e.right)
+        if (right := _positive(e.right)) is not None:
+            return product(e.left, right)
+    return None
 
 
 def _negative(e: Negative) -> str:

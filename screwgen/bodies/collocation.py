@@ -80,7 +80,7 @@ class Collocation:
             for s, v in zip((a + (b - a) * x).tolist(), ((b - a) * w).tolist(), strict=True):
                 for station, value in own.at(s).items():
                     out[:, station] += v * value * self._lagrange(np.array([s]))[:, 0]
-        return [{k: float(row[k]) for k in np.flatnonzero(row)} for row in out]
+        return [{int(k): float(row[k]) for k in np.flatnonzero(row)} for row in out]
 
     @cached_property
     def uniform(self) -> np.ndarray:

@@ -18,6 +18,8 @@ from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled
 
 STEP = 1e-3
+DIFFERENCE = 4e-3
+"""The longest step of differences, rad or m."""
 
 
 class Case:
@@ -95,7 +97,7 @@ class Case:
         """(nv,): how far each coordinate moves for a difference of functions."""
         return np.where(np.arange(self.model.nv) < self.model.chain.eta_v, 1.0, 0.05)
 
-    def differences(self, f, h: float = 4e-3) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def differences(self, f, h: float = DIFFERENCE) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Slopes of ``f(q, v, tau) -> (m,)`` with q, v (m, nv), tau (m, n_tau), by differences extrapolated twice."""
         q, v, tau, _ = self.given
         nv = self.model.nv

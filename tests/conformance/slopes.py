@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from conformance.cases import STEP, Case
+from conformance.cases import DIFFERENCE, STEP, Case
 from conformance.numbers import near
 from conformance.uses import closed
 from screwgen.integrators import METHODS
 
-SMOOTH = 3e-7
-"""What differences of values in double precision leave, relative to the largest entry."""
+
+def smooth(case: Case) -> float:
+    """What differences leave, relative to the largest entry: their error, and rounding over the step."""
+    return 1e-7 + case.tolerance / DIFFERENCE
 
 
 def dynamics(case: Case) -> None:
@@ -19,7 +21,7 @@ def dynamics(case: Case) -> None:
     expected = case.differences(lambda q, v, tau: f.forward_dynamics(q, v, tau, w_ext)[0])
     _, *compiled = case.c(derivatives=True).linearise(*case.given)
     for found, wanted, exact, by in zip(compiled, expected, f.derivatives(*case.given), "qvu", strict=True):
-        near(found, wanted, SMOOTH, f"accelerations with {by}")
+        near(found, wanted, smooth(case), f"accelerations with {by}")
         near(exact, found, case.tolerance, f"NumPy's beside C's, with {by}")
 
 
@@ -29,7 +31,7 @@ def wrenches(case: Case) -> None:
     _, *compiled = c.linearise_wrenches(*case.given)
     expected = case.differences(lambda q, v, tau: c.forward_dynamics(q, v, tau, w_ext)[1])
     for found, wanted, by in zip(compiled, expected, "qvu", strict=True):
-        near(np.reshape(found, wanted.shape), wanted, SMOOTH, f"wrenches with {by}")
+        near(np.reshape(found, wanted.shape), wanted, smooth(case), f"wrenches with {by}")
 
 
 def steps(case: Case) -> None:
@@ -47,7 +49,7 @@ def steps(case: Case) -> None:
         by_q, by_v, by_tau = case.differences(moved)
         for found, wanted in ((A[:, :nv], by_q), (A[:, nv:], by_v), (B, by_tau)):
             for half in (slice(None, nv), slice(nv, None)):
-                near(found[half], wanted[half], SMOOTH, f"a step of {method}")
+                near(found[half], wanted[half], smooth(case), f"a step of {method}")
 
 
 def kinematic(case: Case, q: np.ndarray, v: np.ndarray, h: float = 1e-4) -> np.ndarray:

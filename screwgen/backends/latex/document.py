@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 
 import numpy as np
@@ -130,15 +130,18 @@ def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView,
     for name in ordered(blocks):
         out.append(block_view(blocks[name], seen, *given))
         if name == "tip":
-            out += station_views(key, seen, given)
+            out += station_views(key, seen, given, {step.name for step in out[-1].steps})
     return tuple(out)
 
 
-def station_views(key: LinkClass, seen: Mapping[str, Seen], given: tuple) -> Iterator[BlockView]:
-    """The steps of the sections before the tip at which links are carried, where they differ from those of the tip."""
+def station_views(key: LinkClass, seen: Mapping[str, Seen], given: tuple, told: Set[str]) -> Iterator[BlockView]:
+    """The steps of the sections before the tip at which links are carried, where they differ from those of the tip.
+
+    ``told``: the names of the steps of the tip.
+    """
     for number, place in enumerate(key.stations_at):
         block = derived(key.station(number))["tip"]
-        yield replace(block_view(block, dict(seen), *given), title=f"Section at $s = {place:.6g}$")
+        yield replace(block_view(block, dict(seen), *given, told=told), title=f"Section at $s = {place:.6g}$")
 
 
 def structure(key: LinkClass, blocks: Mapping[str, Block]) -> dict[str, Array]:

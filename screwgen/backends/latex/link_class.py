@@ -85,9 +85,16 @@ def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
             known = tuple(s for s in view.steps if s.binding <= Binding.PARAMETER)
             groups = [(f"{view.title}: constants", known), (view.title, tuple(s for s in view.steps if s not in known))]
         for title, steps in groups:
-            if steps:
-                named: list[Item] = [Paragraph("Axes:"), Display(axes)] if axes and view.name == "joint" else []
-                yield title, (*named, *map(equation, steps))
+            named: list[Item] = [Paragraph("Axes:"), Display(axes)] if axes and view.name == "joint" else []
+            if steps or view.zeros or view.identities:
+                yield title, (*_plain(view), *named, *map(equation, steps))
+
+
+def _plain(view: BlockView) -> Iterator[Item]:
+    """What is zero or identity at a section, and is not at the tip."""
+    for symbols, what in ((view.zeros, "Zero"), (view.identities, "The identity")):
+        if symbols:
+            yield Paragraph(f"{what} at this section: {', '.join(f'${symbol}$' for symbol in symbols)}.")
 
 
 # ------------------------------------------------------------------------------------ kinematic field

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -72,6 +72,9 @@ class BlockView:
     defined: tuple[NamedSignal, ...]
     counts: tuple[int, int]
     """The numbers of joint rates and of modes in the class of links."""
+    zeros: tuple[str, ...] = ()
+    """The symbols of steps that are shown of another section, and are zero here."""
+    identities: tuple[str, ...] = ()
 
 
 AXES_OF_JOINT = ("A", "T")
@@ -89,23 +92,31 @@ def block_view(
     structure: Mapping[str, Array] | None = None,
     counts: tuple[int, int] = (0, 0),
     parts: Parts = (),
+    told: Collection[str] = (),
 ) -> BlockView:
     """The block without steps that are zero or identity, and without those that ``seen`` holds by name.
 
     ``axes`` are those that have a name: they are written so in place of their components. ``structure`` holds
     values of inputs that other blocks give: what is zero there is left out here. ``counts``: :attr:`BlockView.counts`.
-    ``parts``: the directions of the modes, by which wide matrices are shown.
+    ``parts``: the directions of the modes, by which wide matrices are shown. ``told``: the names of steps that are
+    shown of another section; those of them that are zero or identity here are listed.
     """
     seen = {} if seen is None else seen
     values = block.values | {n: v for n, v in (structure or {}).items() if n in block.inputs}
     write, labels = scalars(block), _labels(block)
     steps, used, defined = [], [], []
+    zeros: list[str] = []
+    identities: list[str] = []
     for step in block.steps.values():
         right = tidy(step.expression, values, write)
         found = latex(right), tuple(_entries(block, step).flat)
-        plain = ex.is_zero(right) or (ex.is_identity(right) and step.signal.name not in AXES_OF_JOINT)
-        if plain or seen.get(step.signal.name) == found or _vanishes(block, step):
+        none = ex.is_zero(right) or _vanishes(block, step)
+        if none or (ex.is_identity(right) and step.signal.name not in AXES_OF_JOINT):
+            if step.signal.name in told:
+                (zeros if none else identities).append(_written(step.signal))
             continue
+        if seen.get(step.signal.name) == found or (isinstance(right, ex.Stumpff) and ex.is_zero(right.arg)):
+            continue  # a Stumpff function of no angle meets the skew matrix of none
         seen[step.signal.name] = found
         view = _view(block, step, right, write, axes, parts, labels)
         if len(view.formula) == 1 and not view.formula[0][1]:
@@ -113,7 +124,9 @@ def block_view(
         steps.append(view)
         used += symbols(right)
         defined.append(step.signal)
-    return BlockView(block.name, block.title, tuple(steps), tuple(used), tuple(defined), counts)
+    return BlockView(
+        block.name, block.title, tuple(steps), tuple(used), tuple(defined), counts, tuple(zeros), tuple(identities)
+    )
 
 
 def _renamed(text: str, axes: Axes) -> str:

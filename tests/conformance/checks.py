@@ -39,7 +39,7 @@ CHECKS: dict[str, Check] = {
     "derivatives of steps": Check(slopes.steps, "exact slopes of every step equal differences"),
     "linear model": Check(slopes.linear, "A and B are these slopes"),
     "runs": Check(uses.runs, "a run by C equals one by CasADi and a rollout, with what they report"),
-    "DAE runs": Check(uses.dae_runs, "a run of the DAE form by C equals one by CasADi and the joint form"),
+    "DAE runs": Check(uses.dae_runs, "a run of the DAE form equals one of the joint form by the same method"),
     "energy balance": Check(uses.energy, "a step gains what inputs do less what dampers take"),
     "estimator": Check(uses.estimator, "the filter in C equals that in Python, a prediction equals a step"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),

@@ -22,7 +22,7 @@ TURNS: dict[str, dict] = {
     "hinge": {"axes": ["z"]},
     "ball": {"axes": "ball"},
     "slide": {"axes": [{"slide": "y"}]},
-    "screw": {"axes": [{"screw": "z", "pitch": 0.07}]},
+    "screw": {"axes": [{"screw": "z", "pitch": 0.07}, "y"]},
     "two axes": {"axes": ["z", [0.2, 1.0, 0.3]], "mount": {"xyz": [0.1, -0.05, 0.2], "rpy": [0.2, -0.4, 0.3]}},
     "three axes": {"axes": ["z", "y", "x"]},
 }
@@ -32,6 +32,7 @@ TRANSMISSIONS = {
         "four_bar": {"ground": 0.4, "crank": 0.6, "coupler": 0.9, "rocker": 0.25, "angle": 1.4, "branch": "crossed"}
     },
 }
+TRANSMISSIONS["other branch"] = {"four_bar": TRANSMISSIONS["four-bar"]["four_bar"] | {"branch": "open"}}
 GEAR = {"stiffness": 60.0, "damping": 0.4}
 ROTOR = {"ratio": 8.0, "rotor_inertia": 2e-3}
 FRICTION = {"coulomb": 0.6, "viscous": 0.07, "velocity": 0.3}
@@ -44,7 +45,7 @@ DRIVES: dict[str, dict] = {
     "four-bar": ROTOR | {"friction": FRICTION, "transmission": TRANSMISSIONS["four-bar"]},
     "elastic cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "stiffness": 4e3, "damping": 9.0}
     | {"transmission": TRANSMISSIONS["cylinder"]},
-    "elastic four-bar": ROTOR | GEAR | {"transmission": TRANSMISSIONS["four-bar"]},
+    "elastic four-bar": ROTOR | GEAR | {"transmission": TRANSMISSIONS["other branch"]},
 }
 LOOPS: dict[str, list] = {
     "ball loop": ["x", "y", "z"],

@@ -22,7 +22,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "hinge": "",
         "ball": "a ball joint",
         "slide": "a joint that slides",
-        "screw": "a joint that screws",
+        "screw": "a joint that screws, and turns about a second axis",
         "two axes": "a joint of two axes, one of them skew, on a mount",
         "three axes": "a joint of three axes",
     },

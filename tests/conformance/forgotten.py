@@ -76,7 +76,7 @@ TABLE: list[Mutant] = [
       "rate(motion.angular @ stack(*speeds), rates) if len(speeds) == 2 else zeros(3)"),
     M("elements", "judge", BODIES + "reduced.py",
       "rest[np.abs(rest) < ROUNDING * np.abs(self.data.inertia).max()] = 0.0", "rest[:] = 0.0"),
-    M("segments", "runs", BODIES + "validity.py",
+    M("segments", "validity", BODIES + "validity.py",
       'mass = rhoA @ length\n', "mass = rhoA\n"),
     M("shared tendon", "energy balance", ALGORITHMS + "tendons.py",
       '-(s.read("tension") * rates) if s.key.tendons else rates', "rates if not s.key.tendons else 0.0 * rates"),
@@ -218,7 +218,6 @@ TABLE: list[Mutant] = [
       '"at": "tip", "frame_at": None}', '"at": "tip", "frame_at": None, "bodies": ()}'),
     M("station", "URDF", "screwgen/interchange/urdf_write.py", "return Pose(turned, s * end.p) @ placed",
       "return Pose(turned, end.p) @ placed"),
-    M("coupling", "robot file", "screwgen/spec/load.py",
-      "tables = [(key, table) for key in TABLES for",
-      'tables = [(key, table) for key in TABLES if key != "couplings" for'),
+    M("coupling", "robot file", "screwgen/spec/load.py", "for key, table in tables)])",
+      'for key, table in tables if key != "couplings")])'),
 ]  # fmt: skip

@@ -8,9 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from oracle import parents_of
+from scipy.spatial.transform import Rotation
 
 from conformance.cases import Case
 from conformance.numbers import near
+from screwgen.bodies.validity import MEASURES
 
 BENDING = ("bending_y", "bending_z")
 APART, SMALL = 0.02, 1e-4
@@ -82,3 +85,48 @@ def curvatures(case: Case) -> None:
             name = f"{marker.name}.strain.{direction}"
             error = abs(found[name] - bent[axis]) if name in found else 0.0
             assert error < 2e-3 * max(np.abs(bent[1:])), f"{name}: {found[name]:.6g} is not {bent[axis]:.6g}"
+
+
+BUCKLED, SAGGED = np.pi**2 / 4, 7.8373474
+"""Loads over `EI / l²` and `EI / l³` at which a cantilever buckles, under a force at its tip and its own weight."""
+
+
+def validity(case: Case) -> None:
+    """The four measures of slender links of order 1 whose section is uniform and whose tip alone carries others."""
+    (q, v, tau, w_ext), judge = case.given, case.judge
+    state, poses, links = judge.state, judge.oracle.poses(judge.state["q"]), judge.twin["links"]
+    twists = judge.oracle.link_twists(state["q"], state["v"])
+    rates = judge.oracle.link_twist_rates(state["q"], state["v"], judge.motion[0])
+    found = np.reshape(case.model.numpy().validity(q, v, tau, w_ext), (-1, 4))
+    parents, loads = parents_of(links), judge.state["w_ext"] + judge.motion[1]
+    for i, link in enumerate(links):
+        carried = [k for k, parent in enumerate(parents) if parent == i]
+        if not plain(link, [links[k] for k in carried]):
+            continue
+        R, tip = poses["R"][i], poses["R"][i].T @ poses["tip_R"][i]
+        force = sum((R.T @ poses["R"][k] @ judge.wrench[k, 3:] for k in carried), np.zeros(3)) - tip @ loads[i, 3:]
+        omega, speed = np.split(twists[i], 2)
+        a = rates[i, 3:] + np.cross(omega, speed) - R.T @ np.array(case.robot["gravity"])
+        l, rhoA = link["length"], link["section"]["rhoA"]
+        EI, turn = min(link["section"][name] for name in ("EIy", "EIz")), np.sum(omega[1:] ** 2)
+        moved = (R.T @ (poses["tip_point"][i] - poses["origin"][i]))[1:]
+        wanted = [np.linalg.norm(moved) / l, np.linalg.norm(Rotation.from_matrix(tip).as_rotvec()[1:])]
+        wanted += [l**2 / EI * (force[0] / BUCKLED + rhoA * l / SAGGED * a[0]), turn * rhoA * l**4 / EI]
+        for what, value, expected in zip(MEASURES, found[i], wanted, strict=True):
+            if what != "slope" or "flat" not in case.features:
+                error = abs(value - expected)
+                assert error <= 10 * case.tolerance * max(1.0, np.abs(wanted).max()), f"{what}: {value} is {expected}"
+
+
+def plain(link: dict, carried: list[dict]) -> bool:
+    """Whether a link's measures follow from one section, and from what it carries at its tip."""
+    modes, section = link.get("modes", {}), link.get("section")
+    bends = {"bending_y", "bending_z"} <= set(modes) and "shear_y" not in modes
+    bare = not any(body["at"] == "tip" for body in link.get("bodies", [])) and "frame_at" not in link
+    return (
+        bends
+        and bare
+        and isinstance(section, dict)
+        and link.get("order", 1) == 1
+        and all(x.get("at", "tip") == "tip" for x in carried)
+    )

@@ -30,7 +30,7 @@ COPIED = ("screwgen", "templates", "tests")
 SHARED = "numpy scipy.optimize scipy.linalg sympy casadi jax pinocchio pydantic jinja2 pytest typer hypothesis".split()
 """Libraries that are loaded once for all mutants."""
 HEAVY = ("mock-up unit", "C folder", "commands")
-ROBOTS, OTHERS = 6, int(os.environ.get("OTHERS", "2"))
+ROBOTS, OTHERS = 6, 2
 """Robots that meet the check of the consumer, and those that meet all others."""
 PATIENCE = 1200
 """Seconds that one mutant may take."""
@@ -169,7 +169,8 @@ def main(first: int = 0, last: int = 40) -> int:
     for name in SHARED:
         importlib.import_module(name)
     sys.dont_write_bytecode = False
-    missed, sound = 0, {}
+    missed = 0
+    sound: dict[Cell, str] = {}
     with tempfile.TemporaryDirectory(prefix="screwgen-mutants-") as place:
         folder = Path(place) / "tree"
         folder.mkdir()

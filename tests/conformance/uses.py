@@ -42,7 +42,7 @@ def runs(case: Case) -> None:
 
 
 def dae_runs(case: Case) -> None:
-    """A run of the DAE form by C and by CasADi, beside the joint form."""
+    """A run of the DAE form, which CasADi steps, beside the joint form by the same method."""
     model, duration = case.model, COUNT * STEP
     how = dict(every=4, integrator="rk4", **held(case))
     run = screwgen.simulate(model, duration, STEP / 4, form="dae", **how)

@@ -184,8 +184,8 @@ def test_the_header_states_the_stack(tmp_path, monkeypatch, name, longest):
     files, robot = CProject(model(name).chain, "", batch=True).files(), ROBOTS[name]["name"]
     for file, text in files.items():
         (tmp_path / file).write_text(text)
-    kept = re.search(r"cos_q.*, kept\[(\d+)\];", files[f"{robot}_batch.c"])[1]
-    turns = f"2 * {robot.upper()}_LENGTH({robot.upper()}_NTAU)"
+    angles, kept = re.search(r"lanes (sin_q.*, )?kept\[(\d+)\];", files[f"{robot}_batch.c"]).groups()
+    turns = f"2 * {robot.upper()}_LENGTH({robot.upper()}_NTAU)" if angles else "0"
     (tmp_path / "size.c").write_text(
         f'#include <stdio.h>\n#include "{robot}_batch.c"\n'
         f'int main(void) {{ printf("%zu", sizeof(group) + sizeof(lanes) * ({kept} + {turns})); return 0; }}\n'

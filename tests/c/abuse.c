@@ -30,10 +30,12 @@ enum { METHODS = (int)(sizeof STEPS / sizeof STEPS[0]) };
 #ifdef ROBOT_REAL_FLOAT
 #define LARGEST FLT_MAX
 #define SMALLEST FLT_MIN
+#define ROUNDING FLT_EPSILON
 #define DECADES 37
 #else
 #define LARGEST DBL_MAX
 #define SMALLEST DBL_MIN
+#define ROUNDING DBL_EPSILON
 #define DECADES 300
 #endif
 
@@ -107,7 +109,7 @@ static void try_step(const robot_state *x, const robot_input *u, real dt, int me
     } else {
         expect(memcmp(&moved, x, sizeof moved) == 0, "a refused step changed the state", method);
     }
-    expect(isfinite(dt) && dt * ROBOT_REAL_EPSILON > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
+    expect(isfinite(dt) && dt * ROUNDING > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
         "a step took bad input", method);
     free(work);
 }
@@ -123,7 +125,7 @@ static void try_dae_step(const robot_dae_state *x, const robot_input *u, real dt
     } else {
         expect(memcmp(&moved, x, sizeof moved) == 0, "a refused DAE step changed the state", method);
     }
-    expect(isfinite(dt) && dt * ROBOT_REAL_EPSILON > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
+    expect(isfinite(dt) && dt * ROUNDING > 0 ? sane || status == ROBOT_NONFINITE : status == ROBOT_BAD_ARGUMENT,
         "a DAE step took bad input", method);
     free(work);
 }

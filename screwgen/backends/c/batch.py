@@ -58,17 +58,17 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
     found = bodies(lambda piece: LaneWriter(piece, placed, None, {*pointers, "bad"}, True), program, pointers, LONGEST)
     return (
         found
-        | {"angles": angles, "stack": _stack(chain, constants, states, found["kept"])}
+        | {"angles": angles, "stack": _stack(chain, constants, states, found["kept"], angles)}
         | {"moves_of": lanes(chain, FunctionOfLanes)}
     )
 
 
-def _stack(chain: Chain, constants: int, states: int, kept: int) -> int:
+def _stack(chain: Chain, constants: int, states: int, kept: int, angles: int) -> int:
     """The size in bytes of a group of scenarios, for the widest lanes."""
     given, inertia = max(chain.n_given, 1), max(chain.n_inertia, 1)
     state, joints = max(chain.nq, 1) + max(chain.nv, 1) + turns(chain), max(chain.q_offset[-1], 1)
     group = 3 + chain.n * constants + 4 * inertia + given + states * state + state // 2 + joints + 6 * chain.n + 3
-    return LANE_BYTES * (group + kept + 2 * joints)
+    return LANE_BYTES * (group + kept + 2 * joints * bool(angles))
 
 
 def _angle(node: Node) -> int | None:

@@ -29,7 +29,7 @@ from conformance.arms import LOOPS
 from conformance.features import Row
 
 CONDITION = 1e8
-DEFINITE = 3e-5
+DEFINITE = 1e-5
 """The least eigenvalue of a mass matrix whose diagonal is scaled to one."""
 PARTS = ("base", "joints", "rotors", "modes")
 

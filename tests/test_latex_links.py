@@ -204,7 +204,7 @@ def test_a_reader_finds_a_way(program, tmp_path):
     with started(program, tmp_path) as browser:
         browser.open(file)
         high = "document.documentElement.scrollHeight"
-        assert browser.run(high) < 2200
+        assert browser.run(high) < 2300
         for level, least in ((2, 10_000), (3, 15_000)):
             browser.run(f"document.querySelector('button[data-level=\"{level}\"]').click()")
             assert browser.run(high) > least and browser.run("location.hash").startswith(f"#{level}")

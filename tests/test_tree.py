@@ -207,7 +207,7 @@ def test_the_header_and_the_document_of_a_tree_name_its_parents(forked, tmp_path
     assert "TREE_LINK_RIGHT = 2 /* on trunk */" in header and "TREE_LINK_TRUNK = 0, /* on the base */" in header
     text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
     assert "The links form a tree." in text and r"on \texttt{trunk}" in text and "Z-form" not in text
-    assert r"\mathbf{M}_{\mathcal{W},3}" in text
+    assert r"\mathbf{P}_{\mathcal{W},3}" in text
 
 
 def test_what_is_of_chains_alone_is_refused_on_trees(forked):

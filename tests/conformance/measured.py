@@ -67,6 +67,14 @@ def in_time(case: Case, vdot: np.ndarray, f: Callable) -> np.ndarray:
     return (4 * fine - coarse) / 3
 
 
+def second_difference(case: Case, poses: dict, marker, spacing: float, share: float, state: np.ndarray) -> np.ndarray:
+    """Of the judge's sections at a marker and before and behind it, in axes of the link."""
+    i = marker.segment
+    places = [section(case, i, marker.at + share * k, state)[1] for k in (-1, 0, 1)]
+    a, b, c = (poses["R"][i].T @ (place - poses["origin"][i]) for place in places)
+    return (a - 2 * b + c) / spacing**2
+
+
 def curvatures(case: Case) -> None:
     """Curvatures at markers are second differences of the judge's sections, where modes are small and do not shear."""
     chain, judge = case.model.chain, case.judge
@@ -78,9 +86,8 @@ def curvatures(case: Case) -> None:
     poses = judge.oracle.poses(state)
     for marker in (m for m in chain.markers if not m.is_tip):
         i, length = marker.segment, judge.twin["links"][marker.segment]["length"]
-        places = [section(case, i, marker.at + APART * k, state)[1] for k in (-1, 0, 1)]
-        a, b, c = (poses["R"][i].T @ (place - poses["origin"][i]) for place in places)
-        bent = (a - 2 * b + c) / (APART * length) ** 2 / SMALL
+        coarse, fine = (second_difference(case, poses, marker, h * length, h, state) for h in (APART, APART / 2))
+        bent = (4 * fine - coarse) / 3 / SMALL
         for axis, direction in enumerate(BENDING, 1):
             name = f"{marker.name}.strain.{direction}"
             error = abs(found[name] - bent[axis]) if name in found else 0.0

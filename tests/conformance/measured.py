@@ -85,7 +85,7 @@ def curvatures(case: Case) -> None:
     state[judge.oracle.n_joint + judge.oracle.n_rotor :] *= SMALL
     poses = judge.oracle.poses(state)
     for marker in (m for m in chain.markers if not m.is_tip):
-        i, length = marker.segment, judge.twin["links"][marker.segment]["length"]
+        length = judge.twin["links"][marker.segment]["length"]
         coarse, fine = (second_difference(case, poses, marker, h * length, h, state) for h in (APART, APART / 2))
         bent = (4 * fine - coarse) / 3 / SMALL
         for axis, direction in enumerate(BENDING, 1):

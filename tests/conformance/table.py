@@ -48,7 +48,7 @@ def matrix() -> str:
 
 def refused() -> str:
     """Refusals with their reasons."""
-    lines = [f"| {x.check} | {', '.join(x.features)} | {x.why} |\n" for x in REFUSALS]
+    lines = [f"| {x.check} | {', '.join(x.features) or 'some robots'} | {x.why} |\n" for x in REFUSALS]
     return "### Refused, and why\n\n| check | feature | why |\n|---|---|---|\n" + "".join(lines) + "\n"
 
 

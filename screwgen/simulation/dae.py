@@ -42,7 +42,10 @@ class DaeStepper:
 
     def step(self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> np.ndarray:
         """The state ``dt`` later, projected."""
-        new = self.dynamics.project(HeldDae(self.dynamics, x, tau, w_ext, dt).step(self.method))
+        try:
+            new = self.dynamics.project(HeldDae(self.dynamics, x, tau, w_ext, dt).step(self.method))
+        except (ValueError, OverflowError):  # a turn that is not finite: the run says that it diverged
+            new = np.full_like(x, np.nan)
         if not (np.abs(new) < LIMIT).all():
             self.reference.dae_rates(x, tau, w_ext)
             raise DivergedError(f"the integrator '{self.method}' diverged; take a smaller step")

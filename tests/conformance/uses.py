@@ -44,7 +44,7 @@ def runs(case: Case) -> None:
 def dae_runs(case: Case) -> None:
     """A run of the DAE form, which CasADi steps, beside the joint form by the same method."""
     model, duration = case.model, COUNT * STEP
-    how = dict(every=4, integrator="rk4", **held(case))
+    how = dict(every=4, **held(case))
     run = screwgen.simulate(model, duration, STEP / 4, form="dae", **how)
     other = screwgen.simulate(model, duration, STEP / 4, form="dae", backend="casadi", **how)
     near(other.q, run.q, 100 * case.agreement, "coordinates by CasADi")

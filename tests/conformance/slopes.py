@@ -12,7 +12,7 @@ from screwgen.integrators import METHODS
 
 def smooth(case: Case) -> float:
     """What differences leave, relative to the largest entry: their error, and rounding over the step."""
-    return 1e-7 + case.tolerance / DIFFERENCE
+    return 3e-7 + case.tolerance / DIFFERENCE
 
 
 def dynamics(case: Case) -> None:

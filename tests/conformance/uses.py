@@ -50,9 +50,9 @@ def dae_runs(case: Case) -> None:
     near(other.q, run.q, 100 * case.agreement, "coordinates by CasADi")
     joint = screwgen.simulate(model, duration, STEP / 4, **how)
     finer = screwgen.simulate(model, duration, STEP / 8, **how | {"every": 8})
-    for name in ("q", "v", "energy"):  # the forms differ by less than a step of either does
+    for name in ("q", "v", "energy"):  # the forms differ by what a step of either does, and drift or are projected
         ours, theirs = getattr(run, name), getattr(joint, name)
-        near(ours, theirs, 1e-8 + relative(theirs, getattr(finer, name)), f"{name} beside the joint form")
+        near(ours, theirs, 1e-8 + 10 * relative(theirs, getattr(finer, name)), f"{name} beside the joint form")
 
 
 def energy(case: Case) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from conformance.arrays import covering
 from conformance.checks import CHECKS
-from conformance.features import FEATURES, IMPOSSIBLE, possible_pairs
+from conformance.features import BUILT_OTHERWISE, FEATURES, IMPOSSIBLE, possible_pairs
 from conformance.refusals import REFUSALS
 
 HEADING = "## What works with what"
@@ -53,9 +53,9 @@ def refused() -> str:
 
 
 def impossible() -> str:
-    """Pairs that a robot file cannot state, by reason."""
+    """Pairs that a robot file cannot state, or that no robot of the matrix has, by reason."""
     by_reason: dict[str, list[str]] = {}
-    for pair, why in IMPOSSIBLE.items():
+    for pair, why in {**IMPOSSIBLE, **BUILT_OTHERWISE}.items():
         by_reason.setdefault(why, []).append(" × ".join(pair))
     lines = [f"| {', '.join(found)} | {why} |\n" for why, found in by_reason.items()]
-    return "### Cannot stand together\n\n| features | why |\n|---|---|\n" + "".join(lines)
+    return "### Cannot stand together, or are not tried\n\n| features | why |\n|---|---|\n" + "".join(lines)

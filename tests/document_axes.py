@@ -114,7 +114,7 @@ class Axis:
             inertia = self.read(self.formula(part, "j_m", r"\leftarrow"), {"j_m": 0.0})
         elif self.elastic:
             total = self.read(self.formula("geared", r"\tau_q"), {})
-            stiffness = self.read(self.formula("geared", "s_q", r"\leftarrow"), {"s_q": 0.0})
+            stiffness = self.read(self.formula("geared", "k_q", r"\leftarrow"), {"k_q": 0.0})
             damping = self.read(self.formula("geared", "d_q", r"\leftarrow"), {"d_q": 0.0})
         elif self.driven:
             total = self.read(self.formula("rigid", r"\tau_q"), {})
@@ -150,11 +150,11 @@ class Axis:
 
 def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
     """The axes of a link's joint."""
-    joint = next(p for p in document.sections["Equations of motion"] if p.title == "The joint")
+    acting = [said for p in document.sections["Algorithm"] if p.title == "What acts on the axes" for said in p.said]
     said: dict[str, list] = {}
     words: dict[str, str] = {}
     for kind, start in KINDS.items():
-        for text, found in joint.said:
+        for text, found in acting:
             if text.startswith(start):
                 said[kind], words[kind] = found, text
     chosen = {row[0].split("`")[1]: row for row in document.table("axis")}
@@ -172,7 +172,7 @@ def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
             elif rest.startswith(f"elements[{k}]"):
                 elements.setdefault(rest.split(".")[1], {})[symbol] = x
         for kind in elements:
-            said[kind] = next(found for text, found in joint.said if "From what acts on an axis with" in text)
+            said[kind] = next(found for text, found in acting if "From what acts on an axis with" in text)
         row = next((row for name, row in chosen.items() if name in (f"{link}.joint[{k}]", f"{link}.slide[{k}]")), None)
         transmission, side = (row[2], row[3].strip("$")) if row else ("", "–")
         if row:

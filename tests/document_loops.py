@@ -55,7 +55,7 @@ class Loops:
 
     def __init__(self, document: Printed, scopes: list[Scope], axes: list):
         self.gaps, self.scopes, self.axes = gaps(document), scopes, axes
-        parts = [p for p in document.sections["Equations of motion"] if p.title in ("Loops", "Couplings")]
+        parts = [p for p in document.sections["Algorithm"] if p.title in ("Loops", "Couplings")]
         self.printed = [eq for part in parts for eq in part.equations]
         self.shared = any("share what they bear" in part.text for part in parts)
         self.units = [self._unit(g) for g in self.gaps]

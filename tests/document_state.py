@@ -152,6 +152,7 @@ class State:
             given["l_i"] = np.full((1, 1), own["l_{0,i}"] / count)
         if link.floats:
             given |= {r"\boldsymbol{\omega}_i": column(self.v[i][:3]), r"\mathbf{v}_i": column(self.v[i][3:])}
+            given |= {r"\mathbf{V}_i": column(self.v[i]), r"\mathbf{r}_{oi}": column(self.q[i][:3])}
         scope = Scope(self.reading.document, link.parts, given)
         scope.parent = self._carrier(link)
         if any(part.title == "Section of the rod" for part in link.parts):

@@ -22,7 +22,8 @@ IDENTITY = re.compile(r"\\mathbf\{R\}|\\mathbf\{J\}_l$")
 """What is the identity where a class has no step for it."""
 UNTURNED = (r"\mathbf{R}_T", r"\mathbf{J}_l")
 """Of a link whose modes do not turn its tip."""
-THEORY = ("Conventions", "Equations of motion")
+THEORY = ("Conventions", "Algorithm")
+"""The sections that the algorithm needs; the derivation is none of them."""
 
 
 class Undefined(Exception):
@@ -44,6 +45,8 @@ def equations(formula) -> Iterator[tuple[str, str, str]]:
     for row in formula:
         cells = [re.sub(r"^\\q?quad", "", cell.strip()).strip() for cell in row]
         for left, right in zip(cells[::2], [*cells[1::2], ""], strict=False):
+            if right.startswith(r"\text{("):
+                continue  # the number of a line
             sign = next((s for s in ("=", r"\leftarrow") if right.startswith(s)), "")
             body = right.removeprefix(sign).strip().removesuffix(",").removesuffix(r"\,").strip()
             if sign and left:
@@ -106,6 +109,8 @@ class Printed:
         self.classes: dict[int, list[Part]] = {}
         self.sections: dict[str, list[Part]] = {}
         for section in document.sections:
+            if section.appendix:
+                continue
             own = parts(section)
             if section.link_class:
                 for number, names in re.findall(r"As for class (\d+): (.*)\.", own[0].text):
@@ -160,6 +165,14 @@ SHAPES: dict[str, tuple] = {
     r"\mathbf{M}^*_i": (6, 6),
     r"\mathbf{M}_{D\Psi,i}": (6, 6),
     r"\mathbf{A}_i": (3, "n"),
+    r"\mathbf{J}_{T\eta}": (6, "r"),
+    r"\mathbf{M}_{VV,i}": (6, 6),
+    r"\mathbf{M}_{V\eta,i}": (6, "r"),
+    r"\mathbf{M}_{\eta V,i}": ("r", 6),
+    r"\mathbf{M}_{\eta\eta,i}": ("r", "r"),
+    r"\mathbf{H}_{V,i}": (6, 1),
+    r"\mathbf{H}_{\eta,i}": ("r", 1),
+    r"\boldsymbol{\beta}_{\omega}": (3, 1),
     r"\mathbf{T}_i": (3, "n"),
 }
 """The sizes of what a link without modes has none of."""

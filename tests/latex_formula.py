@@ -15,7 +15,7 @@ LETTER = rf"(?:\\(?:mathbf|boldsymbol|mathcal|mathrm|bar|hat|dot|ddot){GROUP}|\\
 WORDS = "left|right|frac|tfrac|sqrt|sum|cos|sin|max|begin|end|times|quad|operatorname"
 LETTER += rf"|\\partial\\ell|\\(?!{WORDS})[a-zA-Z]+|[a-zA-Z])"
 SCRIPT = r"(?:\{[^{}]*\}|\\[a-zA-Z]+|[a-zA-Z0-9])"
-SYMBOL = re.compile(rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^\*)?(?:_{SCRIPT})?")
+SYMBOL = re.compile(rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^[*APc])?(?:_{SCRIPT})?")
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 SKIP = re.compile(r"(?:\\,|\\;|\\ |\\quad|~|\s)+")
 ENDS = ("+", "-", r"\right", r"\end", ")", "]", "}", "&", r"\\", ",", ";", "=")
@@ -116,6 +116,8 @@ class Reader:
                 value = times(value, value)
             elif self.take("^{-1}"):
                 value = np.linalg.inv(value)
+            elif self.take(r"^{-\top}"):
+                value = np.linalg.inv(value).T
             else:
                 raise SyntaxError(self.text)
         return value

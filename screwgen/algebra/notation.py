@@ -49,14 +49,14 @@ def terms(e: Expression) -> list[str]:
     return [latex(first)] + [f"{'-' if negative else '+'} {_term(t)}" for negative, t in map(_signed, rest)]
 
 
-def number(value: sp.Expr) -> str:
-    """A number with at most six significant digits, or a multiple of π."""
+def number(value: sp.Expr, digits: int = 6) -> str:
+    """A number with at most so many significant digits, or a multiple of π."""
     if value.has(sp.pi):
         return sp.latex(value)
     if value.is_Rational:
         sign, top, below = "-" if value < 0 else "", abs(value.p), value.q
         return f"{sign}{top}" if below == 1 else rf"{sign}\tfrac{{{top}}}{{{below}}}"
-    mantissa, _, exponent = f"{float(value):.6g}".partition("e")
+    mantissa, _, exponent = f"{float(value):.{digits}g}".partition("e")
     return mantissa + (rf"\times 10^{{{int(exponent)}}}" if exponent else "")
 
 

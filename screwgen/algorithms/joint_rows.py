@@ -74,15 +74,15 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
     """``b qdot + k q``: the generalised forces of damper and spring, or None without them."""
     total: Expression | None = None
     slides = not all(screw.turn for screw in key.screws)
-    for present, name, state, display in (
-        (key.has_dampers, "joint_damping", "qdot", r"\dot{\mathbf{q}}_i"),
-        (key.has_springs, "joint_stiffness", "q", r"\mathbf{q}_i"),
+    for present, name, letter, state, display in (
+        (key.has_dampers, "joint_damping", "d", "qdot", r"\dot{\mathbf{q}}_i"),
+        (key.has_springs, "joint_stiffness", "k", "q", r"\mathbf{q}_i"),
     ):
         if present:
             column = b.parameter(
                 name,
                 (key.joints, 1),
-                rf"\mathbf{{{name[6]}}}_q",
+                rf"\mathbf{{{letter}}}_q",
                 "N*m*s/rad, N*m/rad" + slides * ", of slides N*s/m, N/m",
                 "-",
                 name.replace("_", " "),

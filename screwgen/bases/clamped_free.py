@@ -16,10 +16,10 @@ from .sine import sine
 FAMILY = Family(
     name="clamped_free",
     title="clamped-free beam modes",
-    formula=r"\psi_k(s) = \cosh\lambda_k s - \cos\lambda_k s"
-    r" - \sigma_k(\sinh\lambda_k s - \sin\lambda_k s),\quad "
-    r"\sigma_k = \frac{\sinh\lambda_k - \sin\lambda_k}{\cosh\lambda_k + \cos\lambda_k}",
-    condition=r"\cos\lambda_k\cosh\lambda_k = -1",
+    formula=r"\psi_k(s) = \cosh\bar{\lambda}_k s - \cos\bar{\lambda}_k s"
+    r" - \sigma_k(\sinh\bar{\lambda}_k s - \sin\bar{\lambda}_k s),\quad "
+    r"\sigma_k = \frac{\sinh\bar{\lambda}_k - \sin\bar{\lambda}_k}{\cosh\bar{\lambda}_k + \cos\bar{\lambda}_k}",
+    condition=r"\cos\bar{\lambda}_k\cosh\bar{\lambda}_k = -1",
     order=2,
 )
 

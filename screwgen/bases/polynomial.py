@@ -19,7 +19,7 @@ BEAM = Family(
     name="polynomial",
     title="polynomial Ritz modes",
     formula=r"\psi_k(s) = \sum_{j=0}^{r-1} Q_{jk}\,\sqrt{2j+5}\,s^2 P_j^{(0,4)}(2s-1),\quad Q^{\top}Q = I",
-    condition=r"\int_0^1 \psi_k''\,\psi_l''\,ds = \Lambda_k\,\delta_{kl}",
+    condition=r"\int_0^1 \psi_k''\,\psi_l''\,ds = \bar{\lambda}_k\,\delta_{kl}",
     order=2,
     changes=True,
 )
@@ -28,7 +28,7 @@ ROD = Family(
     name="polynomial rod",
     title="polynomial Ritz modes of a rod",
     formula=r"\psi_k(s) = \sum_{j=0}^{r-1} Q_{jk}\,\sqrt{2j+3}\,s\,P_j^{(0,2)}(2s-1),\quad Q^{\top}Q = I",
-    condition=r"\int_0^1 \psi_k'\,\psi_l'\,ds = \Lambda_k\,\delta_{kl}",
+    condition=r"\int_0^1 \psi_k'\,\psi_l'\,ds = \bar{\lambda}_k\,\delta_{kl}",
     order=1,
     changes=True,
 )

@@ -11,8 +11,8 @@ from .shapes import Family, Shapes, tabulate, working_digits
 FAMILY = Family(
     name="sine",
     title="clamped-free rod modes",
-    formula=r"\psi_k(s) = \sqrt{2}\,\sin\lambda_k s",
-    condition=r"\lambda_k = (2k-1)\,\frac{\pi}{2}",
+    formula=r"\psi_k(s) = \sqrt{2}\,\sin\bar{\lambda}_k s",
+    condition=r"\bar{\lambda}_k = (2k-1)\,\frac{\pi}{2}",
     order=1,
 )
 

@@ -303,12 +303,15 @@ def latex(
     notation: Annotated[
         str | None, typer.Option(metavar="NAME|FILE", help="Letters: paper, featherstone, or a TOML table of your own.")
     ] = None,
+    at: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Of a page: the posture of the mass matrix in numbers, a state as .json.")
+    ] = None,
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
     from .typesetting import run_latex
 
-    form = (scalar, about, documentclass, fragment, notation)
+    form = (scalar, about, documentclass, fragment, notation, at)
     run_latex(robot, output, *form, quiet=quiet or context.obj)
 
 

@@ -6,6 +6,8 @@ import math
 import re
 from collections.abc import Callable
 
+import numpy as np
+
 from ..backends.equations import document as scalars
 from ..backends.latex import document as latex
 from ..backends.latex.content import Document
@@ -17,16 +19,19 @@ from ..model import derive
 from ..plugins import plugins
 from ..progress import busy
 from ..simulation.runs import check_output, outputs, suffix
+from ..simulation.state import read_state
 from ..spec.robot import Robot
 from .linear import numbers
 from .output import load_robot, say
 
-FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None], bytes]] = {
-    ".tex": lambda shown, around, _: latex.tex(shown, around).encode(),
-    ".pdf": lambda shown, around, _: pdf(latex.tex(shown, around)),
-    ".html": lambda shown, _, robot: latex.page(shown, latex.extras(latex.chain_of(robot)) if robot else None).encode(),
+FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None, np.ndarray | None], bytes]] = {
+    ".tex": lambda shown, around, *_: latex.tex(shown, around).encode(),
+    ".pdf": lambda shown, around, *_: pdf(latex.tex(shown, around)),
+    ".html": lambda shown, _, robot, q: latex.page(
+        shown, latex.extras(latex.chain_of(robot), q) if robot else None
+    ).encode(),
 }
-"""How a document is written, with the robot whose steps it shows."""
+"""How a document is written, with the robot whose steps it shows and the posture for its numbers."""
 
 
 def run_latex(
@@ -37,6 +42,7 @@ def run_latex(
     documentclass: str | None,
     fragment: bool,
     notation: str | None,
+    at: str | None,
     quiet: bool,
 ) -> None:
     """Write the equations in the format of the suffix."""
@@ -48,15 +54,18 @@ def run_latex(
         raise UsageError("--notation: equations in scalars have letters of their own; leave out one of the two options")
     if kind == ".html" and documentclass is not None:
         raise UsageError("--documentclass: a page for the browser has no class; leave it out, or write .tex or .pdf")
+    if at is not None and (scalar or kind != ".html"):
+        raise UsageError("--at: only a page for the browser has the mass matrix in numbers; write .html without --scalar")
     if fragment and kind != ".tex":
         raise UsageError(f"--fragment: is LaTeX for \\input, not {kind}; write .tex")
     around, letters = style(documentclass, fragment), None if notation is None else named(notation)
     if kind == ".pdf":
         engine()
     loaded = load_robot(robot, quiet)
+    q = None if at is None else read_state(at, derive(loaded)).q
     with busy("typesetting", quiet), outputs(output) as (stream,):
         shown = _scalars(loaded, about) if scalar else latex.content(loaded, plugins(), letters)
-        stream.write(FORMATS[kind](shown, around, None if scalar else loaded))
+        stream.write(FORMATS[kind](shown, around, None if scalar else loaded, q))
     say(output, quiet)
 
 

@@ -98,10 +98,10 @@ $$
 
 with the gear's stiffness $k$ and damping $d$ at the joint and friction at the rate $w$ of what the torque acts on, here
 $w = \dot{\vartheta}$. What a drive does not state is zero, but $N = 1$. In the joint's rows the gear's $k$ and $d$ are
-part of $\mathbf{S}_q$ and $\mathbf{D}_q$, and what acts on the axis is
+part of $\mathbf{K}_q$ and $\mathbf{D}_q$, and what acts on the axis is
 
 $$
-\tau_q &= \frac{k\,\vartheta + d\,\dot{\vartheta}}{N}, & \quad s_q &\leftarrow s_q + k, & \quad d_q &\leftarrow d_q + d
+\tau_q &= \frac{k\,\vartheta + d\,\dot{\vartheta}}{N}, & \quad k_q &\leftarrow k_q + k, & \quad d_q &\leftarrow d_q + d
 $$
 
 A rigid gear adds to the armature, and its torque and friction act on the joint, at the rate $w = \dot{q}$:

@@ -62,6 +62,7 @@ class DocumentTable:
     head: tuple[str, ...]
     widths: tuple[float, ...]
     rows: tuple[tuple[str, ...], ...]
+    essential: bool = False
 
 
 Item = Paragraph | Display | Heading | StepEquation | DocumentTable
@@ -75,6 +76,8 @@ class DocumentSection:
     items: list[Item] = field(default_factory=list)
     link_class: int = 0
     """The number of the class of links that it is about; 0 if it is about none."""
+    appendix: bool = False
+    """Whether it has further forms of the equations, which the algorithm does not need."""
 
 
 SYMBOLS, PARAMETERS = "Symbols", "Parameters"

@@ -20,12 +20,14 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..numpy.loop_rows import choose_rows
 from ..templates import render
-from . import elements, tables, text
+from . import algorithm, check_value, coordinates, elements, motion, tables, text
+from .algorithm import ALGORITHM
 from .blocks import LETTERS
-from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, Item, Paragraph, parse
+from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, Heading, Item, Paragraph, parse
 from .joints import joints
 from .layout import one_line
 from .link_class import class_section, ordered
+from .motion import MOTION
 from .notation import Notation, respelled
 from .page import extras as extras
 from .page import math_font as math_font
@@ -40,6 +42,7 @@ from .symbols import SLIDING, entries
 PLAIN = DocumentStyle()
 TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
 """What the tensions of tendons do to the rows of a link."""
+DERIVATION = "Derivation"
 
 
 def document(
@@ -92,12 +95,6 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
     views = {key: class_views(key, blocks[key]) for key in chain.classes}
-    printed: dict = {}
-    sections = [_robot(robot, chain), *_theory(robot, chain), *(s for chapter in chapters for s in chapter.sections)]
-    for number, key in enumerate(chain.classes, 1):
-        members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
-        sections.append(class_section(number, key, members, views[key], printed))
-    sections += filter(None, [joints(chain)])
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
     named = [
@@ -105,8 +102,21 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         *elements.symbols(chain),
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
+    symbols = entries(known, named)
+    sections = [_robot(robot, chain), _conventions(robot, chain), DocumentSection(MOTION, list(motion.items(chain)))]
+    steps = [view for key in chain.classes for view in views[key]]
+    sections.append(DocumentSection(ALGORITHM, [*algorithm.items(chain, steps), *check_value.items(chain)]))
+    sections += filter(None, [joints(chain)])
+    sections.append(_derivation(robot, chain))
+    sections += [s for chapter in chapters for s in chapter.sections]
+    for appendix in (False, True):
+        printed: dict = {}
+        for number, key in enumerate(chain.classes, 1):
+            members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
+            own = [view for view in views[key] if algorithm.needed(view) != appendix]
+            sections.append(class_section(number, key, members, own, printed, appendix))
     sections += [
-        DocumentSection(SYMBOLS, [tables.symbols(entries(known, named))]),
+        DocumentSection(SYMBOLS, [tables.symbols(symbols)]),
         DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),
     ]
     shown = Document(robot.name, __version__, tuple(sections))
@@ -167,24 +177,30 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal{tendons}"
     items: list[Item] = [
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
+        *coordinates.tables(chain),
+        Heading("Links"),
         tables.links(chain),
         *besides(chain),
     ]
     return DocumentSection("The robot", items)
 
 
-def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
+def _conventions(robot: Robot, chain: Chain) -> DocumentSection:
     gravity = ", ".join(f"{g:g}" for g in robot.gravity)
-    free_fall = rf"[{gravity}]^{{\top}}".replace(", ", r",\ ")
-    conventions = render(
+    text = render(
         "latex/conventions.tex.jinja",
-        gravity=free_fall,
+        gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "),
         citation=CITATION,
         assumptions=chain.assumptions("`"),
         shear=any(len(key.counts) > 4 for key in chain.keys),
     )
+    return DocumentSection("Conventions", parse(text))
+
+
+def _derivation(robot: Robot, chain: Chain) -> DocumentSection:
+    """How the equations of a link, of its tip and of its joint come about."""
     exact = any(key.order == EXACT for key in chain.keys)
-    equations = render(
+    text = render(
         "latex/equations.tex.jinja",
         section_rotation=robot.section_rotation,
         unknowns=12 * chain.n + chain.n_modes,
@@ -193,24 +209,13 @@ def _theory(robot: Robot, chain: Chain) -> list[DocumentSection]:
         slides=chain.slides,
         tree=not chain.tree.is_chain,
         stations=any(chain.tree.stations),
-        loops=bool(chain.closing.rows),
-        joined=bool(robot.loops),
-        couplings=bool(robot.couplings),
-        markers=any(segment.marker is not None for segment in chain.segments),
         floating=chain.floating,
-        elements=elements.equations(chain),
-        acting=elements.acting(chain),
         effort=elements.effort(chain),
         first_order=all(key.order == 1 for key in chain.keys),
         exact=exact,
         M_eta=r"\mathbf{M}_{\eta,i}" if exact else r"\mathbf{M}_{W\phi,i}",
         tendons=bool(chain.n_tensions),
         tension=TENSION if chain.n_tensions else "",
-        relations=bool(chain.closing.related),
-        shared=chain.closing.overconstrained,
-        jointed=any(not key.floats for key in chain.keys),
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
-        point="J" if chain.slides else "m",
     )
-    pages = {"Conventions": conventions, "Equations of motion": equations}
-    return [DocumentSection(title, parse(text)) for title, text in pages.items()]
+    return DocumentSection(DERIVATION, parse(text))

@@ -77,7 +77,7 @@ def _torques(chain: Chain, i: int, axes: Sequence[int]) -> Formula:
     terms = [rf"{_subspace(chain, i, axes)}\,{_moved(chain, i)}"]
     terms += [rf"+ \mathbf{{J}}_{{m,{n}}}\,\ddot{{\mathbf{{q}}}}_{n}"] * key.has_constant_inertia
     terms += [rf"+ \mathbf{{D}}_{{q,{n}}}\,\dot{{\mathbf{{q}}}}_{n}"] * key.has_dampers
-    terms += [rf"+ \mathbf{{S}}_{{q,{n}}}\,\mathbf{{q}}_{n}"] * key.has_springs
+    terms += [rf"+ \mathbf{{K}}_{{q,{n}}}\,\mathbf{{q}}_{n}"] * key.has_springs
     return equation(left, terms)
 
 

@@ -12,7 +12,7 @@ from ...ir.block import Binding, Block
 from ...reduction.invariants import Invariants
 from ...spec.link_class import AXIS, EXACT, LinkClass
 from ..templates import render
-from .content import Display, DocumentSection, Heading, Item, Paragraph, StepEquation, equation, parse
+from .content import Display, DocumentSection, DocumentTable, Heading, Item, Paragraph, StepEquation, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
 from .steps import BlockView
@@ -32,6 +32,9 @@ DISPLACEMENT: dict[int | str, str] = {
 }
 """What the modes displace, by the order of the link."""
 
+OTHERS = "Not needed for the algorithm: energies, poses, the rows of the stacked system, limits of the model."
+"""What the further forms of the equations are."""
+
 FORMULAS = 6
 """Of up to that many polynomial shapes the coefficients are printed."""
 
@@ -46,12 +49,22 @@ Part = tuple[str, tuple[Item, ...]]
 
 
 def class_section(
-    number: int, key: LinkClass, members: Sequence[str], views: Sequence[BlockView], printed: dict[Part, int]
+    number: int,
+    key: LinkClass,
+    members: Sequence[str],
+    views: Sequence[BlockView],
+    printed: dict[Part, int],
+    appendix: bool = False,
 ) -> DocumentSection:
-    """The section of a class; parts that an earlier class has ``printed`` are only named."""
+    """The section of a class; parts that an earlier class has ``printed`` are only named.
+
+    ``appendix``: of further forms of the equations, without the kinematic field.
+    """
     names = ", ".join(f"`{name}`" for name in members)
     items: list[Item] = [Paragraph(f"Links of this class: {names}.")]
-    parts = list(_parts(key, views))
+    if appendix:
+        items = [Paragraph(f"{OTHERS} Links of this class: {names}.")]
+    parts = list(_parts(key, views, appendix))
     for earlier in sorted({printed[part] for part in parts if part in printed}):
         titles = [part[0] for part in parts if printed.get(part) == earlier]
         items.append(Paragraph(f"As for class {earlier}: {', '.join(titles).lower()}."))
@@ -60,7 +73,7 @@ def class_section(
         if (title, below) not in printed:
             printed[title, below] = number
             items += [Heading(title), *_once(title, below, shown)]
-    return DocumentSection(f"Link class {number}", items, number)
+    return DocumentSection(f"Link class {number}{', other forms' * appendix}", items, number, appendix)
 
 
 def _once(title: str, below: Sequence[Item], shown: dict[Item, str]) -> Iterator[Item]:
@@ -75,9 +88,10 @@ def _once(title: str, below: Sequence[Item], shown: dict[Item, str]) -> Iterator
             yield item
 
 
-def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
+def _parts(key: LinkClass, views: Sequence[BlockView], appendix: bool) -> Iterator[Part]:
     """The field, then every block; constants come first in the link block."""
-    yield "Kinematic field", tuple(_field(key))
+    if not appendix:
+        yield "Kinematic field", tuple(_field(key))
     axes = tuple((name, f"= {axis_latex(axis)}") for axis, name in named_axes(key))
     for view in views:
         groups = [(view.title, view.steps)]
@@ -88,6 +102,19 @@ def _parts(key: LinkClass, views: Sequence[BlockView]) -> Iterator[Part]:
             named: list[Item] = [Paragraph("Axes:"), Display(axes)] if axes and view.name == "joint" else []
             if steps or view.zeros or view.identities:
                 yield title, (*_plain(view), *named, *map(equation, steps))
+    digits = [row for view in views for step in view.steps for row in step.digits]
+    if digits and not appendix:
+        yield "Constants with all digits", tuple(_digits(digits))
+
+
+def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
+    """The entries of the constants that have numbers, two in a row of the table if they are short."""
+    yield Paragraph("The entries of the constants above whose numbers are printed there with six digits:")
+    cells = [f"${left} = {right}$" for left, right in dict(rows).items()]
+    count = 2 if all(width(cell) <= PAGE / 2 - 2.0 for cell in cells) else 1
+    cells += [""] * (-len(cells) % count)
+    lines = tuple(tuple(cells[k : k + count]) for k in range(0, len(cells), count))
+    yield DocumentTable(("entry",) * count, (1.0 / count,) * count, lines)
 
 
 def _plain(view: BlockView) -> Iterator[Item]:

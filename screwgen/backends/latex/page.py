@@ -34,6 +34,7 @@ from .joint_words import called, sought
 from .joints import instance
 from .layout import Formula
 from .marks import Entries, Marks
+from .mass_matrix import MassMatrix, mass_matrix
 from .numbers import MANY_LINKS, Table
 from .steps import KEY_STEPS
 
@@ -41,7 +42,7 @@ ESSENCE, CLASSES, ALL = 1, 2, 3
 """The levels of detail: what a robot is solved by, what each class of links adds, every auxiliary step."""
 CLASS_STEPS = (*KEY_STEPS, "M_eta", "K", "S", "J", "A")
 """Steps that the second level shows besides those that the paper numbers."""
-SOLUTION = "Its solution"
+SOLUTION = "Outward: accelerations"
 BIAS = re.compile(r"joint: .*eliminated")
 """The heading, in generated C, of what has the bias of a joint."""
 TORQUE = "tau["
@@ -93,10 +94,11 @@ class Extras:
     """The numbers of the torques of every link's joint, from 1."""
     sought: Sequence[str]
     """The words by which a search finds the links' joints."""
+    mass: MassMatrix
 
 
-def extras(chain: Chain) -> Extras:
-    """What the page of a robot has beside its document."""
+def extras(chain: Chain, at: Sequence[float] | None = None) -> Extras:
+    """What the page of a robot has beside its document; ``at``: the coordinates (nq,) of the mass matrix in numbers."""
     found = numbers.numbers(chain)
     firsts = [chain.keys.index(key) for key in chain.classes]
     classes = [chain.classes.index(key) + 1 for key in chain.keys]
@@ -105,7 +107,9 @@ def extras(chain: Chain) -> Extras:
     places = chain.tau_offset
     efforts = [range(places[i] + 1, places[i + 1] + 1) for i in range(chain.n)]
     entries = numbers.entries(chain)
-    return Extras(drawn, found, table, held, code, firsts, chain.names, classes, entries, efforts, sought(chain))
+    return Extras(
+        drawn, found, table, held, code, firsts, chain.names, classes, entries, efforts, sought(chain), mass_matrix(chain, at)
+    )
 
 
 @dataclass
@@ -163,13 +167,20 @@ def page(shown: Document, more: Extras | None = None) -> str:
         **values,
         levels=any(item.level == ESSENCE for s in sections for item in s.items) and more is not None,
         guides=list(_guides(sections, more)) if more else [],
-        torque=_anchor_of(sections, r"\boldsymbol{\tau}_i -"),
-        solved=_anchor_of(sections, r"\mathbf{u}"),
+        torque=_anchor_of(sections, r"\mathbf{J}_m &") or _anchor_of(sections, r"\mathbf{y}_i"),
+        solved=_anchor_of(sections, r"\ddot{\mathbf{q}}_i"),
         diagram=markup(more.diagram) if more else "",
+        mass=markup(_mass(sections, more.mass)) if more else "",
         data=markup(json.dumps(data, separators=(",", ":"), ensure_ascii=False).translate(SAFE)),
         font=math_font(),
     )
     return Marks(symbols, more.entries if more else None, _instances(symbols, more))(body)
+
+
+def _mass(sections: Sequence[PageSection], mass: MassMatrix) -> str:
+    """The picture of the mass matrix, whose blocks lead to their formulas."""
+    places = {"own": _anchor_of(sections, r"\mathbf{M}_{q_jq_j}"), "carried": _anchor_of(sections, r"\mathbf{M}_{q_ix_j}")}
+    return render("latex/mass.html.jinja", mass=mass, places=places)
 
 
 SAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&"}

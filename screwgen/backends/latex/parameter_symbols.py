@@ -14,7 +14,7 @@ from .scalars import entry
 
 BLOCKS = ("link", "tip", "tip_body", "joint", "joint_rows")
 """The blocks whose inputs are parameters, or follow from them alone."""
-OF_AXES = {"joint.armature": "j_{m", "joint.damping": "d_{q", "joint.stiffness": "s_{q"}
+OF_AXES = {"joint.armature": "j_{m", "joint.damping": "d_{q", "joint.stiffness": "k_{q"}
 """The symbols of what each axis of a joint has one of, without the number of the axis."""
 
 

@@ -66,6 +66,8 @@ class Scalars:
 
     names: Mapping[sp.Symbol, str]
     rank: Mapping[sp.Symbol, tuple]
+    digits: int = 6
+    """How many digits numbers have at most."""
 
     def __call__(self, e: sp.Expr) -> str:
         """The LaTeX of a scalar."""
@@ -109,7 +111,7 @@ class Scalars:
         above = [f for f in factors if not (f.is_Pow and f.exp.is_number and f.exp.is_negative)]
         out = [self._factor(f) for f in sorted(above, key=self._factor_key)]
         if coefficient != 1 or not out:
-            out.insert(0, number(coefficient))
+            out.insert(0, number(coefficient, self.digits))
         under = r"\,".join(self._factor(f) for f in sorted(below, key=self._factor_key))
         slash = f"/({under})" if len(below) > 1 else f"/{under}" if below else ""
         return r"\,".join(out) + slash
@@ -122,7 +124,7 @@ class Scalars:
         if f.is_Symbol:
             return self.names[f] if f in self.names else str(f)
         if f.is_Number or f.is_NumberSymbol:
-            return number(f)
+            return number(f, self.digits)
         if f.is_Pow:
             return self._power(f)
         if isinstance(f, stumpff):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import sympy as sp
@@ -59,6 +59,8 @@ class StepView:
     components: Formula
     """Empty if the matrix equation suffices."""
     definition: Definition
+    digits: tuple[tuple[str, str], ...] = ()
+    """The entries that have numbers, each with its LaTeX with all digits."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +83,8 @@ AXES_OF_JOINT = ("A", "T")
 """Identities that are shown: what a joint does without them is nothing."""
 DIAGONAL = 4
 """From that size on a diagonal matrix is written by its diagonal."""
+DIGITS = 17
+"""How many digits tell a number in double precision from all others."""
 MANY = 36
 """Of more components than that only the first and the last are shown."""
 
@@ -173,7 +177,19 @@ def _view(
     entries = _entries(block, step)
     own = tuple(e for e in entries.flat if has_integral(right) or sp.sympify(e).has(sp.Float))
     definition = Definition(s, right, entries, labels, own)
-    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below, definition)
+    digits = _digits(s, entries, write) if s.binding <= Binding.PARAMETER else ()
+    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below, definition, digits)
+
+
+def _digits(signal: NamedSignal, entries: Array, write: Scalars) -> tuple[tuple[str, str], ...]:
+    """The entries with numbers that are not short, with all their digits; of a symmetric matrix those above."""
+    whole = replace(write, digits=DIGITS)
+    found: dict[str, tuple[str, str]] = {}
+    for index, value in np.ndenumerate(entries):
+        text = whole(sp.sympify(value))
+        if text != write(sp.sympify(value)):
+            found.setdefault(text, (entry(signal, index), text))
+    return tuple(found.values())
 
 
 def _terms(right: ex.Expression) -> list[str]:

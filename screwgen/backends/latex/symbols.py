@@ -39,7 +39,7 @@ SYSTEM: tuple[Named, ...] = (
     (r"\mathbf{P}_i", "projector onto the directions that the joint constrains", "-", "6 × 6", "F_i", STATE),
     (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3", "F_i", STATE),
     (r"m_T", "mass of the bodies at the tip", "kg", "1", "-", PARAMETER),
-    (r"\mathbf{S}_T", "first moment of the bodies at the tip", "kg*m", "3", "tip", PARAMETER),
+    (r"\mathbf{s}_T", "first moment of the bodies at the tip", "kg*m", "3", "tip", PARAMETER),
     (r"\mathbf{I}_T", "inertia of the bodies at the tip about the tip point", "kg*m^2", "3 × 3", "tip", PARAMETER),
     (r"\mathbf{h}_{T\tau}", "bias moment of the bodies at the tip", "N*m", "3", "tip", STATE),
     (r"\mathbf{h}_{TF}", "bias force of the bodies at the tip", "N", "3", "tip", STATE),
@@ -58,7 +58,7 @@ SYSTEM: tuple[Named, ...] = (
     (r"\mathbf{h}_T", "bias of the bodies at the tip", WRENCH, "6", "tip", STATE),
     (r"\mathbf{J}_m", "armature, rotor inertias seen at the axes", "kg*m^2", "n_{q,i} × n_{q,i}", "-", PARAMETER),
     (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{S}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{K}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
     (r"\boldsymbol{\Lambda}", "inertia that the tip section carries", "kg, kg*m, kg*m^2", "6 × 6", "tip", STATE),
     (r"\mathbf{p}", "bias of what the tip section carries", WRENCH, "6", "tip", STATE),
     (r"\mathbf{g}", "free fall", "m/s^2", "3", "inertial", PARAMETER),
@@ -70,7 +70,7 @@ SLIDING: tuple[Named, ...] = (
     (r"\mathbf{S}_i^{+}", "pseudo-inverse of the joint's motion subspace", "-", "n_{q,i} × 6", "F_i", STATE),
     (r"\mathbf{J}_m", "armature, of the drives at the axes", "kg*m^2, kg", "n_{q,i} × n_{q,i}", "-", PARAMETER),
     (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad, N*s/m", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{S}_q", "stiffness of the joint", "N*m/rad, N/m", "n_{q,i} × n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{K}_q", "stiffness of the joint", "N*m/rad, N/m", "n_{q,i} × n_{q,i}", "-", PARAMETER),
 )
 """Symbols of robots whose joints slide, in place of those above."""
 

@@ -1,0 +1,87 @@
+"""A state of a robot with its accelerations and joint wrenches, by which who programs the equations checks the program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from ...errors import ScrewgenError
+from ...spec.parameters import parameters
+from ...topology.chain import Chain
+from ..numpy.numeric import Numeric
+from .content import DocumentTable, Heading, Item, Paragraph
+from .tables import exact
+
+TURN = (0.3, -0.5, 0.7, 0.2, -0.4, 0.6)
+RATE = (0.5, -0.3, 0.4, -0.6, 0.2, 0.7)
+EFFORT = (1.0, -2.0, 1.5, 0.5, -1.0, 2.5)
+WRENCH = (0.1, -0.2, 0.3, 1.0, -2.0, 1.5)
+QUATERNION = (0.8, 0.4, 0.4, 0.2)
+MODE, MODE_RATE, SLACK = 0.001, 0.1, 1e-4
+"""The sizes of first modes, a tenth of that for each further one, of their rates, and of the twist of a gear."""
+NEARER = (1.0, 0.4, 0.1, 0.0)
+"""By what the posture is scaled until the robot has accelerations there."""
+MANY = 8
+"""Of more links only the wrenches of the first are given."""
+
+
+def items(chain: Chain) -> Iterator[Item]:
+    """The tables, below a heading of their own; none for a robot that has no accelerations in these postures."""
+    for nearer in NEARER:
+        q, v, u, w_ext = state(chain, nearer)
+        try:
+            vdot, wrench = Numeric(chain).forward_dynamics(q, v, u, w_ext)
+        except ScrewgenError:
+            continue
+        if np.all(np.isfinite(vdot)):
+            yield from _tables(chain, q, v, u, vdot, np.reshape(wrench, (chain.n, 6)))
+            return
+
+
+def _tables(
+    chain: Chain, q: Sequence[float], v: Sequence[float], u: Sequence[float], vdot: np.ndarray, wrench: np.ndarray
+) -> Iterator[Item]:
+    yield Heading("Check value")
+    about = "A state, with all digits, for which a program of these equations gives the accelerations beside it."
+    if chain.closing.rows:
+        about += " Loops need not be closed there: their gaps close by the stabilisation."
+    wrenches = ", ".join(exact(x) for x in WRENCH)
+    yield Paragraph(
+        rf"{about} On the tip of link {chain.n} acts $\boldsymbol{{\mathcal{{W}}}}_{{ext,{chain.n}}} =$ [{wrenches}], on "
+        "the other tips nothing."
+    )
+    size = max(len(q), len(v), len(u))
+    columns = [[exact(x) for x in column] + [""] * (size - len(column)) for column in (q, v, u, vdot)]
+    rows = tuple((f"{k + 1}", *row) for k, row in enumerate(zip(*columns, strict=True)))
+    head = ("entry", r"$\mathbf{q}$", r"$\mathbf{v}$", r"$\mathbf{u}$", r"$\dot{\mathbf{v}}$")
+    yield DocumentTable(head, (0.1, 0.28, 0.14, 0.14, 0.34), rows)
+    shown = min(chain.n, MANY)
+    head = ("link", *(rf"$\tau_{{w,{x}}}$" for x in "xyz"), *(f"$F_{x}$" for x in "xyz"))
+    cells = [(f"{i + 1}", *(exact(float(f"{x:.12g}")) for x in wrench[i])) for i in range(shown)]
+    yield Paragraph(r"The joint wrenches $\mathbf{w}_i$ there, with twelve digits:")
+    yield DocumentTable(head, (0.06, *[0.94 / 6] * 6), tuple(cells))
+
+
+def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[float], np.ndarray]:
+    """``q, v, u, w_ext``; joints are ``nearer`` to their home than 1."""
+    q = np.array(chain.home, float)
+    for k, place in enumerate(chain.axis_places):
+        q[place] = nearer * TURN[k % len(TURN)]
+    for part in chain.curved:
+        first = part.q.start + (part.joint.turn_at or 0)
+        q[first : first + 4] = QUATERNION if nearer else (1.0, 0.0, 0.0, 0.0)
+    if chain.n_added:
+        p = [x.value for x in parameters(chain.robot)]
+        q[: chain.eta_q] = chain.with_added(q[: chain.eta_q - chain.n_added], p)
+        q[chain.eta_q - chain.n_added : chain.eta_q] += SLACK
+    v = np.array([RATE[k % len(RATE)] for k in range(chain.nv)])
+    numbers = [number for key in chain.keys for _, number in key.directions]
+    for k, number in enumerate(numbers):
+        q[chain.eta_q + k] = (-1) ** k * MODE / 10.0**number
+        v[chain.eta_v + k] = MODE_RATE * RATE[k % len(RATE)] / 10.0**number
+    u = [EFFORT[k % len(EFFORT)] for k in range(chain.n_tau)]
+    w_ext = np.zeros((chain.n, 6))
+    w_ext[-1] = WRENCH
+    rounded = [float(f"{x:.12g}") for x in q]
+    return rounded, [float(f"{x:.12g}") for x in v], u, w_ext

@@ -1,0 +1,137 @@
+"""The coordinates, inputs and wrenches of a robot in their order, with their symbols and what they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ...spec.parameters import coordinate_names, coordinate_units, force_units
+from ...topology.chain import Chain
+from .content import DocumentTable, Heading, Item, Paragraph
+from .tables import DIRECTION, axis_text, plain_unit
+
+ROWS = 60
+"""Of more modes than that the table has one row for those of a link in one direction."""
+
+ABOUT = (
+    r"The entries of $\mathbf{q}$ and of the rates $\mathbf{v}$ in their order, as all functions of the tool take and "
+    r"give them. $\mathbf{q}_i$, $\dot{\mathbf{q}}_i$ and $\boldsymbol{\eta}_i$ are those of the joint and of the modes "
+    r"of link $i$; in the section of a class their entries are numbered within the link."
+)
+INPUTS = (
+    r"The entries of the inputs $\mathbf{u}$ in their order. Besides, an external wrench "
+    r"$\boldsymbol{\mathcal{W}}_{ext,i}$ may act on the tip section of each link, its moment first, in components of the "
+    r"tip frame. The joint wrenches $\mathbf{w}_i$ come link by link, the moment first."
+)
+
+
+def tables(chain: Chain) -> Iterator[Item]:
+    """The table of the coordinates, and that of the inputs."""
+    yield Heading("Coordinates and inputs")
+    yield Paragraph(ABOUT, essential=True)
+    yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
+    yield Paragraph(INPUTS, essential=True)
+    rows = inputs(chain)
+    if rows:
+        yield DocumentTable(("in $\\mathbf{u}$", "symbol", "name", "acts on", "unit"), (0.08, 0.1, 0.3, 0.42, 0.1), rows)
+
+
+def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> DocumentTable:
+    return DocumentTable(head, (0.09, 0.09, 0.1, 0.27, 0.35, 0.1), tuple(rows))
+
+
+def _range(first: int, count: int) -> str:
+    return f"{first + 1}" if count == 1 else f"{first + 1}–{first + count}"
+
+
+def coordinates(chain: Chain) -> list[tuple[str, ...]]:
+    """One row for each coordinate; the pose of a floating base and the turn of a ball joint have one for all of theirs."""
+    out: list[tuple[str, ...]] = []
+    names, units = coordinate_names(chain.robot), coordinate_units(chain.robot)
+    for i, key in enumerate(chain.keys):
+        at_q, at_v = chain.q_offset[i], chain.v_offset[i]
+        size = (chain.q_offset[i + 1] - at_q, chain.v_offset[i + 1] - at_v)
+        if not any(size):
+            continue
+        if key.floats:
+            out += _floating(at_q, at_v)
+        elif size[0] != size[1]:
+            about = f"unit quaternion (w, x, y, z) of link {i + 1} in the axes of the joint's mount; in $\\mathbf{{v}}$ "
+            about += f"its angular velocity relative to these, in axes of $\\mathcal{{F}}_{i + 1}$"
+            name = names.q[at_q].rpartition(".")[0]
+            cells = (_range(at_q, size[0]), _range(at_v, size[1]))
+            out.append((*cells, rf"$\mathbf{{q}}_{i + 1}$", f"`{name}`", about, "1; $\\mathrm{rad/s}$"))
+        else:
+            for k, screw in enumerate(key.screws):
+                number = chain.tau_offset[i] + k + 1
+                about = f"{'turn' if screw.turn else 'travel'} of link {i + 1} {'about' if screw.turn else 'along'} {axis_text(screw)}"
+                cells = (f"{at_q + k + 1}", f"{at_v + k + 1}", f"$q_{{{number}}}$", f"`{names.q[at_q + k]}`")
+                out.append((*cells, about, plain_unit(units[at_q + k])))
+    out += _added(chain, names.q, units)
+    return out + _modes(chain, names.q, units)
+
+
+def _floating(at_q: int, at_v: int) -> Iterator[tuple[str, ...]]:
+    yield (_range(at_q, 3), _range(at_v + 3, 3), r"$\mathbf{r}_{o1}$", "`base.x` …", (
+        r"place of $\mathcal{F}_1$, inertial axes; in $\mathbf{v}$ its velocity $\mathbf{v}_1$ in axes of $\mathcal{F}_1$"
+    ), plain_unit("m"))
+    yield (_range(at_q + 3, 4), _range(at_v, 3), r"$\mathbf{Q}_1$", "`base.qw` …", (
+        r"unit quaternion (w, x, y, z) of $\mathcal{F}_1$; in $\mathbf{v}$ its angular velocity $\boldsymbol{\omega}_1$ in "
+        r"axes of $\mathcal{F}_1$"
+    ), "1")
+
+
+def _added(chain: Chain, names: Sequence[str], units: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    first_q, first_v = chain.eta_q - chain.n_added, chain.eta_v - chain.n_added
+    for k in range(chain.n_added):
+        travel = chain.added_joints[k] in chain.elastic_travels
+        about = "travel by which the rotor is ahead of its transmission" if travel else "angle of the rotor"
+        letter = "e" if travel else r"\vartheta"
+        joint = chain.added_joints[k] + 1
+        cells = (f"{first_q + k + 1}", f"{first_v + k + 1}", rf"${letter}_{{{joint}}}$", f"`{names[first_q + k]}`")
+        yield (*cells, f"{about}, of the drive of $q_{{{joint}}}$", plain_unit(units[first_q + k]))
+
+
+def _modes(chain: Chain, names: Sequence[str], units: Sequence[str]) -> list[tuple[str, ...]]:
+    out = []
+    for i, key in enumerate(chain.keys):
+        at_q, at_v = (first + chain.eta_offset[i] for first in (chain.eta_q, chain.eta_v))
+        for k, direction, number, count in _groups(key.directions, chain.n_modes > ROWS):
+            cells = (_range(at_q + k, count), _range(at_v + k, count))
+            symbol = rf"$\eta_{{{i + 1},{k + 1}}}$" + (rf" … $\eta_{{{i + 1},{k + count}}}$" if count > 1 else "")
+            which = f"mode {number}" if count == 1 else f"modes {number}–{number + count - 1}"
+            about = f"link {i + 1}, {DIRECTION.get(direction, direction)}, {which}"
+            out.append((*cells, symbol, f"`{names[at_q + k]}`" + " …" * (count > 1), about, plain_unit(units[at_q + k])))
+    return out
+
+
+def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tuple[int, str, int, int]]:
+    """Place, direction, number of the first mode and count of the modes that share a row."""
+    start = 0
+    while start < len(directions):
+        direction, number = directions[start]
+        count = sum(d == direction for d, _ in directions[start:]) if grouped else 1
+        yield start, direction, number + 1, count
+        start += count
+
+
+def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
+    """One row for each input."""
+    names, units = coordinate_names(chain.robot).tau, force_units(chain.robot)
+    out = []
+    for k, (name, unit) in enumerate(zip(names, units, strict=True)):
+        tendon = k - chain.n_joints
+        symbol = rf"$\tau_{{{k + 1}}}$" if tendon < 0 else rf"$T_{{{tendon + 1}}}$"
+        about = _acts(chain, k) if tendon < 0 else "tension of the tendon, along its pieces"
+        out.append((f"{k + 1}", symbol, f"`{name}`", about, plain_unit(unit)))
+    return tuple(out)
+
+
+def _acts(chain: Chain, k: int) -> str:
+    link = next(i for i in range(chain.n) if chain.tau_offset[i] <= k < chain.tau_offset[i + 1])
+    kind = chain.keys[link].travels.get(k - chain.tau_offset[link])
+    where = f"the joint of link {link + 1}, $q_{{{k + 1}}}$" if chain.keys[link].screws else f"the joint of link {link + 1}"
+    if k in chain.added_joints and kind is None:
+        return f"the rotor that drives {where}"
+    return f"{where}, through a {kind.WORD}" if kind is not None else where
+
+

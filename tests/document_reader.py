@@ -70,7 +70,9 @@ class Run:
         rates = [self._rates(link, env) for link, env in zip(self.links, envs, strict=True)]
         added = [np.ravel(self._rotor(axis, envs)) for axis in self.axes if axis.elastic]
         etas = [np.ravel(env[r"\ddot{\boldsymbol{\eta}}_i"]) for env in envs]
-        wrenches = [np.zeros(6) if k.floats else np.ravel(e[r"\mathbf{w}_i"]) for k, e in zip(self.links, envs, strict=True)]
+        wrenches = [
+            np.zeros(6) if k.floats else np.ravel(e[r"\mathbf{w}_i"]) for k, e in zip(self.links, envs, strict=True)
+        ]
         return np.concatenate([*rates, *added, *etas]), np.array(wrenches)
 
     @staticmethod
@@ -168,7 +170,9 @@ class Run:
     @staticmethod
     def _split(env: Env, name: str, whole: Value) -> None:
         """The blocks of a matrix by their names."""
-        rows = [row.split("&") for row in name.removeprefix(r"\begin{bmatrix}").removesuffix(r"\end{bmatrix}").split(r"\\")]
+        rows = [
+            row.split("&") for row in name.removeprefix(r"\begin{bmatrix}").removesuffix(r"\end{bmatrix}").split(r"\\")
+        ]
         for k, row in enumerate(rows):
             for m, cell in enumerate(row):
                 columns = slice(None) if len(row) == 1 else (slice(0, 6), slice(6, None))[m]

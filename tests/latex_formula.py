@@ -15,7 +15,9 @@ LETTER = rf"(?:\\(?:mathbf|boldsymbol|mathcal|mathrm|bar|hat|dot|ddot){GROUP}|\\
 WORDS = "left|right|frac|tfrac|sqrt|sum|cos|sin|max|begin|end|times|quad|operatorname"
 LETTER += rf"|\\partial\\ell|\\(?!{WORDS})[a-zA-Z]+|[a-zA-Z])"
 SCRIPT = r"(?:\{[^{}]*\}|\\[a-zA-Z]+|[a-zA-Z0-9])"
-SYMBOL = re.compile(rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^[*APc])?(?:_{SCRIPT})?")
+SYMBOL = re.compile(
+    rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^[*APc])?(?:_{SCRIPT})?"
+)
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 SKIP = re.compile(r"(?:\\,|\\;|\\ |\\quad|~|\s)+")
 ENDS = ("+", "-", r"\right", r"\end", ")", "]", "}", "&", r"\\", ",", ";", "=")

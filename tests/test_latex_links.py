@@ -74,7 +74,7 @@ def test_numbers_are_those_of_the_robot():
     [row] = re.findall(r'<tr id="mode-forearm-3">(.*?)</tr>', body("ella"))
     assert "bending in z" in row and "1.5161" in "".join(ElementTree.fromstring(f"<tr>{row}</tr>").itertext())
     known = extras("ella").numbers
-    assert known[r"\mathbf{S}_0"]["upper_arm"][0] == [f"{0.95**2 * 1.6302 / 2:.5g}"]
+    assert known[r"\mathbf{s}_0"]["upper_arm"][0] == [f"{0.95**2 * 1.6302 / 2:.5g}"]
     assert known["l_i"] == {"upper_arm": [["0.95"]], "forearm": [["0.93"]]}
 
 

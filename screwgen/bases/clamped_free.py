@@ -21,6 +21,7 @@ FAMILY = Family(
     r"\sigma_k = \frac{\sinh\bar{\lambda}_k - \sin\bar{\lambda}_k}{\cosh\bar{\lambda}_k + \cos\bar{\lambda}_k}",
     condition=r"\cos\bar{\lambda}_k\cosh\bar{\lambda}_k = -1",
     order=2,
+    about=r"with the roots $\bar{\lambda}_k$ of the last equation in ascending order; $\psi_k(1)$ is 2, $-2$, 2 …",
 )
 
 

@@ -22,6 +22,8 @@ BEAM = Family(
     condition=r"\int_0^1 \psi_k''\,\psi_l''\,ds = \bar{\lambda}_k\,\delta_{kl}",
     order=2,
     changes=True,
+    about=r"with the Jacobi polynomials $P_j^{(0,4)}$, the orthogonal matrix $Q$ that fulfils the last condition, the "
+    r"eigenvalues $\bar{\lambda}_k$ in ascending order, and $\psi_k(1) > 0$; $r$ is the number of shapes",
 )
 
 ROD = Family(
@@ -31,6 +33,8 @@ ROD = Family(
     condition=r"\int_0^1 \psi_k'\,\psi_l'\,ds = \bar{\lambda}_k\,\delta_{kl}",
     order=1,
     changes=True,
+    about=r"with the Jacobi polynomials $P_j^{(0,2)}$, the orthogonal matrix $Q$ that fulfils the last condition, the "
+    r"eigenvalues $\bar{\lambda}_k$ in ascending order, and $\psi_k(1) > 0$; $r$ is the number of shapes",
 )
 
 

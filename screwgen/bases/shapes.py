@@ -37,6 +37,8 @@ class Family:
     """Order of the derivative that stores energy: 2 in bending (curvature), 1 in stretching and torsion."""
     changes: bool = False
     """Whether all shapes change with their number."""
+    about: str = ""
+    """What the letters of the formula mean, and how shapes are ordered and signed."""
 
 
 @dataclass(frozen=True, eq=False)

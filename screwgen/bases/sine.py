@@ -14,6 +14,7 @@ FAMILY = Family(
     formula=r"\psi_k(s) = \sqrt{2}\,\sin\bar{\lambda}_k s",
     condition=r"\bar{\lambda}_k = (2k-1)\,\frac{\pi}{2}",
     order=1,
+    about=r"with the numbers $\bar{\lambda}_k$",
 )
 
 

@@ -304,7 +304,8 @@ def latex(
         str | None, typer.Option(metavar="NAME|FILE", help="Letters: paper, featherstone, or a TOML table of your own.")
     ] = None,
     at: Annotated[
-        str | None, typer.Option(metavar="FILE", help="Of a page: the posture of the mass matrix in numbers, a state as .json.")
+        str | None,
+        typer.Option(metavar="FILE", help="Of a page: the posture of the mass matrix in numbers, a state as .json."),
     ] = None,
     quiet: Quiet = False,
 ) -> None:

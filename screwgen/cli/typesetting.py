@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
-
-import numpy as np
+from collections.abc import Callable, Sequence
 
 from ..backends.equations import document as scalars
 from ..backends.latex import document as latex
@@ -24,7 +22,7 @@ from ..spec.robot import Robot
 from .linear import numbers
 from .output import load_robot, say
 
-FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None, np.ndarray | None], bytes]] = {
+FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None, Sequence[float] | None], bytes]] = {
     ".tex": lambda shown, around, *_: latex.tex(shown, around).encode(),
     ".pdf": lambda shown, around, *_: pdf(latex.tex(shown, around)),
     ".html": lambda shown, _, robot, q: latex.page(
@@ -55,14 +53,16 @@ def run_latex(
     if kind == ".html" and documentclass is not None:
         raise UsageError("--documentclass: a page for the browser has no class; leave it out, or write .tex or .pdf")
     if at is not None and (scalar or kind != ".html"):
-        raise UsageError("--at: only a page for the browser has the mass matrix in numbers; write .html without --scalar")
+        raise UsageError(
+            "--at: only a page for the browser has the mass matrix in numbers; write .html without --scalar"
+        )
     if fragment and kind != ".tex":
         raise UsageError(f"--fragment: is LaTeX for \\input, not {kind}; write .tex")
     around, letters = style(documentclass, fragment), None if notation is None else named(notation)
     if kind == ".pdf":
         engine()
     loaded = load_robot(robot, quiet)
-    q = None if at is None else read_state(at, derive(loaded)).q
+    q = None if at is None else read_state(at, derive(loaded)).q.tolist()
     with busy("typesetting", quiet), outputs(output) as (stream,):
         shown = _scalars(loaded, about) if scalar else latex.content(loaded, plugins(), letters)
         stream.write(FORMATS[kind](shown, around, None if scalar else loaded, q))

@@ -1,4 +1,4 @@
-"""The algorithm of a robot's forward dynamics: numbered lines in the order of evaluation, and what they take as given."""
+"""The algorithm of forward dynamics: numbered lines in the order of evaluation, and what they take as given."""
 
 from __future__ import annotations
 
@@ -79,4 +79,3 @@ def _inputs(chain: Chain) -> str:
 def needed(view: BlockView) -> bool:
     """Whether the algorithm needs the steps of a block."""
     return view.name in MAIN
-

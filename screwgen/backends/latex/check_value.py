@@ -1,4 +1,4 @@
-"""A state of a robot with its accelerations and joint wrenches, by which who programs the equations checks the program."""
+"""A state of a robot with its accelerations and joint wrenches: a check for whoever programs the equations."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ def _tables(
         about += " Loops need not be closed there: their gaps close by the stabilisation."
     wrenches = ", ".join(exact(x) for x in WRENCH)
     yield Paragraph(
-        rf"{about} On the tip of link {chain.n} acts $\boldsymbol{{\mathcal{{W}}}}_{{ext,{chain.n}}} =$ [{wrenches}], on "
-        "the other tips nothing."
+        rf"{about} On the tip of link {chain.n} acts $\boldsymbol{{\mathcal{{W}}}}_{{ext,{chain.n}}} =$ [{wrenches}], "
+        "on the other tips nothing."
     )
     size = max(len(q), len(v), len(u))
     columns = [[exact(x) for x in column] + [""] * (size - len(column)) for column in (q, v, u, vdot)]
@@ -57,10 +57,10 @@ def _tables(
     head = ("entry", r"$\mathbf{q}$", r"$\mathbf{v}$", r"$\mathbf{u}$", r"$\dot{\mathbf{v}}$")
     yield DocumentTable(head, (0.1, 0.28, 0.14, 0.14, 0.34), rows)
     shown = min(chain.n, MANY)
-    head = ("link", *(rf"$\tau_{{w,{x}}}$" for x in "xyz"), *(f"$F_{x}$" for x in "xyz"))
-    cells = [(f"{i + 1}", *(exact(float(f"{x:.12g}")) for x in wrench[i])) for i in range(shown)]
-    yield Paragraph(r"The joint wrenches $\mathbf{w}_i$ there, with twelve digits:")
-    yield DocumentTable(head, (0.06, *[0.94 / 6] * 6), tuple(cells))
+    axes = ("link", *(rf"$\tau_{{w,{x}}}$" for x in "xyz"), *(f"$F_{x}$" for x in "xyz"))
+    cells = [(f"{i + 1}", *(exact(float(f"{x:.9g}")) for x in wrench[i])) for i in range(shown)]
+    yield Paragraph(r"The joint wrenches $\mathbf{w}_i$ there, with nine digits:")
+    yield DocumentTable(axes, (0.06, *[0.94 / 6] * 6), tuple(cells))
 
 
 def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[float], np.ndarray]:

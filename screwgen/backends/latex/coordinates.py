@@ -13,14 +13,14 @@ ROWS = 60
 """Of more modes than that the table has one row for those of a link in one direction."""
 
 ABOUT = (
-    r"The entries of $\mathbf{q}$ and of the rates $\mathbf{v}$ in their order, as all functions of the tool take and "
-    r"give them. $\mathbf{q}_i$, $\dot{\mathbf{q}}_i$ and $\boldsymbol{\eta}_i$ are those of the joint and of the modes "
-    r"of link $i$; in the section of a class their entries are numbered within the link."
+    r"The entries of $\mathbf{q}$ and of the rates $\mathbf{v}$ in their order, as all functions of the tool take "
+    r"and give them. $\mathbf{q}_i$, $\dot{\mathbf{q}}_i$ and $\boldsymbol{\eta}_i$ are those of the joint and of the "
+    r"modes of link $i$; in the section of a class their entries are numbered within the link."
 )
 INPUTS = (
     r"The entries of the inputs $\mathbf{u}$ in their order. Besides, an external wrench "
-    r"$\boldsymbol{\mathcal{W}}_{ext,i}$ may act on the tip section of each link, its moment first, in components of the "
-    r"tip frame. The joint wrenches $\mathbf{w}_i$ come link by link, the moment first."
+    r"$\boldsymbol{\mathcal{W}}_{ext,i}$ may act on the tip section of each link, its moment first, in components of "
+    r"the tip frame. The joint wrenches $\mathbf{w}_i$ come link by link, the moment first."
 )
 
 
@@ -32,7 +32,9 @@ def tables(chain: Chain) -> Iterator[Item]:
     yield Paragraph(INPUTS, essential=True)
     rows = inputs(chain)
     if rows:
-        yield DocumentTable(("in $\\mathbf{u}$", "symbol", "name", "acts on", "unit"), (0.08, 0.1, 0.3, 0.42, 0.1), rows)
+        yield DocumentTable(
+            ("in $\\mathbf{u}$", "symbol", "name", "acts on", "unit"), (0.08, 0.1, 0.3, 0.42, 0.1), rows
+        )
 
 
 def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> DocumentTable:
@@ -44,7 +46,7 @@ def _range(first: int, count: int) -> str:
 
 
 def coordinates(chain: Chain) -> list[tuple[str, ...]]:
-    """One row for each coordinate; the pose of a floating base and the turn of a ball joint have one for all of theirs."""
+    """One row for each coordinate; a pose, and the turn of a ball joint, have one for all of theirs."""
     out: list[tuple[str, ...]] = []
     names, units = coordinate_names(chain.robot), coordinate_units(chain.robot)
     for i, key in enumerate(chain.keys):
@@ -55,15 +57,18 @@ def coordinates(chain: Chain) -> list[tuple[str, ...]]:
         if key.floats:
             out += _floating(at_q, at_v)
         elif size[0] != size[1]:
-            about = f"unit quaternion (w, x, y, z) of link {i + 1} in the axes of the joint's mount; in $\\mathbf{{v}}$ "
+            about = (
+                f"unit quaternion (w, x, y, z) of link {i + 1} in the axes of the joint's mount; in $\\mathbf{{v}}$ "
+            )
             about += f"its angular velocity relative to these, in axes of $\\mathcal{{F}}_{i + 1}$"
             name = names.q[at_q].rpartition(".")[0]
-            cells = (_range(at_q, size[0]), _range(at_v, size[1]))
-            out.append((*cells, rf"$\mathbf{{q}}_{i + 1}$", f"`{name}`", about, "1; $\\mathrm{rad/s}$"))
+            places = (_range(at_q, size[0]), _range(at_v, size[1]))
+            out.append((*places, rf"$\mathbf{{q}}_{i + 1}$", f"`{name}`", about, r"1; $\mathrm{rad/s}$"))
         else:
             for k, screw in enumerate(key.screws):
                 number = chain.tau_offset[i] + k + 1
-                about = f"{'turn' if screw.turn else 'travel'} of link {i + 1} {'about' if screw.turn else 'along'} {axis_text(screw)}"
+                motion = f"turn of link {i + 1} about" if screw.turn else f"travel of link {i + 1} along"
+                about = f"{motion} {axis_text(screw)}"
                 cells = (f"{at_q + k + 1}", f"{at_v + k + 1}", f"$q_{{{number}}}$", f"`{names.q[at_q + k]}`")
                 out.append((*cells, about, plain_unit(units[at_q + k])))
     out += _added(chain, names.q, units)
@@ -71,13 +76,25 @@ def coordinates(chain: Chain) -> list[tuple[str, ...]]:
 
 
 def _floating(at_q: int, at_v: int) -> Iterator[tuple[str, ...]]:
-    yield (_range(at_q, 3), _range(at_v + 3, 3), r"$\mathbf{r}_{o1}$", "`base.x` …", (
-        r"place of $\mathcal{F}_1$, inertial axes; in $\mathbf{v}$ its velocity $\mathbf{v}_1$ in axes of $\mathcal{F}_1$"
-    ), plain_unit("m"))
-    yield (_range(at_q + 3, 4), _range(at_v, 3), r"$\mathbf{Q}_1$", "`base.qw` …", (
-        r"unit quaternion (w, x, y, z) of $\mathcal{F}_1$; in $\mathbf{v}$ its angular velocity $\boldsymbol{\omega}_1$ in "
-        r"axes of $\mathcal{F}_1$"
-    ), "1")
+    yield (
+        _range(at_q, 3),
+        _range(at_v + 3, 3),
+        r"$\mathbf{r}_{o1}$",
+        "`base.x` …",
+        (r"place of $\mathcal{F}_1$, inertial axes; in $\mathbf{v}$ its velocity $\mathbf{v}_1$ in its own"),
+        plain_unit("m"),
+    )
+    yield (
+        _range(at_q + 3, 4),
+        _range(at_v, 3),
+        r"$\mathbf{Q}_1$",
+        "`base.qw` …",
+        (
+            r"unit quaternion (w, x, y, z) of $\mathcal{F}_1$; in $\mathbf{v}$ its angular velocity "
+            r"$\boldsymbol{\omega}_1$ in its own axes"
+        ),
+        "1",
+    )
 
 
 def _added(chain: Chain, names: Sequence[str], units: Sequence[str]) -> Iterator[tuple[str, ...]]:
@@ -92,7 +109,7 @@ def _added(chain: Chain, names: Sequence[str], units: Sequence[str]) -> Iterator
 
 
 def _modes(chain: Chain, names: Sequence[str], units: Sequence[str]) -> list[tuple[str, ...]]:
-    out = []
+    out: list[tuple[str, ...]] = []
     for i, key in enumerate(chain.keys):
         at_q, at_v = (first + chain.eta_offset[i] for first in (chain.eta_q, chain.eta_v))
         for k, direction, number, count in _groups(key.directions, chain.n_modes > ROWS):
@@ -100,7 +117,9 @@ def _modes(chain: Chain, names: Sequence[str], units: Sequence[str]) -> list[tup
             symbol = rf"$\eta_{{{i + 1},{k + 1}}}$" + (rf" … $\eta_{{{i + 1},{k + count}}}$" if count > 1 else "")
             which = f"mode {number}" if count == 1 else f"modes {number}–{number + count - 1}"
             about = f"link {i + 1}, {DIRECTION.get(direction, direction)}, {which}"
-            out.append((*cells, symbol, f"`{names[at_q + k]}`" + " …" * (count > 1), about, plain_unit(units[at_q + k])))
+            out.append(
+                (*cells, symbol, f"`{names[at_q + k]}`" + " …" * (count > 1), about, plain_unit(units[at_q + k]))
+            )
     return out
 
 
@@ -129,9 +148,9 @@ def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
 def _acts(chain: Chain, k: int) -> str:
     link = next(i for i in range(chain.n) if chain.tau_offset[i] <= k < chain.tau_offset[i + 1])
     kind = chain.keys[link].travels.get(k - chain.tau_offset[link])
-    where = f"the joint of link {link + 1}, $q_{{{k + 1}}}$" if chain.keys[link].screws else f"the joint of link {link + 1}"
+    where = (
+        f"the joint of link {link + 1}, $q_{{{k + 1}}}$" if chain.keys[link].screws else f"the joint of link {link + 1}"
+    )
     if k in chain.added_joints and kind is None:
         return f"the rotor that drives {where}"
     return f"{where}, through a {kind.WORD}" if kind is not None else where
-
-

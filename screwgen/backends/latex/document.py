@@ -27,7 +27,6 @@ from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, H
 from .joints import joints
 from .layout import one_line
 from .link_class import class_section, ordered
-from .motion import MOTION
 from .notation import Notation, respelled
 from .page import extras as extras
 from .page import math_font as math_font
@@ -103,18 +102,16 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     symbols = entries(known, named)
-    sections = [_robot(robot, chain), _conventions(robot, chain), DocumentSection(MOTION, list(motion.items(chain)))]
+    sections = [_robot(robot, chain), _conventions(robot, chain), motion.motion(chain)]
     steps = [view for key in chain.classes for view in views[key]]
     sections.append(DocumentSection(ALGORITHM, [*algorithm.items(chain, steps), *check_value.items(chain)]))
+    sections.append(motion.mass_matrix(chain))
+    shown_steps: dict[LinkClass, dict] = {key: {} for key in chain.classes}
+    sections += _classes(chain, views, shown_steps, appendix=False)
     sections += filter(None, [joints(chain)])
     sections.append(_derivation(robot, chain))
     sections += [s for chapter in chapters for s in chapter.sections]
-    for appendix in (False, True):
-        printed: dict = {}
-        for number, key in enumerate(chain.classes, 1):
-            members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
-            own = [view for view in views[key] if algorithm.needed(view) != appendix]
-            sections.append(class_section(number, key, members, own, printed, appendix))
+    sections += _classes(chain, views, shown_steps, appendix=True)
     sections += [
         DocumentSection(SYMBOLS, [tables.symbols(symbols)]),
         DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),
@@ -124,6 +121,17 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         return shown
     signals = [s for block, _ in known for s in (*block.inputs.values(), *(x.signal for x in block.steps.values()))]
     return respelled(shown, notation, signals)
+
+
+def _classes(
+    chain: Chain, views: Mapping[LinkClass, Sequence[BlockView]], shown: Mapping[LinkClass, dict], appendix: bool
+) -> Iterator[DocumentSection]:
+    """The sections of the classes: what the algorithm needs, or the further forms of their equations."""
+    printed: dict = {}
+    for number, key in enumerate(chain.classes, 1):
+        members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
+        own = [view for view in views[key] if algorithm.needed(view) != appendix]
+        yield class_section(number, key, members, own, printed, shown[key], appendix)
 
 
 def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Block]:

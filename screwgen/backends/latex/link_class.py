@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
@@ -54,21 +55,22 @@ def class_section(
     members: Sequence[str],
     views: Sequence[BlockView],
     printed: dict[Part, int],
+    shown: dict[Item, str],
     appendix: bool = False,
 ) -> DocumentSection:
     """The section of a class; parts that an earlier class has ``printed`` are only named.
 
+    So are steps that are ``shown`` under an earlier heading of the class.
     ``appendix``: of further forms of the equations, without the kinematic field.
     """
     names = ", ".join(f"`{name}`" for name in members)
-    items: list[Item] = [Paragraph(f"Links of this class: {names}.")]
+    items: list[Item] = [Paragraph(f"Links of this class: {names}.", essential=True)]
     if appendix:
         items = [Paragraph(f"{OTHERS} Links of this class: {names}.")]
     parts = list(_parts(key, views, appendix))
     for earlier in sorted({printed[part] for part in parts if part in printed}):
         titles = [part[0] for part in parts if printed.get(part) == earlier]
         items.append(Paragraph(f"As for class {earlier}: {', '.join(titles).lower()}."))
-    shown: dict[Item, str] = {}
     for title, below in parts:
         if (title, below) not in printed:
             printed[title, below] = number
@@ -91,7 +93,7 @@ def _once(title: str, below: Sequence[Item], shown: dict[Item, str]) -> Iterator
 def _parts(key: LinkClass, views: Sequence[BlockView], appendix: bool) -> Iterator[Part]:
     """The field, then every block; constants come first in the link block."""
     if not appendix:
-        yield "Kinematic field", tuple(_field(key))
+        yield "Kinematic field", tuple(map(_essential, _field(key)))
     axes = tuple((name, f"= {axis_latex(axis)}") for axis, name in named_axes(key))
     for view in views:
         groups = [(view.title, view.steps)]
@@ -115,6 +117,10 @@ def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
     cells += [""] * (-len(cells) % count)
     lines = tuple(tuple(cells[k : k + count]) for k in range(0, len(cells), count))
     yield DocumentTable(("entry",) * count, (1.0 / count,) * count, lines)
+
+
+def _essential(item: Item) -> Item:
+    return replace(item, essential=True) if isinstance(item, Paragraph | Display | DocumentTable) else item
 
 
 def _plain(view: BlockView) -> Iterator[Item]:
@@ -235,7 +241,8 @@ def _from_file(body: Invariants) -> Iterator[Item]:
 
 def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:
     family = shapes.family
-    yield Paragraph(f"{' and '.join(DIRECTION[d] for d in directions).capitalize()}: {family.title},")
+    which, about = " and ".join(DIRECTION[d] for d in directions).capitalize(), f" {family.about}" * bool(family.about)
+    yield Paragraph(f"{which}: {family.title}{about},")
     formula = family.formula.replace(r",\quad", r",\qquad", 1)
     parts = [*formula.split(r",\qquad"), family.condition]
     yield Display(_side_by_side([part.strip() for part in parts]))

@@ -69,8 +69,10 @@ def _html(group: Group) -> str:
 
 
 def _cell(chain: Chain, a: Group, b: Group) -> BlockCell:
-    formula = "" if not related(chain, a, b) else "own" if a.link == b.link or "rotors" in (a.kind, b.kind) else "carried"
-    return BlockCell(_html(a), _html(b), f"{a.count} × {b.count}", formula, a.first > b.first)
+    formula = (
+        "" if not related(chain, a, b) else "own" if a.link == b.link or "rotors" in (a.kind, b.kind) else "carried"
+    )
+    return BlockCell(_html(a), _html(b), f"{a.size} × {b.size}", formula, a.first > b.first)
 
 
 def _number(value: float, scale: float) -> str:

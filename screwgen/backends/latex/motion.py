@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from ...topology.chain import Chain
 from ..templates import render
-from .content import Item, parse
+from .content import DocumentSection, parse
 from .layout import PAGE, matrix, width
 
-MOTION = "Equation of motion"
+MOTION, MASS = "Equation of motion", "Mass matrix"
 SHOWN = 2
 """Of a matrix that is too wide the blocks of that many links are written."""
 
@@ -22,7 +22,7 @@ class Group(NamedTuple):
     link: int
     first: int
     """The place of the first of them in `v`."""
-    count: int
+    size: int
 
     @property
     def symbol(self) -> str:
@@ -32,12 +32,10 @@ class Group(NamedTuple):
 
 def groups(chain: Chain) -> list[Group]:
     """In the order of `v`."""
-    joints = [
-        Group("joint", i, at, chain.v_offset[i + 1] - at) for i, at in enumerate(chain.v_offset[:-1])
-    ]
+    joints = [Group("joint", i, at, chain.v_offset[i + 1] - at) for i, at in enumerate(chain.v_offset[:-1])]
     rotors = [Group("rotors", 0, chain.eta_v - chain.n_added, chain.n_added)]
     modes = [Group("modes", i, chain.eta_v + chain.eta_offset[i], key.modes) for i, key in enumerate(chain.keys)]
-    return [group for group in (*joints, *rotors, *modes) if group.count]
+    return [group for group in (*joints, *rotors, *modes) if group.size]
 
 
 def related(chain: Chain, a: Group, b: Group) -> bool:
@@ -94,25 +92,33 @@ def block(a: Group, b: Group) -> str:
     return rf"\mathbf{{M}}_{{{b.symbol}{a.symbol}}}^{{\top}}"
 
 
-def items(chain: Chain) -> Iterator[Item]:
-    """The content of the section."""
-    shown, elided = pattern(chain)
-    flexible, bodies = any(k.modes for k in chain.keys), any(k.bodies_at("tip") for k in chain.keys)
-    travels = [kind.LETTERS[0] for kind in chain.travel_kinds] if chain.elastic_travels else []
+def motion(chain: Chain) -> DocumentSection:
+    """The equation of motion as one formula, and what it is made of."""
+    bodies = any(k.bodies_at("tip") for k in chain.keys)
     besides = ", the slope of a transmission where one lies between" * bool(chain.travel_kinds)
     besides += (
         r", and $-\partial\boldsymbol{\ell}_c$, the derivative of a tendon's length, where its tension meets the modes"
     ) * bool(chain.n_tensions)
+    modal = r"The rows of the modes balance the stiffness and the damping of the links, in $\mathbf{h}_i$."
+    payload = (
+        r"the bodies at the tip of a link, a payload among them, enter in $\mathbf{M}_i$ and $\mathbf{h}_i$ by "
+        r"$\mathbf{J}_T^{\top}\,\mathbf{M}_T\,\mathbf{J}_T$ with their inertia $\mathbf{M}_T$."
+    )
     values = {
         "loops": bool(chain.closing.rows),
         "joined": bool(chain.robot.loops),
-        "modal": r"The rows of the modes balance the stiffness and the damping of the links, in $\mathbf{h}_i$." * flexible,
-        "payload": (
-            r"the bodies at the tip of a link, a payload among them, enter in $\mathbf{M}_i$ and $\mathbf{h}_i$ by "
-            r"$\mathbf{J}_T^{\top}\,\mathbf{M}_T\,\mathbf{J}_T$ with their inertia $\mathbf{M}_T$."
-        )
-        * bodies,
+        "modal": modal * any(k.modes for k in chain.keys),
+        "payload": payload * bodies,
         "besides": besides,
+    }
+    return DocumentSection(MOTION, parse(render("latex/motion.tex.jinja", **values)))
+
+
+def mass_matrix(chain: Chain) -> DocumentSection:
+    """The mass matrix by blocks, each with its formula."""
+    shown, elided = pattern(chain)
+    travels = [kind.LETTERS[0] for kind in chain.travel_kinds] if chain.elastic_travels else []
+    values = {
         "pattern": shown,
         "elided": elided,
         "several": chain.n > 1,
@@ -122,4 +128,4 @@ def items(chain: Chain) -> Iterator[Item]:
         "ahead": bool(travels),
         "slope": f"{travels[0]}'" if travels else "",
     }
-    yield from parse(render("latex/motion.tex.jinja", **values))
+    return DocumentSection(MASS, parse(render("latex/mass_matrix.tex.jinja", **values)))

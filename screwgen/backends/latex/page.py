@@ -108,7 +108,18 @@ def extras(chain: Chain, at: Sequence[float] | None = None) -> Extras:
     efforts = [range(places[i] + 1, places[i + 1] + 1) for i in range(chain.n)]
     entries = numbers.entries(chain)
     return Extras(
-        drawn, found, table, held, code, firsts, chain.names, classes, entries, efforts, sought(chain), mass_matrix(chain, at)
+        drawn,
+        found,
+        table,
+        held,
+        code,
+        firsts,
+        chain.names,
+        classes,
+        entries,
+        efforts,
+        sought(chain),
+        mass_matrix(chain, at),
     )
 
 
@@ -179,7 +190,10 @@ def page(shown: Document, more: Extras | None = None) -> str:
 
 def _mass(sections: Sequence[PageSection], mass: MassMatrix) -> str:
     """The picture of the mass matrix, whose blocks lead to their formulas."""
-    places = {"own": _anchor_of(sections, r"\mathbf{M}_{q_jq_j}"), "carried": _anchor_of(sections, r"\mathbf{M}_{q_ix_j}")}
+    places = {
+        "own": _anchor_of(sections, r"\mathbf{M}_{q_jq_j}"),
+        "carried": _anchor_of(sections, r"\mathbf{M}_{q_ix_j}"),
+    }
     return render("latex/mass.html.jinja", mass=mass, places=places)
 
 
@@ -214,9 +228,9 @@ def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> I
         out = PageSection(section, f"s{number}", number)
         out.items = list(_items(section, out.anchor, number_of, more, first=number == 1))
         _lift(out.items)
-        yield out
-        if number == 1 and more:
+        if section.title == SYMBOLS and more:
             yield from _frequencies(more)
+        yield out
 
 
 def _frequencies(more: Extras) -> Iterator[PageSection]:

@@ -153,8 +153,13 @@ def toml(case: Case) -> None:
 
 def document(case: Case) -> None:
     """Who reads the steps of the document alone computes the same accelerations and wrenches."""
+    from document_mass import mass_matrix_from_document
     from document_reader import accelerations_from_document
 
     vdot, wrench = accelerations_from_document(case.model, *case.given)
     errors = case.judge.errors(vdot, wrench)
     assert max(errors.values()) <= case.tolerance, errors
+    q = case.given[0]
+    own, read = case.model.numpy().mass_matrix(q), mass_matrix_from_document(case.model, q)
+    scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
+    assert np.max(np.abs(own - read) / scale) < 1e-10

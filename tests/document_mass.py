@@ -40,7 +40,7 @@ class Blocks:
                 self.envs[link.number][plain(name)] = sized(found, (6, size))
 
     def _known(self, link: Link):
-        """The symbols of link j or k: what lines have defined, then those of its class and of the section that carries it."""
+        """The symbols of link j or k: what lines have defined, then those of its class."""
         scope, env = self.state.scopes[link.number], self.envs[link.number]
 
         def known(name: str):

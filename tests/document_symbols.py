@@ -32,7 +32,7 @@ class Undefined(Exception):
 
 def plain(name: str) -> str:
     """A symbol's LaTeX in one spelling."""
-    name = re.sub(r"\\dot\{([A-Za-z])_(\w+|\{\w+\})\}", r"\\dot{\1}_\2", name.strip())
+    name = re.sub(r"\\dot\{(\\mathrm\{\w\}|[A-Za-z])_(\w+|\{\w+\})\}", r"\\dot{\1}_\2", name.strip())
     return re.sub(r"_\{(\\?\w)\}", r"_\1", name)
 
 

@@ -62,7 +62,7 @@ def number(value: sp.Expr, digits: int = 6) -> str:
 
 def symbol(display: str) -> str:
     """The LaTeX of a symbol: the dot of a rate sits on the letter, not on its index."""
-    return re.sub(r"\\dot\{([A-Za-z])_(\w+|\{\w+\})\}", r"\\dot{\1}_\2", display)
+    return re.sub(r"\\dot\{(\\mathrm\{\w\}|[A-Za-z])_(\w+|\{\w+\})\}", r"\\dot{\1}_\2", display)
 
 
 def tilde(display: str) -> str:
@@ -226,7 +226,7 @@ _LATEX: dict[type, Callable] = {
     Diagonal: lambda e: rf"\operatorname{{diag}}\left({latex(e.arg)}\right)",
     BlockMatrix: _block,
     Rotation: _rotation,
-    Stumpff: lambda e: rf"c_{{{e.order}}}\left({latex(e.arg)}\right)",
+    Stumpff: lambda e: rf"\mathrm{{c}}_{{{e.order}}}\left({latex(e.arg)}\right)",
     Inverse: _inverse,
     Root: lambda e: rf"\sqrt{{{latex(e.arg)}}}",
     Integral: _integral,

@@ -21,7 +21,7 @@ def angle_steps(
     """
     squared = b.step("x", theta.T @ theta, x, unit="rad^2", meaning=f"squared angle of the {what}")
     stumpff = [
-        b.step(f"c{k}", Stumpff(k, squared), f"c_{k}", unit="-", meaning=f"Stumpff function of order {k}")
+        b.step(f"c{k}", Stumpff(k, squared), rf"\mathrm{{c}}_{k}", unit="-", meaning=f"Stumpff function of order {k}")
         for k in orders
     ]
     squared_hat = b.step(

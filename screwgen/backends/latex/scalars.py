@@ -128,7 +128,7 @@ class Scalars:
         if f.is_Pow:
             return self._power(f)
         if isinstance(f, stumpff):
-            return rf"c_{{{f.args[0]}}}({self(f.args[1])})"
+            return rf"\mathrm{{c}}_{{{f.args[0]}}}({self(f.args[1])})"
         if f.is_Function:
             return rf"\{f.func.__name__} {self._argument(f.args[0])}"
         return rf"\left({self(f)}\right)"

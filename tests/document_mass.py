@@ -14,6 +14,11 @@ from latex_formula import Value, plus, value
 SUM = r" + \sum\limits_k "
 
 
+def of_j(name: str) -> str:
+    """A symbol of link k as that of link j."""
+    return re.sub(r"([_,])k(\}?)$", r"\1j\2", name)
+
+
 def mass_matrix_from_document(model, q) -> np.ndarray:
     """(nv, nv)."""
     rest = np.zeros(model.nv), np.zeros(model.n_tau), np.zeros((model.n_links, 6))
@@ -44,7 +49,7 @@ class Blocks:
         scope, env = self.state.scopes[link.number], self.envs[link.number]
 
         def known(name: str):
-            name = re.sub(r"_[jk]$", "_j", plain(name))
+            name = of_j(plain(name))
             if name in env:
                 return env[name]
             own = plain(re.sub(r",[jk]\}", ",i}", re.sub(r"_j$", "_i", name)))
@@ -60,10 +65,10 @@ class Blocks:
         modes = 0 if link.parent < 0 else self.links[link.parent].sizes[2]
         of_section = {plain(r"\mathbf{J}_{TV}"): (6, 6), plain(r"\mathbf{J}_{T\eta}"): (6, modes)}
         for letter in ("Y", "Z", r"\bar"):
-            left = plain(rf"\mathbf{{{letter}}}_k" if len(letter) == 1 else r"\bar{\mathbf{S}}_k")
+            left = plain({"Y": r"\mathbf{Y}_k", "Z": r"\mathbf{Y}_{\eta,k}"}.get(letter, r"\bar{\mathbf{S}}_k"))
             if left in self.lines and (link.parent >= 0 or letter == r"\bar"):
                 at = lambda n: sized(section(n), of_section[plain(n)]) if plain(n) in of_section else known(n)  # noqa: E731
-                self.envs[link.number][left[:-1] + "j"] = value(self.lines[left], at)
+                self.envs[link.number][of_j(left)] = value(self.lines[left], at)
 
     def _summed(self, link: Link, right: str) -> Value:
         first, _, each = right.partition(SUM)
@@ -96,7 +101,7 @@ class Blocks:
         out = {}
         for x, own in (("q", r"\mathbf{U}_{q,j}"), ("e", r"\mathbf{U}_{\eta,j}")):
             given = {plain(r"\mathbf{Y}_{jk}"): product, plain(r"\mathbf{U}_{x,j}"): env[plain(own)]}
-            given |= {plain(rf"\mathbf{{{n}}}_k"): at[plain(rf"\mathbf{{{n}}}_j")] for n in "YZ"}
+            given |= {n: at[of_j(n)] for n in (r"\mathbf{Y}_k", r"\mathbf{Y}_{\eta,k}")}
             given[plain(r"\bar{\mathbf{S}}_i")] = self.envs[first.number][plain(r"\bar{\mathbf{S}}_j")]
             for y, name in (("q", r"\mathbf{M}_{q_ix_j}"), ("e", r"\mathbf{M}_{\eta_ix_j}")):
                 out[y, x] = value(self.lines[plain(name)], lambda n, g=given: g[plain(n)])

@@ -10,6 +10,7 @@ from ..spec.link_class import LinkClass
 LINK = "F_i"
 TIP = "parent's tip frame"
 MIXED = "rad/s^2, m/s^2, N*m"
+UNITS = {"d": "N*m*s/rad", "k": "N*m/rad"}
 SUBSPACE = {3: r"\mathbf{A}_i", 6: r"\mathbf{S}_i"}
 """The LaTeX of the motion subspace; for a revolute joint it is the angular part, the axes."""
 
@@ -83,7 +84,7 @@ def _passive(b: Block, key: LinkClass) -> Expression | None:
                 name,
                 (key.joints, 1),
                 rf"\mathbf{{{letter}}}_q",
-                "N*m*s/rad, N*m/rad" + slides * ", of slides N*s/m, N/m",
+                UNITS[letter] + slides * f", of slides {UNITS[letter].replace('N*m', 'N').replace('rad', 'm')}",
                 "-",
                 name.replace("_", " "),
                 numbered=(0,),

@@ -47,7 +47,7 @@ def polynomial(count: int, order: int = 2) -> Shapes:
         jacobi = [_jacobi(n, order) for n in range(count)]
         stiffness, vectors = _ritz(jacobi, order) if jacobi else ([], [])
         modes = [_combination(vector, jacobi) for vector in vectors]
-        return tabulate(BEAM if order == 2 else ROD, modes, stiffness, [_latex(mode) for mode in modes])
+        return tabulate(BEAM if order == 2 else ROD, modes, stiffness, [polynomial_latex(mode) for mode in modes])
 
 
 def _jacobi(n: int, order: int) -> ClosedForm:
@@ -76,7 +76,8 @@ def _combination(vector: list[mpf], forms: list[ClosedForm]) -> ClosedForm:
     return mode if mode(1) > 0 else mode.scaled(mpf(-1))
 
 
-def _latex(mode: ClosedForm) -> str:
+def polynomial_latex(mode: ClosedForm, digits: int = 7) -> str:
+    """The LaTeX of a polynomial that vanishes at 0, its coefficients with so many digits."""
     (coefficients,) = mode.terms.values()
-    terms = (f"{latex_number(c)}\\,s" + (f"^{{{n}}}" if n > 1 else "") for n, c in enumerate(coefficients) if c)
+    terms = (f"{latex_number(c, digits)}\\,s" + (f"^{{{n}}}" if n > 1 else "") for n, c in enumerate(coefficients) if c)
     return " + ".join(terms).replace("+ -", "- ")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ...errors import ScrewgenError
+from ...spec.link_class import EXACT
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from ..numpy.numeric import Numeric
@@ -16,12 +17,15 @@ from .tables import exact
 TURN = (0.3, -0.5, 0.7, 0.2, -0.4, 0.6)
 RATE = (0.5, -0.3, 0.4, -0.6, 0.2, 0.7)
 EFFORT = (1.0, -2.0, 1.5, 0.5, -1.0, 2.5)
+OTHER = (-0.05, 0.15, 0.1, 0.5, 1.0, -0.8)
 WRENCH = (0.1, -0.2, 0.3, 1.0, -2.0, 1.5)
 QUATERNION = (0.8, 0.4, 0.4, 0.2)
-MODE, MODE_RATE, SLACK = 0.001, 0.1, 1e-4
-"""The sizes of first modes, a tenth of that for each further one, of their rates, and of the twist of a gear."""
+MODE, LARGE, MODE_RATE, SLACK = 0.001, 0.03, 0.1, 1e-4
+"""The sizes of first modes, also of rods that bend far, and of their rates, further ones a tenth; the twist of a gear."""
 NEARER = (1.0, 0.4, 0.1, 0.0)
 """By what the posture is scaled until the robot has accelerations there."""
+ACROSS = 4
+"""How many links have their wrenches side by side."""
 MANY = 8
 """Of more links only the wrenches of the first are given."""
 
@@ -46,21 +50,26 @@ def _tables(
     about = "A state, with all digits, for which a program of these equations gives the accelerations beside it."
     if chain.closing.rows:
         about += " Loops need not be closed there: their gaps close by the stabilisation."
-    wrenches = ", ".join(exact(x) for x in WRENCH)
+    wrench_of = {chain.n: WRENCH} | ({1: OTHER} if chain.n > 1 else {})
+    acting = " and ".join(
+        rf"$\boldsymbol{{\mathcal{{W}}}}_{{ext,{i}}} =$ [{', '.join(map(exact, x))}]"
+        for i, x in sorted(wrench_of.items())
+    )
     yield Paragraph(
-        rf"{about} On the tip of link {chain.n} acts $\boldsymbol{{\mathcal{{W}}}}_{{ext,{chain.n}}} =$ [{wrenches}], "
-        "on the other tips nothing."
+        f"{about} At the tip{'s of the first and the last link' * (chain.n > 1)}, {acting}; at others nothing acts."
     )
     size = max(len(q), len(v), len(u))
     columns = [[exact(x) for x in column] + [""] * (size - len(column)) for column in (q, v, u, vdot)]
     rows = tuple((f"{k + 1}", *row) for k, row in enumerate(zip(*columns, strict=True)))
     head = ("entry", r"$\mathbf{q}$", r"$\mathbf{v}$", r"$\mathbf{u}$", r"$\dot{\mathbf{v}}$")
     yield DocumentTable(head, (0.1, 0.28, 0.14, 0.14, 0.34), rows)
-    shown = min(chain.n, MANY)
-    axes = ("link", *(rf"$\tau_{{w,{x}}}$" for x in "xyz"), *(f"$F_{x}$" for x in "xyz"))
-    cells = [(f"{i + 1}", *(exact(float(f"{x:.9g}")) for x in wrench[i])) for i in range(shown)]
-    yield Paragraph(r"The joint wrenches $\mathbf{w}_i$ there, with nine digits:")
-    yield DocumentTable(axes, (0.06, *[0.94 / 6] * 6), tuple(cells))
+    yield Paragraph(r"The joint wrenches $\mathbf{w}_i$ there:")
+    letters = [rf"$\tau_{{w,{x}}}$" for x in "xyz"] + [f"$F_{x}$" for x in "xyz"]
+    for first in range(0, min(chain.n, MANY), ACROSS):
+        links = range(first, min(first + ACROSS, chain.n, MANY))
+        lines = tuple((letter, *(exact(wrench[i][k]) for i in links)) for k, letter in enumerate(letters))
+        widths = (0.1, *[0.9 / ACROSS] * len(links))
+        yield DocumentTable(("entry", *(rf"$\mathbf{{w}}_{{{i + 1}}}$" for i in links)), widths, lines)
 
 
 def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[float], np.ndarray]:
@@ -76,12 +85,12 @@ def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[f
         q[: chain.eta_q] = chain.with_added(q[: chain.eta_q - chain.n_added], p)
         q[chain.eta_q - chain.n_added : chain.eta_q] += SLACK
     v = np.array([RATE[k % len(RATE)] for k in range(chain.nv)])
-    numbers = [number for key in chain.keys for _, number in key.directions]
-    for k, number in enumerate(numbers):
-        q[chain.eta_q + k] = (-1) ** k * MODE / 10.0**number
+    modes = [(number, key.order == EXACT) for key in chain.keys for _, number in key.directions]
+    for k, (number, whole) in enumerate(modes):
+        q[chain.eta_q + k] = (-1) ** k * (LARGE if whole else MODE) / 10.0**number
         v[chain.eta_v + k] = MODE_RATE * RATE[k % len(RATE)] / 10.0**number
     u = [EFFORT[k % len(EFFORT)] for k in range(chain.n_tau)]
     w_ext = np.zeros((chain.n, 6))
-    w_ext[-1] = WRENCH
+    w_ext[0], w_ext[-1] = OTHER, WRENCH
     rounded = [float(f"{x:.12g}") for x in q]
     return rounded, [float(f"{x:.12g}") for x in v], u, w_ext

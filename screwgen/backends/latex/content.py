@@ -143,6 +143,8 @@ _LETTERS = {
     "M*": r"\mathbf{M}^*",
     "F_{i+1}": r"\mathcal{F}_{i+1}",
     "F_i": r"\mathcal{F}_i",
+    "F_j": r"\mathcal{F}_j",
+    "F_k": r"\mathcal{F}_k",
     "R_oi^T g": r"\mathbf{R}_{oi}^{\top}\mathbf{g}",
     "R_oT^T g": r"\mathbf{R}_{oT}^{\top}\mathbf{g}",
     "etaddot": r"\ddot{\boldsymbol{\eta}}",

@@ -15,7 +15,8 @@ ROWS = 60
 ABOUT = (
     r"The entries of $\mathbf{q}$ and of the rates $\mathbf{v}$ in their order, as all functions of the tool take "
     r"and give them. $\mathbf{q}_i$, $\dot{\mathbf{q}}_i$ and $\boldsymbol{\eta}_i$ are those of the joint and of the "
-    r"modes of link $i$; in the section of a class their entries are numbered within the link."
+    r"modes of link $i$; in the section of a class their entries are numbered within the link; "
+    r"of a ball joint those of $\mathbf{q}_i$ are its quaternion, those of $\dot{\mathbf{q}}_i$ its angular velocity."
 )
 INPUTS = (
     r"The entries of the inputs $\mathbf{u}$ in their order. Besides, an external wrench "

@@ -103,15 +103,17 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     ]
     symbols = entries(known, named)
     sections = [_robot(robot, chain), _conventions(robot, chain), motion.motion(chain)]
-    steps = [view for key in chain.classes for view in views[key]]
-    sections.append(DocumentSection(ALGORITHM, [*algorithm.items(chain, steps), *check_value.items(chain)]))
+    lines = algorithm.lines(chain)
+    parts = {key: algorithm.parted(lines, views[key]) for key in chain.classes}
+    given = algorithm.items(lines, [view for key in chain.classes for view in parts[key][0]])
+    sections.append(DocumentSection(ALGORITHM, [*given, *check_value.items(chain)]))
     sections.append(motion.mass_matrix(chain))
     shown_steps: dict[LinkClass, dict] = {key: {} for key in chain.classes}
-    sections += _classes(chain, views, shown_steps, appendix=False)
+    sections += _classes(chain, parts, shown_steps, appendix=False)
     sections += filter(None, [joints(chain)])
     sections.append(_derivation(robot, chain))
     sections += [s for chapter in chapters for s in chapter.sections]
-    sections += _classes(chain, views, shown_steps, appendix=True)
+    sections += _classes(chain, parts, shown_steps, appendix=True)
     sections += [
         DocumentSection(SYMBOLS, [tables.symbols(symbols)]),
         DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),
@@ -124,14 +126,13 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
 
 
 def _classes(
-    chain: Chain, views: Mapping[LinkClass, Sequence[BlockView]], shown: Mapping[LinkClass, dict], appendix: bool
+    chain: Chain, parts: Mapping[LinkClass, Sequence[list[BlockView]]], shown: Mapping[LinkClass, dict], appendix: bool
 ) -> Iterator[DocumentSection]:
     """The sections of the classes: what the algorithm needs, or the further forms of their equations."""
     printed: dict = {}
     for number, key in enumerate(chain.classes, 1):
         members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
-        own = [view for view in views[key] if algorithm.needed(view) != appendix]
-        yield class_section(number, key, members, own, printed, shown[key], appendix)
+        yield class_section(number, key, members, parts[key][appendix], printed, shown[key], appendix)
 
 
 def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Block]:
@@ -201,6 +202,7 @@ def _conventions(robot: Robot, chain: Chain) -> DocumentSection:
         citation=CITATION,
         assumptions=chain.assumptions("`"),
         shear=any(len(key.counts) > 4 for key in chain.keys),
+        turning=robot.section_rotation and any(key.modes for key in chain.keys),
     )
     return DocumentSection("Conventions", parse(text))
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
+from ...bases.polynomial import polynomial_latex
 from ...bodies.collocation import collocation
 from ...bodies.varying_fields import weights
 from ...ir.block import Binding, Block
@@ -16,7 +17,7 @@ from ..templates import render
 from .content import Display, DocumentSection, DocumentTable, Heading, Item, Paragraph, StepEquation, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
-from .steps import BlockView
+from .steps import DIGITS, BlockView
 from .tables import DIRECTION, decimal, modes, named_axes, stations
 
 ORDER = (
@@ -105,13 +106,26 @@ def _parts(key: LinkClass, views: Sequence[BlockView], appendix: bool) -> Iterat
             if steps or view.zeros or view.identities:
                 yield title, (*_plain(view), *named, *map(equation, steps))
     digits = [row for view in views for step in view.steps for row in step.digits]
+    digits += _exact_shapes(key)
     if digits and not appendix:
         yield "Constants with all digits", tuple(_digits(digits))
 
 
+def _exact_shapes(key: LinkClass) -> Iterator[tuple[str, str]]:
+    """The polynomial shapes whose coefficients are printed, with all digits."""
+    for direction in dict.fromkeys(d for d, _ in key.directions) if key.elastic is None else ():
+        shapes = key.shapes(direction)
+        if shapes.family.changes and shapes.count <= FORMULAS:
+            for k, form in enumerate(shapes.functions):
+                number = next(n for n, pair in enumerate(key.directions, 1) if pair == (direction, k))
+                yield rf"\varphi_{{{number}}} = \psi_{{{k + 1}}}(s)", polynomial_latex(form, DIGITS)
+
+
 def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
     """The entries of the constants that have numbers, two in a row of the table if they are short."""
-    yield Paragraph("The entries of the constants above whose numbers are printed there with six digits:")
+    yield Paragraph(
+        "The entries of the constants above, and the shapes, whose numbers are printed there with fewer digits:"
+    )
     cells = [f"${left} = {right}$" for left, right in dict(rows).items()]
     count = 2 if all(width(cell) <= PAGE / 2 - 2.0 for cell in cells) else 1
     cells += [""] * (-len(cells) % count)

@@ -50,7 +50,7 @@ def mass_matrix(chain: Chain, at: Sequence[float] | None = None) -> MassMatrix:
     """The matrix in the coordinates ``at`` (nq,), by default in the posture in which all are at home."""
     q = np.array(chain.home if at is None else at, float)
     every = groups(chain)
-    shown = list(_html(group) for group in every)
+    shown = [_html(group) for group in every]
     M = Numeric(chain).mass_matrix(q) if chain.nv <= MANY else np.zeros((0, 0))
     scale = np.sqrt(np.outer(np.diag(M), np.diag(M)))
     entries = [[_number(x, s) for x, s in zip(row, sizes, strict=True)] for row, sizes in zip(M, scale, strict=True)]

@@ -178,7 +178,7 @@ def page(shown: Document, more: Extras | None = None) -> str:
         **values,
         levels=any(item.level == ESSENCE for s in sections for item in s.items) and more is not None,
         guides=list(_guides(sections, more)) if more else [],
-        torque=_anchor_of(sections, r"\mathbf{J}_m &") or _anchor_of(sections, r"\mathbf{y}_i"),
+        torque=_anchor_of(sections, r"\mathbf{J}_m &") or _anchor_of(sections, r"\mathbf{f}_{q,i}"),
         solved=_anchor_of(sections, r"\ddot{\mathbf{q}}_i"),
         diagram=markup(more.diagram) if more else "",
         mass=markup(_mass(sections, more.mass)) if more else "",

@@ -182,14 +182,14 @@ def _view(
 
 
 def _digits(signal: NamedSignal, entries: Array, write: Scalars) -> tuple[tuple[str, str], ...]:
-    """The entries with numbers that are not short, with all their digits; of a symmetric matrix those above."""
+    """The entries with numbers that are not short, with all their digits; equal ones together."""
     whole = replace(write, digits=DIGITS)
-    found: dict[str, tuple[str, str]] = {}
+    found: dict[str, list[str]] = {}
     for index, value in np.ndenumerate(entries):
         text = whole(sp.sympify(value))
         if text != write(sp.sympify(value)):
-            found.setdefault(text, (entry(signal, index), text))
-    return tuple(found.values())
+            found.setdefault(text, []).append(entry(signal, index))
+    return tuple((" = ".join(names), text) for text, names in found.items())
 
 
 def _terms(right: ex.Expression) -> list[str]:

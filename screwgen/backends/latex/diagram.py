@@ -141,6 +141,7 @@ def _next_line(
 def _coordinates(chain: Chain, i: int) -> str:
     key = chain.keys[i]
     joint = f"{key.joints} {'axis' if key.joints == 1 else 'axes'}" if key.joints else key.joint.name or "welded"
+    joint = "floats" if key.floats else joint
     return f"{joint}, {key.modes} mode{'s' * (key.modes > 1)}" if key.modes else f"{joint}, rigid"
 
 

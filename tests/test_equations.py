@@ -9,10 +9,14 @@ from itertools import accumulate, pairwise
 import numpy as np
 import pytest
 import sympy as sp
+from latex_formula import SYMBOL
 from textbook_robots import DIGESTS, TEXTBOOKS, Textbook, digests, lump
 
 import screwgen
+from screwgen.backends.equations.document import content
 from screwgen.backends.equations.equations import Equations
+from screwgen.backends.latex import document as latex
+from screwgen.cli.posture import posture
 from screwgen.spec.robot import Robot
 
 EVERY = pytest.mark.parametrize("name", TEXTBOOKS)
@@ -186,6 +190,98 @@ def test_what_is_too_large_or_has_no_closed_form_is_refused_in_a_line(reason):
     assert "\n" not in str(error.value)
 
 
+def test_robots_with_tendons_are_refused():
+    """A tension bends the links by the slope of its length: it is no force on one mode."""
+    section = {"rhoA": 1.0, "EIz": 40.0, "EIy": 40.0}
+    rod = {"name": "rod", "length": 1.0, "section": section, "modes": {"bending_y": 1}, "joint": {"axes": ["z"]}}
+    rod["tendons"] = [{"name": "left", "at": [[0.0, 0.01, 0.0], [0.0, 0.01, 0.0]]}]
+    with pytest.raises(screwgen.UsageError, match="it has tendons"):
+        screwgen.derive(Robot(name="pulled", gravity=[0.0, -9.81, 0.0], links=[rod])).equations()
+
+
 def test_a_posture_of_another_length_is_refused():
     with pytest.raises(screwgen.UsageError, match="give the 2 of the posture"):
         equations("two_link").linearised([0.1, 0.2, 0.3])
+
+
+# -------- postures, letters
+
+STATED = {
+    "pi/2, -pi/4": (np.pi / 2, -np.pi / 4),
+    "2*pi/3 0.5*pi": (2 * np.pi / 3, np.pi / 2),
+    "3pi/4,-.5": (3 * np.pi / 4, -0.5),
+    "1.5707963,1.5707965": (np.pi / 2, np.pi / 2),
+    "-1.0472,0.7854": (-np.pi / 3, np.pi / 4),
+    "1.571,0.0001": (1.571, 0.0001),
+}
+
+
+@pytest.mark.parametrize("given", STATED)
+def test_angles_are_taken_as_they_are_meant(given):
+    """To the last bit or two; of a joint that slides decimals are what they are."""
+    np.testing.assert_allclose(posture("--about", given, (True, True)).q, STATED[given], rtol=4e-16)
+    assert posture("--about", "1.5708,0.7854", (True, False)).q == (np.pi / 2, 0.7854)
+
+
+@pytest.mark.parametrize(
+    "given", ["pi/0,1", "pi*pi,1", "2*,1", "one,1", "nan,1", "1", "1,2,3", "0,pi", "9**9,1", "1e999,0"]
+)
+def test_what_is_no_posture_is_refused_in_a_line(given):
+    with pytest.raises(screwgen.UsageError, match=r"^--about: ") as error:
+        posture("--about", given, (True, False))
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(("given", "rounding"), [((0.3, np.pi / 2 - 0.3), 0.0), ((0.3, 1.2707963), 5e-8)])
+def test_sums_of_angles_leave_no_rest_of_rounding(given, rounding):
+    """At right angles to gravity the second link has no weight that bends it, and g_2 no term."""
+    exact = str(equations("two_link").linearised(given, max(rounding, 1e-12)))
+    assert not re.search(r"e-\d|tau0_2", exact) and "K_22 = -m_2*g*c_2\n" in exact + "\n"
+
+
+DOTS = re.compile(r"\\d?dot\{((?:[^{}]|\{[^{}]*\})*)\}")
+WORD = re.compile(r"\\(?:left|right|Big[lr]|t?frac|sqrt|cos|sin|q?quad|top)(?![a-z])")
+ENTRY = re.compile(r"[MCDK]_\{\d\d\}|g_\{\d\}")
+
+
+def symbols(texts: list[str]) -> set[str]:
+    """The symbols of formulas without dots, entries of matrices left out."""
+    found = {m[0] for text in texts for m in SYMBOL.finditer(WORD.sub(" ", DOTS.sub(r"\1", text)))}
+    return {symbol for symbol in found if not ENTRY.fullmatch(symbol)}
+
+
+@pytest.mark.parametrize("name", ["flexible_arm", "elastic_joint", "crane"])
+def test_the_document_explains_its_letters_before_it_uses_them(name):
+    """Every letter of the formulas has a row, the coordinates come in their order; vectors are bold."""
+    e = equations(name)
+    shown = content(model(name).chain, e)
+    first, formulas = shown.sections
+    rows = [row for item in first.items if item.kind == "table" for row in item.rows]
+    explained = [row[0].strip("$") for row in rows]
+    names = [x.latex for x in e.coordinates]
+    assert explained[: len(names)] == names and len(explained) == len(set(explained)) and all(row[1] for row in rows)
+    cells = [cell for x in formulas.items if x.kind == "display" for row in x.formula for cell in row]
+    assert symbols(cells) <= symbols(explained), symbols(cells) - symbols(explained)
+    text = latex.tex(shown)
+    assert r"\mathbf{M}(\mathbf{q})" in text and "M_{11}" in text and r"\tableofcontents" not in text
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_the_shapes_that_a_document_prints_are_normalised(count):
+    """Read as they stand, and integrated by sympy: with them the square root of five can be found again."""
+    rod = {"name": "rod", "length": 1.0, "joint": {"axes": ["z"]}, "section": {"rhoA": 1.0, "EIy": 1.0, "EIz": 1.0}}
+    own = screwgen.derive(Robot(name="rod", gravity=[0.0, 0.0, 0.0], links=[rod | {"modes": {"bending_y": count}}]))
+    items = content(own.chain, own.equations()).sections[0].items
+    lines = [" ".join(row).strip() for x in items if x.kind == "display" for row in x.formula]
+    s = sp.Symbol("s")
+    shapes = [sp.sympify(as_text(x.partition("= ")[2]), {"s": s}) for x in lines if x.startswith(r"\varphi_{")]
+    assert len(shapes) == count and (count > 1 or shapes[0] == sp.sqrt(5) * s**2)
+    gram = sp.Matrix([[sp.integrate(a * b, (s, 0, 1)) for a in shapes] for b in shapes])
+    np.testing.assert_allclose(np.array(gram, dtype=float), np.eye(count), atol=1e-4)  # six digits, of up to 16
+
+
+def as_text(formula: str) -> str:
+    """LaTeX of a polynomial as sympy reads it."""
+    for old, new in ((r"\left", ""), (r"\right", ""), (r"\,", "*"), ("s^{", "s**{"), (r"\sqrt{5}", "sqrt(5)*")):
+        formula = formula.replace(old, new)
+    return formula.replace("{", "(").replace("}", ")")

@@ -6,6 +6,7 @@ import html
 import json
 import re
 from functools import cache
+from itertools import combinations
 from xml.etree import ElementTree
 
 import pytest
@@ -18,6 +19,7 @@ from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex.code_lines import CodeLines, found
 from screwgen.backends.latex.content import Document
+from screwgen.backends.latex.diagram import diagram
 from screwgen.backends.latex.marks import Marks
 from screwgen.backends.latex.page import Extras
 from screwgen.topology.chain import Chain
@@ -102,6 +104,18 @@ def test_symbols_are_found_below_accents_and_beside_scripts():
         assert re.findall(r'data-s="(\d+)"', marked) == expected, formula
 
 
+@every_robot
+def test_the_table_of_symbols_has_those_of_the_page(name):
+    """Every row is pointed at from elsewhere; what the text names without a step has a row too."""
+    tree = ElementTree.fromstring(shown(name))
+    rows = {e.get("id"): e for e in tree.iter("tr") if re.fullmatch(r"y\d+", e.get("id") or "")}
+    own = {id(x) for row in rows.values() for x in row.iter()}
+    used = {f"y{x.get('data-s')}" for x in tree.iter() if x.get("data-s") and id(x) not in own}
+    assert used == rows.keys(), [content(name).name, *("".join(rows[y][0].itertext()) for y in rows.keys() - used)]
+    letters = {"".join(row[0].itertext()) for row in rows.values()}
+    assert {"\U0001d40d", "\U0001d415T", "\U0001d42bT"} <= letters  # N, V_T, r_T
+
+
 def test_the_page_is_the_same_every_time_and_small():
     again = latex.html(PENDULUM, PLUGINS)
     assert again == shown("pendulum")
@@ -123,6 +137,23 @@ def test_the_diagram_is_drawn_from_the_model(name):
     assert drawn.count('<g class="box">') == drawn.count('<g class="flow">') == chain(name).n
     assert drawn.count('<path class="loop"') == len(chain(name).closing.junctions)
     assert drawn.count('class="modes"') == sum(key.modes > 0 for key in chain(name).keys)
+
+
+def test_the_diagram_of_a_long_arm_goes_on_in_a_further_line():
+    """It is no wider than the page; boxes are apart, and all is within the picture."""
+    drawn = ElementTree.fromstring(diagram(Chain(load(example_file("six_link")))))
+    svg = next(e for e in drawn.iter() if e.tag.endswith("svg") and e.get("class") != "pattern")
+    width, height = (float(svg.get(side)) for side in ("width", "height"))
+    boxes = [[float(e.get(k)) for k in ("x", "y", "width", "height")] for e in svg.iter() if e.tag.endswith("rect")]
+    assert width <= 930 and len(boxes) == 7 and len({y for _, y, *_ in boxes}) == 2
+    for (x, y, w, h), (a, b, c, d) in combinations(boxes, 2):
+        assert x + w < a or a + c < x or y + h < b or b + d < y
+    paths = [e.get("d") for e in svg.iter() if e.tag.endswith("path") and (e.get("class") or "")[:1] == "p"]
+    x, y = zip(
+        *((float(a), float(b)) for path in paths for a, b in re.findall(r"([\d.]+) ([\d.]+)", path)), strict=True
+    )
+    assert len(paths) == 18 and min(*x, *y) >= 0 and max(x) <= width and max(y) <= height
+    assert ">1 axis, 1 mode<" in body("pendulum")
 
 
 # -------- lines of C
@@ -195,6 +226,23 @@ def test_headings_of_several_lines_are_read():
 # -------- in a browser
 
 
+CARDS_OUTSIDE = """(() => {
+  const seen = new Set(), out = [];
+  for (const e of $("main [data-s]")) {
+    if (seen.has(e.dataset.s) || !e.getClientRects().length) continue;
+    seen.add(e.dataset.s);
+    e.scrollIntoView({ block: "center" });
+    tell(e);
+    const r = card.getBoundingClientRect();
+    const inside = r.left >= 0 && r.top >= 0 && r.right <= root.clientWidth + 1 && r.bottom <= innerHeight + 1;
+    if (!inside) out.push(e.textContent);
+  }
+  hide();
+  return seen.size > 50 ? out : ["too few symbols"];
+})()"""
+"""The symbols whose cards are not within the window."""
+
+
 @pytest.mark.examples
 @every_browser
 def test_a_reader_finds_a_way(program, tmp_path):
@@ -203,6 +251,7 @@ def test_a_reader_finds_a_way(program, tmp_path):
     file.write_text(shown("ella"), encoding="utf-8")
     with started(program, tmp_path) as browser:
         browser.open(file)
+        assert browser.run("hint.offsetHeight") > 20
         high = "document.documentElement.scrollHeight"
         assert browser.run(high) < 2300
         for level, least in ((2, 10_000), (3, 15_000)):
@@ -219,6 +268,8 @@ def test_a_reader_finds_a_way(program, tmp_path):
         browser.point(*browser.run(f"[{place}.left + 4, {place}.top + {place}.height / 2]"))
         browser.until("!card.hidden")
         assert "wrench that modal accelerations need" in browser.run("card.textContent")
+        assert browser.run("hint.offsetHeight") == 0
+        assert browser.run(CARDS_OUTSIDE) == []
         browser.run("tell(document.querySelector('#s5-S_0 .formula [data-s]'))")
         assert f"{0.95**2 * 1.6302 / 2:.5g}" in browser.run("card.textContent")
         for words, place in (("inertia forearm mode 3", "mode-forearm-3"), ("forearm", "s6")):
@@ -234,6 +285,7 @@ def test_a_reader_finds_a_way(program, tmp_path):
         assert browser.run("document.documentElement.dataset.level + state.n + state.c") == "2truefalse"
         browser.resize(390, 844, True)
         assert browser.run("document.documentElement.scrollWidth") <= 390
+        assert browser.run(CARDS_OUTSIDE) == []
         assert not browser.complaints
         assert all(url in ("about:blank",) or url.startswith(file.as_uri()) for url in browser.requests)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-import re
 from collections.abc import Callable, Sequence
 
 from ..backends.equations import document as scalars
@@ -18,9 +16,11 @@ from ..plugins import plugins
 from ..progress import busy
 from ..simulation.runs import check_output, outputs, suffix
 from ..simulation.state import read_state
+from ..spec.parameters import turning
 from ..spec.robot import Robot
 from .linear import numbers
-from .output import load_robot, say
+from .output import load_robot, notes, say
+from .posture import posture
 
 FORMATS: dict[str, Callable[[Document, DocumentStyle, Robot | None, Sequence[float] | None], bytes]] = {
     ".tex": lambda shown, around, *_: latex.tex(shown, around).encode(),
@@ -64,36 +64,18 @@ def run_latex(
     loaded = load_robot(robot, quiet)
     q = None if at is None else read_state(at, derive(loaded)).q.tolist()
     with busy("typesetting", quiet), outputs(output) as (stream,):
-        shown = _scalars(loaded, about) if scalar else latex.content(loaded, plugins(), letters)
+        shown = _scalars(loaded, about, quiet) if scalar else latex.content(loaded, plugins(), letters)
         stream.write(FORMATS[kind](shown, around, None if scalar else loaded, q))
     say(output, quiet)
 
 
-PI = re.compile(r"([+-]?)(?:(\d+(?:\.\d+)?)\*?)?pi(?:/(\d+))?")
-PARTS = 12
-"""Angles that are rounded multiples of π over this are meant to be these."""
-DIGITS = 4
-"""With fewer digits behind the point a number is what it is."""
-
-
-def angles(given: str) -> str:
-    """Coordinates with `pi/2` and its like as numbers, and with 1.5707963 as the angle that it is rounded from."""
-    return " ".join(map(_angle, given.replace(",", " ").split()))
-
-
-def _angle(word: str) -> str:
-    if match := PI.fullmatch(word):
-        sign, factor, below = match.groups()
-        return repr(float(f"{sign}1") * float(factor or 1) * math.pi / int(below or 1)) if below != "0" else word
-    if not (match := re.fullmatch(r"[+-]?\d*\.(\d+)", word)) or len(match[1]) < DIGITS:
-        return word
-    near = round(float(word) * PARTS / math.pi) * math.pi / PARTS
-    return repr(near) if abs(near - float(word)) <= 10.0 ** -len(match[1]) else word
-
-
-def _scalars(robot: Robot, about: str | None) -> Document:
+def _scalars(robot: Robot, about: str | None, quiet: bool) -> Document:
     """The equations entry by entry, and about a posture if one is given."""
     model = derive(robot)
     found = model.equations()
-    q = None if about is None else numbers("q", angles(about), model.n_joints, "joint coordinates", "about")
-    return scalars.content(model.chain, found, None if q is None else found.linearised(q))
+    if about is None:
+        return scalars.content(model.chain, found)
+    at = posture("--about", about, turning(robot))
+    notes("--about", at.taken, quiet)
+    q = numbers("q", " ".join(map(repr, at.q)), model.n_joints, "joint coordinates", "about")
+    return scalars.content(model.chain, found, found.linearised(q, at.rounding), at.taken)

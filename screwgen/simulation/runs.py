@@ -109,9 +109,9 @@ class Run:
     def __repr__(self) -> str:
         tendons = sum(name.endswith(TENSION) for name in self.tau_names)
         joints = self.tau.shape[1] - tendons
-        modes, pulled = self.q.shape[1] - joints, f", {tendons} tendons" * bool(tendons)
+        counts = {"joint": joints, "mode": self.q.shape[1] - joints} | ({"tendon": tendons} if tendons else {})
         early = ", ended early" if self.ended else ""
-        size = f"{joints} joints, {modes} modes{pulled}"
+        size = ", ".join(f"{count} {word}{'s' * (count != 1)}" for word, count in counts.items())
         return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s{early}, {size}>"
 
     def _repr_html_(self) -> str:

@@ -16,6 +16,8 @@ from .names import MEANINGS, Name, dotted
 from .trees import FormulaSum
 from .writing import LATEX, TEXT, FormulaWriter, expression
 
+TEXT_LETTERS, LATEX_LETTERS = {"tau": "tau0"}, {"tau": r"\tau^{\circ}"}
+"""The letters of entries in text and in LaTeX, where they are not those of the matrix."""
 ROOM = PAGE - 6.0
 """The width that a term may take before it is broken inside its bracket, em."""
 
@@ -41,6 +43,17 @@ class Letters:
         return expression(formula, self.symbols)
 
 
+SIDES = {
+    "M": ("M(q) qddot", r"\mathbf{M}(\mathbf{q})\,\ddot{\mathbf{q}}"),
+    "C": ("C(q, qdot) qdot", r"\mathbf{C}(\mathbf{q}, \dot{\mathbf{q}})\,\dot{\mathbf{q}}"),
+    "D": ("D qdot", r"\mathbf{D}\,\dot{\mathbf{q}}"),
+    "K": ("K q", r"\mathbf{K}\,\mathbf{q}"),
+    "g": ("g(q)", r"\mathbf{g}(\mathbf{q})"),
+}
+"""What the left side of the equations is made of, in text and in LaTeX."""
+ROUNDING = 1e-12
+"""What arithmetic leaves of an angle, rad."""
+
 Forms = Mapping[str, Sequence[Sequence[FormulaSum]]]
 """The entries of matrices and columns by their letter."""
 
@@ -52,7 +65,7 @@ class Shown:
     """
 
     heading = ""
-    latex_heading = ""
+    latex_heading: tuple[str, ...] = ()
 
     def __init__(self, robot: str, forms: Forms, letters: Letters, parts: Mapping[int, FormulaSum]):
         self.robot, self._forms, self._letters, self._parts = robot, forms, letters, parts
@@ -79,6 +92,10 @@ class Shown:
             e = e.subs(symbol, part)
         return e
 
+    def has(self, letter: str) -> bool:
+        """Whether a matrix has an entry that is not zero."""
+        return any(entry.terms for row in self._forms[letter] for entry in row)
+
     def _entries(self) -> Iterator[tuple[str, tuple[int, ...], FormulaSum]]:
         """Letter, place and formula of every entry that is not zero; of a symmetric matrix its upper half."""
         for letter, rows in self._forms.items():
@@ -96,49 +113,43 @@ class Shown:
 
     def _place(self, letter: str, place: tuple[int, ...]) -> tuple[str, ...]:
         """An entry's place, and of a symmetric matrix also the other one with the same formula."""
-        scalar = len(self._forms[letter]) == 1
         comma = "," if len(self._forms[letter]) > 9 else ""
         both = [place] if letter not in self.symmetric or len(set(place)) == 1 else [place, place[::-1]]
-        return ("",) if scalar else tuple(comma.join(map(str, p)) for p in both)
+        return tuple(comma.join(map(str, p)) for p in both)
 
     def __str__(self) -> str:
         lines = [f"{self.robot}: {self.heading}"]
         lines += [f"{self._letters.names[k].text} = {self._letters.text(part)}" for k, part in self._parts.items()]
         for letter, place, entry in self._entries():
-            left = " = ".join(f"{letter}{'_' * bool(p)}{p}" for p in self._place(letter, place))
+            left = " = ".join(f"{TEXT_LETTERS.get(letter, letter)}_{p}" for p in self._place(letter, place))
             lines.append(f"{left} = {self._letters.text(entry)}")
         return "\n".join(lines)
 
     __repr__ = __str__
 
     def grouped(self) -> dict[str, list[Formula]]:
-        """By letter the entries that are not zero, as rows of cells in LaTeX; by "" the equation and common parts."""
+        """By letter the entries that are not zero, as rows of cells in LaTeX; by "" those of common parts."""
         letters = self._letters
-        out: dict[str, list[Formula]] = {"": [((self.latex_heading, ""),)]}
-        out[""] += [equation(letters.names[k].latex, letters.latex(part)) for k, part in self._parts.items()]
+        out = {"": [equation(letters.names[k].latex, letters.latex(part)) for k, part in self._parts.items()]}
         for letter, place, entry in self._entries():
-            below = self._place(letter, place)
-            left = " = ".join(f"{_letter(letter)}_{{{p}}}" if p else _letter(letter) for p in below)
+            left = " = ".join(f"{LATEX_LETTERS.get(letter, letter)}_{{{p}}}" for p in self._place(letter, place))
             out.setdefault(letter, []).append(equation(left, letters.latex(entry)))
         return out
 
-    def formulas(self) -> list[Formula]:
-        """The equation of motion, common parts, then every entry that is not zero, as rows of cells in LaTeX."""
-        return [formula for group in self.grouped().values() for formula in group]
-
     def latex(self) -> str:
         """The equations as one environment for a display: the equation of motion above, the entries aligned below."""
-        _, *others = self.formulas()
-        rows = " \\\\\n".join(" & ".join(row) for formula in others for row in formula)
+        formulas = [formula for group in self.grouped().values() for formula in group]
+        rows = " \\\\\n".join(" & ".join(row) for formula in formulas for row in formula)
         aligned = f"\\begin{{aligned}}\n{rows}\n\\end{{aligned}}"
-        return f"\\begin{{gathered}}\n{self.latex_heading} \\\\\n{aligned}\n\\end{{gathered}}"
+        return "\\begin{gathered}\n" + " \\\\\n".join([*self.latex_heading, aligned]) + "\n\\end{gathered}"
 
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex()}$"
 
 
-def _letter(letter: str) -> str:
-    return {"tau": r"\tau^{\circ}"}.get(letter, letter)
+def column(entries: Sequence[str]) -> str:
+    """A column in LaTeX, written as a row."""
+    return "[" + r",\ ".join(entries) + r"]^{\top}"
 
 
 Values = Sequence[tuple[Name, float, Parameter]]
@@ -157,7 +168,7 @@ class Given(Protocol):
     @property
     def right(self) -> Sequence[Name | None]: ...
 
-    def linearised(self, robot: str, q: Numbers | None) -> LinearEquations: ...
+    def linearised(self, robot: str, q: Numbers | None, rounding: float) -> LinearEquations: ...
 
 
 class Equations(Shown):
@@ -177,23 +188,18 @@ class Equations(Shown):
     ):
         super().__init__(robot, forms, letters, parts)
         self._given, self._values = given, values
-        sides = [r"M(q)\,\ddot{q}"]
-        sides += [r"C(q, \dot{q})\,\dot{q}"] if self._has("C") else []
-        sides += [r"D\,\dot{q}"] if self._has("D") else []
-        sides += ["K\\,q"] if self._has("K") else []
-        sides += ["g(q)"] if self._has("g") else []
-        column = lambda names: rf"[{', '.join(names)}]^{{\top}}".replace(", ", r",\ ")  # noqa: E731
-        q = column([name.latex for name in given.q])
-        rhs = column([rf"{name.latex}" if name else "0" for name in given.right])
-        self.latex_heading = rf"{' + '.join(sides)} = {rhs}, \qquad q = {q}"
-        words = " + ".join(sides).replace(r"\,", " ")
-        for dots, word in ((r"\ddot{q}", "qddot"), (r"\dot{q}", "qdot")):
-            words = words.replace(dots, word)
-        right = ", ".join(name.text if name else "0" for name in given.right)
-        self.heading = f"{words} = [{right}], q = [{', '.join(name.text for name in given.q)}]"
-
-    def _has(self, letter: str) -> bool:
-        return any(entry.terms for row in self._forms[letter] for entry in row)
+        sides = [side for side in SIDES if side == "M" or self.has(side)]
+        q, right = [name.latex for name in given.q], [name.latex if name else "0" for name in given.right]
+        self.latex_heading = (
+            " + ".join(SIDES[side][1] for side in sides) + r" = \boldsymbol{\tau}",
+            rf"\mathbf{{q}} = {column(q)}",
+            rf"\boldsymbol{{\tau}} = {column(right)}",
+        )
+        words, forces = (
+            " + ".join(SIDES[side][0] for side in sides),
+            (name.text if name else "0" for name in given.right),
+        )
+        self.heading = f"{words} = [{', '.join(forces)}], q = [{', '.join(name.text for name in given.q)}]"
 
     @cached_property
     def q(self) -> tuple[sp.Symbol, ...]:
@@ -246,8 +252,8 @@ class Equations(Shown):
         return self._matrix("g")
 
     @property
-    def meanings(self) -> list[tuple[Name, str]]:
-        """What the common parts are."""
+    def meanings(self) -> list[tuple[Name, tuple[str, str]]]:
+        """What the common parts are, each with its unit."""
         names = [self._letters.names[number] for number in self._parts]
         return [(name, MEANINGS[name.text.partition("_")[0]]) for name in names]
 
@@ -278,22 +284,39 @@ class Equations(Shown):
         left = self.M * qddot + self.C * qdot + self.D * qdot + self.K * q + self.g - self.forces
         return sp.ImmutableMatrix(left)
 
-    def linearised(self, q: Numbers | None = None) -> LinearEquations:
+    def linearised(self, q: Numbers | None = None, rounding: float = ROUNDING) -> LinearEquations:
         """The equations for small motions about rest in a posture ``q`` (nq, or joints alone), zero by default; rad, m.
 
-        Multiples of 30 and 45 degrees give roots, other angles decimals.  Raises UsageError for another length.
+        Multiples of 30 and 45 degrees give roots, other angles decimals; a sum of angles is such a multiple that
+        differs from it by ``rounding`` (rad) or less.  Raises UsageError for another length.
         """
-        return self._given.linearised(self.robot, q)
+        return self._given.linearised(self.robot, q, rounding)
 
 
 class LinearEquations(Shown):
-    """``M x'' + D x' + K x = tau - tau_0`` with ``x = q - q0``, about rest in a posture ``q0``.
+    """``M x'' + D x' + K x = tau - tau_0`` with ``x = q - q0``, about rest in a ``posture`` q0, whose LaTeX is given.
 
     ``M``, ``D``, ``K`` (nv, nv); ``tau_0`` (nv, 1): the forces that hold the posture, N·m or N, zero in equilibrium.
     """
 
-    heading = "M x'' + D x' + K x = tau - tau_0, x = q - q0"
-    latex_heading = r"M\,\ddot{x} + D\,\dot{x} + K\,x = \tau - \tau^{\circ}, \qquad x = q - q^{\circ}"
+    heading = "M x'' + D x' + K x = tau - tau0, x = q - q0"
+
+    def __init__(
+        self,
+        robot: str,
+        forms: Forms,
+        letters: Letters,
+        parts: Mapping[int, FormulaSum],
+        posture: Sequence[str],
+    ):
+        super().__init__(robot, forms, letters, parts)
+        sides = [r"\mathbf{M}\,\ddot{\mathbf{x}}", *[r"\mathbf{D}\,\dot{\mathbf{x}}"] * self.has("D")]
+        sides += [r"\mathbf{K}\,\mathbf{x}"] * self.has("K")
+        hold = r" - \boldsymbol{\tau}^{\circ}" * self.has("tau")
+        self.latex_heading = (
+            rf"{' + '.join(sides)} = \boldsymbol{{\tau}}{hold}",
+            rf"\mathbf{{x}} = \mathbf{{q}} - \mathbf{{q}}^{{\circ}}, \qquad \mathbf{{q}}^{{\circ}} = {column(posture)}",
+        )
 
     M = property(lambda self: self._matrix("M"), doc="The inertia matrix (nv, nv) in the posture.")
     D = property(lambda self: self._matrix("D"), doc="The damping matrix (nv, nv).")

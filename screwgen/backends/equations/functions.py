@@ -20,6 +20,8 @@ QUARTERS: dict[Fraction, tuple[tuple[Number, int, bool], ...]] = {
     Fraction(1, 3): ((HALF, 1, False), (HALF, 3, True)),
 }
 """``exp(i pi x)`` of fractions x below a half: numbers, what stands under a root beside them, whether i does too."""
+STEPS = 12
+"""The multiples of π over this are all angles whose sines and cosines these roots express, and some others."""
 
 
 class NoClosedFormError(UsageError):
@@ -208,23 +210,46 @@ def put(a: ExactSum, number: int, value: ExactSum) -> ExactSum:
     return out
 
 
-def at(a: ExactSum, posture: Mapping[int, ExactSum]) -> ExactSum:
-    """``a`` with values for coordinates and angles, by the numbers of their generators."""
+def at(a: ExactSum, posture: Mapping[int, ExactSum], rounding: float) -> ExactSum:
+    """``a`` with values for coordinates and angles, by the numbers of their generators.
+
+    The angles of a term are summed first: a sum that is a multiple of 30 or 45 degrees but for ``rounding`` (rad) gives
+    its roots, and no rest.
+    """
     ring, out = a.ring, ExactSum(a.ring, {})
     for m, c in a.sorted():
-        term = ring.literal(c)
+        term, turn = ring.literal(c), 0.0
         for number, e in m:
             generator = ring.generators[number]
             symbol = generator.angle or generator
             value = posture.get(symbol.number)
             if value is None and symbol.part is not None:
-                value = at(symbol.part, posture)
+                value = at(symbol.part, posture, rounding)
             if value is None:
                 term = term * ring.of(generator, e)
+            elif generator.angle is None:
+                term = term * power(value, e)
+            elif (angle := numeric(value)) is not None:
+                turn += float(e) * angle
             else:
-                term = term * (exponential(value * e) if generator.angle is not None else power(value, e))
-        out = out + term
+                term = term * exponential(value * e)
+        out = out + term * turned(ring, turn, rounding)
     return out
+
+
+def numeric(a: ExactSum) -> float | None:
+    """The value of a sum of numbers, roots and powers of π; None if it has anything else."""
+    values = {root.number: math.sqrt(prime) for prime, root in a.ring.roots.items()} | {a.ring.pi.number: math.pi}
+    if not a.generators() <= values.keys():
+        return None
+    return math.fsum(float(c) * math.prod(values[n] ** float(e) for n, e in m) for m, c in a.terms.items())
+
+
+def turned(ring: Ring, angle: float, rounding: float) -> ExactSum:
+    """``exp(i angle)``: with roots where the angle is a multiple of 30 or 45 degrees but for ``rounding``."""
+    near = Fraction(round(angle * STEPS / math.pi), STEPS)
+    found = special(ring, near) if abs(angle - float(near) * math.pi) <= rounding else None
+    return found if found is not None else ring.literal(math.cos(angle)) + ring.i * ring.literal(math.sin(angle))
 
 
 def power(a: ExactSum, e: Exponent) -> ExactSum:

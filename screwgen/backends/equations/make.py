@@ -22,6 +22,7 @@ from .forms import flat, written
 from .functions import NoClosedFormError, at, exchanged, special
 from .ring import PARAMETER, ExactSum, Generator, Ring, TooLargeError, derivative
 from .trees import FormulaSum
+from .writing import LATEX
 
 BUDGET = 150_000
 """Products of terms before a derivation is given up: some seconds."""
@@ -104,7 +105,7 @@ class EquationSource:
     @property
     def right(self) -> list[nm.Name | None]:
         """The effort that acts on each row, if one does."""
-        rows = dict(zip(nm.effort_rows(self.chain), self.tau, strict=True))
+        rows = dict(zip(self.chain.effort_places, self.tau, strict=True))
         return [rows.get(k) for k in range(self.chain.nv)]
 
     def letters(self, forms: Forms) -> tuple[Letters, dict[int, FormulaSum], list[tuple[nm.Name, float, Parameter]]]:
@@ -144,8 +145,8 @@ class EquationSource:
         parts[generator.number] = written(generator.ring, flat(generator.part, products=False))
         used |= {n for atom in parts[generator.number].atoms() for n, _ in atom.of}
 
-    def linearised(self, robot: str, q: Numbers | None) -> LinearEquations:
-        """The equations about rest in a posture."""
+    def linearised(self, robot: str, q: Numbers | None, rounding: float) -> LinearEquations:
+        """The equations about rest in a posture, whose angles are known but for ``rounding``."""
         ring, motion, n = self.motion.ring, self.motion, self.chain.nq
         values = np.zeros(n) if q is None else np.asarray(q, dtype=float)
         if values.shape == (self.chain.n_joints,):
@@ -153,7 +154,7 @@ class EquationSource:
         if values.shape != (n,):
             raise UsageError(f"q has {values.size} entries; give the {n} of the posture, or those of its joints alone")
         posture = {x.number: ring.literal(float(v)) for x, v in zip(motion.q, values, strict=True)}
-        here = lambda e: at(e, posture)  # noqa: E731
+        here = lambda e: at(e, posture, rounding)  # noqa: E731
         slopes, hold = [], []
         for g, row in zip(motion.g, motion.K, strict=True):
             pairs = list(zip(row, motion.q, strict=True))
@@ -167,7 +168,15 @@ class EquationSource:
             self.inputs.beams,
         )
         letters, parts, _ = self.letters(forms)
-        return LinearEquations(robot, forms, letters, parts)
+        rest = [_stated(letters, posture[x.number], float(v)) for x, v in zip(motion.q, values, strict=True)]
+        return LinearEquations(robot, forms, letters, parts, rest)
+
+
+def _stated(letters: Letters, value: ExactSum, number: float) -> str:
+    """A coordinate of a posture in LaTeX: a multiple of π as one, all else as a decimal number."""
+    if value.ring.pi.number not in value.generators():
+        return LATEX.number(f"{number:.10g}")
+    return "".join(letters.latex(written(value.ring, flat(value, products=False))))
 
 
 def form(ring: Ring, matrices: Mapping[str, Sequence[Sequence[ExactSum]]]) -> tuple[Forms, int]:

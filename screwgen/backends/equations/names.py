@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import count
 
 from ...spec.fields import FIELDS
 from ...spec.parameters import Parameter, parameters
@@ -110,16 +109,6 @@ def effort_names(chain: Chain) -> list[Name]:
     return [scripted(("tau", r"\tau"), "" if chain.n_tau == 1 else str(k + 1)) for k in range(chain.n_tau)]
 
 
-def effort_rows(chain: Chain) -> list[int]:
-    """The row on which each effort acts: that of its axis, or of the rotor of an elastic gear."""
-    rows = list(range(chain.n_tau))
-    rotors = count(chain.n_joints)
-    for i, key in enumerate(chain.keys):
-        for axis in key.added_axes:
-            rows[chain.tau_offset[i] + axis] = next(rotors)
-    return rows
-
-
 def parameter_names(chain: Chain, used: Sequence[int]) -> dict[int, Name]:
     """Names of the parameters that equations have, by their place; only what tells them apart stands below a letter."""
     known = parameters(chain.robot)
@@ -162,14 +151,18 @@ def _spelled(p: Parameter) -> Name:
     return Name(words, rf"\mathit{{{words}}}".replace("_", r"\_"))
 
 
-MEANINGS = {"psi": "turn of the tip section by bending", "mu": "mass of the beam", "s": "common part"}
-"""What common parts are, by their letters."""
+MEANINGS = {
+    "psi": ("turn of the tip section by bending", "rad"),
+    "mu": ("mass of the beam", "kg"),
+    "sigma": ("common part", ""),
+}
+"""What common parts are, and their units, by their letters."""
 
 
 def part_names(
     ring: Ring, parts: Sequence[int], masses: Mapping[int, int | None], q: Sequence[int], chain: Chain
 ) -> dict[int, Name]:
-    """Names of common parts, by the numbers of their generators: ``mu`` and ``psi`` with the link's number, else ``s``.
+    """Names of common parts, by the their generators: ``mu`` and ``psi`` with the link's number, else ``sigma``.
 
     ``masses``: those that are the mass of a link's beam; ``q``: the generators of the coordinates.
     """
@@ -179,7 +172,7 @@ def part_names(
         alike = [k for k in parts if owners[k] == (letter, link)]
         mark = "abcdefghijklmnopqrstuvwxyz"[alike.index(number) % 26] * (len(alike) > 1)
         place = "" if link is None or len(chain.robot.links) == 1 else str(link + 1)
-        out[number] = scripted((letter, letter if letter == "s" else rf"\{letter}"), place + mark)
+        out[number] = scripted((letter, rf"\{letter}"), place + mark)
     return out
 
 
@@ -193,5 +186,5 @@ def _owner(
     links = [None] * (len(q) - chain.n_modes) + [i for i, key in enumerate(chain.keys) for _ in range(key.modes)]
     held = [link for x, link in zip(q, links, strict=True) if part is not None and x in part.generators()]
     if not turns or not held or held[0] is None:
-        return "s", None
+        return "sigma", None
     return "psi", chain.segments[held[0]].link

@@ -33,8 +33,8 @@ CASADI = {
     "motion_of": "link_pose",
 }
 """The function of CasADi that runs the same phases as a run of the C."""
-SHOWN = 60
-"""Of more lines than that only the first are shown."""
+SHOWN = 24
+"""Of more lines than that only the first are shown: a page has hundreds of such pieces."""
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,9 @@ class CodeLines:
     @property
     def shown(self) -> str:
         """The lines without their indentation, the first ones if they are many."""
-        kept = [line.removeprefix("    ") for line in self.text[:SHOWN]]
-        more = len(self.text) - len(kept)
+        more = max(len(self.text) - SHOWN, 0)
+        more = more if more > 1 else 0
+        kept = [line.removeprefix("    ") for line in self.text[: len(self.text) - more]]
         return "\n".join([*kept, f"… {more} more lines"] if more else kept)
 
 

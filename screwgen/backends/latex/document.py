@@ -28,6 +28,7 @@ from .joints import joints
 from .layout import one_line
 from .link_class import class_section, ordered
 from .notation import Notation, respelled
+from .occurring import occurring
 from .page import extras as extras
 from .page import math_font as math_font
 from .page import page as page
@@ -37,6 +38,7 @@ from .robot_tables import besides
 from .steps import KEY_STEPS, BlockView, Seen, block_view
 from .style import DocumentStyle
 from .symbols import SLIDING, entries
+from .theory_symbols import THEORY
 
 PLAIN = DocumentStyle()
 TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
@@ -97,6 +99,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
     named = [
+        *THEORY,
         *(SLIDING if chain.slides else ()),
         *elements.symbols(chain),
         *(symbol for chapter in chapters for symbol in chapter.symbols),
@@ -115,7 +118,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     sections += [s for chapter in chapters for s in chapter.sections]
     sections += _classes(chain, parts, shown_steps, appendix=True)
     sections += [
-        DocumentSection(SYMBOLS, [tables.symbols(symbols)]),
+        DocumentSection(SYMBOLS, [tables.symbols(occurring(symbols, sections))]),
         DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),
     ]
     shown = Document(robot.name, __version__, tuple(sections))

@@ -12,6 +12,7 @@ from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import count
 from typing import Any
 
 from ...topology.chain import Chain
@@ -48,6 +49,10 @@ BIAS = re.compile(r"joint: .*eliminated")
 TORQUE = "tau["
 """What generated C calls an entry of the torques."""
 FORWARD = "forward_dynamics"
+SYMBOL_HEAD = ("symbol", "meaning", "unit")
+"""The first columns of tables whose rows say what is known of a symbol in a formula."""
+MODES = "modes"
+"""The anchor of the table of modes."""
 BOLD = r"(?:\\\w+\{)*\\(?:mathbf|boldsymbol)\{"
 
 
@@ -136,6 +141,8 @@ class PageItem:
     """Anchors, links and lines of what has no step of its own; of the heading of the solution."""
     link: str = ""
     """The name of the one link that it is about."""
+    rows: Sequence[str] = ()
+    """The anchors of the rows of a table to which links and searches lead."""
 
     @property
     def kind(self) -> str:
@@ -171,6 +178,7 @@ def page(shown: Document, more: Extras | None = None) -> str:
     """The document in HTML."""
     symbols = _symbols(shown)
     sections = list(_sections(shown, symbols, more))
+    _name_rows(sections)
     values = {"text": text.in_html, "rows": text.html_rows, "document": shown, "sections": sections, "more": more}
     data = _data(sections, symbols, more)
     body = render(
@@ -217,9 +225,24 @@ def _instances(symbols: Sequence[str], more: Extras | None) -> dict[str, tuple[s
 
 
 def _symbols(shown: Document) -> list[str]:
-    """The LaTeX of the symbols, in the order of their table."""
-    tables = (item for s in shown.sections if s.title == SYMBOLS for item in s.items)
-    return [row[0].strip("$") for table in tables if isinstance(table, DocumentTable) for row in table.rows]
+    """The LaTeX of the symbols, in the order of their tables."""
+    tables = (item for s in shown.sections for item in s.items if isinstance(item, DocumentTable))
+    return [row[0].strip("$") for table in tables if table.head[:3] == SYMBOL_HEAD for row in table.rows]
+
+
+def _name_rows(sections: Sequence[PageSection]) -> None:
+    """The anchors of rows: of symbols ``y0`` … through all tables, of parameters, of modes by link and number."""
+    symbols = count()
+    for section, item in ((s, item) for s in sections for item in s.items):
+        if not isinstance(item.item, DocumentTable):
+            continue
+        rows = item.item.rows
+        if item.item.head[:3] == SYMBOL_HEAD:
+            item.rows = [f"y{next(symbols)}" for _ in rows]
+        elif section.title == PARAMETERS:
+            item.rows = [f"p{k}" for k in range(len(rows))]
+        elif section.anchor == MODES:
+            item.rows = [f"mode-{row[1].strip('`')}{f'-{row[2]}' * (row[2] != '1')}" for row in rows]
 
 
 def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> Iterator[PageSection]:
@@ -236,7 +259,7 @@ def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> I
 def _frequencies(more: Extras) -> Iterator[PageSection]:
     """The modes of the links in numbers, and the frequencies of the links."""
     for title, anchor, about, table in (
-        ("Modes in numbers", "modes", numbers.ALONE, more.modes),
+        ("Modes in numbers", MODES, numbers.ALONE, more.modes),
         ("Frequencies of the links", "held", numbers.HELD, more.held),
     ):
         if table is not None:

@@ -13,7 +13,7 @@ from .steps import BlockView
 
 CONSTANT, PARAMETER, STATE = Binding
 
-TWIST, WRENCH, INERTIA = "rad/s, m/s", "N*m, N", "kg, kg*m, kg*m^2"
+TWIST, WRENCH = "rad/s, m/s", "N*m, N"
 ALL = r"(6 + r_i) × (6 + r_i)"
 SYSTEM: tuple[Named, ...] = (
     (r"\mathcal{F}_i", "frame of link $i$", "-", "-", "-", STATE),
@@ -59,50 +59,6 @@ SYSTEM: tuple[Named, ...] = (
     (r"\mathbf{J}_m", "armature, rotor inertias seen at the axes", "kg*m^2", "n_{q,i} × n_{q,i}", "-", PARAMETER),
     (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
     (r"\mathbf{K}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{V}_T", "twist of the tip section", TWIST, "6", "tip", STATE),
-    (r"\mathbf{R}_{oi}", "rotation of F_i", "-", "3 × 3", "inertial", STATE),
-    (r"\mathbf{r}_{oi}", "place of the origin of F_i", "m", "3", "inertial", STATE),
-    (r"\mathbf{R}_{oT}", "rotation of the tip section", "-", "3 × 3", "inertial", STATE),
-    (r"\mathbf{r}_{oT}", "place of the tip point", "m", "3", "inertial", STATE),
-    (r"\mathbf{M}^A_i", "inertia of the link with what it carries, twist and modes", INERTIA, ALL, "F_i", STATE),
-    (r"\mathbf{h}^A_i", "bias of the link with what it carries", WRENCH, "6 + r_i", "F_i", STATE),
-    (r"\hat{\mathbf{M}}_i", "the same inertia, the modes eliminated", INERTIA, "6 × 6", "F_i", STATE),
-    (r"\hat{\mathbf{h}}_i", "the same bias, the modes eliminated", WRENCH, "6", "F_i", STATE),
-    (r"\bar{\mathbf{S}}_i", "motion subspace at the origin of F_i", "-, m", "6 × n_{q,i}", "F_i", STATE),
-    (r"\boldsymbol{\Delta}_i", "inertia that the joint feels", "kg*m^2", "n_{q,i} × n_{q,i}", "-", STATE),
-    (r"\mathbf{f}_{q,i}", "effort left to accelerate the joint", "N*m", "n_{q,i}", "-", STATE),
-    (r"\boldsymbol{\Lambda}_i", "inertia that the link shows to its joint", INERTIA, "6 × 6", "F_i", STATE),
-    (r"\mathbf{p}_i", "bias that the link shows to its joint", WRENCH, "6", "F_i", STATE),
-    (
-        r"\boldsymbol{\Lambda}^P_i",
-        "the same inertia, moved to the section that carries the link",
-        INERTIA,
-        "6 × 6",
-        "tip",
-        STATE,
-    ),
-    (r"\mathbf{p}^P_i", "the same bias, moved to the section that carries the link", WRENCH, "6", "tip", STATE),
-    (r"\mathbf{a}_{c,i}", "acceleration that the carrying section imparts", "rad/s^2, m/s^2", "6", "F_i", STATE),
-    (r"\mathbf{j}_m", "armature of the joint's axes", "kg*m^2", "n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{d}_q", "damping of the joint's axes", "N*m*s/rad", "n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{k}_q", "stiffness of the joint's axes", "N*m/rad", "n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{M}", "mass matrix of the robot", INERTIA, "n_v × n_v", "-", STATE),
-    (r"\mathbf{h}", "bias of the robot: all that acts without accelerations and inputs", "N*m, N", "n_v", "-", STATE),
-    (r"\mathbf{B}_u", "directions of the inputs", "-", "n_v × n_u", "-", STATE),
-    (r"\mathbf{G}_i", "Jacobian of twist and modal rates of link $i$", "-, m", "(6 + r_i) × n_v", "F_i", STATE),
-    (r"\mathbf{G}_{T,i}", "Jacobian of the twist of the tip section", "-, m", "6 × n_v", "tip", STATE),
-    (r"\mathbf{M}^c_j", "inertia of link $j$ with all that it carries, nothing moving", INERTIA, "6 × 6", "F_j", STATE),
-    (r"\mathbf{Y}_k", "takes the twist of the carrying link to that of link $k$", "-, m", "6 × 6", "F_k", STATE),
-    (
-        r"\mathbf{Y}_{\eta,k}",
-        "takes the modal rates of the carrying link to the twist of link $k$",
-        "1/m, -",
-        "6 × r_i",
-        "F_k",
-        STATE,
-    ),
-    (r"\mathbf{U}_{q,j}", "wrenches on link $j$ by accelerations of its joint", WRENCH, "6 × n_{q,j}", "F_j", STATE),
-    (r"\mathbf{U}_{\eta,j}", "wrenches on link $j$ by accelerations of its modes", WRENCH, "6 × r_j", "F_j", STATE),
     (r"\mathbf{g}", "free fall", "m/s^2", "3", "inertial", PARAMETER),
 )
 """The symbols of the text."""

@@ -51,7 +51,8 @@ def links(chain: Chain) -> DocumentTable:
         own = keys[first : first + link.pieces]
         numbers = dict.fromkeys(f"{classes.index(key) + 1}" for key in own)
         place = f"{first + 1}" if len(own) == 1 else f"{first + 1}–{first + len(own)}"
-        rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), _remarks(chain, first)))
+        remarks = _remarks(chain, first) or NONE
+        rows.append((place, f"`{link.name}`", ", ".join(numbers), *_link(link, own[0]), remarks))
         for i in range(first + link.pieces, len(pieces)):
             if pieces[i].first:
                 break
@@ -64,7 +65,7 @@ def links(chain: Chain) -> DocumentTable:
 
 def _link(link: Link, key: LinkClass) -> tuple[str, ...]:
     length = link.length if key.elastic is None else key.elastic.reach
-    return f"{decimal(length)} m" if length is not None else "-", _axes(key), _modes(key)
+    return f"{decimal(length)} m" if length is not None else NONE, _axes(key), _modes(key)
 
 
 def named_axes(key: LinkClass) -> list[tuple[tuple[sp.Expr, ...], str]]:

@@ -1,0 +1,90 @@
+"""The symbols of a document's text that no step defines: of the robot's equation, its algorithm and its derivation."""
+
+from __future__ import annotations
+
+from ...ir.block import Binding
+from .content import Named
+
+STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
+TWIST, TWIST_RATE, WRENCH = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N"
+MIXED, LINK, JOINT, ALL = "kg, kg*m, kg*m^2", "6 × 6", "n_{q,i} × n_{q,i}", r"(6 + r_i) × (6 + r_i)"
+SYSTEM = r"12\,n + \sum r_i"
+
+ELEMENT: tuple[Named, ...] = (
+    (r"\mathbf{N}", "takes twist and modal rates to the velocity of an element", "1, m", "3 × (6 + r_i)", "F_i", STATE),
+    (r"\mathbf{v}_{ob}", "velocity of an element", "m/s", "3", "F_i", STATE),
+)
+"""Of an element of a link."""
+
+PLACES: tuple[Named, ...] = (
+    (r"\mathbf{V}_T", "twist of the tip section", TWIST, "6", "tip", STATE),
+    (r"\mathbf{V}_{T,i-1}", "twist of the section that carries link $i$", TWIST, "6", "parent's tip", STATE),
+    (r"\mathbf{R}_{oT}", "takes components in the tip frame to inertial ones", "-", "3 × 3", "-", STATE),
+    (r"\mathbf{r}_{oT}", "position of the tip point", "m", "3", "inertial", STATE),
+    (r"\mathbf{R}_{oT,i-1}", "$\\mathbf{R}_{oT}$ of the section that carries link $i$", "-", "3 × 3", "-", STATE),
+    (r"\mathbf{r}_{oT,i-1}", "position of the section that carries link $i$", "m", "3", "inertial", STATE),
+    (r"\mathbf{q}_i", "coordinates of the joint", "rad, m", "n_{q,i}", "-", STATE),
+    (r"\boldsymbol{\tau}_{w,i}", "angular part of $\\mathbf{w}_i$", "N*m", "3", "F_i", STATE),
+    (
+        r"\mathbf{w}_{i+1}",
+        "wrench of link $i$ on one that it carries, at its joint point",
+        WRENCH,
+        "6",
+        "F_{i+1}",
+        STATE,
+    ),
+    (r"\mathbf{j}_m", "armatures of the axes", "kg*m^2, kg", "n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{d}_q", "dampings of the axes", "N*m*s/rad, N*s/m", "n_{q,i}", "-", PARAMETER),
+    (r"\mathbf{k}_q", "stiffnesses of the axes", "N*m/rad, N/m", "n_{q,i}", "-", PARAMETER),
+)
+"""Of tips and joints."""
+
+ELIMINATION: tuple[Named, ...] = (
+    (r"\mathbf{M}^A_i", "$\\mathbf{M}_i$ with what the link carries", MIXED, ALL, "F_i", STATE),
+    (r"\mathbf{h}^A_i", "$\\mathbf{h}_i$ with what the link carries", WRENCH, "6 + r_i", "F_i", STATE),
+    (r"\hat{\mathbf{M}}_i", "inertia of the link and all that it carries, modes eliminated", MIXED, LINK, "F_i", STATE),
+    (r"\hat{\mathbf{h}}_i", "bias of the link and all that it carries, modes eliminated", WRENCH, "6", "F_i", STATE),
+    (r"\bar{\mathbf{S}}_i", "motion subspace of the joint, for the origin of F_i", "1, m", "6 × n_{q,i}", "F_i", STATE),
+    (r"\boldsymbol{\Delta}_i", "inertia that the axes of the joint move", "kg*m^2, kg", JOINT, "-", STATE),
+    (r"\mathbf{f}_{q,i}", "forces of the axes less bias, damping and stiffness", "N*m, N", "n_{q,i}", "-", STATE),
+    (r"\boldsymbol{\Lambda}_i", "articulated inertia: modes and joint eliminated", MIXED, LINK, "F_i", STATE),
+    (r"\mathbf{p}_i", "articulated bias: modes and joint eliminated", WRENCH, "6", "F_i", STATE),
+    (
+        r"\boldsymbol{\Lambda}^P_i",
+        "articulated inertia, for the section that carries the link",
+        MIXED,
+        LINK,
+        "tip",
+        STATE,
+    ),
+    (r"\mathbf{p}^P_i", "articulated bias, for the section that carries the link", WRENCH, "6", "tip", STATE),
+    (r"\mathbf{a}_{c,i}", "acceleration of F_i with the joint at rest", TWIST_RATE, "6", "F_i", STATE),
+)
+"""Of the forward dynamics."""
+
+ROBOT: tuple[Named, ...] = (
+    (r"\mathbf{M}", "mass matrix of the robot", MIXED, "n_v × n_v", "-", STATE),
+    (r"\mathbf{h}", "bias of velocities, weight, springs and dampers", "N*m, N", "n_v", "-", STATE),
+    (r"\mathbf{u}", "inputs: torques and forces of the drives, tensions", "N*m, N", "n_u", "-", STATE),
+    (r"\mathbf{B}_u", "directions of the inputs", "1, m", "n_v × n_u", "-", STATE),
+    (r"\mathbf{v}", "rates of the robot", TWIST, "n_v", "-", STATE),
+    (r"\mathbf{G}_i", "takes the rates of the robot to those of link $i$", "1, m", "(6 + r_i) × n_v", "F_i", STATE),
+    (r"\mathbf{G}_{T,i}", "takes the rates of the robot to the twist of the tip", "1, m", "6 × n_v", "tip", STATE),
+    (r"\mathbf{M}_{sys}", "matrix of the stacked system", MIXED, rf"({SYSTEM}) × ({SYSTEM})", "F_i", STATE),
+    (r"\mathbf{q}_{sys}", "unknowns of the stacked system", WRENCH, SYSTEM, "F_i", STATE),
+    (r"\mathbf{H}_{sys}", "bias of the stacked system", WRENCH, SYSTEM, "F_i", STATE),
+    (r"\boldsymbol{\mathcal{W}}_{sys}", "loads of the stacked system", WRENCH, SYSTEM, "F_i", STATE),
+)
+"""Of all links together."""
+
+BLOCKS: tuple[Named, ...] = (
+    (r"\mathbf{M}^c_j", "inertia of link $j$ with all that it carries, nothing moving", MIXED, LINK, "F_j", STATE),
+    (r"\mathbf{Y}_k", "takes the twist of the carrying link to that of link $k$", "-, m", LINK, "F_k", STATE),
+    (r"\mathbf{Y}_{\eta,k}", "takes its modal rates to the twist of link $k$", "1/m, -", "6 × r_i", "F_k", STATE),
+    (r"\mathbf{U}_{q,j}", "wrenches on link $j$ by accelerations of its joint", WRENCH, "6 × n_{q,j}", "F_j", STATE),
+    (r"\mathbf{U}_{\eta,j}", "wrenches on link $j$ by accelerations of its modes", WRENCH, "6 × r_j", "F_j", STATE),
+)
+"""Of the blocks of the mass matrix."""
+
+THEORY = (*ELEMENT, *PLACES, *ELIMINATION, *ROBOT, *BLOCKS)
+"""Those that a document has stand in its table."""

@@ -1,0 +1,88 @@
+"""Which posture of a robot is drawn, and from where it is looked at: the pair that shows most."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .sketch_pose import Part, Pose, View
+
+AZIMUTHS = (-55.0, -35.0, 35.0, 55.0, -15.0, 15.0, -75.0, 75.0)
+ELEVATIONS = (25.0, 12.0)
+"""Degrees: directions from which a reader may look."""
+SAMPLES = (0, 4, 8, 12, 16)
+"""Places along a link at which distances are taken."""
+APART = 0.14
+"""The distance of links and joints, over the size of the picture, beyond which more is no better."""
+NEUTRAL = 0.5
+"""What counts for the posture with all joints at zero."""
+TALL = 0.3
+"""What counts against a picture for every width that it is higher than one."""
+NEAR = 1e-6
+
+
+def chosen(poses: Sequence[Pose], gravity: Sequence[float]) -> tuple[Pose, View]:
+    """The posture and the view in which links and joints are well apart; equal ones: the first."""
+    pairs = [(pose, view) for pose in poses for view in views(gravity)]
+    scores = [round(score(pose, view) + NEUTRAL * (pose is poses[0]), 4) for pose, view in pairs]
+    return pairs[int(np.argmax(scores))]
+
+
+def views(gravity: Sequence[float]) -> list[View]:
+    """Views with the direction against gravity upwards."""
+    fall = np.array(gravity, float)
+    axis = int(np.argmax(np.abs(fall))) if fall.any() else 2
+    up = np.zeros(3)
+    up[axis] = -np.sign(fall[axis]) or 1.0
+    first, second = np.eye(3)[(axis + 1) % 3], np.eye(3)[(axis + 2) % 3]
+    return [_view(up, first, second, *np.radians([a, e])) for e in ELEVATIONS for a in AZIMUTHS]
+
+
+def _view(up: np.ndarray, first: np.ndarray, second: np.ndarray, azimuth: float, elevation: float) -> View:
+    level = np.cos(azimuth) * second * -1.0 + np.sin(azimuth) * first
+    towards = np.cos(elevation) * level + np.sin(elevation) * up
+    right = np.cross(up, towards)
+    right = right / np.linalg.norm(right)
+    return View(right, np.cross(towards, right), towards)
+
+
+def score(pose: Pose, view: View) -> float:
+    """How well a picture shows a robot: long links, links and joints apart, wide rather than tall."""
+    points = np.array([view.flat(part.line[list(SAMPLES)]) for part in pose.parts])
+    width, height = np.ptp(np.concatenate([points.reshape(-1, 2), [view.flat(p.mount) for p in pose.parts]]), axis=0)
+    extent = max(float(np.hypot(width, height)), NEAR)
+    tall = TALL * max(0.0, height / max(width, NEAR, 0.2 * height) - 1.0)
+    return _shown(pose, view) + _apart(pose, points / extent) - tall
+
+
+def _shown(pose: Pose, view: View) -> float:
+    """The mean length of links over their true one, and half of the same of axes."""
+    ways = [part.straight[1] - part.straight[0] for part in pose.parts if part.long > NEAR]
+    axes = [axis for part in pose.parts for axis in part.axes]
+    seen = lambda of: float(np.mean([np.linalg.norm(view.flat(x)) / np.linalg.norm(x) for x in of])) if of else 1.0  # noqa: E731
+    return seen(ways) + 0.5 * seen(axes)
+
+
+def _apart(pose: Pose, points: np.ndarray) -> float:
+    """How far links that are not neighbours, the far ends of neighbours, and joints are apart; 2 at most."""
+    gaps = [APART]
+    for i, part in enumerate(pose.parts):
+        for j, other in enumerate(pose.parts[:i]):
+            gaps.append(_gap(part, other, points[i], points[j]))
+    joints = [p[0] for p in points] + [p[-1] for p in points]
+    places = [part.joint for part in pose.parts] + [part.tip for part in pose.parts]
+    pairs = [APART]
+    for i in range(len(places)):
+        for j in range(i):
+            if np.linalg.norm(places[i] - places[j]) > NEAR:
+                pairs.append(float(np.linalg.norm(joints[i] - joints[j])))
+    return min(1.0, min(gaps) / APART) + min(1.0, min(pairs) / APART)
+
+
+def _gap(part: Part, other: Part, a: np.ndarray, b: np.ndarray) -> float:
+    """The distance of two links where they do not touch each other in space."""
+    apart = np.linalg.norm(part.line[list(SAMPLES)][:, None] - other.line[list(SAMPLES)][None], axis=2)
+    seen = np.linalg.norm(a[:, None] - b[None], axis=2)
+    free = apart > 0.35 * max(part.long, other.long, NEAR)
+    return float(np.min(seen[free])) if free.any() else APART

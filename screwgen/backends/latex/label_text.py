@@ -10,7 +10,7 @@ from . import mathml
 from .drawing import Point
 from .text import PIECES
 
-SIZES = {"link": 12.0, "frame": 12.0, "caption": 12.0}
+SIZES = {"link": 12.0, "frame": 12.0, "loop": 12.5}
 """The size of the letters of labels by their look, px."""
 USUAL = 14.0
 SMALLER = 0.72

@@ -24,16 +24,21 @@ from .sketch_view import chosen
 
 WIDE, PER_LINK, WIDEST, HIGHEST = 210.0, 90.0, 430.0, 280.0
 """px: the width of the robot of one link, what each further link adds, and the most of width and height."""
+BESIDE = 90.0
+"""px: the further room of what is drawn beside the links."""
 FRAME = 21.0
 """px: the axes of the frames of links."""
 TWIST, TWISTED = 9.0, 0.62
 """px: the radius of the arc of torsion, and where along the link it is."""
 SHORT = 1.5
 """px: a shorter line is not drawn."""
+LEAST = 22.0
+"""px: the arrow of a deflection that loops leave no room for."""
 TICK = 5.0
+"""px: half the size of a weld, and of the mark of a marker."""
 MOST_PIECES, MOST_FRAMES = 3, 8
 """Of a link with more segments the modes stand at the last one; of a robot with more links frames have no letters."""
-MOST_NAMED = 4
+MOST_NAMED = 6
 """Coordinates of a posture that the caption says one by one."""
 
 
@@ -49,7 +54,18 @@ def sketch(chain: Chain) -> Drawing:
 
 
 def _drawing(chain: Chain, pose: Pose, view: View) -> Drawing:
-    pen = Pen(view, _scale(pose, view))
+    """The picture of a robot in a posture; a smaller one where what is drawn beside the links needs room."""
+    scale = _scale(pose, view)
+    pen = _drawn(chain, pose, Pen(view, scale))
+    width, height = np.ptp(pen.corners(), axis=0)
+    share = min(1.0, (WIDEST + BESIDE) / width, (HIGHEST + BESIDE) / height)
+    pen = pen if share == 1.0 else _drawn(chain, pose, Pen(view, share * scale))
+    gravity(pen, chain.robot.gravity)
+    return pen.drawing()
+
+
+def _drawn(chain: Chain, pose: Pose, pen: Pen) -> Pen:
+    """All that is in space."""
     letters, pulled = masses(chain), set[int]()
     for part in pose.parts:
         joint(pen, chain, part)
@@ -64,8 +80,7 @@ def _drawing(chain: Chain, pose: Pose, view: View) -> Drawing:
     wrenches(pen, chain, pose)
     for part in pose.parts:
         _frame(pen, chain, part)
-    gravity(pen, chain.robot.gravity)
-    return pen.drawing()
+    return pen
 
 
 def _scale(pose: Pose, view: View) -> float:
@@ -170,7 +185,7 @@ def _modes(pen: Pen, chain: Chain, part: Part, letter: str, modes: Sequence[int]
     known, titles = coordinate_names(chain), names(chain)
     first, rates = chain.n_joints + chain.n_added, chain.eta_v
     text = f"${ranges([known[first + k].latex for k in modes])}$"
-    arrow = _twist(pen, part) if letter == "torsion" else _deflection(part, letter)
+    arrow = _twist(pen, part) if letter == "torsion" else _deflection(pen, part, letter)
     pen.line("mode", *arrow, head=True)
     middle = arrow[len(arrow) // 2] if letter == "torsion" else arrow.mean(axis=0)
     way = pen.flat(middle - part.at(0.5))
@@ -189,14 +204,15 @@ def _twist(pen: Pen, part: Part) -> np.ndarray:
     return pen.circle(part.at(TWISTED), way, TWIST, 1.5 * np.pi, np.pi / 2)
 
 
-def _deflection(part: Part, letter: str) -> np.ndarray:
+def _deflection(pen: Pen, part: Part, letter: str) -> np.ndarray:
     """(2, 3): from where the undeformed tip is, along one axis of the frame; y before z, and all of them of a body."""
     moved = part.turn.T @ (part.tip - part.straight[1])
     if letter == ELASTIC:
         return np.array([part.straight[1], part.tip])
     k = "xyz".index(letter)
-    start = part.straight[1] + part.turn[:, :k] @ moved[:k]
-    return np.array([start, start + moved[k] * part.turn[:, k]])
+    start, way = part.straight[1] + part.turn[:, :k] @ moved[:k], part.turn[:, k]
+    least = LEAST / pen.scale if abs(moved[k]) * pen.scale < SHORT else moved[k]
+    return np.array([start, start + least * way])
 
 
 # ------------------------------------------------------------------------------------------- caption
@@ -206,11 +222,11 @@ def _caption(chain: Chain, pose: Pose) -> str:
     """One sentence on what is drawn."""
     more = len(chain.robot.links) - MOST_LINKS
     what = f"The first {MOST_LINKS} links of the robot" if more > 0 else "The robot"
-    bent = "; links that bend are drawn so by the first mode of each direction, beside their straight shape, dashed"
-    bent = bent if chain.n_modes else ""
+    posture = _posture(chain, pose)
+    posture = f" at {posture}" if posture else ""
     scale = "" if chain.robot.loops else ", not to scale"
-    along = r"$x$ of each frame $\mathcal{F}_i$ runs along its link"
-    return f"{what} at {_posture(chain, pose)}{scale}{bent}; {along}."
+    bent = "; flexible links are bent by the first mode of each direction (dashed: undeformed)" if chain.n_modes else ""
+    return rf"{what}{posture}{scale}{bent}; $x$ of each frame $\mathcal{{F}}_i$ runs along its link."
 
 
 def _posture(chain: Chain, pose: Pose) -> str:
@@ -221,7 +237,9 @@ def _posture(chain: Chain, pose: Pose) -> str:
     moved = [(name, pose.q[place]) for place, name in all_moved if place not in balls]
     said = [f"${name} = {x:.2g}$" for name, x in moved]
     if len(moved) > MOST_NAMED:
-        said = [rf"$|q_k| \leq {max(abs(x) for _, x in moved):.2g}$"]
+        said = [rf"coordinates of its joints up to $\pm {max(abs(x) for _, x in moved):.2g}$"]
+    elif not moved:
+        said = [r"$\mathbf{q} = \mathbf{0}$"] * (not all_moved and chain.n_joints > 0)
     elif len(all_moved) < chain.n_joints:
-        said.append(r"other coordinates zero" if said else r"$\mathbf{q} = \mathbf{0}$")
-    return ", ".join(said + ["its ball joints turned"] * (len(all_moved) > len(moved)))
+        said.append("other coordinates zero")
+    return ", ".join(said + ["with its ball joints turned"] * (len(all_moved) > len(moved)))

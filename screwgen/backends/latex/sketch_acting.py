@@ -206,8 +206,9 @@ def _coupling(pen: Pen, pose: Pose, ends: tuple[int, int], text: str) -> None:
 
 def wrenches(pen: Pen, chain: Chain, pose: Pose) -> None:
     """The external wrenches on the tips of links that carry none."""
-    parents = chain.tree.parents
-    leaves = [part for part in pose.parts if part.number not in parents]
+    held = {end for junction in chain.closing.junctions for end in (junction.first, junction.second)}
+    carrying = {*chain.tree.parents, *held} if chain.robot.loops else set(chain.tree.parents)
+    leaves = [part for part in pose.parts if part.number not in carrying]
     for part in leaves[:MOST_WRENCHES]:
         way = part.straight[1] - part.straight[0] if part.long else part.turn[:, 0]
         first, last = (pen.along(part.tip, way, size) for size in (GAP, GAP + FORCE))
@@ -218,13 +219,13 @@ def wrenches(pen: Pen, chain: Chain, pose: Pose) -> None:
 
 def gravity(pen: Pen, fall: Sequence[float]) -> None:
     """The inertial axes, and the direction of free fall, beside the robot at the lower left."""
-    points = np.concatenate([line.points for line in pen.lines])
-    low = points.min(axis=0)
+    low = pen.corners().min(axis=0)
     corner = np.array([low[0] - 52.0, low[1] + 14.0])
     for letter, axis in zip("xyz", np.eye(3), strict=True):
         tip = corner + AXES * pen.view.flat(axis)
         pen.drawn("frame", [corner, tip], head=True)
         pen.wish("frame", f"${letter}$", tip, towards=_point(tip - corner), reach=25.0)
+    pen.wish("frame", "inertial", corner, towards=(0.0, -1.0), reach=34.0)
     if any(fall):
         way = pen.view.flat(np.array(fall) / np.linalg.norm(fall))
         top = corner + np.array([-6.0, AXES + WEIGHT + 20.0])

@@ -59,7 +59,7 @@ def joint(pen: Pen, chain: Chain, part: Part) -> None:
     if key.floats:
         first = chain.v_offset[i] + 1
         text = rf"floats, $v_{{{first}}} \ldots v_{{{first + 5}}}$"
-        pen.wish("q", text, part.joint, names=tuple(rates), towards=(0.0, -1.0))
+        pen.wish("q", text, part.joint, names=tuple(rates), towards=(1.0, -1.0))
     elif key.joint.turn_at is not None:
         pen.ball(part.joint, RADIUS)
         pen.ring("joint", part.joint, RADIUS + 3.0)

@@ -121,6 +121,10 @@ class Pen:
         anchor = self.point(place) if len(place) == 3 else (float(place[0]), float(place[1]))
         self.wishes.append(Wish(look, text, anchor, **more))  # type: ignore[arg-type]
 
+    def corners(self) -> np.ndarray:
+        """(n, 2): all points of lines."""
+        return np.concatenate([line.points for line in self.lines])
+
     def strokes(self) -> list[Stroke]:
         """All lines with what hides them cut off, and with the heads of arrows."""
         return [stroke for line in self.lines for stroke in self._seen(line)]

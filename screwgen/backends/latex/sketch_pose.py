@@ -7,7 +7,6 @@ first mode of each direction.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -20,7 +19,7 @@ from ...spec.parameters import parameters
 from ...spec.reduced import end, reach
 from ...topology.chain import Chain
 from ...topology.tree import TIP
-from ..numpy.closing import OpenLoopError, closed, modes
+from ..numpy.closing import CLOSED, modes, nearest, unwound
 from ..numpy.numeric import Numeric
 
 MOST_LINKS = 12
@@ -39,6 +38,8 @@ SLIDE = 0.3
 """How far they slide, over the size of the robot."""
 SIGNS = ((1.0,), (-1.0,), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0, -1.0))
 """The senses in which joints turn, again and again along the chain."""
+BENDING = (0.0, 0.35, 0.7, 1.0)
+"""The parts of the deflections by which links are bent one after the other, while loops stay closed."""
 ALONG = 0.9
 """A link that turns about an axis that has more than this part along it stays where it is."""
 
@@ -89,6 +90,8 @@ class Pose:
     """A robot in a posture."""
 
     q: np.ndarray
+    neutral: bool
+    """Whether all joints are at zero."""
     parts: tuple[Part, ...]
     ends: np.ndarray
     """(n, 3): the tip points of all segments, of markers that loops join their places."""
@@ -141,12 +144,10 @@ def size(chain: Chain, lengths: dict[int, float]) -> float:
 def poses(chain: Chain) -> list[Pose]:
     """The postures that may be drawn, the neutral one first."""
     lengths = drawn_lengths(chain)
-    numeric, amplitudes = drawn(chain, lengths), _bent(chain, lengths)
-    out = []
-    for q in _postures(chain, size(chain, lengths)):
-        found = _closed(numeric, q, amplitudes)
-        out.append(_pose(chain, numeric, found, lengths))
-    return out
+    numeric, bent = drawn(chain, lengths), _bent(chain, lengths)
+    found = [_closed(numeric, q, bent) for q in _postures(chain, size(chain, lengths))]
+    kept = [q for q in found if q is not None and _reached(chain, q)]
+    return [_pose(chain, numeric, q, lengths) for q in kept or [np.array(chain.home) + bent]]
 
 
 def _postures(chain: Chain, far: float) -> Iterator[np.ndarray]:
@@ -155,7 +156,8 @@ def _postures(chain: Chain, far: float) -> Iterator[np.ndarray]:
     yield home
     screws = [screw for link in chain.robot.links for screw in link.joint.screws]
     moved = [k for k, screw in enumerate(screws) if not screw.turn or abs(screw.axis[0]) < ALONG]
-    patterns = [(a, signs) for a in TURNS for signs in SIGNS[: 2 if chain.closing.junctions else None]]
+    patterns = [(a, signs) for a in TURNS for signs in SIGNS]
+    patterns = patterns[:2] if chain.closing.junctions else patterns
     for angle, signs in patterns if moved else ():
         q = home.copy()
         for place, k in enumerate(moved):
@@ -170,15 +172,26 @@ def _range(chain: Chain, axis: int) -> np.ndarray:
     return np.array([max(lower), max(min(upper), max(lower))])
 
 
-def _closed(numeric: Numeric, q: np.ndarray, bent: np.ndarray) -> np.ndarray:
-    """The posture with bent links in which loops are closed; with straight ones or open loops where there is none."""
-    chain = numeric.chain
+def _reached(chain: Chain, q: np.ndarray) -> bool:
+    """Whether all linkages reach their links."""
+    x = q[list(chain.axis_places)]
+    return bool(np.all((chain.reach[:, 0] < x) & (x < chain.reach[:, 1])))
+
+
+def _closed(numeric: Numeric, q: np.ndarray, bent: np.ndarray) -> np.ndarray | None:
+    """The posture with bent links in which loops are closed, or with links as bent as they can be then; None: open."""
+    chain, found = numeric.chain, None
     if not chain.closing.junctions:
         return q + bent
-    for start in (q + bent, q):
-        with suppress(OpenLoopError):
-            return closed(numeric, start, modes(chain), hasty=True)
-    return q + bent
+    movable = ~modes(chain)
+    movable[: chain.base_q] = False
+    for share in BENDING:
+        start = np.where(movable, q if found is None else found, q + share * bent)
+        end = nearest(numeric, start, movable, hasty=True)
+        if np.max(np.abs(numeric.offsets(end))) > CLOSED:
+            break
+        found = unwound(chain, end, q)
+    return found
 
 
 def _bent(chain: Chain, lengths: dict[int, float]) -> np.ndarray:
@@ -211,7 +224,8 @@ def _pose(chain: Chain, numeric: Numeric, q: np.ndarray, lengths: dict[int, floa
     for i, segment in enumerate(chain.segments):
         if segment.marker is None and segment.link < MOST_LINKS:
             parts.append(_part(chain, q, i, (R[i], r[i], tips[i]), lengths, parts))
-    return Pose(q, tuple(parts), tips)
+    neutral = bool(np.allclose(q[: chain.eta_q], chain.home[: chain.eta_q], atol=1e-6))
+    return Pose(q, neutral, tuple(parts), tips)
 
 
 def _part(

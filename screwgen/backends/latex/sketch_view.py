@@ -19,13 +19,15 @@ NEUTRAL = 0.5
 """What counts for the posture with all joints at zero."""
 TALL = 0.3
 """What counts against a picture for every width that it is higher than one."""
+ARROW, ARC = 0.5, 0.25
+"""The parts of a unit of an axis, across the view and along it, with which its arrow and the arc about it show well."""
 NEAR = 1e-6
 
 
 def chosen(poses: Sequence[Pose], gravity: Sequence[float]) -> tuple[Pose, View]:
     """The posture and the view in which links and joints are well apart; equal ones: the first."""
     pairs = [(pose, view) for pose in poses for view in views(gravity)]
-    scores = [round(score(pose, view) + NEUTRAL * (pose is poses[0]), 4) for pose, view in pairs]
+    scores = [round(score(pose, view) + NEUTRAL * pose.neutral, 4) for pose, view in pairs]
     return pairs[int(np.argmax(scores))]
 
 
@@ -57,11 +59,14 @@ def score(pose: Pose, view: View) -> float:
 
 
 def _shown(pose: Pose, view: View) -> float:
-    """The mean length of links over their true one, and half of the same of axes."""
-    ways = [part.straight[1] - part.straight[0] for part in pose.parts if part.long > NEAR]
-    axes = [axis for part in pose.parts for axis in part.axes]
-    seen = lambda of: float(np.mean([np.linalg.norm(view.flat(x)) / np.linalg.norm(x) for x in of])) if of else 1.0  # noqa: E731
-    return seen(ways) + 0.5 * seen(axes)
+    """The mean length of links over their true one, and how well the arrows of axes and the arcs about them show."""
+    ways = [(part.straight[1] - part.straight[0]) / part.long for part in pose.parts if part.long > NEAR]
+    long = [float(np.linalg.norm(view.flat(way))) for way in ways]
+    axes = [
+        (float(np.linalg.norm(view.flat(axis))), abs(float(axis @ view.towards))) for p in pose.parts for axis in p.axes
+    ]
+    shown = [min(arrow / ARROW, 1.0) + min(arc / ARC, 1.0) for arrow, arc in axes]
+    return float(np.mean(long or [1.0])) + 0.4 * float(np.mean(shown or [2.0]))
 
 
 def _apart(pose: Pose, points: np.ndarray) -> float:

@@ -19,7 +19,7 @@ from .drawing import Drawing
 from .sketch_acting import bodies, drives, gravity, loops, masses, tendons, wrenches
 from .sketch_joints import foot, joint, names, on_world
 from .sketch_pen import Pen
-from .sketch_pose import MOST_LINKS, Part, Pose, View, poses
+from .sketch_pose import MOST_LINKS, Part, Pose, View, drawn_lengths, poses, true_lengths
 from .sketch_view import chosen
 
 WIDE, PER_LINK, WIDEST, HIGHEST = 210.0, 90.0, 430.0, 280.0
@@ -60,7 +60,7 @@ def _drawing(chain: Chain, pose: Pose, view: View) -> Drawing:
     width, height = np.ptp(pen.corners(), axis=0)
     share = min(1.0, (WIDEST + BESIDE) / width, (HIGHEST + BESIDE) / height)
     pen = pen if share == 1.0 else _drawn(chain, pose, Pen(view, share * scale))
-    gravity(pen, chain.robot.gravity)
+    gravity(pen, chain.robot.gravity, chain.floating)
     return pen.drawing()
 
 
@@ -224,7 +224,7 @@ def _caption(chain: Chain, pose: Pose) -> str:
     what = f"The first {MOST_LINKS} links of the robot" if more > 0 else "The robot"
     posture = _posture(chain, pose)
     posture = f" at {posture}" if posture else ""
-    scale = "" if chain.robot.loops else ", not to scale"
+    scale = ", not to scale" if drawn_lengths(chain) != true_lengths(chain) else ""
     bent = "; flexible links are bent by the first mode of each direction (dashed: undeformed)" if chain.n_modes else ""
     return rf"{what}{posture}{scale}{bent}; $x$ of each frame $\mathcal{{F}}_i$ runs along its link."
 

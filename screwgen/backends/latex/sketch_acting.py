@@ -217,10 +217,10 @@ def wrenches(pen: Pen, chain: Chain, pose: Pose) -> None:
         pen.wish("force", text, last, towards=_point(pen.flat(way)))
 
 
-def gravity(pen: Pen, fall: Sequence[float]) -> None:
+def gravity(pen: Pen, fall: Sequence[float], floats: bool) -> None:
     """The inertial axes, and the direction of free fall, beside the robot at the lower left."""
     low = pen.corners().min(axis=0)
-    corner = np.array([low[0] - 52.0, low[1] + 14.0])
+    corner = low - np.array([52.0, 34.0 if floats else -14.0])
     for letter, axis in zip("xyz", np.eye(3), strict=True):
         tip = corner + AXES * pen.view.flat(axis)
         pen.drawn("frame", [corner, tip], head=True)

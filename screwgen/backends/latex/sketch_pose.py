@@ -38,7 +38,7 @@ SLIDE = 0.3
 """How far they slide, over the size of the robot."""
 SIGNS = ((1.0,), (-1.0,), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0, -1.0))
 """The senses in which joints turn, again and again along the chain."""
-BENDING = (0.0, 0.35, 0.7, 1.0)
+BENDING = (0.0, 0.5, 1.0)
 """The parts of the deflections by which links are bent one after the other, while loops stay closed."""
 ALONG = 0.9
 """A link that turns about an axis that has more than this part along it stays where it is."""
@@ -64,6 +64,8 @@ class Part:
     """(3,): the point of the section that carries it, or of its foot on the world."""
     axes: tuple[np.ndarray, ...]
     """The directions of the axes of its joint."""
+    bends: tuple[np.ndarray, ...]
+    """Those across the link in which modes displace it."""
 
     @property
     def joint(self) -> np.ndarray:
@@ -116,9 +118,14 @@ class View(NamedTuple):
 # ------------------------------------------------------------------------------------------ lengths
 
 
+def true_lengths(chain: Chain) -> dict[int, float]:
+    """The lengths of the links, by their numbers, m."""
+    return {k: reach(link) for k, link in enumerate(chain.robot.links)}
+
+
 def drawn_lengths(chain: Chain) -> dict[int, float]:
-    """The lengths of the links, by their numbers, as they are drawn, m."""
-    true = {k: reach(link) for k, link in enumerate(chain.robot.links)}
+    """The same as they are drawn."""
+    true = true_lengths(chain)
     if chain.robot.loops:
         return true
     least = SHORTEST * max(true.values())
@@ -157,7 +164,7 @@ def _postures(chain: Chain, far: float) -> Iterator[np.ndarray]:
     screws = [screw for link in chain.robot.links for screw in link.joint.screws]
     moved = [k for k, screw in enumerate(screws) if not screw.turn or abs(screw.axis[0]) < ALONG]
     patterns = [(a, signs) for a in TURNS for signs in SIGNS]
-    patterns = patterns[:2] if chain.closing.junctions else patterns
+    patterns = patterns[:1] if chain.closing.junctions else patterns
     for angle, signs in patterns if moved else ():
         q = home.copy()
         for place, k in enumerate(moved):
@@ -245,7 +252,9 @@ def _part(
     line = base + np.outer(PLACES, way) + _displaced(chain, q, i) @ R.T
     line += np.outer(np.square(PLACES), tip - line[-1])
     mount, axes = _joint(chain, q, i, R, base)
-    return Part(i, R, r, line, np.array([base, base + way]), mount, _carried(chain, i, mount, before), axes)
+    across = {AXIS[direction] for direction, _ in key.directions if direction in AXIS}
+    bends = tuple(R[:, k] for k in sorted(across - {0}))
+    return Part(i, R, r, line, np.array([base, base + way]), mount, _carried(chain, i, mount, before), axes, bends)
 
 
 def _displaced(chain: Chain, q: np.ndarray, i: int) -> np.ndarray:

@@ -37,13 +37,14 @@ def views(gravity: Sequence[float]) -> list[View]:
     axis = int(np.argmax(np.abs(fall))) if fall.any() else 2
     up = np.zeros(3)
     up[axis] = -np.sign(fall[axis]) or 1.0
-    first, second = np.eye(3)[(axis + 1) % 3], np.eye(3)[(axis + 2) % 3]
-    return [_view(up, first, second, *np.radians([a, e])) for e in ELEVATIONS for a in AZIMUTHS]
+    level = np.eye(3)[1 if axis == 0 else 0]
+    return [_view(up, level, *np.radians([a, e])) for e in ELEVATIONS for a in AZIMUTHS]
 
 
-def _view(up: np.ndarray, first: np.ndarray, second: np.ndarray, azimuth: float, elevation: float) -> View:
-    level = np.cos(azimuth) * second * -1.0 + np.sin(azimuth) * first
-    towards = np.cos(elevation) * level + np.sin(elevation) * up
+def _view(up: np.ndarray, level: np.ndarray, azimuth: float, elevation: float) -> View:
+    """A view at whose azimuth 0 a level axis, x or y, runs to the right."""
+    ahead = np.cos(azimuth) * np.cross(level, up) + np.sin(azimuth) * level
+    towards = np.cos(elevation) * ahead + np.sin(elevation) * up
     right = np.cross(up, towards)
     right = right / np.linalg.norm(right)
     return View(right, np.cross(towards, right), towards)
@@ -59,14 +60,15 @@ def score(pose: Pose, view: View) -> float:
 
 
 def _shown(pose: Pose, view: View) -> float:
-    """The mean length of links over their true one, and how well the arrows of axes and the arcs about them show."""
+    """The mean length of links over their true one, and how well the arrows of axes and of deflections show."""
     ways = [(part.straight[1] - part.straight[0]) / part.long for part in pose.parts if part.long > NEAR]
     long = [float(np.linalg.norm(view.flat(way))) for way in ways]
     axes = [
         (float(np.linalg.norm(view.flat(axis))), abs(float(axis @ view.towards))) for p in pose.parts for axis in p.axes
     ]
     shown = [min(arrow / ARROW, 1.0) + min(arc / ARC, 1.0) for arrow, arc in axes]
-    return float(np.mean(long or [1.0])) + 0.4 * float(np.mean(shown or [2.0]))
+    bends = [min(float(np.linalg.norm(view.flat(way))) / ARROW, 1.0) for part in pose.parts for way in part.bends]
+    return float(np.mean(long or [1.0])) + 0.4 * float(np.mean(shown or [2.0])) + 0.5 * min(bends, default=1.0)
 
 
 def _apart(pose: Pose, points: np.ndarray) -> float:
@@ -75,6 +77,7 @@ def _apart(pose: Pose, points: np.ndarray) -> float:
     for i, part in enumerate(pose.parts):
         for j, other in enumerate(pose.parts[:i]):
             gaps.append(_gap(part, other, points[i], points[j]))
+            gaps.append(_fold(part, other, points[i], points[j]))
     joints = [p[0] for p in points] + [p[-1] for p in points]
     places = [part.joint for part in pose.parts] + [part.tip for part in pose.parts]
     pairs = [APART]
@@ -83,6 +86,16 @@ def _apart(pose: Pose, points: np.ndarray) -> float:
             if np.linalg.norm(places[i] - places[j]) > NEAR:
                 pairs.append(float(np.linalg.norm(joints[i] - joints[j])))
     return min(1.0, min(gaps) / APART) + min(1.0, min(pairs) / APART)
+
+
+def _fold(part: Part, other: Part, a: np.ndarray, b: np.ndarray) -> float:
+    """The distance of the middle of a link from a link before it, and of that one's if it does not carry the first."""
+    if not part.long or not other.long:
+        return APART
+    middle = len(SAMPLES) // 2
+    own = float(np.min(np.linalg.norm(b - a[middle], axis=1)))
+    carried = np.min(np.linalg.norm(other.line - part.carrier, axis=1)) < 0.1 * other.long
+    return own if carried else min(own, float(np.min(np.linalg.norm(a - b[middle], axis=1))))
 
 
 def _gap(part: Part, other: Part, a: np.ndarray, b: np.ndarray) -> float:

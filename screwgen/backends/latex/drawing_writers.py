@@ -15,8 +15,8 @@ from .label_text import DROP, SMALLER, runs, size
 
 BASELINE = 0.35
 """How far the line of a text is below its middle, over the size of its letters."""
-UNIT = 0.75
-"""pt per px in LaTeX."""
+UNIT, MOST = 0.75, 430.0
+"""pt per px in LaTeX, less where a drawing would be wider than that, pt."""
 THIN = 0.85
 """The width of lines in LaTeX, which has no colours, over that of SVG."""
 TOUCH = 0.7
@@ -64,7 +64,7 @@ def picture(drawing: Drawing) -> str:
     width, height = drawing.size
     return render(
         "latex/sketch.tex.jinja",
-        unit=f"{UNIT}pt",
+        unit=f"{min(UNIT, MOST / width):.4g}pt",
         width=_number(width),
         height=_number(height),
         looks=[

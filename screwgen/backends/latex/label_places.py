@@ -74,6 +74,8 @@ def _best(wish: Wish, taken: np.ndarray, boxes: np.ndarray) -> Label | None:
         if np.any((boxes[:, 0] < x1) & (boxes[:, 2] > x0) & (boxes[:, 1] < y1) & (boxes[:, 3] > y0)):
             continue
         x, y = taken.T
+        if _crosses(_leader(wish.anchor, label), boxes):
+            continue
         crossed = int(np.sum((x > x0) & (x < x1) & (y > y0) & (y < y1)))
         if not crossed:
             found.append((distance, label))
@@ -114,6 +116,14 @@ def _leader(anchor: Point, label: Label) -> Stroke | None:
         return None
     first, last = (np.array(anchor) + share * way for share in (4.0 / size, 1.0 - 2.0 / size))
     return Stroke("leader", ((float(first[0]), float(first[1])), (float(last[0]), float(last[1]))))
+
+
+def _crosses(line: Stroke | None, boxes: np.ndarray) -> bool:
+    """Whether a line runs through any of these boxes."""
+    if line is None or not len(boxes):
+        return False
+    x, y = resampled(np.array(line.points), STEP).T[:, :, None]
+    return bool(np.any((boxes[:, 0] < x) & (x < boxes[:, 2]) & (boxes[:, 1] < y) & (y < boxes[:, 3])))
 
 
 def overlaps(labels: Sequence[Label]) -> Iterator[tuple[Label, Label]]:

@@ -26,7 +26,7 @@ MOST_LINKS = 12
 """Of a robot with more links only the first are drawn."""
 SHORTEST = 0.3
 """The least length of a link as it is drawn, over the largest."""
-SAG = 0.16
+SAG = 0.19
 """How far the modes of a direction displace the tip of a link, over its length."""
 STRETCH = 0.08
 """The same of axial modes."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from .sketch_pose import Part, Pose, View
+from .sketch_pose import Pose, View
 
 AZIMUTHS = (-55.0, -35.0, 35.0, 55.0, -15.0, 15.0, -75.0, 75.0)
 ELEVATIONS = (25.0, 12.0)
@@ -21,14 +22,16 @@ TALL = 0.3
 """What counts against a picture for every width that it is higher than one."""
 ARROW, ARC = 0.5, 0.25
 """The parts of a unit of an axis, across the view and along it, with which its arrow and the arc about it show well."""
+MEETING = 0.35
+"""Links may meet within that part of the longer one around a point at which they touch."""
 NEAR = 1e-6
 
 
 def chosen(poses: Sequence[Pose], gravity: Sequence[float]) -> tuple[Pose, View]:
     """The posture and the view in which links and joints are well apart; equal ones: the first."""
-    pairs = [(pose, view) for pose in poses for view in views(gravity)]
-    scores = [round(score(pose, view) + NEUTRAL * pose.neutral, 4) for pose, view in pairs]
-    return pairs[int(np.argmax(scores))]
+    pairs = [(pose, view, apart) for pose in poses for apart in [spread(pose)] for view in views(gravity)]
+    scores = [round(score(*pair) + NEUTRAL * pair[0].neutral, 4) for pair in pairs]
+    return pairs[int(np.argmax(scores))][:2]
 
 
 def views(gravity: Sequence[float]) -> list[View]:
@@ -50,57 +53,61 @@ def _view(up: np.ndarray, level: np.ndarray, azimuth: float, elevation: float) -
     return View(right, np.cross(towards, right), towards)
 
 
-def score(pose: Pose, view: View) -> float:
+class Spread(NamedTuple):
+    """Points of a robot in space, and the pairs of them that a picture must keep apart."""
+
+    points: np.ndarray
+    """(m, 3): along all links."""
+    links: np.ndarray
+    """(m, m): whether two points are of links that do not meet there."""
+    joints: np.ndarray
+    """(m, m): whether they are joints or tips at different places."""
+
+
+def spread(pose: Pose) -> Spread:
+    """The pairs of a posture: points of two links that are apart in space, the middle of a link and another link."""
+    points = np.concatenate([part.line[list(SAMPLES)] for part in pose.parts])
+    count, middle = len(SAMPLES), len(SAMPLES) // 2
+    owner, place = np.divmod(np.arange(len(points)), count)
+    long = np.array([part.long for part in pose.parts])[owner]
+    apart = np.linalg.norm(points[:, None] - points[None], axis=2)
+    others = (owner[:, None] != owner[None]) & (np.minimum(long[:, None], long[None]) > 0)
+    far = apart > MEETING * np.maximum(np.maximum(long[:, None], long[None]), NEAR)
+    folded = (place == middle)[:, None] & ~_carrying(pose)[np.ix_(owner, owner)]
+    ends = (place == 0) | (place == count - 1)
+    return Spread(points, others & (far | folded), ends[:, None] & ends[None] & (apart > NEAR))
+
+
+def _carrying(pose: Pose) -> np.ndarray:
+    """(n, n): whether the first part carries the second."""
+    near = lambda a, b: bool(np.min(np.linalg.norm(a.line - b.carrier, axis=1)) <= 0.1 * a.long)  # noqa: E731
+    return np.array([[near(a, b) for b in pose.parts] for a in pose.parts])
+
+
+def score(pose: Pose, view: View, apart: Spread) -> float:
     """How well a picture shows a robot: long links, links and joints apart, wide rather than tall."""
-    points = np.array([view.flat(part.line[list(SAMPLES)]) for part in pose.parts])
-    width, height = np.ptp(np.concatenate([points.reshape(-1, 2), [view.flat(p.mount) for p in pose.parts]]), axis=0)
-    extent = max(float(np.hypot(width, height)), NEAR)
+    points = view.flat(apart.points)
+    width, height = np.ptp(np.concatenate([points, [view.flat(part.mount) for part in pose.parts]]), axis=0)
+    distances = np.linalg.norm(points[:, None] - points[None], axis=2) / max(float(np.hypot(width, height)), NEAR)
+    gaps = [min(1.0, float(np.min(distances[pairs], initial=APART)) / APART) for pairs in (apart.links, apart.joints)]
     tall = TALL * max(0.0, height / max(width, NEAR, 0.2 * height) - 1.0)
-    return _shown(pose, view) + _apart(pose, points / extent) - tall
+    return _shown(pose, view) + sum(gaps) - tall
 
 
 def _shown(pose: Pose, view: View) -> float:
     """The mean length of links over their true one, and how well the arrows of axes and of deflections show."""
     ways = [(part.straight[1] - part.straight[0]) / part.long for part in pose.parts if part.long > NEAR]
-    long = [float(np.linalg.norm(view.flat(way))) for way in ways]
-    axes = [
-        (float(np.linalg.norm(view.flat(axis))), abs(float(axis @ view.towards))) for p in pose.parts for axis in p.axes
-    ]
-    shown = [min(arrow / ARROW, 1.0) + min(arc / ARC, 1.0) for arrow, arc in axes]
-    bends = [min(float(np.linalg.norm(view.flat(way))) / ARROW, 1.0) for part in pose.parts for way in part.bends]
-    return float(np.mean(long or [1.0])) + 0.4 * float(np.mean(shown or [2.0])) + 0.5 * min(bends, default=1.0)
+    axes = [axis for part in pose.parts for axis in part.axes]
+    long, arrows, bends = (_lengths(view, of) for of in (ways, axes, [x for part in pose.parts for x in part.bends]))
+    arcs = np.abs(np.reshape(axes, (-1, 3)) @ view.towards)
+    shown = np.minimum(arrows / ARROW, 1.0) + np.minimum(arcs / ARC, 1.0)
+    return _mean(long, 1.0) + 0.4 * _mean(shown, 2.0) + 0.5 * float(np.min(bends / ARROW, initial=1.0))
 
 
-def _apart(pose: Pose, points: np.ndarray) -> float:
-    """How far links that are not neighbours, the far ends of neighbours, and joints are apart; 2 at most."""
-    gaps = [APART]
-    for i, part in enumerate(pose.parts):
-        for j, other in enumerate(pose.parts[:i]):
-            gaps.append(_gap(part, other, points[i], points[j]))
-            gaps.append(_fold(part, other, points[i], points[j]))
-    joints = [p[0] for p in points] + [p[-1] for p in points]
-    places = [part.joint for part in pose.parts] + [part.tip for part in pose.parts]
-    pairs = [APART]
-    for i in range(len(places)):
-        for j in range(i):
-            if np.linalg.norm(places[i] - places[j]) > NEAR:
-                pairs.append(float(np.linalg.norm(joints[i] - joints[j])))
-    return min(1.0, min(gaps) / APART) + min(1.0, min(pairs) / APART)
+def _lengths(view: View, ways: Sequence[np.ndarray]) -> np.ndarray:
+    """The lengths of unit vectors as they are seen."""
+    return np.asarray(np.linalg.norm(view.flat(np.reshape(ways, (-1, 3))), axis=1))
 
 
-def _fold(part: Part, other: Part, a: np.ndarray, b: np.ndarray) -> float:
-    """The distance of the middle of a link from a link before it, and of that one's if it does not carry the first."""
-    if not part.long or not other.long:
-        return APART
-    middle = len(SAMPLES) // 2
-    own = float(np.min(np.linalg.norm(b - a[middle], axis=1)))
-    carried = np.min(np.linalg.norm(other.line - part.carrier, axis=1)) < 0.1 * other.long
-    return own if carried else min(own, float(np.min(np.linalg.norm(a - b[middle], axis=1))))
-
-
-def _gap(part: Part, other: Part, a: np.ndarray, b: np.ndarray) -> float:
-    """The distance of two links where they do not touch each other in space."""
-    apart = np.linalg.norm(part.line[list(SAMPLES)][:, None] - other.line[list(SAMPLES)][None], axis=2)
-    seen = np.linalg.norm(a[:, None] - b[None], axis=2)
-    free = apart > 0.35 * max(part.long, other.long, NEAR)
-    return float(np.min(seen[free])) if free.any() else APART
+def _mean(values: np.ndarray, otherwise: float) -> float:
+    return float(np.mean(values)) if len(values) else otherwise

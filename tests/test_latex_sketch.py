@@ -64,7 +64,7 @@ def test_the_same_robot_has_the_same_sketch_in_both_languages(name):
     assert svg(first) == svg(second) and picture(first) == picture(second)
     texts = ElementTree.fromstring(svg(first)).findall(".//{http://www.w3.org/2000/svg}text")
     assert len(texts) == picture(first).count(r"\makebox") == len(first.labels)
-    numbers = re.findall(r"[-\d.]+", "".join(re.findall(r'(?: d| x| y|cx|cy)="([^"]*)"', svg(first))))
+    numbers = re.findall(r"[-\d.]+", " ".join(re.findall(r'(?: d| x| y|cx|cy)="([^"]*)"', svg(first))))
     assert numbers and all(float(x) == round(float(x), 1) >= 0 for x in numbers)
 
 

@@ -32,8 +32,8 @@ TWIST, TWISTED = 9.0, 0.62
 """px: the radius of the arc of torsion, and where along the link it is."""
 SHORT = 1.5
 """px: a shorter line is not drawn."""
-LEAST = 22.0
-"""px: the arrow of a deflection that loops leave no room for."""
+LEAST, SEEN = 18.0, 8.0
+"""px: the arrow of a deflection that is smaller than can be seen."""
 TICK = 5.0
 """px: half the size of a weld, and of the mark of a marker."""
 MOST_PIECES, MOST_FRAMES = 3, 8
@@ -149,15 +149,17 @@ def _frame(pen: Pen, chain: Chain, part: Part) -> None:
     if not chain.segments[part.number].first:
         return
     ways = [0, 1, 2] if pen.far(*part.straight) <= SHORT else [1, 2]
+    few = len(chain.robot.links) <= MOST_FRAMES
     for k in ways:
         end = pen.along(part.origin, part.turn[:, k], FRAME)
         pen.line("frame", part.origin, end, head=True)
-        if len(chain.robot.links) <= MOST_FRAMES:
+        if few:
             way = pen.flat(part.turn[:, k])
             towards = (float(way[0]), float(way[1]))
             pen.wish("frame", f"${'xyz'[k]}$", end, towards=towards, needed=False, reach=13.0)
     text = rf"$\mathcal{{F}}_{{{part.number + 1}}}$"
-    pen.wish("frame", text, part.origin, towards=(-1.0, -0.6), needed=False, reach=62.0)
+    reach = 62.0 if few else 20.0
+    pen.wish("frame", text, part.origin, towards=(-1.0, -0.6), needed=False, reach=reach)
 
 
 # --------------------------------------------------------------------------------------------- modes
@@ -211,7 +213,7 @@ def _deflection(pen: Pen, part: Part, letter: str) -> np.ndarray:
         return np.array([part.straight[1], part.tip])
     k = "xyz".index(letter)
     start, way = part.straight[1] + part.turn[:, :k] @ moved[:k], part.turn[:, k]
-    least = LEAST / pen.scale if abs(moved[k]) * pen.scale < SHORT else moved[k]
+    least = LEAST / pen.scale if abs(moved[k]) * pen.scale < SEEN else moved[k]
     return np.array([start, start + least * way])
 
 

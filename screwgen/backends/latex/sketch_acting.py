@@ -166,7 +166,7 @@ def loops(pen: Pen, chain: Chain, pose: Pose) -> None:
                 text = _relation(ratio, coordinates[ratio.axis].latex, coordinates[ratio.of].latex)
                 _coupling(pen, pose, ends, text)
             else:
-                _loop(pen, *(pose.ends[end] for end in ends), junction.name)
+                _loop(pen, pose.ends[ends[0]], pose.ends[ends[1]], junction.name)
 
 
 def _loop(pen: Pen, first: np.ndarray, second: np.ndarray, name: str) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .drawing import Dot, Drawing, Point, Stroke, framed, hull, outside
 from .label_places import Wish, placed
@@ -63,7 +64,7 @@ class Pen:
         """A line through points in space."""
         self.drawn(look, self.flat(np.array(points)), head)
 
-    def drawn(self, look: str, points: Sequence[Point] | np.ndarray, head: bool = False) -> None:
+    def drawn(self, look: str, points: ArrayLike, head: bool = False) -> None:
         """A line through points on paper."""
         self.lines.append(Line(look, np.array(points, float), head))
 
@@ -116,7 +117,7 @@ class Pen:
 
     # the whole ------------------------------------------------------------------------------------
 
-    def wish(self, look: str, text: str, place: np.ndarray | Point, **more: object) -> None:
+    def wish(self, look: str, text: str, place: np.ndarray, **more: object) -> None:
         """A label at a point in space, or on paper."""
         anchor = self.point(place) if len(place) == 3 else (float(place[0]), float(place[1]))
         self.wishes.append(Wish(look, text, anchor, **more))  # type: ignore[arg-type]
@@ -137,10 +138,17 @@ class Pen:
 
     def _seen(self, line: Line) -> Iterator[Stroke]:
         pieces = list(outside(line.points, () if line.look in UNCUT else self.holes))
+        if line.head and not any(_span(piece) > SHORT for piece in pieces):
+            pieces = [line.points]  # a hidden arrow says nothing
         for piece in pieces:
             yield _stroke(line.look, piece)
-        if line.head and pieces and np.linalg.norm(pieces[-1][-1] - pieces[-1][0]) > SHORT:
+        if line.head and _span(pieces[-1]) > SHORT:
             yield _stroke(line.look, head(pieces[-1]))
+
+
+def _span(points: np.ndarray) -> float:
+    """The distance of the ends of a line."""
+    return float(np.linalg.norm(points[-1] - points[0]))
 
 
 def _stroke(look: str, points: np.ndarray) -> Stroke:

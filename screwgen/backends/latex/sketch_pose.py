@@ -28,6 +28,8 @@ SHORTEST = 0.3
 """The least length of a link as it is drawn, over the largest."""
 SAG = 0.19
 """How far the modes of a direction displace the tip of a link, over its length."""
+MOST_BENT, LEAST_BENT = 5, 0.4
+"""Of a robot with more parts that bend each is bent less, down to that part of it: they would curl up."""
 STRETCH = 0.08
 """The same of axial modes."""
 PLACES = tuple(float(s) for s in np.linspace(0.0, 1.0, 17))
@@ -64,6 +66,8 @@ class Part:
     """(3,): the point of the section that carries it, or of its foot on the world."""
     axes: tuple[np.ndarray, ...]
     """The directions of the axes of its joint."""
+    slides: bool
+    """Whether its joint moves it away from the mount."""
     bends: tuple[np.ndarray, ...]
     """Those across the link in which modes displace it."""
 
@@ -204,6 +208,7 @@ def _closed(numeric: Numeric, q: np.ndarray, bent: np.ndarray) -> np.ndarray | N
 def _bent(chain: Chain, lengths: dict[int, float]) -> np.ndarray:
     """(nq,): coordinates of the first mode of each direction, of a deflection that can be seen."""
     q = np.zeros(chain.nq)
+    less = max(LEAST_BENT, min(1.0, MOST_BENT / max(1, sum(bool(key.modes) for key in chain.keys))))
     for i, (segment, key) in enumerate(zip(chain.segments, chain.keys, strict=True)):
         own = chain.robot.links[segment.link]
         long, seen = lengths[segment.link] / own.pieces, set()
@@ -211,7 +216,7 @@ def _bent(chain: Chain, lengths: dict[int, float]) -> np.ndarray:
             group = AXIS.get(direction, -1)
             if group not in seen and direction != "torsion":
                 seen.add(group)
-                share = (STRETCH if direction == "axial" else SAG) / own.pieces
+                share = (STRETCH if direction == "axial" else less * SAG) / own.pieces
                 q[chain.eta_q + chain.eta_offset[i] + k] = share * long / _largest(key, k)
     return q
 
@@ -254,7 +259,8 @@ def _part(
     mount, axes = _joint(chain, q, i, R, base)
     across = {AXIS[direction] for direction, _ in key.directions if direction in AXIS}
     bends = tuple(R[:, k] for k in sorted(across - {0}))
-    return Part(i, R, r, line, np.array([base, base + way]), mount, _carried(chain, i, mount, before), axes, bends)
+    carrier, straight = _carried(chain, i, mount, before), np.array([base, base + way])
+    return Part(i, R, r, line, straight, mount, carrier, axes, key.slides, bends)
 
 
 def _displaced(chain: Chain, q: np.ndarray, i: int) -> np.ndarray:

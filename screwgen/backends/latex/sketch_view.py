@@ -61,7 +61,7 @@ class Spread(NamedTuple):
     links: np.ndarray
     """(m, m): whether two points are of links that do not meet there."""
     joints: np.ndarray
-    """(m, m): whether they are joints or tips at different places."""
+    """(m, m): whether they are joints or tips at different places, or joints that slides can move apart."""
 
 
 def spread(pose: Pose) -> Spread:
@@ -75,7 +75,9 @@ def spread(pose: Pose) -> Spread:
     far = apart > MEETING * np.maximum(np.maximum(long[:, None], long[None]), NEAR)
     folded = (place == middle)[:, None] & ~_carrying(pose)[np.ix_(owner, owner)]
     ends = (place == 0) | (place == count - 1)
-    return Spread(points, others & (far | folded), ends[:, None] & ends[None] & (apart > NEAR))
+    slid = (place == 0) & np.array([part.slides for part in pose.parts])[owner]
+    met = (slid[:, None] | slid[None]) & (place == 0)[:, None] & (place == 0)[None] & (owner[:, None] != owner[None])
+    return Spread(points, others & (far | folded), ends[:, None] & ends[None] & (apart > NEAR) | met)
 
 
 def _carrying(pose: Pose) -> np.ndarray:

@@ -13,7 +13,7 @@ import numpy as np
 from ...spec.link_class import AXIS
 from ...spec.reduced import ELASTIC
 from ...topology.chain import Chain
-from ..equations.names import coordinate_names
+from . import coordinate_symbols
 from .content import Figure
 from .drawing import Drawing
 from .sketch_acting import bodies, drives, gravity, loops, masses, tendons, wrenches
@@ -184,9 +184,8 @@ def _mode_groups(chain: Chain, pose: Pose) -> Iterator[Group]:
 
 def _modes(pen: Pen, chain: Chain, part: Part, letter: str, modes: Sequence[int]) -> None:
     """The arrow of a deflection, with the modes that make it."""
-    known, titles = coordinate_names(chain), names(chain)
-    first, rates = chain.n_joints + chain.n_added, chain.eta_v
-    text = f"${ranges([known[first + k].latex for k in modes])}$"
+    known, titles, rates = coordinate_symbols.modes(chain), names(chain), chain.eta_v
+    text = f"${ranges([known[k] for k in modes])}$"
     arrow = _twist(pen, part) if letter == "torsion" else _deflection(pen, part, letter)
     pen.line("mode", *arrow, head=True)
     middle = arrow[len(arrow) // 2] if letter == "torsion" else arrow.mean(axis=0)
@@ -234,8 +233,8 @@ def _caption(chain: Chain, pose: Pose) -> str:
 def _posture(chain: Chain, pose: Pose) -> str:
     """The coordinates of the joints, in words."""
     balls = {k for part in chain.curved for k in range(part.q.start, part.q.stop)}
-    named = zip(chain.axis_places, coordinate_names(chain), strict=False)
-    all_moved = [(place, name.latex) for place, name in named if abs(pose.q[place]) > 5e-3]
+    named = zip(chain.axis_places, coordinate_symbols.axes(chain), strict=True)
+    all_moved = [(place, name) for place, name in named if abs(pose.q[place]) > 5e-3]
     moved = [(name, pose.q[place]) for place, name in all_moved if place not in balls]
     said = [f"${name} = {x:.2g}$" for name, x in moved]
     if len(moved) > MOST_NAMED:

@@ -11,7 +11,8 @@ from ...elements.cylinder import Cylinder
 from ...joints.constraints import Ratio
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from ..equations.names import Name, coordinate_names, parameter_names, scripted
+from ..equations.names import parameter_names
+from . import coordinate_symbols
 from .sketch_pen import Pen, across
 from .sketch_pose import MOST_LINKS, Part, Pose
 
@@ -72,8 +73,7 @@ def drives(pen: Pen, chain: Chain, pose: Pose, part: Part) -> None:
             on_link, _ = across(way, part.straight[1] - part.straight[0])
             q = float(pose.q[chain.axis_places[axis]])
             ground = _turned(on_link, way, -q - numbers[-1])
-            number = str(axis + 1) if chain.n_joints > 1 else ""
-            effort = scripted(("F", kind.LETTERS[1]), number)
+            effort = coordinate_symbols.inputs(chain)[axis]
             if isinstance(kind, Cylinder):
                 _cylinder(pen, part.joint, numbers, (ground, on_link), effort)
             elif isinstance(kind, FourBarLinkage):
@@ -87,7 +87,7 @@ def _turned(way: np.ndarray, axis: np.ndarray, angle: float) -> np.ndarray:
 
 
 def _cylinder(
-    pen: Pen, joint: np.ndarray, numbers: Sequence[float], ways: tuple[np.ndarray, np.ndarray], effort: Name
+    pen: Pen, joint: np.ndarray, numbers: Sequence[float], ways: tuple[np.ndarray, np.ndarray], effort: str
 ) -> None:
     """A barrel from the eye on the carrier, a rod to that on the link."""
     crank, base, _ = numbers
@@ -98,7 +98,7 @@ def _cylinder(
     pen.drawn("drive", [a + side, middle + side, middle - side, a - side, a + side])
     pen.drawn("drive", [middle, b])
     _linkage(pen, joint, [first], [first, last])
-    pen.wish("drive", f"${effort.latex}$", (a + middle) / 2, towards=_point(np.sign(a[0] - b[0] or 1.0) * side))
+    pen.wish("drive", f"${effort}$", (a + middle) / 2, towards=_point(np.sign(a[0] - b[0] or 1.0) * side))
 
 
 def _four_bar(
@@ -106,7 +106,7 @@ def _four_bar(
     joint: np.ndarray,
     numbers: Sequence[float],
     ways: tuple[np.ndarray, np.ndarray, np.ndarray],
-    effort: Name,
+    effort: str,
 ) -> None:
     """A crank on the carrier, a coupler, and the rocker on the link."""
     ground, crank, _, rocker, _ = numbers
@@ -114,7 +114,7 @@ def _four_bar(
     pins = [pivot, pivot + crank * ways[1], joint + rocker * ways[2]]
     pen.line("drive", *pins, joint)
     _linkage(pen, joint, [pivot], pins)
-    pen.wish("drive", f"${effort.latex}$", pivot)
+    pen.wish("drive", f"${effort}$", pivot)
 
 
 def _linkage(pen: Pen, joint: np.ndarray, ground: Sequence[np.ndarray], pins: Sequence[np.ndarray]) -> None:
@@ -148,8 +148,7 @@ def tendons(pen: Pen, chain: Chain, part: Part, drawn: set[int]) -> None:
             drawn.add(tension)
             end = pen.along(line[0], line[0] - line[1], PULL)
             pen.line("pull", line[0], end, head=True)
-            letter = "T" if chain.n_tensions == 1 else f"T_{{{tension + 1}}}"
-            pen.wish("pull", f"${letter}$", end)
+            pen.wish("pull", f"${coordinate_symbols.inputs(chain)[chain.n_joints + tension]}$", end)
 
 
 # --------------------------------------------------------------------------------------------- loops
@@ -157,13 +156,13 @@ def tendons(pen: Pen, chain: Chain, part: Part, drawn: set[int]) -> None:
 
 def loops(pen: Pen, chain: Chain, pose: Pose) -> None:
     """The points that loops join, and the axes that couplings join."""
-    coordinates = coordinate_names(chain)
+    axes = coordinate_symbols.axes(chain)
     for junction in chain.closing.junctions:
         ends = (junction.first, junction.second)
         if all(chain.segments[end].link < MOST_LINKS for end in ends):
             ratio = junction.demands[0] if junction.demands else None
             if isinstance(ratio, Ratio):
-                text = _relation(ratio, coordinates[ratio.axis].latex, coordinates[ratio.of].latex)
+                text = _relation(ratio, axes[ratio.axis], axes[ratio.of])
                 _coupling(pen, pose, ends, text)
             else:
                 _loop(pen, pose.ends[ends[0]], pose.ends[ends[1]], junction.name)

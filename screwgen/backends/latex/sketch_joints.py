@@ -9,7 +9,7 @@ import numpy as np
 from ...spec.parameters import added, changes
 from ...topology.chain import Chain
 from ...topology.tree import BASE
-from ..equations.names import coordinate_names
+from . import coordinate_symbols
 from .sketch_pen import Pen
 from .sketch_pose import Part
 
@@ -33,43 +33,22 @@ def names(chain: Chain) -> list[str]:
     return list(changes(chain.robot))
 
 
-def symbols(chain: Chain, link: int) -> list[str]:
-    """The letters of the coordinates of a link's axes, each with that of its rotor."""
-    known, added_to = coordinate_names(chain), dict(zip(chain.added_joints, _letters(chain), strict=True))
-    rotors = {axis: f"{letter}{_below(known[axis].latex)}" for axis, letter in added_to.items()}
-    own = range(chain.tau_offset[link], chain.tau_offset[link + 1])
-    return [", ".join(filter(None, (known[axis].latex, rotors.get(axis)))) for axis in own]
-
-
-def _letters(chain: Chain) -> list[str]:
-    return [r"\vartheta" if one.symbol == "θ" else one.symbol for _, _, one in added(chain.robot)]
-
-
-def _below(latex: str) -> str:
-    """The script below a letter."""
-    _, mark, script = latex.partition("_")
-    return mark + script
-
-
 def joint(pen: Pen, chain: Chain, part: Part) -> None:
     """A joint with its axes and their coordinates."""
     i, key = part.number, chain.keys[part.number]
-    known = names(chain)
-    rates = known[chain.v_offset[i] : chain.v_offset[i + 1]]
-    if key.floats:
-        first = chain.v_offset[i] + 1
-        text = rf"floats, $v_{{{first}}} \ldots v_{{{first + 5}}}$"
-        pen.wish("q", text, part.joint, names=tuple(rates), towards=(1.0, -1.0))
-    elif key.joint.turn_at is not None:
-        pen.ball(part.joint, RADIUS)
-        pen.ring("joint", part.joint, RADIUS + 3.0)
-        for axis in part.axes:
-            _turn(pen, part.joint, axis)
-        first = chain.v_offset[i] + 1
-        text = rf"$\mathbf{{Q}}_{{{i + 1}}}$: $v_{{{first}}} \ldots v_{{{first + len(rates) - 1}}}$"
-        pen.wish("q", text, pen.along(part.joint, part.axes[-1], AHEAD), names=tuple(rates))
-    else:
+    rates = names(chain)[chain.v_offset[i] : chain.v_offset[i + 1]]
+    if key.screws or not rates:
         _axes(pen, chain, part, rates)
+        return
+    if key.floats:
+        text = r"floats: $\mathbf{r}_{o1}, \mathbf{Q}_1$"
+        pen.wish("q", text, part.joint, names=tuple(rates), towards=(1.0, -1.0))
+        return
+    pen.ball(part.joint, RADIUS)
+    pen.ring("joint", part.joint, RADIUS + 3.0)
+    for axis in part.axes:
+        _turn(pen, part.joint, axis)
+    pen.wish("q", rf"$\mathbf{{q}}_{{{i + 1}}}$", part.joint, names=tuple(rates), towards=(-1.0, 1.0))
 
 
 def _axes(pen: Pen, chain: Chain, part: Part, rates: Sequence[str]) -> None:
@@ -83,17 +62,18 @@ def _axes(pen: Pen, chain: Chain, part: Part, rates: Sequence[str]) -> None:
         pen.cylinder(part.joint, turning[0], RADIUS, HALF)
     elif turning:
         pen.ball(part.joint, RADIUS + 1.0)
-    rotors = dict(zip(chain.added_joints, _added(chain), strict=True))
-    for k, (screw, axis, symbol) in enumerate(zip(screws, part.axes, symbols(chain, part.number), strict=True)):
+    known, rotors = coordinate_symbols.axes(chain), coordinate_symbols.rotors(chain)
+    titles = dict(zip(chain.added_joints, _added(chain), strict=True))
+    for k, (screw, axis) in enumerate(zip(screws, part.axes, strict=True)):
         if screw.turn:
             _turn(pen, part.joint, axis)
         if screw.slides:
             _slide(pen, part, axis, screw.turn)
-        end = pen.along(part.joint, axis, AHEAD)
-        rotor = rotors.get(chain.tau_offset[part.number] + k)
-        own = tuple(filter(None, (rates[k], rotor)))
-        way = pen.flat(axis)
-        pen.wish("q", f"${symbol}$", end, names=own, towards=(float(way[0]), float(way[1])))
+        number, way = chain.tau_offset[part.number] + k, pen.flat(axis)
+        text = ", ".join(filter(None, (known[number], rotors.get(number))))
+        own = tuple(filter(None, (rates[k], titles.get(number))))
+        towards = (float(way[0]), float(way[1]))
+        pen.wish("q", f"${text}$", pen.along(part.joint, axis, AHEAD), names=own, towards=towards)
 
 
 def _added(chain: Chain) -> list[str]:

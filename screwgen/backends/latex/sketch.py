@@ -105,7 +105,7 @@ def _link(pen: Pen, chain: Chain, part: Part) -> None:
         if key.modes:
             pen.line("straight", *part.straight)
     if on_world(chain, part):
-        foot(pen, part, _hangs(pen, chain, part), welded=not key.joint.nv)
+        foot(pen, part, _hangs(pen, part), welded=not key.joint.nv)
     elif not key.joint.nv and segment.first:
         _weld(pen, part)
     if segment.number == segment.count // 2:
@@ -123,7 +123,7 @@ def _beside(pen: Pen, part: Part) -> tuple[float, float]:
     return float(side[0]), float(side[1] or 1.0)
 
 
-def _hangs(pen: Pen, chain: Chain, part: Part) -> bool:
+def _hangs(pen: Pen, part: Part) -> bool:
     """Whether a link goes down from its foot."""
     x, y = pen.flat(part.tip - part.mount)
     return bool(y < -abs(x))
@@ -227,6 +227,7 @@ def _caption(chain: Chain, pose: Pose) -> str:
     posture = f" at {posture}" if posture else ""
     scale = ", not to scale" if drawn_lengths(chain) != true_lengths(chain) else ""
     bent = "; flexible links are bent by the first mode of each direction (dashed: undeformed)" if chain.n_modes else ""
+    bent += "" if pose.closed else "; loops are open, as no posture near this one closes them"
     return rf"{what}{posture}{scale}{bent}; $x$ of each frame $\mathcal{{F}}_i$ runs along its link."
 
 

@@ -98,6 +98,8 @@ class Pose:
     q: np.ndarray
     neutral: bool
     """Whether all joints are at zero."""
+    closed: bool
+    """Whether all loops are closed, and all linkages reach their links."""
     parts: tuple[Part, ...]
     ends: np.ndarray
     """(n, 3): the tip points of all segments, of markers that loops join their places."""
@@ -158,7 +160,7 @@ def poses(chain: Chain) -> list[Pose]:
     numeric, bent = drawn(chain, lengths), _bent(chain, lengths)
     found = [_closed(numeric, q, bent) for q in _postures(chain, size(chain, lengths))]
     kept = [q for q in found if q is not None and _reached(chain, q)]
-    return [_pose(chain, numeric, q, lengths) for q in kept or [np.array(chain.home) + bent]]
+    return [_pose(numeric, q, lengths, bool(kept)) for q in kept or [np.array(chain.home) + bent]]
 
 
 def _postures(chain: Chain, far: float) -> Iterator[np.ndarray]:
@@ -229,15 +231,15 @@ def _largest(key: LinkClass, mode: int) -> float:
 # ---------------------------------------------------------------------------------------- in space
 
 
-def _pose(chain: Chain, numeric: Numeric, q: np.ndarray, lengths: dict[int, float]) -> Pose:
+def _pose(numeric: Numeric, q: np.ndarray, lengths: dict[int, float], closed: bool) -> Pose:
     R, r = numeric.link_pose(q)
     _, tips = numeric.tip_poses(q)
-    parts: list[Part] = []
+    chain, parts = numeric.chain, list[Part]()
     for i, segment in enumerate(chain.segments):
         if segment.marker is None and segment.link < MOST_LINKS:
             parts.append(_part(chain, q, i, (R[i], r[i], tips[i]), lengths, parts))
     neutral = bool(np.allclose(q[: chain.eta_q], chain.home[: chain.eta_q], atol=1e-6))
-    return Pose(q, neutral, tuple(parts), tips)
+    return Pose(q, neutral, closed, tuple(parts), tips)
 
 
 def _part(

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from ...ir.block import Binding, Block
+from .drawing import Drawing
 from .layout import Formula
 from .steps import BlockView, StepView
 
@@ -65,7 +66,17 @@ class DocumentTable:
     essential: bool = False
 
 
-Item = Paragraph | Display | Heading | StepEquation | DocumentTable
+@dataclass(frozen=True)
+class Figure:
+    """A drawing with its caption."""
+
+    kind: ClassVar[str] = "figure"
+    drawing: Drawing
+    caption: str
+    essential: bool = False
+
+
+Item = Paragraph | Display | Heading | StepEquation | DocumentTable | Figure
 
 
 @dataclass

@@ -24,6 +24,7 @@ from . import algorithm, check_value, coordinates, elements, motion, tables, tex
 from .algorithm import ALGORITHM
 from .blocks import LETTERS
 from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, Heading, Item, Paragraph, parse
+from .drawing_writers import picture
 from .joints import joints
 from .layout import one_line
 from .link_class import class_section, ordered
@@ -35,6 +36,7 @@ from .page import page as page
 from .parameter_symbols import with_symbols
 from .pattern import pattern
 from .robot_tables import besides
+from .sketch import figure
 from .steps import KEY_STEPS, BlockView, Seen, block_view
 from .style import DocumentStyle
 from .symbols import SLIDING, entries
@@ -68,7 +70,7 @@ def chain_of(robot: Robot) -> Chain:
 def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
     """A document in LaTeX, or a fragment of one."""
     template = "latex/fragment.tex.jinja" if style.fragment else "latex/document.tex.jinja"
-    return render(template, document=shown, style=style, text=text.tex, rows=text.tex_rows)
+    return render(template, document=shown, style=style, text=text.tex, rows=text.tex_rows, picture=picture)
 
 
 def notebook(robot: Robot) -> str:
@@ -188,6 +190,7 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     tendons = f", {chain.n_tensions} tendon{'s' * (chain.n_tensions > 1)}" if chain.n_tensions else ""
     count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal{tendons}"
     items: list[Item] = [
+        figure(chain),
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         *coordinates.tables(chain),
         Heading("Links"),

@@ -31,6 +31,7 @@ from .content import (
     Paragraph,
     StepEquation,
 )
+from .drawing_writers import svg
 from .joint_words import called, sought
 from .joints import instance
 from .layout import Formula
@@ -184,6 +185,7 @@ def page(shown: Document, more: Extras | None = None) -> str:
     body = render(
         "latex/document.html.jinja",
         **values,
+        svg=svg,
         levels=any(item.level == ESSENCE for s in sections for item in s.items) and more is not None,
         guides=list(_guides(sections, more)) if more else [],
         torque=_anchor_of(sections, r"\mathbf{J}_m &") or _anchor_of(sections, r"\mathbf{f}_{q,i}"),

@@ -1,0 +1,110 @@
+"""A drawing as SVG, which takes its colours from the page, and in LaTeX's own environment ``picture``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from ..templates import markup, render
+from . import text
+from .drawing import DASHES, WIDTHS, Drawing, Stroke, dashes, rounded
+from .label_text import DROP, SMALLER, runs, size
+
+BASELINE = 0.35
+"""How far the line of a text is below its middle, over the size of its letters."""
+UNIT, MOST = 0.75, 430.0
+"""pt per px in LaTeX, less where a drawing would be wider than that, pt."""
+THIN = 0.85
+"""The width of lines in LaTeX, which has no colours, over that of SVG."""
+TOUCH = 0.7
+"""The distance of the dots of which LaTeX makes a line, over its width."""
+
+
+class TextRun(NamedTuple):
+    """A piece of a label in SVG."""
+
+    text: str
+    style: str
+    size: str
+    """Empty where it is that of the label."""
+    down: str
+    """How far it is below the piece before it, px; empty where it is on the same line."""
+
+
+def svg(drawing: Drawing) -> str:
+    """The drawing in SVG."""
+    width, height = drawing.size
+    upright = lambda p: (_number(p[0]), _number(rounded(height - p[1])))  # noqa: E731
+    paths = [(look, " ".join(_path([upright(p) for p in s.points]) for s in own)) for look, own in _by_look(drawing)]
+    labels = [
+        (label, _number(label.at[0]), _number(rounded(height - label.at[1] + BASELINE * size(label.look))))
+        for label in drawing.labels
+    ]
+    out = render(
+        "latex/sketch.html.jinja",
+        width=_number(width),
+        height=_number(height),
+        paths=paths,
+        dots=[(dot.look, *upright(dot.at), _number(dot.radius)) for dot in drawing.dots],
+        labels=[
+            (label.look, x, y, _number(size(label.look)), ", ".join(label.names), list(_pieces(label.text, label.look)))
+            for label, x, y in labels
+        ],
+        widths={look: _number(x) for look, x in WIDTHS.items()},
+        dashes={look: f"{_number(on)} {_number(off)}" for look, (on, off) in DASHES.items()},
+    )
+    return markup(out)
+
+
+def picture(drawing: Drawing) -> str:
+    """The drawing in LaTeX: every line is made of straight pieces by ``\\qbezier``."""
+    width, height = drawing.size
+    return render(
+        "latex/sketch.tex.jinja",
+        unit=f"{min(UNIT, MOST / width):.4g}pt",
+        width=_number(width),
+        height=_number(height),
+        looks=[
+            (f"{THIN * UNIT * WIDTHS[look]:.2f}pt", [curve for stroke in own for curve in _curves(stroke)])
+            for look, own in _by_look(drawing)
+        ],
+        dots=[(*map(_number, dot.at), _number(2 * dot.radius)) for dot in drawing.dots],
+        labels=[(*map(_number, label.at), text.tex(label.text)) for label in drawing.labels],
+    )
+
+
+def _by_look(drawing: Drawing) -> Iterator[tuple[str, list[Stroke]]]:
+    """The strokes of every look that there is, in the order of `WIDTHS`."""
+    for look in WIDTHS:
+        own = [stroke for stroke in drawing.strokes if stroke.look == look]
+        if own:
+            yield look, own
+
+
+def _path(points: list[tuple[str, str]]) -> str:
+    return "M" + "L".join(f"{x} {y}" for x, y in points)
+
+
+def _pieces(label: str, look: str) -> Iterator[TextRun]:
+    level, letters = 0, size(look)
+    for run in runs(label):
+        down = _number(rounded(DROP * letters * (run.level - level))) if run.level != level else ""
+        yield TextRun(run.text, run.style, _number(rounded(SMALLER * letters)) if run.level else "", down)
+        level = run.level
+
+
+def _curves(stroke: Stroke) -> Iterator[tuple[int, str]]:
+    """The straight pieces of a line: how many dots make them, and their points."""
+    lines = dashes(stroke.points, *DASHES[stroke.look]) if stroke.look in DASHES else [stroke.points]
+    for points in lines:
+        for a, b in pairwise(points):
+            count = int(np.ceil(np.hypot(b[0] - a[0], b[1] - a[1]) / (TOUCH * THIN * WIDTHS[stroke.look])))
+            middle = (rounded((a[0] + b[0]) / 2), rounded((a[1] + b[1]) / 2))
+            yield max(count, 1), "".join(f"({_number(x)},{_number(y)})" for x, y in (a, middle, b))
+
+
+def _number(x: float) -> str:
+    return f"{x:.6g}"

@@ -1,0 +1,112 @@
+"""The sketch of a robot: what has a label, where labels stand, and what SVG and LaTeX make of them."""
+
+import re
+from functools import cache
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from document_robots import FOUR_BAR, arm, branched, coupled, joint, looped, of, tendons, varying
+from helpers import example_file
+
+from screwgen import Robot, load
+from screwgen.backends.latex.document import chain_of
+from screwgen.backends.latex.drawing import Drawing, Label, Stroke, dashes, outside
+from screwgen.backends.latex.drawing_writers import picture, svg
+from screwgen.backends.latex.label_places import overlaps
+from screwgen.backends.latex.sketch import sketch
+from screwgen.backends.latex.sketch_pen import Pen
+from screwgen.backends.latex.sketch_pose import drawn as numeric_of
+from screwgen.backends.latex.sketch_pose import drawn_lengths, poses
+from screwgen.backends.latex.sketch_view import views
+from screwgen.spec.parameters import coordinate_names
+
+EXAMPLES = """bucket crane crane_loop elastic_joint ella flexible_arm gantry parallelogram six_link space_arm
+    tentacle""".split()
+GEAR = {"ratio": 50.0, "rotor_inertia": 1e-3, "stiffness": 90.0}
+CHANGES = {
+    "ball": [joint(1, axes="ball")],
+    "screw": [joint(1, axes=[{"screw": "z", "pitch": 0.1}, "y"])],
+    "gear": [joint(0, drives=[GEAR]), joint(1, drives=[{"transmission": {"four_bar": FOUR_BAR}}])],
+    "segments": [of(0, segments=5), varying, tendons],
+    "tree": [branched, coupled, looped("fore.eye", "x", "y", "z")],
+}
+
+
+@cache
+def robot(name: str) -> Robot:
+    if name not in CHANGES:
+        return load(example_file(name))
+    stated = arm()
+    for change in CHANGES[name]:
+        change(stated)
+    return Robot.model_validate(stated)
+
+
+def drawn(name: str) -> Drawing:
+    return sketch(chain_of(robot(name)))
+
+
+@pytest.mark.parametrize("name", ["gantry", "elastic_joint", "screw"])
+def test_axes_are_those_about_which_joints_move_what_they_carry(name):
+    """A small change of a coordinate moves the link's tip as a screw about the axis that is drawn."""
+    chain, h = chain_of(robot(name)), 1e-6
+    numeric, pose = numeric_of(chain, drawn_lengths(chain)), poses(chain)[1]
+    for part in pose.parts:
+        for k, (axis, screw) in enumerate(zip(part.axes, chain.keys[part.number].screws, strict=True)):
+            step = h * np.eye(chain.nq)[chain.q_offset[part.number] + k]
+            there, back = (numeric.tip_poses(pose.q + s * step)[1][part.number] for s in (1, -1))
+            moved = screw.turn * np.cross(axis, part.tip - part.joint) + screw.travel * axis
+            assert (there - back) / (2 * h) == pytest.approx(moved, abs=1e-8)
+
+
+@pytest.mark.parametrize("name", [*EXAMPLES, *CHANGES])
+def test_every_coordinate_has_a_label_that_one_can_read(name):
+    drawing = drawn(name)
+    said = [x for label in drawing.labels for x in label.names]
+    rates = [x.replace("_rate", "") for x in coordinate_names(robot(name)).v]
+    stated = [x for x in rates if not x.startswith("base.")]
+    assert len(set(said)) == len(said) and set(stated) <= set(said)
+    assert list(overlaps(drawing.labels)) == []
+    (width, height), corners = drawing.size, [p for stroke in drawing.strokes for p in stroke.points]
+    corners += [corner for label in drawing.labels for corner in (label.box[:2], label.box[2:])]
+    assert all(0 <= x <= width and 0 <= y <= height for x, y in corners)
+
+
+@pytest.mark.parametrize("name", ["flexible_arm", "parallelogram"])
+def test_the_same_robot_has_the_same_sketch_in_both_languages(name):
+    first, second = drawn(name), drawn(name)
+    assert svg(first) == svg(second) and picture(first) == picture(second)
+    texts = ElementTree.fromstring(svg(first)).findall(".//{http://www.w3.org/2000/svg}text")
+    assert len(texts) == picture(first).count(r"\makebox") == len(first.labels)
+    numbers = re.findall(r"[-\d.]+", " ".join(re.findall(r'(?: d| x| y|cx|cy)="([^"]*)"', svg(first))))
+    assert numbers and all(float(x) == round(float(x), 1) >= 0 for x in numbers)
+
+
+def test_names_that_mean_something_to_a_language_are_written_as_they_are():
+    label = Label("link", "`a<&_%`: x<y & 5 % of_it", (50.0, 10.0), (90.0, 12.0), ('"<b>',))
+    drawing = Drawing((100.0, 20.0), (Stroke("axis", ((0.0, 0.0), (9.0, 9.0))),), (), (label,))
+    root = ElementTree.fromstring(svg(drawing))
+    assert "".join(root[-1].itertext()) == '"<b>a<&_%: x<y & 5 % of_it'
+    assert r"a<\&\_\%}: x<y \& 5 \% of\_it" in picture(drawing).replace(r"\cut{}", "")
+
+
+@pytest.mark.parametrize("axis", [*np.eye(3).tolist(), [-0.3, 0.8, -0.5]])
+def test_the_arc_of_a_turn_goes_counterclockwise_about_an_axis_towards_the_reader(axis):
+    for view in views([0.0, 0.0, -9.81]):
+        assert np.cross(view.right, view.up) == pytest.approx(view.towards)
+        x, y = Pen(view, 100.0).flat(Pen(view, 100.0).circle(np.zeros(3), np.array(axis), 8.0)).T
+        area = float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]))
+        assert np.sign(area) == np.sign(np.dot(axis, view.towards))
+
+
+def test_solids_hide_what_is_behind_them():
+    square = np.array([[2.0, -1.0], [4.0, -1.0], [4.0, 1.0], [2.0, 1.0]])
+    pieces = list(outside(np.array([[0.0, 0.0], [6.0, 0.0]]), [square]))
+    assert [piece.tolist() for piece in pieces] == [[[0.0, 0.0], [2.0, 0.0]], [[4.0, 0.0], [6.0, 0.0]]]
+
+
+def test_dashes_cover_their_share_of_a_line():
+    found = list(dashes(((0.0, 0.0), (9.0, 0.0), (9.0, 9.0)), 2.0, 1.0))
+    assert len(found) == 6
+    assert sum(np.linalg.norm(np.diff(dash, axis=0), axis=1).sum() for dash in found) == pytest.approx(12.0, abs=0.6)

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from .. import notebook
-from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS, entry_names
+from ..algorithms.entry_names import entry_names
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS
 from ..errors import UsageError
 from ..files import Arrays, open_arrays
 from ..robot_model import RobotModel

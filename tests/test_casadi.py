@@ -11,6 +11,7 @@ from conftest import require_tool
 from helpers import arm, example, flat, link, model_of, relative
 
 from screwgen import Robot, UsageError, derive
+from screwgen.algorithms.functions import Functions
 from screwgen.backends.casadi.expressions import unary
 from screwgen.integrators import METHODS
 from screwgen.simulation.simulate import stepper
@@ -271,3 +272,28 @@ def test_derivatives_are_finite_at_rest():
     at = lambda eta: [x.full() for x in hessian([0.3, 0.2, 0.1, *[eta] * 6], 0.1 * np.ones(9))]  # noqa: E731
     for rest, near in zip(at(0.0), at(1e-9), strict=True):
         assert np.all(np.isfinite(rest)) and relative(rest, near) < 1e-6
+
+
+@pytest.mark.parametrize("torques", [[2.0], [1.0, 2.0], np.ones(5), ca.SX.sym("tau")], ids=["1", "2", "5", "symbol"])
+def test_torques_of_a_wrong_number_are_refused(torques):
+    """CasADi by itself lets one drive all joints; the functions of an algebra take what they are given."""
+    model = example("ella")
+    x, f = arguments(model), model.casadi()
+    given, count = {**x, "tau": torques}, ca.SX(torques).numel()
+    for call in (
+        lambda: f["forward_dynamics"](*(given[k] for k in ("q", "v", "tau", "w_ext", "p"))),
+        lambda: f["drive_power"](**{k: given[k] for k in ("q", "v", "tau", "p")}),
+        lambda: f["step"].call([*(given[k] for k in ("q", "v", "tau", "w_ext", "p")), 1e-3]),
+        lambda: Functions(model.chain, [], [], None)._torques([0.0] * count),
+    ):
+        with pytest.raises(UsageError, match=f"^tau has {count} numbers?; it must have 3"):
+            call()
+
+
+def test_a_zero_stands_for_zeros_and_columns_for_calls():
+    model = example("ella")
+    x, f = arguments(model), model.casadi()["forward_dynamics"]
+    zero = f(x["q"], x["v"], 0, ca.SX(0), x["p"])[0]
+    assert flat(ca.DM(zero)) == pytest.approx(flat(f(x["q"], x["v"], np.zeros(3), np.zeros((6, 2)), x["p"])[0]))
+    many = f(*(np.hstack([np.reshape(x[k], (f.size1_in(k), -1))] * 2) for k in f.name_in()))[0]
+    assert many.shape == (model.nv, 2)

@@ -1,5 +1,7 @@
 """Mode shapes against the oracle, and their picture."""
 
+from itertools import combinations
+
 import numpy as np
 import pytest
 import random_robots as rr
@@ -167,3 +169,19 @@ def test_the_height_is_named_beside_its_numbers():
         word, both = axis.label.get_window_extent().width, axis.get_tightbbox(renderer).width
         axis.label.set_text("")
         assert word < both - axis.get_tightbbox(renderer).width < 3 * word
+
+
+def test_numbers_along_short_axes_do_not_cover_each_other():
+    """Of an upright arm two axes are short, and their numbers stand side by side."""
+    upright = {"mount": {"rpy": [0.0, -np.pi / 2, 0.0]}}
+    model = model_of(arm(link("pole", 1.0, [], modes={"bending_y": 1, "bending_z": 1}, joint=upright)))
+    picture = laid_out(figure(model, np.zeros(model.nq), mode_shapes(model)))
+    for axes in picture.axes:
+        boxes = []
+        for name in "xyz":
+            axis, (low, high) = getattr(axes, f"{name}axis"), getattr(axes, f"get_{name}lim")()
+            pairs = zip(axis.get_majorticklocs(), axis.get_major_ticks(), strict=True)
+            ticks = [tick for x, tick in pairs if low <= x <= high]
+            assert len(ticks) > 2 * (name == "z")
+            boxes += [tick.label1.get_window_extent() for tick in ticks]
+        assert not any(a.overlaps(b) for a, b in combinations(boxes, 2))

@@ -9,16 +9,8 @@ from helpers import Case, drawn, example, quick, relative
 
 from docs.tools import functions_page
 from screwgen import rollout, simulate
-from screwgen.algorithms.robot_functions import (
-    BY_NAME,
-    FUNCTIONS,
-    OUTPUTS,
-    entry_names,
-    entry_units,
-    offered,
-    reported,
-    shape,
-)
+from screwgen.algorithms.entry_names import entry_names, entry_units
+from screwgen.algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS, is_matrix, offered, reported, shape
 from screwgen.algorithms.signals import Signal
 
 EXAMPLES = ("ella", "bucket", "crane_loop", "elastic_joint", "space_arm", "gantry")
@@ -53,7 +45,7 @@ def test_numpy_casadi_jax_and_c_give_the_same(name, row):
     columns = [x.T if x.ndim == 2 else x for x in given]
     for of, found, y in zip(row.results.values(), model.casadi()[row.name].call([*columns, p]), expected, strict=True):
         matrix = found.full()
-        across = np.hstack(list(y)) if y.ndim == 3 else y if of.shape == (3, 3) else y.T if y.ndim == 2 else y
+        across = np.hstack(list(y)) if y.ndim == 3 else y if is_matrix(of) else y.T if y.ndim == 2 else y
         assert relative(matrix.reshape(np.shape(across)), across) < 1e-9
     with jax.enable_x64(True):
         for found, y in zip(parts(model.jax()[row.name](*given, np.array(p))), expected, strict=True):

@@ -42,6 +42,36 @@ def sensors(case: Case) -> None:
     free = np.einsum("kji,j->ki", R, gravity)
     near(f.accelerometer(q, v, tau, w_ext), felt[:, 3:] - free, 1e-6, "accelerometers")
     curvatures(case)
+    whole_mass(case)
+    cylinders(case)
+
+
+def whole_mass(case: Case) -> None:
+    """Mass, centre and momentum are those of all elements of the judge; the centre moves as its Jacobian says."""
+    (q, v, *_), f = case.given, case.model.numpy()
+    oracle, state = case.judge.oracle, case.judge.state
+    moment = oracle._function([oracle.q], sum(cloud.first_moment() for cloud in oracle.clouds))(state["q"]).full()
+    wanted = sum(float(np.sum(cloud.masses)) for cloud in oracle.clouds)
+    mass, centre = f.centre_of_mass(q)
+    near(mass, wanted, case.tolerance, "mass")
+    near(centre, moment[:, 0] / wanted, case.tolerance, "centre of mass")
+    linear, angular = oracle.momentum(state["q"], state["v"])
+    near(np.concatenate(f.momentum(q, v)), np.concatenate([angular, linear]), case.tolerance, "momentum")
+    near(mass * f.centre_of_mass_jacobian(q) @ v, linear, case.tolerance, "Jacobian of the centre of mass")
+
+
+def cylinders(case: Case) -> None:
+    """Their lengths are the distances of their eyes."""
+    names, q = case.model.q_names, case.given[0]
+    wanted = []
+    for link in case.robot["links"]:
+        for k, drive in enumerate(link["joint"].get("drives", [])):
+            own = drive.get("transmission", {})
+            if "crank" in own:
+                turned = q[names.index(f"{link['name']}.joint[{k}]")] + own["angle"]
+                wanted.append(np.hypot(own["crank"] * np.cos(turned) - own["base"], own["crank"] * np.sin(turned)))
+    if wanted:
+        near(case.model.numpy().cylinder_length(q), np.array(wanted), 1e-14, "lengths of cylinders")
 
 
 def section(case: Case, i: int, s: float | None, state: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

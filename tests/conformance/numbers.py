@@ -9,7 +9,7 @@ from helpers import EPS32, quick_batch, relative
 
 from conformance.cases import STEP, Case
 from screwgen import rollout
-from screwgen.algorithms.robot_functions import offered, shape
+from screwgen.algorithms.robot_functions import is_matrix, offered, shape
 from screwgen.integrators import METHODS
 from screwgen.simulation.simulate import stepper
 
@@ -120,7 +120,7 @@ def acados(case: Case) -> None:
 def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
     """A result of CasADi as an array of the shape that it has elsewhere: links and markers stand side by side there."""
     size = shape(signal, chain)
-    if len(size) < 2 or not isinstance(signal.shape[0], str):
+    if len(size) < 2 or is_matrix(signal):
         return found.full().ravel()
     parts = np.stack(np.hsplit(found.full(), size[0]))
     return parts.ravel() if len(size) == 3 else parts[:, :, 0].ravel()

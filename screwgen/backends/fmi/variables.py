@@ -11,9 +11,10 @@ from math import prod
 
 import numpy as np
 
+from ...algorithms.entry_names import entry_names, entry_units
 from ...algorithms.gauges import strain_names
 from ...algorithms.response import OWN, REPORTED, Response
-from ...algorithms.robot_functions import SENSED, entry_names, entry_units, shape
+from ...algorithms.robot_functions import SENSED, shape
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
@@ -168,7 +169,8 @@ def _outputs(answers: Response) -> Iterator[Variable]:
     pieces = [segment.name for segment in chain.segments]
     for told in answers.rows.values():
         meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        for entry in zip(entry_names(told, efforts, markers, pieces), entry_units(told, chain), meanings, strict=True):
+        names = entry_names(told, efforts, markers, pieces, chain.cylinders)
+        for entry in zip(names, entry_units(told, chain), meanings, strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

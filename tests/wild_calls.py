@@ -47,7 +47,7 @@ def built(folder: Path, name: str, precision: str, *flags: str) -> None:
     """The program, compiled."""
     sources = sorted(path.name for path in folder.glob("*.c") if path.name not in EXAMPLES)
     defines = [f"-D{name.upper()}_REAL_FLOAT"] * (precision == "float")
-    command = [require_tool("gcc"), "-std=c99", "-O1", "-g", *flags, *defines, "-o", "wild", *sources, "-lm"]
+    command = [require_tool("gcc"), "-std=c99", "-O0", *flags, *defines, "-o", "wild", *sources, "-lm"]
     subprocess.run(command, cwd=folder, check=True)
 
 

@@ -72,7 +72,8 @@ def program(folder: Path, name: str) -> str:
     said = "\n".join(f'    "{f.name}",' for f in found)
     lines += ["static const char *const NAMES[] = {", said, "};", "", "int main(int argc, char **argv)", "{"]
     for kind in kinds:
-        lines.append(f"    {_variable(kind, name)} = {'scratch' if kind.endswith('work') else 'block'}(sizeof({kind}));")
+        made = "scratch" if kind.endswith("work") else "block"
+        lines.append(f"    {_variable(kind, name)} = {made}(sizeof({kind}));")
     lines += ["    return campaign(CALLS, NAMES, (int)(sizeof CALLS / sizeof CALLS[0]), argc, argv);", "}", ""]
     return "\n".join(lines)
 

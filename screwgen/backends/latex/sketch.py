@@ -22,9 +22,9 @@ from .sketch_pen import Pen
 from .sketch_pose import MOST_LINKS, Part, Pose, View, drawn_lengths, poses, true_lengths
 from .sketch_view import chosen
 
-WIDE, PER_LINK, WIDEST, HIGHEST = 210.0, 90.0, 430.0, 280.0
+WIDE, PER_LINK, WIDEST, HIGHEST = 210.0, 90.0, 430.0, 250.0
 """px: the width of the robot of one link, what each further link adds, and the most of width and height."""
-BESIDE = 90.0
+BESIDE = 80.0
 """px: the further room of what is drawn beside the links."""
 FRAME = 21.0
 """px: the axes of the frames of links."""

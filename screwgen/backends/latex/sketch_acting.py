@@ -14,7 +14,7 @@ from ...topology.chain import Chain
 from ..equations.names import parameter_names
 from . import coordinate_symbols
 from .sketch_pen import Pen, across
-from .sketch_pose import MOST_LINKS, Part, Pose
+from .sketch_pose import MOST_LINKS, Part, Pose, rotation
 
 MASS = 4.5
 """px: the radius of the dot of a body."""
@@ -72,18 +72,13 @@ def drives(pen: Pen, chain: Chain, pose: Pose, part: Part) -> None:
             way = part.axes[axis - chain.tau_offset[link]]
             on_link, _ = across(way, part.straight[1] - part.straight[0])
             q = float(pose.q[chain.axis_places[axis]])
-            ground = _turned(on_link, way, -q - numbers[-1])
+            ground = rotation(way, -q - numbers[-1]) @ on_link
             effort = coordinate_symbols.inputs(chain)[axis]
             if isinstance(kind, Cylinder):
                 _cylinder(pen, part.joint, numbers, (ground, on_link), effort)
             elif isinstance(kind, FourBarLinkage):
-                crank = _turned(ground, way, kind.travel(q, *numbers))
+                crank = rotation(way, kind.travel(q, *numbers)) @ ground
                 _four_bar(pen, part.joint, numbers, (ground, crank, on_link), effort)
-
-
-def _turned(way: np.ndarray, axis: np.ndarray, angle: float) -> np.ndarray:
-    """A direction across an axis, turned about it."""
-    return np.asarray(np.cos(angle) * way + np.sin(angle) * np.cross(axis, way))
 
 
 def _cylinder(

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ...bodies.markers import displacement
 from ...spec.link_class import AXIS, LinkClass
@@ -283,8 +282,14 @@ def _joint(
         axis = np.array(screw.axis)
         axes.insert(0, turn @ axis)
         place = place - turn @ (screw.travel * x * axis)
-        turn = turn @ Rotation.from_rotvec(-x * axis * screw.turn).as_matrix()
+        turn = turn @ rotation(axis, -x * screw.turn)
     return place, tuple(axes)
+
+
+def rotation(axis: np.ndarray, angle: float) -> np.ndarray:
+    """(3, 3): a turn about a unit vector."""
+    K = np.cross(np.eye(3), axis)
+    return np.asarray(np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * K @ K)
 
 
 def _carried(chain: Chain, i: int, mount: np.ndarray, before: Sequence[Part]) -> np.ndarray:

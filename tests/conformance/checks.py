@@ -20,7 +20,7 @@ class Check(NamedTuple):
 
 
 CHECKS: dict[str, Check] = {
-    "judge": Check(numbers.judge, "accelerations, wrenches, energy, inverse dynamics equal an independent Lagrangian"),
+    "judge": Check(numbers.judge, "motion, wrenches, poses, energy, inverse dynamics of an independent Lagrangian"),
     "DAE form": Check(numbers.numpy_dae, "the DAE form equals it, by elimination and by dense solving"),
     "CasADi": Check(numbers.casadi, "every function equals NumPy's"),
     "acados": Check(numbers.acados, "implicit and explicit rows agree, forces of loops among the unknowns"),
@@ -28,6 +28,7 @@ CHECKS: dict[str, Check] = {
     "C, fused": Check(partial(numbers.c_functions, layout="fused"), "every function and every step, both forms"),
     "C, modular": Check(partial(numbers.c_functions, layout="modular"), "every function and every step, both forms"),
     "C, baked": Check(partial(numbers.c_functions, layout="auto", parameters="baked"), "with parameters as numbers"),
+    "parameters": Check(numbers.parameters, "other numbers at run time make the robot whose file has them"),
     "C, float": Check(numbers.c_float, "accelerations in single precision"),
     "sensors": Check(measured.sensors, "what markers read equals the judge's sections, their rates and curvatures"),
     "validity": Check(measured.validity, "how far links are from the model's limits, by the judge's loads"),

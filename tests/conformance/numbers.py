@@ -5,12 +5,14 @@ from __future__ import annotations
 import casadi as ca
 import jax
 import numpy as np
-from helpers import EPS32, quick_batch, relative
+from helpers import EPS32, model_of, quick_batch, relative
 
+from conformance.arms import varied
 from conformance.cases import STEP, Case
 from screwgen import rollout
 from screwgen.algorithms.robot_functions import offered, shape
 from screwgen.integrators import METHODS
+from screwgen.runtime.compiled import Compiled
 from screwgen.simulation.simulate import stepper
 
 
@@ -52,6 +54,12 @@ def judge(case: Case) -> None:
     q, v, _, w_ext = case.given
     near(f.inverse_dynamics(q, v, j.vdot, w_ext), j.forces, case.tolerance, "inverse dynamics")
     near(np.array(f.energy(q, v)), np.array(j.energy), case.tolerance, "energy")
+    poses, x = j.oracle.poses(j.state["q"]), j.state
+    for found, (R, place) in ((f.link_pose(q), ("R", "origin")), (f.tip_poses(q), ("tip_R", "tip_point"))):
+        near(found[0], poses[R], case.tolerance, R)
+        near(found[1], poses[place], case.tolerance, place)
+    twist = j.oracle.tip_twists(x["q"], x["v"])[-1].reshape(2, 3) @ poses["tip_R"][-1].T
+    near(f.tip_jacobian(q) @ v, twist.ravel(), case.tolerance, "twist of the last tip")
 
 
 def in_float(case: Case) -> float:
@@ -69,7 +77,9 @@ def numpy_dae(case: Case) -> None:
     errors = case.judge.errors(vdot, wrench)
     assert max(errors.values()) <= case.tolerance, errors
     q, v, tau, w_ext = case.given
-    M, H, W = f.assemble(f.dae_state(q, v), tau, w_ext)
+    x = f.dae_state(q, v)
+    near(f.project(x), x, case.tolerance, "projection of a closed state")
+    M, H, W = f.assemble(x, tau, w_ext)
     z = np.linalg.solve(M, W - H)
     z += np.linalg.solve(M, W - H - M @ z)
     n = case.model.n_links
@@ -158,7 +168,8 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
         errors = case.judge.errors(*c.forward_dynamics(q, v, tau, w_ext, form=form))
         assert max(errors.values()) <= case.tolerance, (form, errors)
     near(c.inverse_dynamics(q, v, given["vdot"], w_ext)[0], expected["inverse_dynamics"], case.agreement, "inverse")
-    near(c.mass_matrix(q), case.model.numpy().mass_matrix(q), case.agreement, "mass matrix")
+    by_elimination(case, c)
+    postures(case, c)
     near(np.ravel(c.validity(q, v, tau, w_ext)), expected["validity"], case.agreement, "validity")
     if "coupling_torques" in expected:
         near(c.coupling_torques(q, v, tau, w_ext), expected["coupling_torques"], case.agreement, "coupling torques")
@@ -171,6 +182,42 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
         x = c.dae_state(q, v)
         there = stepper(case.model, method, "dae").step(x, tau, w_ext, STEP)
         near(c.dae_step(x, tau, w_ext, STEP, method), there, 10 * case.agreement, f"{method} of the DAE form")
+
+
+def by_elimination(case: Case, c: Compiled) -> None:
+    """What the C has of the dynamics besides: accelerations alone, wrenches of inverse dynamics, M, assembled rows."""
+    (q, v, tau, w_ext), f = case.given, case.model.numpy()
+    vdot, wrench = f.forward_dynamics(q, v, tau, w_ext)
+    near(c.accelerations(q, v, tau, w_ext), vdot, case.agreement, "accelerations alone")
+    loads = w_ext + f.loop_wrenches(q, v, tau, w_ext) if case.model.chain.closing.rows else w_ext
+    near(c.inverse_dynamics(q, v, vdot, loads)[1], wrench, case.tolerance, "wrenches of inverse dynamics")
+    near(c.mass_matrix(q), f.mass_matrix(q), case.agreement, "mass matrix")
+    x = f.dae_state(q, v)
+    for found, wanted, what in zip(c.assemble(x, tau, w_ext), f.assemble(x, tau, w_ext), "MHW", strict=True):
+        near(found, wanted, case.agreement, f"{what} of the assembled rows")
+
+
+def postures(case: Case, c: Compiled) -> None:
+    """Poses of links and tips, the Jacobian of the last tip and its twist."""
+    (q, v, *_), f = case.given, case.model.numpy()
+    found = c.kinematics(q, v)
+    for given, wanted in zip(found[:4], (*f.link_pose(q), *f.tip_poses(q)), strict=True):
+        near(given, wanted, case.agreement, "poses")
+    near(c.tip_jacobian(q), f.tip_jacobian(q), case.agreement, "Jacobian of the tip")
+    near(found.tip_twist[-1], f.tip_jacobian(q) @ v, case.agreement, "twist of the tip")
+
+
+def parameters(case: Case) -> None:
+    """Numbers that are given at run time make the robot whose file has them, in every back end."""
+    other = model_of(varied(case.robot, np.random.default_rng(case.seed)))
+    (q, v, tau, w_ext), p, model = case.given, np.array(other.parameter_values), case.model
+    assert other.parameter_names == model.parameter_names
+    expected = other.numpy().forward_dynamics(q, v, tau, w_ext)[0]
+    by_casadi = model.casadi()["forward_dynamics"](q, v, tau, w_ext.T, p)[0]
+    found = {"NumPy": model.numpy(p).forward_dynamics(q, v, tau, w_ext)[0], "CasADi": np.ravel(by_casadi)}
+    found["C"] = case.c().fresh(p).forward_dynamics(q, v, tau, w_ext)[0]
+    for name, vdot in found.items():
+        near(vdot, expected, case.tolerance, name)
 
 
 def c_float(case: Case) -> None:

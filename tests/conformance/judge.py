@@ -18,9 +18,8 @@ import scipy.linalg
 from mixed_loops import Loops
 from oracle import Oracle, part_error
 from oracle_exact import ExactLink, gauss
-from oracle_floating import ANGLE
+from oracle_floating import ANGLE, column_rates, columns
 from scipy.spatial.transform import Rotation
-from test_ball_joints import column_rates, columns
 from test_loops import roll_pitch_yaw
 
 from conformance.arms import LOOPS

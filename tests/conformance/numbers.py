@@ -212,12 +212,15 @@ def parameters(case: Case) -> None:
     other = model_of(varied(case.robot, np.random.default_rng(case.seed)))
     (q, v, tau, w_ext), p, model = case.given, np.array(other.parameter_values), case.model
     assert other.parameter_names == model.parameter_names
-    expected = other.numpy().forward_dynamics(q, v, tau, w_ext)[0]
+    expected = np.append(other.numpy().forward_dynamics(q, v, tau, w_ext)[0], other.numpy().energy(q, v))
     by_casadi = model.casadi()["forward_dynamics"](q, v, tau, w_ext.T, p)[0]
-    found = {"NumPy": model.numpy(p).forward_dynamics(q, v, tau, w_ext)[0], "CasADi": np.ravel(by_casadi)}
-    found["C"] = case.c().fresh(p).forward_dynamics(q, v, tau, w_ext)[0]
-    for name, vdot in found.items():
-        near(vdot, expected, case.tolerance, name)
+    either = {"NumPy": model.numpy(p), "C": case.c().fresh(p)}
+    found = {x: np.append(f.forward_dynamics(q, v, tau, w_ext)[0], f.energy(q, v)) for x, f in either.items()}
+    found["CasADi"] = np.append(by_casadi, model.casadi()["energy"](q, v, p))
+    for name, values in found.items():
+        n = model.nv
+        near(values[:n], expected[:n], case.tolerance, f"accelerations of {name}")
+        near(values[n:], expected[n:], case.tolerance, f"energies of {name}")
 
 
 def c_float(case: Case) -> None:

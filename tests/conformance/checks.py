@@ -47,7 +47,7 @@ CHECKS: dict[str, Check] = {
     "modes": Check(uses.modes, "frequencies with the joints locked"),
     "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),
     "commands": Check(commands.every_command, "every command ends well"),
-    "mock-up unit": Check(commands.units, "a unit of FMI 3 steps as the C does"),
+    "mock-up unit": Check(commands.units, "a unit of FMI 2 or 3 steps as the C does, with its slopes"),
     "URDF": Check(commands.urdf, "exported and imported again"),
     "robot file": Check(uses.toml, "written and read again it is the same robot"),
 }

@@ -23,6 +23,7 @@ DRAWN = random_rows(48)
 LONG = ("mock-up unit", "C folder", "commands")
 """Checks that take so long that they try each feature, but not each pair."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)
+SOME = ("judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document")
 OTHERS = [(k, name) for k in range(len(ROWS)) for name in QUICK if k not in SHORT]
 
 
@@ -46,7 +47,7 @@ def test_every_pair_of_features_meets_every_check(row, check):
 
 
 @pytest.mark.parametrize("row", swept(range(len(DRAWN)), *range(6)))
-@pytest.mark.parametrize("check", ["judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document"])
+@pytest.mark.parametrize("check", [*SOME, pytest.param("commands", marks=pytest.mark.long)])
 def test_random_features_and_numbers(check, row):
     outcome(check, of(DRAWN[row], 1000 + row, drawn=True))
 

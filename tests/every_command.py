@@ -20,6 +20,8 @@ GCC = str(Path(__file__).parent / "tools" / "cc")
 TCC = shutil.which("tcc") or GCC
 """The compilers of units and of all else; neither optimises."""
 DONE, REFUSED, DIED, WRONG = "done", "refused", "died", "check failed"
+
+
 class Outcome(NamedTuple):
     """What came of a command: one of DONE, REFUSED, DIED and WRONG, and its reason."""
 

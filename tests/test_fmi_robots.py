@@ -81,7 +81,6 @@ def wrench_slopes(model, point) -> np.ndarray:
         return np.transpose([(at(exact + h * e) - at(exact - h * e)) / (2 * h) for e in unit]).astype(float)
 
 
-
 @pytest.mark.long
 def test_open_loops_are_refused():
     with pytest.raises(FMICallException):

@@ -1,6 +1,5 @@
 """Four-bar linkages that drive joints, against closed forms and the true loop; where their reach ends."""
 
-
 import mpmath
 import numpy as np
 import pytest

@@ -38,19 +38,6 @@ def sprung(elements=SPRING, **more):
     return arm(link("boom", 0.8, ("y",), modes={"bending_z": 1}, section={"EIy": 900.0}, joint=joint))
 
 
-def test_a_spring_is_a_joint_spring_and_a_torque():
-    """``k (q - rest)`` is the spring of a joint with a torque of ``k rest``."""
-    model, bare = model_of(sprung()), model_of(sprung({}, stiffness=[80.0]))
-    q, v = np.array([0.3, 0.01]), np.array([0.5, -0.2])
-    for layout in ("fused", "modular"):
-        compiled = quick(model, layout=layout)
-        found = compiled.forward_dynamics(q, v, [1.5])
-        for x, y in zip(found, bare.numpy().forward_dynamics(q, v, [1.5 + 80.0 * 0.4], None), strict=True):
-            assert relative(x, y) < 1e-11
-    more = np.subtract(model.numpy().energy(q, v), bare.numpy().energy(q, v))
-    assert more == pytest.approx([0.0, 40.0 * ((0.3 - 0.4) ** 2 - 0.3**2)], rel=1e-9)
-
-
 def test_rest_and_vibrations_know_it():
     model, bare = model_of(sprung()), model_of(sprung({}, stiffness=[80.0]))
     held = equilibrium(model)

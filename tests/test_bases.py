@@ -11,8 +11,8 @@ from scipy.linalg import eigh
 
 from screwgen.bases import BASES, of_order, products
 from screwgen.bases import shapes as shapes_of
-from screwgen.bases.closed_form import ClosedForm, inner, polynomial_form
-from screwgen.bases.shapes import Family, Shapes, latex_number, tabulate, working_digits
+from screwgen.bases.closed_form import ClosedForm, inner
+from screwgen.bases.shapes import Shapes, latex_number, working_digits
 
 MANY = 32
 COUNTS = (1, 2, 5, MANY)
@@ -297,21 +297,6 @@ def test_products_are_exact_within_a_family_and_symmetric():
 
 
 # --- the registry -------------------------------------------------------------------------------------------
-
-
-def test_a_third_basis_is_one_function_and_one_line(monkeypatch):
-    def tip_load(count: int, order: int) -> Shapes:
-        """The static shape under a tip force, alone."""
-        family = Family("tip_load", "tip load shape", r"c(3s^2 - s^3)", "", order)
-        with mpmath.workdps(working_digits(count)):
-            shape = polynomial_form([mpf(0), mpf(0), mpf(3), mpf(-1)])
-            shape = shape.scaled(1 / mpmath.sqrt(inner(shape, shape)))
-            return tabulate(family, [shape], [mpf(140) / 11], [latex_number(shape(1))])
-
-    monkeypatch.setitem(BASES, "tip_load", tip_load)
-    shapes = bending("tip_load", 1)
-    assert shapes.stiffness == pytest.approx(shapes.eigenvalues)
-    assert shapes.tip_value[0] ** 2 / shapes.stiffness[0] == pytest.approx(1 / 3)
 
 
 def test_results_ignore_the_precision_of_the_process():

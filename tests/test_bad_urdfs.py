@@ -136,7 +136,7 @@ SIDES = [
     ("links = 3", "links: is no array of tables; write [[links]] for each"),
     ("[[links]]\n", "links[0].name: is a Python NoneType, no link of"),
     ('[[links]]\nname = "arm"', 'links[0].name: is "arm", no link of'),
-    (FORE + "" * 2, 'links[1].name: is "fore" again; state all of a link in one table'),
+    (FORE * 2, 'links[1].name: is "fore" again; state all of a link in one table'),
     (FORE + 'parent = "base"', "links[0].parent (link fore): is what the URDF states; change it there"),
     (FORE + 'joint.axes = ["z"]', "links[0].joint.axes (link fore): is what the URDF states"),
     (FORE + "section = { rhoA = 1 }", "links[0].tip (link fore): is missing, and the link carries 0"),

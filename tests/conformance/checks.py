@@ -24,7 +24,7 @@ CHECKS: dict[str, Check] = {
     "DAE form": Check(numbers.numpy_dae, "the DAE form equals it, by elimination and by dense solving"),
     "CasADi": Check(numbers.casadi, "every function equals NumPy's"),
     "acados": Check(numbers.acados, "implicit and explicit rows agree, forces of loops among the unknowns"),
-    "JAX": Check(numbers.jax_functions, "dynamics both ways, energy and a step equal NumPy's"),
+    "JAX": Check(numbers.jax_functions, "every function and a step equal NumPy's, gradients CasADi's"),
     "C, fused": Check(partial(numbers.c_functions, layout="fused"), "every function and every step, both forms"),
     "C, modular": Check(partial(numbers.c_functions, layout="modular"), "every function and every step, both forms"),
     "C, baked": Check(partial(numbers.c_functions, layout="auto", parameters="baked"), "with parameters as numbers"),

@@ -136,19 +136,28 @@ def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
     return parts.ravel() if len(size) == 3 else parts[:, :, 0].ravel()
 
 
+STATED = ("q", "v", "tau", "w_ext", "p")
+
+
 def jax_functions(case: Case) -> None:
-    """Dynamics both ways, energy and a step."""
+    """Every function, a step, and the gradients of a weighted sum of the accelerations, which CasADi has too."""
     given = arguments(case) | {"p": np.array(case.model.parameter_values)}
-    expected = expected_results(case)
+    expected, weights = expected_results(case), np.random.default_rng(3).normal(size=case.model.nv)
     with jax.enable_x64(True):
         f = case.model.jax()
-        for name in ("forward_dynamics", "inverse_dynamics", "energy"):
-            row = next(x for x in offered(case.model.chain) if x.name == name)
-            found = f[name](*(given[x] for x in row.names), given["p"])
-            near(flat(tuple(found) if isinstance(found, list | tuple) else found), expected[name], case.agreement, name)
-        q, v = f["step"](*(given[x] for x in ("q", "v", "tau", "w_ext", "p")), STEP)
-    wanted = stepped(case, "modal_midpoint")
-    near(np.concatenate([q, v]), np.concatenate(wanted), case.agreement, "step")
+        for row in offered(case.model.chain):
+            found = f[row.name](*(given[x] for x in (*row.names, "p")))
+            found = flat(tuple(found) if isinstance(found, list | tuple) else found)
+            near(found, expected[row.name], case.agreement, row.name)
+        q, v = f["step"](*(given[x] for x in STATED), STEP)
+        (_, wrench), backwards = jax.vjp(f["forward_dynamics"], *(given[x] for x in STATED))
+        slopes = backwards((weights, np.zeros_like(wrench)))
+    near(np.concatenate([q, v]), np.concatenate(stepped(case, "modal_midpoint")), case.agreement, "step")
+    function = case.model.casadi()["forward_dynamics"]
+    at = [given[x].T if x == "w_ext" else given[x] for x in STATED]
+    wanted = function.reverse(1)(*at, *function(*at), weights, np.zeros(wrench.T.shape))
+    for name, ours, theirs in zip(STATED, slopes, wanted, strict=True):
+        near(np.ravel(ours), theirs.full().ravel(order="F"), 10 * case.tolerance, f"gradient with {name}")
 
 
 def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.ndarray]:

@@ -77,10 +77,7 @@ def test_on_an_axis_that_slides_it_has_units_of_length():
     ("elements", "said"),
     [
         (3.0, "elements .link boom.: is 3.0; it must be an array with a table for each axis"),
-        (
-            [{}, {}],
-            "elements .link boom.: has length 2; it must hold one table per axis, 1; an empty",
-        ),
+        ([{}, {}], "elements .link boom.: has length 2; it must hold one table per axis, 1; an empty"),
         ({"sprung": {}}, r"elements\[0\].sprung .link boom.: is an unknown key; did you mean spring"),
         ({"spring": 2.0}, r"elements\[0\].spring .link boom.: is 2.0; it must be a table of stiffness, rest"),
         ({"spring": {"rest": 0.1}}, r"spring.stiffness .link boom.: is missing; state the stiffness of the spring"),

@@ -249,18 +249,7 @@ def test_a_robot_of_a_batch_costs_less_than_two_fifths_of_a_scalar_step(tmp_path
     (tmp_path / "cost.c").write_text(COST.replace("METHOD(", f"CALL({method}, "))
     define = "-DCALL(m,f,a)=CALL_(m,f,a)", "-DCALL_(m,f,a)=(void)ella_##f##_##m a"
     sources = [f"ella_{x}.c" for x in ("real", "parameters", "dynamics", "links", "step", "batch")]
-    command = [
-        "gcc",
-        "-std=c99",
-        "-O2",
-        *(["-mavx2"] * wide),
-        *define,
-        "cost.c",
-        *sources,
-        "-o",
-        "cost",
-        "-lm",
-    ]
+    command = ["gcc", "-std=c99", "-O2", *(["-mavx2"] * wide), *define, "cost.c", *sources, "-o", "cost", "-lm"]
     subprocess.run(command, cwd=tmp_path, check=True)
     counts = [instructions(tmp_path, function) for function in ("one_by_one", "together")]
     assert counts[0] / counts[1] > (2.5 if wide else 1.25)

@@ -77,13 +77,7 @@ def in_a_run(steps: int) -> np.ndarray:
     return np.concatenate([run.q[-1], run.v[-1]])
 
 
-WAYS = {
-    "numpy": in_numpy,
-    "casadi": in_casadi,
-    "c": in_c,
-    "batch": in_lanes,
-    "run": in_a_run,
-}
+WAYS = {"numpy": in_numpy, "casadi": in_casadi, "c": in_c, "batch": in_lanes, "run": in_a_run}
 
 
 @pytest.mark.filterwarnings("ignore::screwgen.ModelValidityWarning")

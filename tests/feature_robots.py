@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 from four_bar_robots import LINKAGE
-from helpers import arm, link, model_of
+from helpers import arm, link, model_of, unfolded
 
 from screwgen import Model, write_sid
 from screwgen.spec import Link
@@ -132,7 +132,4 @@ def write(folder, feature: str, binding: str, layout: str, control: str | None) 
     mpc = None if control is None else folder / "control.toml"
     if mpc is not None:
         mpc.write_text(control)
-    files = model_with(feature).c_files(binding, layout, mpc, batch=True, estimator=True, outputs=True)
-    for name, data in files.items():
-        (folder / name).parent.mkdir(exist_ok=True)
-        (folder / name).write_bytes(data)
+    unfolded(folder, model_with(feature).c_files(binding, layout, mpc, batch=True, estimator=True, outputs=True))

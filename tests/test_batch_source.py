@@ -11,6 +11,7 @@ import pytest
 import random_robots as rr
 from batch_c import ROBOTS, model, write_into, written
 from conftest import require_tool, swept
+from helpers import unfolded
 
 from screwgen.backends.c import batch as c_batch
 from screwgen.backends.c import pieces as c_pieces
@@ -182,8 +183,7 @@ def test_the_header_states_the_stack(tmp_path, monkeypatch, name, longest):
     monkeypatch.setattr(c_batch, "LONGEST", longest)
     monkeypatch.setattr(c_pieces, "PIECE", 100)
     files, robot = CProject(model(name).chain, "", batch=True).files(), ROBOTS[name]["name"]
-    for file, text in files.items():
-        (tmp_path / file).write_text(text)
+    unfolded(tmp_path, files)
     angles, kept = re.search(r"lanes (sin_q.*, )?kept\[(\d+)\];", files[f"{robot}_batch.c"]).groups()
     turns = f"2 * {robot.upper()}_LENGTH({robot.upper()}_NTAU)" if angles else "0"
     (tmp_path / "size.c").write_text(

@@ -9,7 +9,7 @@ from functools import cache
 
 import pytest
 from conftest import require_tool, swept
-from helpers import ROOT, arm, equal_links, example, example_file, link, model_of
+from helpers import ROOT, arm, equal_links, example, example_file, link, model_of, unfolded
 
 from screwgen import __version__, load
 from screwgen.backends.c.project import CProject
@@ -47,14 +47,6 @@ def project(robot: str, layout="fused", binding="runtime") -> CProject:
 @cache
 def files(robot: str, layout="fused", binding="runtime") -> dict[str, str]:
     return project(robot, layout, binding).files()
-
-
-def written(folder, *which):
-    """The files of a project in a folder, and the names of the library's sources."""
-    texts = files(*which)
-    for name, text in texts.items():
-        (folder / name).write_text(text)
-    return sorted(n for n in texts if n.endswith(".c") and n not in ("main.c", "check.c"))
 
 
 def build(compiler: str, folder, *arguments) -> subprocess.CompletedProcess:
@@ -130,7 +122,7 @@ def test_no_recursion(layout):
 def test_objects_hold_no_variables(tmp_path, robot, kind):
     """Nothing writable in any object; of the outside world only libm, the compiler's memory functions and its question
     what processor this is."""
-    sources, level = written(tmp_path, robot, *kind), "-O1" if robot == "ella" else "-O0"
+    sources, level = unfolded(tmp_path, files(robot, *kind)), "-O1" if robot == "ella" else "-O0"
     assert build("gcc", tmp_path, "-std=c99", level, "-c", *sources).returncode == 0
     objects = [s.replace(".c", ".o") for s in sources]
     lines = subprocess.run(
@@ -161,7 +153,7 @@ def test_objects_hold_no_variables(tmp_path, robot, kind):
 @every_kind
 @pytest.mark.parametrize("robot", swept(("ella", "bare", "welded", "many"), "ella", "welded"))
 def test_header_states_the_sizes_of_the_scratch(tmp_path, robot, kind):
-    sources, name = written(tmp_path, robot, *kind), project(robot).name
+    sources, name = unfolded(tmp_path, files(robot, *kind)), project(robot).name
     (tmp_path / "sizes.c").write_text(
         f'#include <stdio.h>\n#include "{name}.h"\n'
         f'int main(void) {{ printf("%zu %zu", sizeof({name}_work), sizeof({name}_dae_work)); return 0; }}\n'

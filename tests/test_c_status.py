@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 from conftest import require_tool
-from helpers import arm, example, link, model_of, quick
+from helpers import arm, example, link, model_of, quick, unfolded
 
 from screwgen.backends.c.project import CProject
 from screwgen.errors import ScrewgenError, SingularError
@@ -267,9 +267,7 @@ def test_what_is_not_finite_has_a_status(tmp_path, layout):
     flexible = link("b", 0.5, "z", rhoA=0.1, modes={"bending_y": 1}, section={"EIz": 5.0})
     model = model_of(arm(link("a", 4.0, "z"), flexible, link("c", 0.1, []), gravity=(0, 0, 0)))
     texts = CProject(model.chain, "x", "runtime", layout, estimator=True).files() | {"main.c": PROGRAM}
-    for name, text in texts.items():
-        (tmp_path / name).write_text(text)
-    sources = [n for n in texts if n.endswith(".c") and n != "check.c"]
+    sources = ["main.c", *unfolded(tmp_path, texts)]
     subprocess.run([require_tool("gcc"), "-std=c99", "-o", "arm", *sources, "-lm"], cwd=tmp_path, check=True)
     said = subprocess.run([tmp_path / "arm"], capture_output=True, text=True, check=True).stdout.split()
     statuses, left = list(map(int, said[:6])), said[6:]

@@ -1,11 +1,13 @@
 """`model.compile`: the C as functions on NumPy arrays."""
 
 import threading
+from functools import partial
 
 import numpy as np
 import pytest
 from conftest import require_tool
 from helpers import EPS32, arm, drawn, example, link, model_of, relative
+from step_judges import point
 
 import screwgen
 from screwgen import ScrewgenError, SingularError, UsageError
@@ -22,10 +24,7 @@ def ella():
     return example("ella").compile(flags=("-O0",))
 
 
-def state(model, seed=0):
-    rng = np.random.default_rng(seed)
-    q, v = 0.05 * rng.normal(size=(2, model.nq))
-    return q, v, rng.normal(size=model.n_joints), rng.normal(size=(model.n_links, 6))
+state = partial(point, angle=0.1, rate=0.1)
 
 
 # -------- functions
@@ -188,13 +187,7 @@ def test_instances_of_one_library_keep_apart(ella):
 
 
 def test_errors_name_what_is_wrong():
-    spherical = {
-        "name": "wrist",
-        "length": 0.5,
-        "section": {"rhoA": 1.0, "rhoIp": 0.01},
-        "joint": {"axes": ["x", "z", "x"]},
-    }
-    c = model_of(arm(spherical)).compile(flags=("-O0",))
+    c = model_of(arm(link("wrist", 0.5, "xzx"))).compile(flags=("-O0",))
     with pytest.raises(SingularError, match="'wrist'"):
         c.forward_dynamics(np.zeros(3), np.zeros(3))
     with pytest.raises(ScrewgenError, match="non-finite"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from every_command import DONE, checked
+from helpers import unfolded
 
 from conformance.c_warnings import COMPILERS, compile_cleanly
 from conformance.cases import Case
@@ -17,11 +18,8 @@ def folder(case: Case) -> None:
     """
     turns = ((1, COMPILERS), (2, LAYOUTS), (4, BINDINGS))
     compiler, layout, binding = (names[case.seed // k % 2] for k, names in turns)
-    place = case.folder / "c"
-    place.mkdir(exist_ok=True)
-    options = dict(batch=True, derivatives=True, estimator=True, outputs=True)
-    for name, data in case.model.c_files(binding, layout, None, **options).items():
-        (place / name).write_bytes(data)
+    place, options = case.folder / "c", dict(batch=True, derivatives=True, estimator=True, outputs=True)
+    unfolded(place, case.model.c_files(binding, layout, None, **options))
     said = compile_cleanly(place, compiler, "-O0")
     assert not said, said
     found = checked(place)

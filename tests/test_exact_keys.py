@@ -56,7 +56,7 @@ WRONG = [
     ("= 2 }", "= 2, point = 5 }", r"modes.point .link rod.: is an unknown key; did you mean points\?"),
     (JOINT, f"{JOINT}points = 5\n", "points .link rod.: is an unknown key here; it belongs in modes"),
     ("= 2 }", "= 2, points = 5 }\norder = 1", "modes.points .link rod.: is stated of a link that is not of order"),
-    (GOOD, GOOD.replace(ORDER, "order = 2").replace("= 2 }", "= 2, points = 6 }"), "points .*: is stated of a link that"),
+    (GOOD, GOOD.replace(ORDER, "order = 2").replace("= 2 }", "= 2, points = 6 }"), "points .*: is stated of a link"),
     (JOINT, f"{JOINT}damping = {{}}\n", "damping .link rod.: states nothing; state ratio or time"),
     (JOINT, f"{JOINT}damping = {{ time = -1 }}\n", "damping.time .link rod.: is -1; it must be >= 0"),
 ]

@@ -107,13 +107,10 @@ def _run() -> bytes:
 
 
 def _mesh() -> bytes:
-    from test_finite_elements import PARTS, beam_elements
+    from test_finite_elements import beam_elements, write
 
-    mesh, out = beam_elements(6, 0.8, 2.0, 300.0, 4e5, 200.0, 0.02), io.BytesIO()
-    parts = {f"{n}_{k}": getattr(A.tocsr(), k) for n, A in (("M", mesh.M), ("K", mesh.K)) for k in PARTS}
-    np.savez(
-        out, **parts, nodes=mesh.places, **{f"set_{k}": x for k, x in mesh.sets.items()}, point_tip=[0.8, 0.0, 0.0]
-    )
+    out = io.BytesIO()
+    write(out, beam_elements(6, 0.8, 2.0, 300.0, 4e5, 200.0, 0.02), point_tip=[0.8, 0.0, 0.0])
     return out.getvalue()
 
 
@@ -128,9 +125,8 @@ def _sid(folder: Path) -> bytes:
 
 def _solid() -> bytes:
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "<f4")
-    faces = b"".join(
-        bytes(12) + corners[list(f)].tobytes() + bytes(2) for f in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
-    )
+    sides = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
+    faces = b"".join(bytes(12) + corners[list(side)].tobytes() + bytes(2) for side in sides)
     return bytes(80) + np.uint32(4).tobytes() + faces
 
 

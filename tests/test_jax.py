@@ -174,6 +174,6 @@ def test_rows_of_the_table(name):
     CasADi's. Tracing and compiling the gradient of a motion takes less than a minute of CPU time.
     """
     found = row(name)
-    assert max(found.values, found.steps, found.gradient, found.motion) < 1e-12
-    assert max(found.values_single, found.steps_single) < 1e-4
-    assert found.seconds < 60
+    assert max(found[x] for x in ("values", "steps", "gradient", "motion")) < 1e-12
+    assert max(found[x] for x in ("values, single", "steps, single")) < 1e-4
+    assert found["seconds"] < 60

@@ -12,7 +12,6 @@ from scipy.optimize import brentq, least_squares
 Joint = tuple[Sequence[float], object]
 """A place in the inertial frame and an axis as the robot file states it."""
 INERTIA = [0.02, 0.03, 0.025, 0.0, 0.0, 0.0]
-DIRECTION = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
 def body(name: str, joint: Joint, before: Sequence[float], centre: Sequence[float], mass: float = 1.0, **more) -> dict:

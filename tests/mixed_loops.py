@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from types import SimpleNamespace
 
 import casadi as ca
 import numpy as np
 import random_robots as rr
 from oracle import Oracle
-from test_loops import roll_pitch_yaw, rows
+from oracle_stations import named
 
 from screwgen.spec.loops import STABILISATION
 
@@ -73,20 +74,84 @@ class Loops:
         return x[:nv], np.hstack([w.reshape(-1, 3) for w in wrenches])
 
 
-def bridged(rng, robot: dict, state: dict, oracle: Oracle, joint: list, number: int) -> tuple[dict, dict]:
-    """The robot with one more loop, closed in this state by a welded bridge between tips that are apart, if any."""
-    parents, ends = [-1, *oracle.parents[1:]], [i for i, x in enumerate(robot["links"]) if "_part" not in x["name"]]
+def bridge_of(oracle: Oracle, state: dict, i: int, j: int, axes: list, s=1.0, name="bridge") -> tuple[dict, dict]:
+    """A link that is welded to the tip of link i and ends at section s of link j, and the loop that joins it there."""
+    (R, r), (R_end, end) = (oracle.section_pose(k, state["q"], at) for k, at in ((i, 1.0), (j, s)))
+    turn, names = R.T @ R_end, [x["name"] for x in oracle.robot["links"]]
+    mount = {"xyz": (R.T @ (end - r) - 0.1 * turn[:, 0]).tolist(), "rpy": [float(x) for x in roll_pitch_yaw(turn)]}
+    bridge = {"name": name, "length": 0.1, "section": {"rhoA": 2.0}, "joint": {"axes": [], "mount": mount}}
+    marker = "tip" if s == 1.0 else "hook"
+    loop = {"between": [f"{name}.tip", f"{names[j]}.{marker}"], "joint": {"axes": axes}}
+    return bridge | {"parent": names[i]}, loop
+
+
+def bridged(
+    rng, joint: list, tree: dict, state: dict, oracle: Oracle, s=1.0, name="bridge", among: Container[str] = ()
+) -> tuple[dict, dict]:
+    """The robot with one more loop, closed in this state by a welded bridge between links that are apart, if any.
+
+    It ends at the tip of a link, or at a marker at `s`. `oracle`: its own, or that of a robot with the same links and
+    motions; `among`: the names of links that may be chosen, all if there are none.
+    """
+    parents, names = [-1, *oracle.parents[1:]], [x["name"] for x in tree["links"]]
+    ends = [i for i, x in enumerate(names) if not among or x in among]
     apart = [(i, j) for i in ends for j in ends if i != j and parents[i] != j and parents[j] != i]
     if not apart:
-        return robot, state
+        return tree, state
     i, j = apart[rng.integers(len(apart))]
-    poses, names = oracle.poses(state["q"]), [x["name"] for x in robot["links"]]
-    R, r = poses["tip_R"][i].T, poses["tip_point"]
-    turn = R @ poses["tip_R"][j]
-    mount = {"xyz": (R @ (r[j] - r[i]) - 0.1 * turn[:, 0]).tolist(), "rpy": [float(x) for x in roll_pitch_yaw(turn)]}
-    bridge = {"name": f"bridge{number}", "length": 0.1, "section": {"rhoA": 2.0}, "parent": names[i]}
-    bridge["joint"] = {"axes": [], "mount": mount}
-    loop = {"between": [f"bridge{number}.tip", f"{names[j]}.tip"], "joint": {"axes": joint}}
+    bridge, loop = bridge_of(oracle, state, i, j, joint, s, name)
+    if s < 1:
+        tree["links"][j]["markers"] = [{"name": "hook", "at": s}]
     wrenches = [*state["w_ext"], rr.numbers(rng.normal(size=6))]
-    robot = robot | {"links": [*robot["links"], bridge], "loops": [*robot.get("loops", []), loop]}
-    return robot, state | {"w_ext": wrenches}
+    tree = tree | {"links": [*tree["links"], bridge], "loops": [*tree.get("loops", []), loop]}
+    return tree, state | {"w_ext": wrenches}
+
+
+def roll_pitch_yaw(R: np.ndarray) -> list[float]:
+    """The angles of ``Rz(y) Ry(p) Rx(r)``."""
+    return [np.arctan2(R[2, 1], R[2, 2]), -np.arcsin(R[2, 0]), np.arctan2(R[1, 0], R[0, 0])]
+
+
+def rows(oracle: Oracle, robot: dict) -> list[ca.SX]:
+    """The gaps of all rows, written anew from the joint's definition: what a motion of the joint leaves at zero."""
+    names, out = [x["name"] for x in robot["links"]], []
+    for loop in robot.get("loops", ()):
+        ends = ((names.index(name), marker) for name, marker in (end.split(".") for end in loop["between"]))
+        places = [(i, named(robot["links"][i], marker)) for i, marker in ends]
+        (R_a, a), (R_b, b) = (oracle.section(i, oracle.clouds[i], s) for i, s in places)
+        R = R_a.T @ R_b
+        d = R_a.T @ (b - a)
+        axes = loop["joint"]["axes"]
+        slides = [unit(x["slide"]) for x in axes if isinstance(x, dict)]
+        turns = [unit(x) for x in axes if not isinstance(x, dict)]
+        out += [ca.dot(n, d) for n in null(slides)]
+        match turns:
+            case []:
+                out += [R[1, 2], R[2, 0], R[0, 1]]
+            case [x]:
+                out += [ca.dot(n, R @ x) for n in null([x])]
+            case [x, y]:
+                out.append(ca.dot(x, R @ y) - x @ y)
+    axes = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
+    for coupling in robot.get("couplings", ()):
+        follows, other = (oracle.q[axes.index(plain(coupling[key]))] for key in ("axis", "of"))
+        out.append(follows - coupling["ratio"] * other - coupling["offset"])
+    return out
+
+
+def plain(name: str) -> str:
+    """`finger.0` of `finger.joint[0]` or `finger.slide[0]`."""
+    owner, _, axis = name.partition(".")
+    return f"{owner}.{axis.partition('[')[2][:-1]}"
+
+
+def unit(axis) -> np.ndarray:
+    vector = np.eye(3)["xyz".index(axis)] if isinstance(axis, str) else np.array(axis)
+    return vector / np.linalg.norm(vector)
+
+
+def null(directions: list) -> list[np.ndarray]:
+    """An orthonormal basis of what is at right angles to these directions."""
+    if not directions:
+        return list(np.eye(3))
+    return list(np.linalg.svd(np.array(directions))[2][len(directions) :])

@@ -13,9 +13,7 @@ from conftest import swept
 from helpers import Case, G, arm, drawn, example, flat, link, model_of, relative
 
 from screwgen import SingularError, UsageError, equilibrium, simulate
-from screwgen.simulation.motion import displacements
 from screwgen.studies.modes import natural_frequencies
-from screwgen.studies.stiffness import stiffness
 
 TIP = ("tip_position", "tip_velocity", "tip_acceleration")
 EVERYTHING = ("joint_angles", "joint_rates", "modes", "mode_rates", *TIP, "wrenches")
@@ -93,32 +91,6 @@ def test_all_four_matrices_equal_finite_differences_of_the_oracle(seed):
     assert np.array_equal(linear.x, np.r_[q, v]) and np.array_equal(linear.u, np.r_[tau, w_ext.ravel()])
 
 
-@pytest.mark.parametrize("seed", swept(range(4), 0, 1))
-def test_eigenvalues_at_rest_without_gravity_are_the_natural_frequencies(seed):
-    robot = dict(drawn(seed, 1 + seed % 3, limit=1e6, max_modes=1).robot)
-    robot |= {"gravity": [0.0] * 3, "links": [{k: v for k, v in x.items() if k != "damping"} for x in robot["links"]]}
-    for x in robot["links"]:
-        x["joint"] = {k: v for k, v in x["joint"].items() if k != "damping"}
-    model = model_of(robot)
-    q = np.append(np.random.default_rng(seed).uniform(-2, 2, model.n_joints), np.zeros(model.nq - model.n_joints))
-    tau = (stiffness(model) * q)[: model.n_joints]  # so that joint springs are at rest, too
-    found = model.linearise(q, tau=tau).eigenvalues()
-    squares = np.sort(-np.real(found**2))[::2]
-    expected = (2 * np.pi * natural_frequencies(model, q, "free")) ** 2
-    assert np.allclose(squares, expected, rtol=1e-7, atol=1e-9 * max(expected, default=0.0))
-    assert np.abs(np.imag(found**2)).max(initial=0.0) <= 1e-9 * max(expected, default=0.0)
-
-
-def test_poles_of_a_welded_arm_are_its_locked_frequencies():
-    """As `screwgen modes` prints them: joints locked, which here are welds."""
-    soft = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}
-    links = [link(name, 0.5, [], modes={"bending_y": 2, "bending_z": 1}, section=soft) for name in ("a", "b")]
-    model = model_of(arm(*links, gravity=(0.0, 0.0, 0.0)))
-    poles = model.linearise([0.0] * model.nq).eigenvalues()
-    assert np.allclose(poles.imag[model.nq :] / (2 * np.pi), natural_frequencies(model), rtol=1e-9)
-    assert model.linearise([0.0] * model.nq).B.shape == (2 * model.nq, 0)
-
-
 def test_a_pendulum_is_the_textbooks():
     """A thin rod about its end: `3 g / 2 l`, damping and torque over `m l² / 3`."""
     model = model_of(arm(link("rod", 2.0, "y", rhoA=0.7, joint={"damping": [0.3]})))
@@ -128,21 +100,6 @@ def test_a_pendulum_is_the_textbooks():
     assert np.allclose(linear.B, [[0], [1 / inertia]], rtol=1e-12)
     assert np.allclose(linear.D, [[0], [-2 / inertia], [0], [0]], atol=1e-12)
     assert linear.output_units == ("rad", "m/s²", "m/s²", "m/s²") and linear.input_units == ("N·m",)
-
-
-def test_base_strain_is_the_curvature_at_the_clamp():
-    model = example("ella")
-    linear = model.linearise(SETPOINTS, outputs="base_strain")
-    eta = np.zeros(model.nq)
-    eta[3:] = [2e-6, 0.01, -0.02, 1e-6, 0.004, 0.03]
-    strains = dict(zip(linear.output_names, linear.C @ np.r_[eta, 0 * eta], strict=True))
-    for i, beam in enumerate(model.robot.links):
-        s = 1e-4 * np.array([1.0, 2.0])
-        u = displacements(model, eta[None], i, s)[0]
-        axial, curvature = u / (s * beam.length)[:, None], 2 * u / (s * beam.length)[:, None] ** 2
-        expected = [(2 * axial[0] - axial[1])[0], *(2 * curvature[0] - curvature[1])[1:]]
-        found = [strains[f"{beam.name}.base_strain.{d}"] for d in ("axial", "bending_y", "bending_z")]
-        assert np.allclose(found, expected, rtol=1e-6)
 
 
 def test_scipy_and_python_control_take_it():

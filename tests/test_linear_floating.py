@@ -8,7 +8,7 @@ from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
 from screwgen import natural_frequencies
-from screwgen.plotting.mode_plot import displaced, field
+from screwgen.plotting.mode_plot import displaced
 from screwgen.studies.convergence import convergence, enriched
 from screwgen.studies.modes import mode_shapes
 
@@ -106,14 +106,3 @@ def test_names_units_and_the_point_of_a_floating_linear_model(satellite):
     assert np.array_equal(linear.y, [*q[7:11], *v[:6]])
     home = satellite.linearise([0.1, 0.2, 0.3, 0.4], outputs=["base_pose", "joint_angles"])  # the joints alone
     assert home.y.tolist() == [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4]
-
-
-def test_poles_without_damping_are_the_frequencies(satellite):
-    q = start(satellite)[0] * (np.arange(satellite.nq) < satellite.chain.eta_q)
-    poles = satellite.linearise(q).eigenvalues()
-    found = natural_frequencies(satellite, q, "free")
-    assert np.count_nonzero(found == 0) == 10
-    poles = poles.imag[poles.imag > 1e-2] / (2 * np.pi)
-    assert found[10:] == pytest.approx(poles, rel=1e-6)
-    shape = mode_shapes(satellite, q, "free").shapes[:, 0]
-    assert np.isfinite(field(satellite, q, shape).motion).all()

@@ -2,15 +2,13 @@
 
 import re
 import tomllib
-from functools import cache
 
-import judges
 import numpy as np
 import pytest
 import random_robots as rr
 from bad_robot_files import GOOD, refusal, refused
 from conftest import swept
-from helpers import Case, casadi_forward, model_of, quick
+from helpers import casadi_forward, model_of, quick
 from oracle import Oracle
 from oracle_robots import pinocchio_model, relative
 from test_loop_derivatives import error, moved
@@ -65,43 +63,6 @@ def at_stations(rng, robot: dict) -> dict:
     return robot
 
 
-@cache
-def random_case(seed: int) -> Case:
-    """A random tree whose links are carried at bases, markers and places along their parents."""
-    rng = np.random.default_rng(4000 + seed)
-    limits = dict(branching=0.5, sliding=0.2, drives=0.2, stations=0.2, shear=0.1, max_modes=1 + (seed % 5 == 4))
-    limits["second_order"] = 0.5 * (seed % 3 == 0)
-    while True:
-        robot, state, _ = rr.draw_regular(rng, 2 + seed % 3, **limits)
-        robot = at_stations(rng, robot)
-        oracle = Oracle(robot)
-        if any("at" in link for link in robot["links"]) and oracle.condition(state["q"]) < 1e7:
-            return Case(robot, state, oracle, model_of(robot))
-
-
-@pytest.mark.parametrize("seed", swept(range(20), 1))
-def test_random_trees_equal_the_oracle_in_all_forms(seed):
-    case = random_case(seed)
-    numeric, n = case.model.numpy(), case.model.n_links
-    for vdot, wrench in (numeric.forward_dynamics(*case.inputs), casadi_forward(case.model, *case.inputs)):
-        assert max(case.oracle.errors(case.state, vdot, wrench).values()) < case.tolerance
-    q, v, tau, w_ext = case.inputs
-    assert max(case.oracle.errors(case.state, *numeric.dae_forward_dynamics(*case.inputs)).values()) < case.tolerance
-    M, H, W = numeric.assemble(numeric.dae_state(q, v), tau, w_ext)
-    z = np.linalg.solve(M, W - H)
-    assert np.allclose(z[: 12 * n].reshape(n, 12)[:, :6], wrench, rtol=0, atol=1e-8 * abs(wrench).max())
-    force = numeric.inverse_dynamics(q, v, vdot, w_ext)
-    expected = case.oracle.inverse_dynamics(q, v, vdot, w_ext)
-    assert np.allclose(force, expected, rtol=0, atol=1e-9 * max(abs(expected).max(), abs(tau).max(initial=1.0)))
-    assert np.allclose(numeric.link_pose(q)[1], case.oracle.poses(q)["origin"], rtol=0, atol=1e-12)
-    assert np.allclose(numeric.tip_pose(q)[1], case.oracle.tip_pose(q)[1], rtol=0, atol=1e-12)
-
-
-@pytest.mark.parametrize("layout", ["fused", "modular"])
-def test_compiled_c_equals_the_oracle_in_both_forms(layout):
-    judges.c_forms(random_case(1), layout)
-
-
 @pytest.mark.parametrize("seed", swept(range(8), 2))
 def test_rigid_trees_equal_pinocchio(seed):
     rng = np.random.default_rng(60 + seed)
@@ -142,18 +103,6 @@ def test_where_segments_meet_a_link_is_carried_by_a_tip():
     assert relative(*ends) < 1e-11
     beside = arm(whole[0], whole[1] | {"at": {"s": 0.75}})
     assert beside.chain.keys[1].stations_at == (0.5,) and beside.chain.tree.parents == (-1, 0, 1)
-
-
-def test_a_place_moves_with_the_length_of_its_link(branched):
-    """The length is a parameter at run time; the place is a share of it."""
-    values = np.array(branched.parameter_values)
-    values[branched.parameter_names.index("trunk.length")] = 0.9
-    longer = tomllib.loads(dump(branched.robot))["links"][0] | {"length": 0.9}
-    links = [longer, *tomllib.loads(dump(branched.robot))["links"][1:]]
-    q = np.full(branched.nq, 0.02)
-    expected = arm(*links).numpy().link_pose(q)[1]
-    found = np.array(branched.casadi()["link_pose"](q, values)[1]).T
-    assert np.allclose(found, expected, rtol=0, atol=1e-13) and abs(expected[1, 0] - 0.46) < 0.1
 
 
 @pytest.mark.parametrize("seed", swept(range(1, 7), 1))

@@ -8,7 +8,7 @@ import tomllib
 
 import numpy as np
 import pytest
-from helpers import ROOT, arm, example, example_dict, link, model_of, quick, relative
+from helpers import ROOT, arm, example, example_dict, link, model_of, quick
 from measured_robots import BARE, FOUND, by_frequencies, clamped, counted, flat, rod, two_links
 from oracle_link import STIFFNESS_OF, line_properties
 
@@ -44,23 +44,6 @@ def test_a_parameter_moves_its_frequency():
     expected["bending_y"][0], expected["torsion"][0] = 24.0, 333.0
     found = natural_frequencies(model, parameters=changed(model, bending_y_0=24.0, torsion_0=333.0))
     assert np.allclose(found, flat(expected), rtol=1e-12, atol=0)
-
-
-def test_all_back_ends_take_frequencies_at_run_time():
-    """Changed parameters give the dynamics of a file that states the changed values."""
-    model, other = model_of(rod()), copy.deepcopy(FOUND)
-    other["bending_y"][2], other["axial"][0] = 400.0, 1000.0
-    p = changed(model, bending_y_2=400.0, axial_0=1000.0)
-    rng = np.random.default_rng(4)
-    q, v, w_ext = 1e-3 * rng.normal(size=7), 0.1 * rng.normal(size=7), rng.normal(size=(1, 6))
-    expected = model_of(rod(other)).numpy().forward_dynamics(q, v, [], w_ext)[0]
-    assert relative(model.numpy().forward_dynamics(q, v, [], w_ext)[0], expected) > 1e-3
-    assert relative(model.numpy(p).forward_dynamics(q, v, [], w_ext)[0], expected) < 1e-12
-    by_casadi = model.casadi()["forward_dynamics"](q, v, [], w_ext.T, p)[0]
-    assert relative(by_casadi.full().ravel(), expected) < 1e-12
-    compiled = quick(model)
-    compiled.prepare(p)
-    assert relative(compiled.forward_dynamics(q, v, [], w_ext)[0], expected) < 1e-12
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from helpers import model_of, quick
 
 from conformance.arms import arm_of
 from conformance.features import FACTORS, Row, features
-from conformance.judge import Judge
+from conformance.judge import Judge, drawn
 from screwgen import Model
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled
@@ -41,7 +41,7 @@ class Case:
 
     @cached_property
     def judge(self) -> Judge:
-        return Judge(self.row, arm_of(self.row), self.seed)
+        return drawn(self.row, arm_of(self.row), self.seed)
 
     @cached_property
     def folder(self) -> Path:

@@ -11,6 +11,8 @@ from conformance.cases import STEP, Case
 from screwgen import rollout
 from screwgen.algorithms.robot_functions import offered, shape
 from screwgen.integrators import METHODS
+from screwgen.runtime.memory import LinkMotions
+from screwgen.simulation.mobility import closing
 from screwgen.simulation.simulate import stepper
 
 
@@ -72,8 +74,9 @@ def numpy_dae(case: Case) -> None:
     M, H, W = f.assemble(f.dae_state(q, v), tau, w_ext)
     z = np.linalg.solve(M, W - H)
     z += np.linalg.solve(M, W - H - M @ z)
-    n = case.model.n_links
-    near(z[: 12 * n].reshape(n, 12)[:, :6], wrench, case.tolerance * 10, "wrenches of the assembled rows")
+    n, eta = case.model.n_links, case.model.chain.eta_v
+    errors = case.judge.errors(np.append(vdot[:eta], z[12 * n :]), z[: 12 * n].reshape(n, 12)[:, :6])
+    assert max(errors.values()) <= case.tolerance * 10, f"of the assembled rows: {errors}"
 
 
 def casadi(case: Case) -> None:
@@ -99,22 +102,36 @@ def casadi(case: Case) -> None:
 def acados(case: Case) -> None:
     """The implicit rows vanish at the accelerations of the explicit ones, in a state whose loops are slightly open.
 
-    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics.
+    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics; those of the DAE form
+    are joint wrenches and accelerations alone.
     """
-    (q, v, tau, w_ext), export = case.given, case.model.acados(w_ext=True)
-    x = np.append(case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v))), v)
+    (q, v, tau, w_ext), export, numeric = case.given, case.model.acados(w_ext=True), case.model.numpy()
+    q = case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v)))
     p = np.concatenate([case.model.parameter_values, np.ravel(w_ext)])
-    explicit = ca.Function("rates", [export.x, export.u, export.p], [export.f_expl_expr])(x, tau, p)
-    near(explicit.full()[case.model.nq :, 0], case.model.numpy().forward_dynamics(x[: len(q)], v, tau, w_ext)[0],
-         case.tolerance, "accelerations")  # fmt: skip
+    explicit = ca.Function("rates", [export.x, export.u, export.p], [export.f_expl_expr])(np.append(q, v), tau, p)
+    expected = numeric.forward_dynamics(q, v, tau, w_ext)[0]
+    near(explicit.full()[case.model.nq :, 0], expected, case.tolerance, "accelerations")
+    forces = unknowns(case, export, np.append(q, v), explicit, p)
+    rows = case.model.chain.closing.rows
+    assert len(forces) == len(export.z_labels) == len(rows) and list(export.u_labels) == case.model.tau_names
+    if rows:
+        on_tips = closing(case.model)(q, np.zeros(len(v)), forces, case.model.parameter_values)[4].full().T
+        near(on_tips, numeric.loop_wrenches(q, v, tau, w_ext), 100 * case.tolerance, "wrenches of loops")
+    x = numeric.dae_state(q, v)
+    unknowns(case, case.model.acados("dae", w_ext=True), x, numeric.dae_rates(x, tau, w_ext)[0], p)
+
+
+def unknowns(case: Case, export, x, rates, p) -> np.ndarray:
+    """The algebraic unknowns with which the implicit rows of an export vanish at these rates, as they must."""
     rows = ca.Function("rows", [export.xdot, export.z, export.x, export.u, export.p], [export.f_impl_expr])
-    at = lambda z: rows(explicit, z, x, tau, p).full()[:, 0]  # noqa: E731
+    at = lambda z: rows(rates, z, x, case.given[2], p).full()[:, 0]  # noqa: E731
     count = export.z.numel()
     start = at(np.zeros(count))
     slopes = np.array([at(e) - start for e in np.eye(count)]).reshape(count, len(start)).T
     z = np.linalg.lstsq(slopes, -start, rcond=None)[0]
-    size = max(np.abs(start).max(), np.abs(case.judge.forces).max(), 1.0)
-    assert np.abs(start + slopes @ z).max() <= 100 * case.tolerance * size, f"{start + slopes @ z} of {size:.1e}"
+    left, size = start + slopes @ z, max(np.abs(start).max(), np.abs(case.judge.forces).max(), 1.0)
+    assert np.abs(left).max() <= 100 * case.tolerance * size, f"{left} of {size:.1e}"
+    return z
 
 
 def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
@@ -127,14 +144,14 @@ def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
 
 
 def jax_functions(case: Case) -> None:
-    """Dynamics both ways, energy and a step."""
+    """Dynamics both ways, energy and a step; the other functions take turns from robot to robot."""
     given = arguments(case) | {"p": np.array(case.model.parameter_values)}
-    expected = expected_results(case)
+    expected, rows = expected_results(case), {row.name: row for row in offered(case.model.chain)}
+    turn = list(rows)[case.seed % len(rows)]
     with jax.enable_x64(True):
         f = case.model.jax()
-        for name in ("forward_dynamics", "inverse_dynamics", "energy"):
-            row = next(x for x in offered(case.model.chain) if x.name == name)
-            found = f[name](*(given[x] for x in row.names), given["p"])
+        for name in {"forward_dynamics", "inverse_dynamics", "energy", turn}:
+            found = f[name](*(given[x] for x in rows[name].names), given["p"])
             near(flat(tuple(found) if isinstance(found, list | tuple) else found), expected[name], case.agreement, name)
         q, v = f["step"](*(given[x] for x in ("q", "v", "tau", "w_ext", "p")), STEP)
     wanted = stepped(case, "modal_midpoint")
@@ -157,18 +174,29 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
     for form in ("joint", "dae"):
         errors = case.judge.errors(*c.forward_dynamics(q, v, tau, w_ext, form=form))
         assert max(errors.values()) <= case.tolerance, (form, errors)
+    numeric, j = case.model.numpy(), case.judge
     near(c.inverse_dynamics(q, v, given["vdot"], w_ext)[0], expected["inverse_dynamics"], case.agreement, "inverse")
-    near(c.mass_matrix(q), case.model.numpy().mass_matrix(q), case.agreement, "mass matrix")
+    near(c.inverse_dynamics(q, v, j.vdot, w_ext + j.motion[1])[1], j.wrench, case.tolerance, "wrenches of a motion")
+    near(c.mass_matrix(q), numeric.mass_matrix(q), case.agreement, "mass matrix")
+    moving = c.kinematics(q, v)
+    for found, wanted, what in zip(
+        moving, (*numeric.link_pose(q), *numeric.tip_poses(q)), LinkMotions._fields, strict=False
+    ):
+        near(found, wanted, case.agreement, what)
+    near(c.tip_jacobian(q) @ v, moving.tip_twist[case.model.chain.last], case.agreement, "Jacobian of the tip")
     near(np.ravel(c.validity(q, v, tau, w_ext)), expected["validity"], case.agreement, "validity")
     if "coupling_torques" in expected:
         near(c.coupling_torques(q, v, tau, w_ext), expected["coupling_torques"], case.agreement, "coupling torques")
     for row in offered(case.model.chain):
         if row.c_file:
             near(flat(getattr(c, row.name)(q, v, tau, w_ext)), expected[row.name], case.agreement, row.name)
+    x = c.dae_state(q, v)
+    near(x, numeric.dae_state(q, v), case.agreement, "state of the DAE form")
+    for found, wanted, what in zip(c.assemble(x, tau, w_ext), numeric.assemble(x, tau, w_ext), "MHW", strict=True):
+        near(found, wanted, case.agreement, f"{what} of the assembled rows")
     for method in METHODS:
         near(np.concatenate(c.step(q, v, tau, w_ext, STEP, method)), np.concatenate(stepped(case, method)),
              case.agreement, method)  # fmt: skip
-        x = c.dae_state(q, v)
         there = stepper(case.model, method, "dae").step(x, tau, w_ext, STEP)
         near(c.dae_step(x, tau, w_ext, STEP, method), there, 10 * case.agreement, f"{method} of the DAE form")
 

@@ -7,6 +7,8 @@ import numpy as np
 from conformance.cases import DIFFERENCE, STEP, Case
 from conformance.numbers import near
 from conformance.uses import closed
+from screwgen.backends.numpy.closing import closed as shut
+from screwgen.backends.numpy.closing import jacobian
 from screwgen.integrators import METHODS
 
 
@@ -70,12 +72,33 @@ def linear(case: Case) -> None:
     q, v = closed(case)
     linear = model.linearise(q, v, tau, w_ext)
     _, by_q, by_v, by_tau = case.c(derivatives=True).linearise(q, v, tau, w_ext)
-    if model.chain.closing.rows:
-        assert len(linear.A) < 2 * nv
-        return
     A, B = np.asarray(linear.A), np.asarray(linear.B)
+    assert list(linear.input_names[: len(tau)]) == model.tau_names
+    if model.chain.closing.rows:
+        return independent(case, linear, q, v)
     near(A[:nv], kinematic(case, q, v), 1e-7, "rates of changes")
     near(A[nv:, :nv], by_q, case.tolerance, "A by coordinates")
     near(A[nv:, nv:], by_v, case.tolerance, "A by rates")
     near(B[nv:, : len(tau)], by_tau, case.tolerance, "B")
-    assert list(linear.input_names[: len(tau)]) == model.tau_names
+
+
+def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-5) -> None:
+    """The slopes of independent accelerations by differences along motions that keep the loops closed."""
+    (_, _, tau, w_ext), model, f = case.given, case.model, case.model.numpy()
+    half = len(linear.A) // 2
+    own = [model.v_names.index(name) for name in linear.state_names[half:]]
+    others = np.setdiff1d(np.arange(model.nv), own)
+    held = np.isin(np.arange(model.nq), [k for k in range(model.nq) if k - model.nq + model.nv in own])
+
+    def accelerations(x: np.ndarray) -> np.ndarray:
+        """Where these changes of independent coordinates and rates lead; the others follow."""
+        change, rates = np.zeros((2, model.nv))
+        change[own] = x[:half]
+        there = shut(f, case.moved(q, change), held)
+        J = jacobian(f, there)
+        rates[own] = v[own] + x[half:]
+        rates[others] = -np.linalg.lstsq(J[:, others], J[:, own] @ rates[own])[0]
+        return f.forward_dynamics(there, rates, tau, w_ext)[0][own]
+
+    found = np.array([(accelerations(h * e) - accelerations(-h * e)) / (2 * h) for e in np.eye(2 * half)]).T
+    near(linear.A[half:], found, max(1e-6, case.tolerance / h), "A")

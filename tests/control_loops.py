@@ -1,13 +1,8 @@
-"""Loops of control that are unstable at their step, and the limits of real runs: `python tests/control_loops.py`.
-
-A run's own limit is found by bisection over runs in the compiled C that start at the goal with a small rate of every
-coordinate: a loop counts as unstable where rates grow as the examination of loops allows no oscillation to grow.
-"""
+"""Loops of control, unstable and stable at their steps; how runs of theirs grow, and what is said of them."""
 
 from __future__ import annotations
 
 import re
-import sys
 import warnings
 from collections.abc import Callable
 from functools import cache
@@ -177,17 +172,6 @@ def grows(model: Model, case: Case, step: float) -> bool:
     return bool(rates[-part:].max() > GROWN**0.8 * rates[:part].max() or rates.max() > RUNAWAY * KICK)
 
 
-def true_limit(model: Model, case: Case, near: float) -> float:
-    """The longest step, s, at which the rates do not grow, looked for within a factor of ten of `near`."""
-    low, high = near / 10, min(10 * near, 10 * case.step)
-    if grows(model, case, low) or not grows(model, case, high):
-        return float("nan")
-    while high / low > 1.04:
-        middle = float(np.sqrt(low * high))
-        low, high = (low, middle) if grows(model, case, middle) else (middle, high)
-    return low
-
-
 def swung(model: Model, case: Case):
     """A run of a loop that moves the first joint by 1 rad in 0.4 s."""
     goal = np.zeros(model.n_joints)
@@ -220,19 +204,3 @@ def named_step(line: str) -> float:
 def named_gains(line: str) -> dict[str, float]:
     """The gains that a line names, with their values."""
     return {key: float(x) for key, x in re.findall(r"(k[pd]\[\d\]) to ([\d.e+-]+)", line)}
-
-
-def main() -> None:
-    chosen = sys.argv[1:] or UNSTABLE
-    print(f"{'loop':36}{'step':>10}{'named':>11}{'true':>11}{'ratio':>7}  gains named")
-    for name in chosen:
-        case, model = UNSTABLE[name], model_of_case(name)
-        lines = said(lambda: moved(model, case, case.step))  # noqa: B023
-        named = named_step(lines[0]) if lines else 0.0
-        true = true_limit(model, case, named or case.step)
-        gains = ", ".join(f"{k} {x:g}" for k, x in named_gains(lines[0]).items()) if lines else "nothing said"
-        print(f"{name:36}{case.step:10.2e}{named:11.2e}{true:11.2e}{named / true:7.2f}  {gains}", flush=True)
-
-
-if __name__ == "__main__":
-    main()

@@ -23,12 +23,10 @@ from conformance import numbers
 from conformance.cases import Case
 from conformance.judge import Judge
 from conformance.twin import as_turns
-from mixed_loops import Loops, bridged
+from mixed_loops import JOINTS, Loops, bridged, coupled, names
 from oracle import Oracle
 from oracle_floating import ANGLE, floating
 from pydantic import ValidationError
-from test_couplings import coupled, names
-from test_loops import JOINTS
 
 from screwgen.elements import CYLINDER, STOP, FourBarLinkage
 
@@ -74,6 +72,12 @@ class Mixed(Case):
     @property
     def floating(self) -> bool:
         return "base" in self.judge.robot
+
+
+def case_of(robot: dict, state: dict, folder: Path = Path()) -> Mixed:
+    """A robot on a fixed base, in a state, for the checks of the matrix."""
+    twin = as_turns(robot)
+    return Mixed(Judge(robot, twin, Oracle(twin), state), folder)
 
 
 # ------------------------------------------------------------------------------------------------- drawing

@@ -13,6 +13,9 @@ from oracle_stations import named
 
 from screwgen.spec.loops import STABILISATION
 
+JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
+"""What the loops of random robots let go."""
+
 
 class Loops:
     """The loops of a robot beside its oracle: their rows, Jacobian, multipliers and wrenches."""
@@ -20,14 +23,16 @@ class Loops:
     def __init__(self, oracle: Oracle, robot: dict):
         self.oracle, n = oracle, oracle.n
         turn, shift = ca.SX.sym("turn", 3, n), ca.SX.sym("shift", 3, n)
-        tips = [
-            SimpleNamespace(
-                tip_R=c.tip_R @ (ca.SX.eye(3) + ca.skew(turn[:, i])), tip_point=c.tip_point + c.tip_R @ shift[:, i]
-            )
-            for i, c in enumerate(oracle.clouds)
-        ]
-        ends = SimpleNamespace(q=oracle.q, clouds=tips, section=lambda i, cloud, s: (cloud.tip_R, cloud.tip_point))
-        gap = ca.vertcat(*rows(ends, robot))
+
+        def section(i, cloud, s: float) -> tuple[ca.SX, ca.SX]:
+            """Moved with the tip of its link by a small turn and shift, whose slopes are the wrench on that tip."""
+            R, place = cloud.tip_R @ (ca.SX.eye(3) + ca.skew(turn[:, i])), cloud.tip_point + cloud.tip_R @ shift[:, i]
+            if s == 1.0:
+                return R, place
+            R_s, r_s = oracle.section(i, cloud, s)
+            return R @ cloud.tip_R.T @ R_s, place + R @ cloud.tip_R.T @ (r_s - cloud.tip_point)
+
+        gap = ca.vertcat(*rows(SimpleNamespace(q=oracle.q, clouds=oracle.clouds, section=section), robot))
         still = lambda x: ca.substitute(x, ca.vertcat(ca.vec(turn), ca.vec(shift)), ca.SX.zeros(6 * n))  # noqa: E731
         wrenches = still(ca.jacobian(gap, ca.vertcat(ca.vec(turn), ca.vec(shift))))
         gap = still(gap)
@@ -107,6 +112,12 @@ def bridged(
     return tree, state | {"w_ext": wrenches}
 
 
+def looped(rng, joint: list, count: int, s: float = 1.0) -> tuple[dict, dict]:
+    """A random tree with a loop that is closed in a random state, at the tip of a link or at a marker at `s`."""
+    tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1)
+    return bridged(rng, joint, tree, state, oracle, s)
+
+
 def roll_pitch_yaw(R: np.ndarray) -> list[float]:
     """The angles of ``Rz(y) Ry(p) Rx(r)``."""
     return [np.arctan2(R[2, 1], R[2, 2]), -np.arcsin(R[2, 0]), np.arctan2(R[1, 0], R[0, 0])]
@@ -155,3 +166,29 @@ def null(directions: list) -> list[np.ndarray]:
     if not directions:
         return list(np.eye(3))
     return list(np.linalg.svd(np.array(directions))[2][len(directions) :])
+
+
+def names(robot: dict) -> list[str]:
+    """The coordinates of all axes that no elastic gear and no transmission drives."""
+    found = []
+    for x in robot["links"]:
+        drives = x["joint"].get("drives") or [{}] * len(x["joint"]["axes"])
+        for k, (axis, drive) in enumerate(zip(x["joint"]["axes"], drives, strict=True)):
+            kind = "slide" if isinstance(axis, dict) and "slide" in axis else "joint"
+            if "stiffness" not in drive and "transmission" not in drive:
+                found.append(f"{x['name']}.{kind}[{k}]")
+    return found
+
+
+def coupled(rng, robot: dict, state: dict, count: int = 1, among: list[str] | None = None) -> dict:
+    """The robot with couplings between random axes, of all or `among` these, that the state satisfies."""
+    every = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
+    free = names(robot) if among is None else among
+    order = rng.permutation(len(free))[: 2 * count]
+    couplings = []
+    for axis, of in zip(order[::2], order[1::2], strict=False):
+        ratio = round(float(rng.uniform(-2, 2)), 3)
+        q = {name: state["q"][every.index(plain(name))] for name in (free[axis], free[of])}
+        offset = float(q[free[axis]] - ratio * q[free[of]])
+        couplings.append({"axis": free[axis], "of": free[of], "ratio": ratio, "offset": offset})
+    return robot | {"couplings": couplings}

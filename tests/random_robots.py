@@ -327,14 +327,13 @@ def huge_angle_state(rng, robot: dict, angle: float = 1e3) -> dict:
 
 
 def draw_regular(rng, n_links=None, limit=1e8, robots=random_robot, states=random_state, **limits):
-    """(robot, state, oracle) whose M at the state's q is definite, with a cond of `limit` at most; redraws until it is.
+    """(robot, state, oracle) with cond(M) at the state's q no more than `limit`; redraws until it holds.
 
     `robots(rng, [n_links], **limits)` and `states(rng, robot)` draw; any of this module's may be given.
     """
     for _ in range(200):
         robot = robots(rng, n_links, **limits) if n_links is not None else robots(rng, **limits)
         state, oracle = states(rng, robot), Oracle(robot)
-        M = oracle.mass_matrix(state["q"])
-        if not len(M) or (np.linalg.cond(M) <= limit and np.linalg.eigvalsh(M)[0] > 0):
+        if oracle.condition(state["q"]) <= limit:
             return robot, state, oracle
     raise RuntimeError(f"no robot with cond(M) <= {limit:g} in 200 draws")

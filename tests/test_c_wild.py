@@ -6,8 +6,7 @@ import pytest
 from c_tools import SANITIZERS
 from conformance.c_wild import program
 from conftest import require_tool, swept
-from feature_robots import FEATURES
-from test_c_warnings import CONTROL, WITHOUT_CONTROL, write
+from feature_robots import CONTROL, FEATURES, WITHOUT_CONTROL, write
 
 ROBOTS = [feature for feature in FEATURES if feature not in ("loop", "coupling")]
 """Loops and couplings have functions that do not yet look at their results."""

@@ -154,28 +154,6 @@ def test_names_and_shapes_are_the_contracts(name, size):
 # -------- what users do
 
 
-@pytest.mark.parametrize("kind", [ca.SX, ca.MX])
-def test_functions_take_symbols(kind):
-    model = example("ella")
-    given = arguments(model)
-    for name in NAMES:
-        f = model.casadi()[name]
-        symbols = [kind.sym(n, *f.size_in(n)) for n in f.name_in()]
-        again = ca.Function("again", symbols, f.call(symbols), f.name_in(), f.name_out())
-        for a, b in zip(called(again, given), called(f, given), strict=True):
-            assert np.array_equal(a, b)
-
-
-def test_functions_survive_a_file(tmp_path):
-    model = example("six_link")
-    given = arguments(model)
-    for name in NAMES:
-        f = model.casadi()[name]
-        f.save(str(tmp_path / name))
-        for a, b in zip(called(ca.Function.load(str(tmp_path / name)), given), called(f, given), strict=True):
-            assert np.array_equal(a, b)
-
-
 def test_casadis_own_c_gives_the_same(tmp_path):
     """Function.generate, compiled by gcc, loaded as an external: equal to rounding."""
     model, here = example("ella"), os.getcwd()

@@ -1,10 +1,11 @@
-"""Rods of order "exact" around the dynamics: what files may say of them, their points, what documents show."""
+"""Rods of order "exact" around the dynamics: what files may say of them, their points, control, what documents show."""
 
 import re
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of
+from helpers import QUICK, arm, link, model_of, quick, relative
+from test_mpc import PLAIN
 from test_reduced import arm_of, free_cloud
 
 from screwgen import Robot, RobotFileError
@@ -154,3 +155,31 @@ def test_the_page_bends_rods_as_far_as_the_model_does():
     line = centrelines(model, q, drawn.places)[0]
     R, r = (x[0] for x in model.numpy().link_pose(q))
     assert r + (drawn.straight + sections[:, :3]) @ R.T == pytest.approx(line, abs=1e-4)
+
+
+def soft(section: dict, **joint) -> dict:
+    """A rod of two modes on two axes, with a body at its tip."""
+    body = {"at": "tip", "mass": 0.4, "com": [0.05, 0.0, 0.02], "inertia": [0.01, 0.02, 0.02, 0.0, 0.0, 0.0]}
+    more = {"modes": {"bending_y": 1, "bending_z": 1}, "bodies": [body], "damping": {"time": 0.01}}
+    return link("boom", 0.8, "yz", section=section, joint={"damping": [0.1, 0.1], **joint}, **more)
+
+
+def test_predictive_control_reaches_its_goal(tmp_path):
+    (tmp_path / "mpc.toml").write_text(PLAIN.replace("[0.3, 0.2, -0.2]", "[0.2, 0.1]").replace(", 4.0]", "]"))
+    rod = soft({"EIy": 300.0, "EIz": 500.0}, armature=[0.5, 0.5])
+    model = model_of(arm(rod, order="exact", gravity=(0, 0, 0)))
+    c, stepper = model.mpc(tmp_path / "mpc.toml", flags=QUICK), quick(model)
+    q, v = np.zeros(4), np.zeros(4)
+    c.initialise(q, v)
+    for _ in range(60):
+        c.prepare()
+        q, v = stepper.step(q, v, c.feedback(q, v), None, 0.002, "modal_midpoint", 10)
+    assert np.abs(q[:2] - [0.2, 0.1]).max() < 0.02
+
+
+def test_the_place_of_the_tip_in_linear_models_equals_differences():
+    """About a bent posture."""
+    model, q, e = model_of(arm(soft({"EIy": 2.0, "EIz": 1.5}), order="exact")), np.array([0.6, -0.4, 0.2, -0.2]), 1e-6
+    place = lambda s: model.numpy().tip_pose(q + s)[1]  # noqa: E731
+    expected = np.array([(place(s) - place(-s)) / (2 * e) for s in e * np.eye(4)]).T
+    assert relative(model.linearise(q, outputs=("tip_position",)).C[:, :4], expected) < 1e-8

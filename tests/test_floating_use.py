@@ -6,18 +6,16 @@ from functools import partial
 
 import numpy as np
 import pytest
-from floating_robots import SATELLITE, TAU, start
-from helpers import example, example_file, model_of, quick, relative
+from floating_robots import SATELLITE
+from helpers import example, example_file, model_of, quick
 from random_robots import to_toml
 
 from screwgen import PD, SingularError, UsageError, derive, simulate
-from screwgen.cli.commands import evaluation
 from screwgen.errors import RobotFileError
 from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
 from screwgen.simulation.controllers import Holding, read_pd
 from screwgen.simulation.motion import centrelines
-from screwgen.simulation.state import State
 from screwgen.spec import load
 from screwgen.spec.base import TWIST
 from screwgen.spec.parameters import coordinate_units
@@ -67,14 +65,6 @@ def test_the_space_arm_of_the_examples_moves_by_its_law_and_keeps_its_momentum_a
     M, v = model.numpy().mass_matrix(run.q[-1]), run.v[-1]
     assert np.abs(run.q[-1, 7:13]).max() > 0.1 and np.linalg.norm(run.q[-1, :3]) > 1e-3
     assert np.all(np.abs((M @ v)[:6]) < 1e-8 * (np.abs(M) @ np.abs(v))[:6])
-
-
-@pytest.mark.parametrize("form", ["joint", "dae"])
-def test_the_command_line_evaluates_it_alike_in_casadi(satellite, form):
-    q, v = start(satellite)
-    state = State(q, v, np.array(TAU), np.ones((4, 6)))
-    found, expected = (evaluation(satellite, state, *x) for x in (("casadi", form), ("numpy", "joint")))
-    assert relative(found["vdot"], expected["vdot"]) < 1e-10 and relative(found["wrench"], expected["wrench"]) < 1e-10
 
 
 WRONG = [  # what replaces a part of the file, and what the message says

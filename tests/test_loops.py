@@ -2,51 +2,20 @@
 
 from pathlib import Path
 
-import casadi as ca
 import numpy as np
 import pytest
-import random_robots as rr
+from conformance import numbers
 from conftest import swept
-from helpers import arm, casadi_forward, example, link, model_of, quick, relative
-from mixed_loops import bridged as bridged
-from mixed_loops import plain as plain
-from mixed_loops import rows
-from oracle import Oracle
+from helpers import arm, example, link, model_of
+from mixed_arms import case_of
+from mixed_loops import JOINTS, looped
+from random_robots import joint_count
 
 from screwgen import OpenLoopError, SingularError, UsageError, analyse, assemble, dump, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
-from screwgen.spec.loops import STABILISATION
 from screwgen.studies.assemble import redundant
 from screwgen.studies.modes import mode_shapes
-
-JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
-
-
-def looped(rng, joint: list, count: int, s: float = 1.0, **limits) -> tuple[dict, dict]:
-    """A random tree with a loop that is closed in a random state: a welded bridge leads from one tip to another link.
-
-    It ends at the tip of that link, or at a marker at `s`.
-    """
-    tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1, **limits)
-    return bridged(rng, joint, tree, state, oracle, s)
-
-
-def constrained(oracle: Oracle, robot: dict, state: dict) -> np.ndarray:
-    """`v̇` of the oracle's mass matrix and bias with its own rows, stabilised, by Lagrange multipliers."""
-    gap = ca.vertcat(*rows(oracle, robot))
-    G = ca.jacobian(gap, oracle.q)
-    rate = G @ oracle.v
-    f = ca.Function("rows", [oracle.q, oracle.v], [gap, G, rate, ca.jtimes(rate, oracle.q, oracle.v)])
-    q, v, tau, w_ext = (np.array(state[k]) for k in ("q", "v", "tau", "w_ext"))
-    gap, G, rate, gamma = (x.full() for x in f(q, v))
-    M, h = oracle.mass_matrix(q), oracle.bias(q, v, w_ext)
-    free = np.linalg.solve(M, oracle._force(tau, q) - h)
-    c = STABILISATION
-    wanted = -(gamma + 2 * c * rate + c * c * gap)[:, 0] - G @ free
-    inertia = G @ np.linalg.solve(M, G.T)
-    return free + np.linalg.solve(M, G.T @ np.linalg.lstsq(inertia, wanted, rcond=1e-12)[0])
-
 
 DRAWS = (901, 902, 903, 903, 901, 903, 902)
 """Draws of trees that can follow all that their loops forbid, most of them with drives."""
@@ -57,20 +26,21 @@ def test_random_trees_with_a_loop(seed):
     """Closed or open: where a loop is open both have the same stabilisation."""
     rng, opened = np.random.default_rng([DRAWS[seed], seed]), 0.02 * (seed % 2)
     robot, state = looped(rng, JOINTS[seed], 3 + seed % 3)
-    model, oracle = model_of(robot), Oracle(robot)
-    judge, q = model.numpy(), np.array(state["q"])
-    assert np.max(np.abs(judge.gaps(q, None)[0])) < 1e-12
-    v = np.array(state["v"]) if opened else moving(judge, q, state["v"])
-    state |= {"q": q + opened * rng.normal(size=len(q)) * (np.arange(len(q)) < oracle.n_joint), "v": v}
-    expected = constrained(oracle, robot, state)
-    given = state["q"], state["v"], state["tau"], state["w_ext"]
-    wrenches = oracle.wrenches(state["q"], v, expected, np.array(state["w_ext"]) + judge.loop_wrenches(*given))
-    found = [judge.forward_dynamics(*given), judge.dae_forward_dynamics(*given), casadi_forward(model, *given)]
+    q, v = np.array(state["q"]), np.array(state["v"])
+    assert np.max(np.abs(model_of(robot).numpy().gaps(q, None)[0])) < 1e-12
+    case = case_of(
+        robot, state | {"q": q + opened * rng.normal(size=len(q)) * (np.arange(len(q)) < joint_count(robot))}
+    )
+    if opened:
+        case.judge.state["v"] = v
+    numbers.judge(case)
+    numbers.casadi(case)
+    found = [case.model.numpy().dae_forward_dynamics(*case.given)]
     if seed % 3 == 0:
-        compiled = quick(model, layout=("fused", "modular")[seed % 2])
-        found += [compiled.forward_dynamics(*given, form=form) for form in ("joint", "dae")]
-    for vdot, wrench in found:
-        assert relative(vdot, expected) < 1e-9 and relative(wrench, wrenches) < 1e-9
+        found += [
+            case.c(("fused", "modular")[seed % 2]).forward_dynamics(*case.given, form=x) for x in ("joint", "dae")
+        ]
+    assert max(max(case.judge.errors(*x).values()) for x in found) <= case.tolerance
 
 
 # ------------------------------------------------------------------------------ linkages in closed form

@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import random_robots as rr
 from conftest import swept
 from helpers import Case, drawn, link, model_of, quick, relative, rotation_of
 from oracle_robots import pinocchio_model
@@ -20,19 +21,34 @@ def robot_case(seed: int) -> Case:
 # -------- the rigid limit
 
 
+def along(rng, robot: dict) -> dict:
+    """The robot with most of its links carried at the base, at a marker or at a place of their parents."""
+    names = [table["name"] for table in robot["links"]]
+    for i, table in enumerate(robot["links"][1:], 1):
+        if table.get("parent") == "world" or rng.random() > 0.8:
+            continue
+        s, kind = float(rng.uniform(0.05, 0.95)), rng.integers(3)
+        parent = robot["links"][names.index(table.get("parent", names[i - 1]))]
+        if kind == 2:
+            parent.setdefault("markers", []).append({"name": f"m{i}", "at": s})
+        table["at"] = ("base", {"s": s}, f"m{i}")[kind]
+    return robot
+
+
 RIGID = [(n, share) for share in (0.0, 0.6) for n in (1, 2, 3, 5, 8, 12)]
 
 
 @pytest.mark.parametrize("kind", swept(RIGID, (1, 0.0), (3, 0.0), (8, 0.0), (3, 0.6), (8, 0.6)))
 def test_rigid_robots_equal_pinocchio(kind):
-    """ABA and RNEA of Pinocchio: axes, mounts, bodies, armature, springs, losses, tip wrenches; slides and branches."""
+    """ABA and RNEA of Pinocchio, beside which the oracle is judged too: axes, mounts, bodies, armature, springs,
+    losses, tip wrenches; slides, branches, and links that are carried along others."""
     import pinocchio as pin
 
     n_links, share = kind
     limit = 1e8 if n_links < 8 else 1e9
-    case = drawn(
-        500 + n_links, n_links, rigid=1.0, material=0.0, limit=limit, frame_at=0.3, sliding=share, branching=share
-    )
+    limits = dict(rigid=1.0, material=0.0, limit=limit, frame_at=0.3, sliding=share, branching=share)
+    robots = rr.random_robot if share < 0.6 else lambda rng, n, **more: along(rng, rr.random_robot(rng, n, **more))
+    case = drawn(500 + n_links, n_links, robots=robots, **limits)
     _, model, found = pinocchio_model(case.robot)
     oracle, (q, v, tau, w_ext) = case.oracle, case.inputs
     model.gravity.linear, model.armature = np.array(case.robot["gravity"]), oracle.armature
@@ -46,6 +62,7 @@ def test_rigid_robots_equal_pinocchio(kind):
     vdot, wrench = numeric.forward_dynamics(q, v, tau, w_ext)
     expected = pin.aba(model, model.createData(), q, v, tau - passive, external)
     assert relative(vdot, expected) <= case.tolerance
+    assert max(oracle.errors(case.state, expected, wrench).values()) <= case.tolerance
     data = model.createData()
     force = pin.rnea(model, data, q, v, vdot, external)
     assert relative(numeric.inverse_dynamics(q, v, vdot, w_ext), force + passive) <= 1e-10

@@ -7,7 +7,7 @@ import pytest
 from drive_robots import ELASTIC, RIGID
 from floating_robots import HULL, rod
 from helpers import arm, link, model_of, quick
-from step_judges import by_casadi, by_differences, point, worst
+from step_judges import by_casadi, point, worst
 
 from screwgen import SingularError, UsageError
 from screwgen.errors import ScrewgenError
@@ -44,21 +44,10 @@ def found(model, x, h, method, **options):
     return compiled(model, **options).step_derivatives(*x, h, method)
 
 
-# -------- against CasADi and differences of 50 digits
+# -------- against CasADi
 
 
-@pytest.mark.parametrize(
-    ("robot", "h"),
-    [pytest.param("gears", 0.01, marks=LONG), ("stops", 0.02), ("floating", 0.02)],
-)
-def test_equal_differences_of_50_digits(robot, h):
-    model = model_of(SMALL[robot])
-    x = point(model, 4)
-    _, _, *AB = found(model, x, h, "modal_midpoint")
-    assert worst(AB, by_differences(model, "modal_midpoint", *x, h), model.chain.nv) < 1e-10
-
-
-@pytest.mark.parametrize("robot", ["gears", pytest.param("floating", marks=LONG)])
+@pytest.mark.parametrize("robot", SMALL)
 def test_methods_of_ones_own(robot):
     """Negative weights, several stages in one, two implicit stages; the C is made of the table."""
     model, h = model_of(SMALL[robot]), 0.003

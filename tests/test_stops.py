@@ -4,9 +4,10 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conformance import slopes
 from conftest import swept
-from helpers import Case, arm, case_of, link, model_of, relative
-from judges import compiled, derivatives, numpy_and_casadi, solved_densely
+from helpers import arm, link, model_of, relative
+from mixed_arms import Mixed, case_of, judged
 from random_robots import random_state
 from scipy.integrate import solve_ivp
 from stop_robots import MIXED
@@ -19,13 +20,13 @@ from screwgen.studies.analysis.spectrum import step_map
 
 
 @cache
-def everything(seed: int) -> Case:
+def everything(seed: int) -> Mixed:
     return case_of(MIXED, random_state(np.random.default_rng(seed), MIXED, angle=0.6))
 
 
-def pressed(c: Case) -> int:
+def pressed(c: Mixed) -> int:
     """How many stops act in a case."""
-    q, at = c.inputs[0], [x for own in c.model.numpy().constants for x in own.get("stop_at", ())]
+    q, at = c.given[0], [x for own in c.model.numpy().constants for x in own.get("stop_at", ())]
     return sum(side * (q[k] - x) > 0 for (_, k, side), x in zip(c.model.chain.acted(STOP), at, strict=True))
 
 
@@ -36,9 +37,8 @@ def pressed(c: Case) -> int:
 def test_stops_of_every_kind_in_one_robot(seed):
     c = everything(seed)
     assert 1 <= pressed(c) < len(c.model.chain.acted(STOP))
-    for judge in (numpy_and_casadi, solved_densely, derivatives):
-        judge(c)
-    compiled(c, "fused")
+    judged(c, "fused")
+    slopes.dynamics(c)
 
 
 # -------- solutions of their own
@@ -131,7 +131,7 @@ def test_a_slide_on_its_stop_is_a_half_swing():
 @pytest.mark.parametrize("method", ["modal_implicit", "semi_implicit"])
 def test_the_amplification_matrix_is_the_derivative_of_a_step(method):
     c, h, dt = everything(1), 1e-6, 1e-5
-    q, v, tau, w_ext = c.inputs
+    q, v, tau, w_ext = c.given
     stepper = JointStepper(c.model, method, c.model.parameter_values)
     after = lambda x: np.concatenate(stepper.step(JointState(*np.split(x, 2)), tau, w_ext, dt))  # noqa: E731
     x = np.append(q, v)

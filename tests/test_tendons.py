@@ -37,7 +37,6 @@ joint = {{ axes = ["y"] }}
 tendons = [{{ name = "left", from = 0.1, to = 0.8, at = [[0.0, -0.01, 0.005], [0.0, 0.02, 0.0]] }}]
 """
 MODES = "bending_y = 1, bending_z = 1, torsion = 1"
-ORDERS = ("1", "2", '"exact"')
 TAU = np.array([0.3, -0.2, 4.0, 2.5])
 
 

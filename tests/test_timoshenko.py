@@ -189,11 +189,11 @@ def test_sections_may_turn_without_inertia_where_the_tip_has_some():
         Robot.model_validate(bare)
 
 
-@pytest.mark.parametrize("between", [None, "linear", "polynomial"])
+@pytest.mark.parametrize("between", ["step", "linear", "polynomial"])
 def test_equal_stations_are_a_uniform_rod(between):
     section = {**section_of(0.3, 0.2), "GJ": 1e6, "rhoIp": 50.0}
-    stated = section if between is None else {
-        "stations": [{"at": s, **section} for s in (0.0, 0.4, 1.0)], "between": between}  # fmt: skip
+    stated = [{"at": s, **section} for s in (0.0, 0.4, 0.4, 1.0)]
+    stated = stated if between == "step" else {"stations": [*stated[:2], stated[3]], "between": between}
     modes = {"axial": 1, "bending_y": 1, "bending_z": 2, "torsion": 1, "shear_y": 2, "shear_z": 1}
     table = {"name": "rod", "length": 0.8, "section": stated, "modes": modes, "joint": {"axes": ["y", "x"]}}
     model = model_of(arm(table | {"damping": {"ratio": 0.01}}))

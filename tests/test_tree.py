@@ -2,11 +2,13 @@
 
 import tomllib
 
-import judges
 import numpy as np
 import pytest
+from conformance import slopes
 from helpers import model_of
 from matplotlib.text import Text
+from mixed_arms import case_of
+from random_robots import random_state
 
 from screwgen import Robot, UsageError, derive, simulate
 from screwgen.algorithms.fused import forward_dynamics
@@ -28,15 +30,24 @@ def rod(name: str, joint: dict, length=0.7, **more) -> dict:
     return {"name": name, "length": length, "section": SECTION, "modes": modes, "joint": joint, **more}
 
 
+def tree(*links: dict) -> dict:
+    return {"name": "tree", "gravity": [0.0, 1.0, -9.81], "links": list(links)}
+
+
 def arm(*links: dict):
-    return model_of({"name": "tree", "gravity": [0.0, 1.0, -9.81], "links": list(links)})
+    return model_of(tree(*links))
+
+
+FORK = tree(
+    rod("trunk", {"axes": ["y"]}),
+    *(rod(name, joint, parent="trunk") for name, joint in zip(("left", "right"), BRANCHES, strict=True)),
+)
+"""A trunk with two branches at its tip."""
 
 
 @pytest.fixture
 def forked():
-    """A trunk with two branches at its tip."""
-    branches = [rod(name, joint, parent="trunk") for name, joint in zip(("left", "right"), BRANCHES, strict=True)]
-    return arm(rod("trunk", {"axes": ["y"]}), *branches)
+    return model_of(FORK)
 
 
 def test_branches_that_are_stiff_and_welded_are_bodies_of_the_trunk():
@@ -69,10 +80,9 @@ def test_a_child_must_come_after_its_parent():
 # -------- random trees against the oracle
 
 
-def test_derivatives_are_those_of_differences(forked):
-    rng = np.random.default_rng(5)
-    q, v, tau = 0.05 * rng.normal(size=forked.nq), rng.normal(size=forked.nq), rng.normal(size=3)
-    judges.differences(forked, q, v, tau, np.zeros((3, 6)))
+@pytest.mark.parametrize("check", [slopes.dynamics, slopes.wrenches])
+def test_derivatives_are_those_of_differences(check):
+    check(case_of(FORK, random_state(np.random.default_rng(5), FORK)))
 
 
 # -------- the robot file, and what users see

@@ -20,14 +20,15 @@ class Check(NamedTuple):
 
 
 CHECKS: dict[str, Check] = {
-    "judge": Check(numbers.judge, "accelerations, wrenches, energy, inverse dynamics equal an independent Lagrangian"),
+    "judge": Check(numbers.judge, "motion, wrenches, poses, energy, inverse dynamics of an independent Lagrangian"),
     "DAE form": Check(numbers.numpy_dae, "the DAE form equals it, by elimination and by dense solving"),
     "CasADi": Check(numbers.casadi, "every function equals NumPy's"),
     "acados": Check(numbers.acados, "implicit and explicit rows agree, forces of loops among the unknowns; DAE form"),
-    "JAX": Check(numbers.jax_functions, "dynamics both ways, energy, a step and one function more equal NumPy's"),
+    "JAX": Check(numbers.jax_functions, "every function and a step equal NumPy's, gradients CasADi's"),
     "C, fused": Check(partial(numbers.c_functions, layout="fused"), "every function and every step, both forms"),
     "C, modular": Check(partial(numbers.c_functions, layout="modular"), "every function and every step, both forms"),
     "C, baked": Check(partial(numbers.c_functions, layout="auto", parameters="baked"), "with parameters as numbers"),
+    "parameters": Check(numbers.parameters, "other numbers at run time make the robot whose file has them"),
     "C, float": Check(numbers.c_float, "accelerations in single precision"),
     "sensors": Check(measured.sensors, "what markers read equals the judge's sections, their rates and strains"),
     "validity": Check(measured.validity, "how far links are from the model's limits, by the judge's loads"),
@@ -48,9 +49,8 @@ CHECKS: dict[str, Check] = {
     "modes": Check(uses.modes, "frequencies and shapes with the joints locked and free"),
     "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),
     "commands": Check(commands.every_command, "every command ends well"),
-    "mock-up unit": Check(commands.units, "a unit of FMI 3 steps as the C does"),
+    "mock-up unit": Check(commands.units, "a unit of FMI 2 or 3 steps as the C does, with its slopes"),
     "URDF": Check(commands.urdf, "exported and imported again"),
-    "parameters": Check(uses.parameters, "other numbers of all of them at run time: as of a file that states them"),
     "robot file": Check(uses.toml, "written and read again it is the same robot"),
 }
 

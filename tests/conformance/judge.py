@@ -19,9 +19,8 @@ import scipy.linalg
 from mixed_loops import Loops, bridge_of
 from oracle import Oracle, part_error
 from oracle_exact import ExactLink, gauss
-from oracle_floating import ANGLE
+from oracle_floating import ANGLE, column_rates, columns
 from scipy.spatial.transform import Rotation
-from test_ball_joints import column_rates, columns
 
 from conformance.arms import LOOPS
 from conformance.features import Row

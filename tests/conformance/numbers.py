@@ -5,13 +5,14 @@ from __future__ import annotations
 import casadi as ca
 import jax
 import numpy as np
-from helpers import EPS32, quick_batch, relative
+from helpers import EPS32, model_of, quick_batch, relative
 
+from conformance.arms import PLACES, varied
 from conformance.cases import STEP, Case
 from screwgen import rollout
 from screwgen.algorithms.robot_functions import offered, shape
 from screwgen.integrators import METHODS
-from screwgen.runtime.memory import LinkMotions
+from screwgen.runtime.compiled import Compiled
 from screwgen.simulation.mobility import closing
 from screwgen.simulation.simulate import stepper
 
@@ -54,6 +55,12 @@ def judge(case: Case) -> None:
     q, v, _, w_ext = case.given
     near(f.inverse_dynamics(q, v, j.vdot, w_ext), j.forces, case.tolerance, "inverse dynamics")
     near(np.array(f.energy(q, v)), np.array(j.energy), case.tolerance, "energy")
+    poses, x = j.oracle.poses(j.state["q"]), j.state
+    for found, (R, place) in ((f.link_pose(q), ("R", "origin")), (f.tip_poses(q), ("tip_R", "tip_point"))):
+        near(found[0], poses[R], case.tolerance, R)
+        near(found[1], poses[place], case.tolerance, place)
+    twist = j.oracle.tip_twists(x["q"], x["v"])[-1].reshape(2, 3) @ poses["tip_R"][-1].T
+    near(f.tip_jacobian(q) @ v, twist.ravel(), case.tolerance, "twist of the last tip")
 
 
 def in_float(case: Case) -> float:
@@ -71,7 +78,9 @@ def numpy_dae(case: Case) -> None:
     errors = case.judge.errors(vdot, wrench)
     assert max(errors.values()) <= case.tolerance, errors
     q, v, tau, w_ext = case.given
-    M, H, W = f.assemble(f.dae_state(q, v), tau, w_ext)
+    x = f.dae_state(q, v)
+    near(f.project(x), x, case.tolerance, "projection of a closed state")
+    M, H, W = f.assemble(x, tau, w_ext)
     z = np.linalg.solve(M, W - H)
     z += np.linalg.solve(M, W - H - M @ z)
     n, eta = case.model.n_links, case.model.chain.eta_v
@@ -143,19 +152,28 @@ def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
     return parts.ravel() if len(size) == 3 else parts[:, :, 0].ravel()
 
 
+STATED = ("q", "v", "tau", "w_ext", "p")
+
+
 def jax_functions(case: Case) -> None:
-    """Dynamics both ways, energy and a step; the other functions take turns from robot to robot."""
+    """Every function, a step, and the gradients of a weighted sum of the accelerations, which CasADi has too."""
     given = arguments(case) | {"p": np.array(case.model.parameter_values)}
-    expected, rows = expected_results(case), {row.name: row for row in offered(case.model.chain)}
-    turn = list(rows)[case.seed % len(rows)]
+    expected, weights = expected_results(case), np.random.default_rng(3).normal(size=case.model.nv)
     with jax.enable_x64(True):
         f = case.model.jax()
-        for name in {"forward_dynamics", "inverse_dynamics", "energy", turn}:
-            found = f[name](*(given[x] for x in rows[name].names), given["p"])
-            near(flat(tuple(found) if isinstance(found, list | tuple) else found), expected[name], case.agreement, name)
-        q, v = f["step"](*(given[x] for x in ("q", "v", "tau", "w_ext", "p")), STEP)
-    wanted = stepped(case, "modal_midpoint")
-    near(np.concatenate([q, v]), np.concatenate(wanted), case.agreement, "step")
+        for row in offered(case.model.chain):
+            found = f[row.name](*(given[x] for x in (*row.names, "p")))
+            found = flat(tuple(found) if isinstance(found, list | tuple) else found)
+            near(found, expected[row.name], case.agreement, row.name)
+        q, v = f["step"](*(given[x] for x in STATED), STEP)
+        (_, wrench), backwards = jax.vjp(f["forward_dynamics"], *(given[x] for x in STATED))
+        slopes = backwards((weights, np.zeros_like(wrench)))
+    near(np.concatenate([q, v]), np.concatenate(stepped(case, "modal_midpoint")), case.agreement, "step")
+    function = case.model.casadi()["forward_dynamics"]
+    at = [given[x].T if x == "w_ext" else given[x] for x in STATED]
+    wanted = function.reverse(1)(*at, *function(*at), weights, np.zeros(wrench.T.shape))
+    for name, ours, theirs in zip(STATED, slopes, wanted, strict=True):
+        near(np.ravel(ours), theirs.full().ravel(order="F"), 10 * case.tolerance, f"gradient with {name}")
 
 
 def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -174,16 +192,9 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
     for form in ("joint", "dae"):
         errors = case.judge.errors(*c.forward_dynamics(q, v, tau, w_ext, form=form))
         assert max(errors.values()) <= case.tolerance, (form, errors)
-    numeric, j = case.model.numpy(), case.judge
     near(c.inverse_dynamics(q, v, given["vdot"], w_ext)[0], expected["inverse_dynamics"], case.agreement, "inverse")
-    near(c.inverse_dynamics(q, v, j.vdot, w_ext + j.motion[1])[1], j.wrench, case.tolerance, "wrenches of a motion")
-    near(c.mass_matrix(q), numeric.mass_matrix(q), case.agreement, "mass matrix")
-    moving = c.kinematics(q, v)
-    for found, wanted, what in zip(
-        moving, (*numeric.link_pose(q), *numeric.tip_poses(q)), LinkMotions._fields, strict=False
-    ):
-        near(found, wanted, case.agreement, what)
-    near(c.tip_jacobian(q) @ v, moving.tip_twist[case.model.chain.last], case.agreement, "Jacobian of the tip")
+    by_elimination(case, c)
+    postures(case, c)
     near(np.ravel(c.validity(q, v, tau, w_ext)), expected["validity"], case.agreement, "validity")
     if "coupling_torques" in expected:
         near(c.coupling_torques(q, v, tau, w_ext), expected["coupling_torques"], case.agreement, "coupling torques")
@@ -191,14 +202,51 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
         if row.c_file:
             near(flat(getattr(c, row.name)(q, v, tau, w_ext)), expected[row.name], case.agreement, row.name)
     x = c.dae_state(q, v)
-    near(x, numeric.dae_state(q, v), case.agreement, "state of the DAE form")
-    for found, wanted, what in zip(c.assemble(x, tau, w_ext), numeric.assemble(x, tau, w_ext), "MHW", strict=True):
-        near(found, wanted, case.agreement, f"{what} of the assembled rows")
+    near(x, case.model.numpy().dae_state(q, v), case.agreement, "state of the DAE form")
     for method in METHODS:
         near(np.concatenate(c.step(q, v, tau, w_ext, STEP, method)), np.concatenate(stepped(case, method)),
              case.agreement, method)  # fmt: skip
         there = stepper(case.model, method, "dae").step(x, tau, w_ext, STEP)
         near(c.dae_step(x, tau, w_ext, STEP, method), there, 10 * case.agreement, f"{method} of the DAE form")
+
+
+def by_elimination(case: Case, c: Compiled) -> None:
+    """What the C has of the dynamics besides: accelerations alone, wrenches of inverse dynamics, M, assembled rows."""
+    (q, v, tau, w_ext), f = case.given, case.model.numpy()
+    vdot, wrench = f.forward_dynamics(q, v, tau, w_ext)
+    near(c.accelerations(q, v, tau, w_ext), vdot, case.agreement, "accelerations alone")
+    loads = w_ext + f.loop_wrenches(q, v, tau, w_ext) if case.model.chain.closing.rows else w_ext
+    near(c.inverse_dynamics(q, v, vdot, loads)[1], wrench, case.tolerance, "wrenches of inverse dynamics")
+    near(c.mass_matrix(q), f.mass_matrix(q), case.agreement, "mass matrix")
+    x = f.dae_state(q, v)
+    for found, wanted, what in zip(c.assemble(x, tau, w_ext), f.assemble(x, tau, w_ext), "MHW", strict=True):
+        near(found, wanted, case.agreement, f"{what} of the assembled rows")
+
+
+def postures(case: Case, c: Compiled) -> None:
+    """Poses of links and tips, the Jacobian of the last tip and its twist."""
+    (q, v, *_), f = case.given, case.model.numpy()
+    found = c.kinematics(q, v)
+    for given, wanted in zip(found[:4], (*f.link_pose(q), *f.tip_poses(q)), strict=True):
+        near(given, wanted, case.agreement, "poses")
+    near(c.tip_jacobian(q), f.tip_jacobian(q), case.agreement, "Jacobian of the tip")
+    near(found.tip_twist[-1], f.tip_jacobian(q) @ v, case.agreement, "twist of the tip")
+
+
+def parameters(case: Case) -> None:
+    """Numbers that are given at run time make the robot whose file has them, in every back end."""
+    kept = PLACES if case.model.chain.closing.rows else ("at", "from", "to", "axes", "transmission")
+    other = model_of(varied(case.robot, np.random.default_rng(case.seed), kept))
+    (q, v, tau, w_ext), p, model = case.given, np.array(other.parameter_values), case.model
+    assert other.parameter_names == model.parameter_names
+    vdot, energy = other.numpy().forward_dynamics(q, v, tau, w_ext)[0], other.numpy().energy(q, v)
+    found = {x: (f.forward_dynamics(q, v, tau, w_ext)[0], f.energy(q, v))
+             for x, f in (("NumPy", model.numpy(p)), ("C", case.c().fresh(p)))}  # fmt: skip
+    f = model.casadi()
+    found["CasADi"] = np.ravel(f["forward_dynamics"](q, v, tau, w_ext.T, p)[0]), np.ravel(f["energy"](q, v, p))
+    for name, (rates, energies) in found.items():
+        near(rates, vdot, case.tolerance, f"accelerations by {name}")
+        near(energies, energy, case.tolerance, f"energies by {name}")
 
 
 def c_float(case: Case) -> None:

@@ -11,6 +11,8 @@ from screwgen.backends.numpy.closing import closed as shut
 from screwgen.backends.numpy.closing import jacobian
 from screwgen.integrators import METHODS
 
+OUTPUTS = ("tip_position", "tip_velocity", "tip_acceleration", "wrenches", "base_strain")
+
 
 def smooth(case: Case) -> float:
     """What differences leave, relative to the largest entry: their error, and rounding over the step."""
@@ -66,11 +68,11 @@ def kinematic(case: Case, q: np.ndarray, v: np.ndarray, h: float = 1e-4) -> np.n
 
 
 def linear(case: Case) -> None:
-    """The linear model, whose lower rows are the accelerations' slopes, with all inputs named."""
+    """The linear model, whose lower rows are the accelerations' slopes, with all inputs named, and its outputs."""
     q, v, tau, w_ext = case.given
     nv, model = case.model.nv, case.model
     q, v = closed(case)
-    linear = model.linearise(q, v, tau, w_ext)
+    linear = model.linearise(q, v, tau, w_ext, outputs=OUTPUTS, inputs=("torques", "wrenches_on_tips"))
     _, by_q, by_v, by_tau = case.c(derivatives=True).linearise(q, v, tau, w_ext)
     A, B = np.asarray(linear.A), np.asarray(linear.B)
     assert list(linear.input_names[: len(tau)]) == model.tau_names
@@ -80,6 +82,32 @@ def linear(case: Case) -> None:
     near(A[nv:, :nv], by_q, case.tolerance, "A by coordinates")
     near(A[nv:, nv:], by_v, case.tolerance, "A by rates")
     near(B[nv:, : len(tau)], by_tau, case.tolerance, "B")
+    outputs(case, linear, q, v)
+
+
+def outputs(case: Case, linear, q: np.ndarray, v: np.ndarray) -> None:
+    """Places, velocities and accelerations of the tip are each the next one's integral; C and D along a direction."""
+    (_, _, tau, w_ext), model, f, nv = case.given, case.model, case.model.numpy(), case.model.nv
+    vdot, y, along = f.forward_dynamics(q, v, tau, w_ext)[0], linear.y, linear.C[:6] @ np.append(v, linear.vdot)
+    near(y[:3], f.tip_pose(q)[1], case.agreement, "place of the tip")
+    near(along[:3], y[3:6], case.agreement, "velocity of the tip")
+    near(along[3:], y[6:9], case.tolerance, "acceleration of the tip")
+    rng, push = np.random.default_rng(6), np.zeros_like(w_ext)
+    push[model.chain.lasts] = rng.normal(size=(len(model.chain.lasts), 6))
+    x, u = rng.normal(size=2 * nv) * np.append(case.sizes, case.sizes), rng.normal(size=len(tau))
+    pushed = f.forward_dynamics(q, v, tau, w_ext + push)[0] - vdot
+    given = push[model.chain.lasts].ravel()
+    near(linear.B[nv:, len(tau) :] @ given, pushed, 10 * case.tolerance, "B by wrenches")
+
+    def at(t: float) -> np.ndarray:
+        there = case.moved(q, t * x[:nv]), v + t * x[nv:], tau + t * u, w_ext + t * push
+        return model.linearise(*there, outputs=OUTPUTS).y
+
+    coarse, fine = ((at(t) - at(-t)) / (2 * t) for t in (DIFFERENCE, DIFFERENCE / 2))
+    expected, found = (4 * fine - coarse) / 3, linear.C @ x + linear.D @ np.append(u, given)
+    for unit in set(linear.output_units):
+        own = [k for k, name in enumerate(linear.output_units) if name == unit]
+        near(found[own], expected[own], 3 * smooth(case), f"outputs in {unit}")
 
 
 def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-5) -> None:

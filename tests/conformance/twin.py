@@ -9,10 +9,9 @@ from __future__ import annotations
 import copy
 
 import numpy as np
-from oracle_floating import JOINTS
+from oracle_floating import JOINTS, TURNS
 from oracle_link import read_link
 from oracle_sections import property_at
-from test_ball_joints import TURNS
 
 
 def as_pieces(robot: dict) -> dict:

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import re
-import tomllib
-
 import numpy as np
-import pytest
-from helpers import QUICK, model_of, quick_batch, relative
+from helpers import QUICK, quick_batch, relative
 from scipy.linalg import eigvalsh, null_space
 
 import screwgen
@@ -166,37 +162,6 @@ def modes(case: Case) -> None:
         S = np.linalg.solve(T, found.shapes)
         near(S.T @ M @ S, np.eye(len(expected)), 1e-8, "modal masses")
         near(S.T @ K @ S, np.diag((2 * np.pi * expected) ** 2), 1e-6, "modal stiffness")
-
-
-def parameters(case: Case) -> None:
-    """Other numbers of every parameter at run time give in all back ends what a file with these numbers gives."""
-    model, rng = case.model, np.random.default_rng(case.seed)
-    p = np.array(model.parameter_values) * rng.uniform(0.995, 1.005, len(model.parameter_values))
-    q, v, tau, w_ext = case.given
-    expected = flat(model.numpy(p).forward_dynamics(*case.given))
-    vdot, wrench = (x.full() for x in model.casadi()["forward_dynamics"](q, v, tau, w_ext.T, p))
-    near(flat((vdot, wrench.T)), expected, case.agreement, "CasADi")
-    near(flat(case.c().fresh(p).forward_dynamics(*case.given)), expected, case.agreement, "C")
-    if not model.chain.closing.rows:
-        other = model_of(stated(model.robot, dict(zip(model.parameter_names, map(float, p), strict=True))))
-        assert other.parameter_values == pytest.approx(p, rel=1e-12)
-        near(expected, flat(other.numpy().forward_dynamics(*case.given)), case.agreement, "a file of these numbers")
-
-
-def stated(robot: screwgen.Robot, values: dict[str, float]) -> dict:
-    """The robot file with other numbers of its parameters."""
-    table = tomllib.loads(screwgen.dump(robot))
-    links = {link["name"]: link for link in table["links"]}
-    for name, value in values.items():
-        first, *path = [int(x) if x.isdigit() else x for x in re.findall(r"\w+", name)]
-        place = links.get(first, table)
-        path = path if first in links else [first, *path]
-        if path[0] not in place:
-            place = place["modes" if path[0] == "frequencies" else "section"]
-        for key in path[:-1]:
-            place = place[key]
-        place[path[-1]] = value
-    return table
 
 
 def toml(case: Case) -> None:

@@ -1,0 +1,25 @@
+"""Random robots with everything at once against the oracle; `python tests/mixed_arms.py 0 300` judges more of them."""
+
+import numpy as np
+import pytest
+from conftest import swept
+from helpers import arm, link, model_of
+from mixed_arms import EVERY, LAYOUTS, drawn, judged
+
+KEPT = (3, 5)
+
+
+@pytest.mark.parametrize("seed", swept(range(24), 1, 2, *KEPT))
+def test_a_random_robot_equals_the_oracle_in_every_back_end(seed, tmp_path):
+    layout = "modular" if seed in KEPT else LAYOUTS[seed // EVERY % 2] if seed % EVERY == 0 else None
+    judged(drawn(seed, tmp_path), layout)
+
+
+def test_rows_of_a_loop_that_stays_open_are_kept():
+    """Where the gap is smallest, rows depend on each other: that is no place to judge them."""
+    slider = link(
+        "slider", 0.1, [{"slide": [np.cos(0.5), 0.0, np.sin(0.5)]}], joint={"mount": {"rpy": [0.0, 0.5, 0.0]}}
+    )
+    swing = link("swing", 0.3, "y", parent="world", joint={"mount": {"xyz": [0.0, 0.0, 1.0]}})
+    ball = {"between": ["slider.tip", "swing.tip"], "joint": {"axes": ["x", "y", "z"]}}
+    assert [row.text[-1] for row in model_of(arm(slider, swing) | {"loops": [ball]}).chain.closing.rows] == ["x", "z"]

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from floating_robots import SATELLITE
-from helpers import example_dict, model_of
+from helpers import arm, example_dict, link, model_of
 
 from screwgen import Model, simulate
 from screwgen.backends.numpy.closing import closed, moving
@@ -24,17 +24,14 @@ RUNAWAY = 1e4
 TIMES = {"s": 1.0, "ms": 1e-3, "µs": 1e-6}
 
 
+SOFT = {"rhoA": 0.5, "EIz": 20.0, "EIy": 20.0, "rhoIp": 1e-4}
+BENT = {"modes": {"bending_y": 2, "bending_z": 2}}
+
+
 def boom(joint: dict, gravity: float = 0.0, **more) -> dict:
     """A link of 1 m that bends, on one axis, with 1 kg at its tip."""
-    link = {
-        "name": "boom",
-        "length": 1.0,
-        "section": {"rhoA": 0.5, "EIz": 20.0, "EIy": 20.0, "rhoIp": 1e-4},
-        "modes": {"bending_y": 2, "bending_z": 2},
-        "joint": joint,
-        "bodies": [{"at": "tip", "mass": 1.0}],
-    }
-    return {"name": "boom", "gravity": [0.0, 0.0, gravity], "links": [link | more]}
+    own = link("boom", section=SOFT, bodies=[{"at": "tip", "mass": 1.0}], joint=joint, **BENT) | more
+    return arm(own, gravity=(0.0, 0.0, gravity))
 
 
 def weightless(name: str, **joints: dict) -> dict:
@@ -44,14 +41,10 @@ def weightless(name: str, **joints: dict) -> dict:
     return robot | {"links": links}
 
 
-RIGID = {
-    "name": "rigid",
-    "gravity": [0.0, 0.0, 0.0],
-    "links": [
-        {"name": "upper", "length": 0.6, "section": {"rhoA": 3.0, "rhoIp": 4e-3}, "joint": {"axes": ["y", "z"]}},
-        {"name": "fore", "length": 0.5, "section": {"rhoA": 2.0, "rhoIp": 2e-3}, "joint": {"axes": ["z"]}},
-    ],
-}
+RIGID = arm(
+    link("upper", 0.6, "yz", 3.0, section={"rhoIp": 4e-3}), link("fore", 0.5, "z", 2.0, section={"rhoIp": 2e-3}),
+    gravity=(0.0, 0.0, 0.0),
+)  # fmt: skip
 GEAR = {"ratio": 100.0, "rotor_inertia": 2e-5, "stiffness": 2e4, "damping": 5.0}
 GEARED = boom({"axes": ["z"], "drives": [GEAR]}, name="geared")
 SLIDE = boom({"axes": [{"slide": "y"}], "armature": [0.05]}, name="slide")
@@ -97,7 +90,6 @@ UNSTABLE = {
 }  # fmt: skip
 
 
-SOFT = {"rhoA": 0.5, "EIz": 20.0, "EIy": 20.0, "rhoIp": 1e-4}
 WEAK = SOFT | {"EIz": 8.0, "EIy": 8.0}
 TURNING = {"axes": ["y"], "armature": [0.3]}
 

@@ -27,10 +27,6 @@ def ella(layout: str):
     return quick(example("ella"), layout=layout)
 
 
-def pointer(array: np.ndarray):
-    return ctypes.c_void_p(array.ctypes.data)
-
-
 def step(compiled, form: str, method: str, q, v, tau, w_ext, dt=1e-4) -> tuple[int, bool]:
     """Status of one step, and whether it left the state's bits alone."""
     number, dt = list(METHODS).index(method), ctypes.c_double(dt)

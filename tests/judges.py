@@ -1,10 +1,9 @@
 """What random robots of every kind are held against: the oracle, automatic differentiation, one back end another."""
 
 import numpy as np
-from helpers import Case, casadi_forward, quick, relative
+from helpers import Case, casadi_forward, quick
 from oracle import part_error
 
-from screwgen import Model
 from screwgen.runtime.compiled import Compiled
 
 
@@ -56,67 +55,9 @@ def numpy_and_casadi(case: Case) -> None:
     assert np.allclose(numeric.energy(q, v), case.oracle.energy(q, v), rtol=1e-11)
 
 
-def solved_densely(case: Case) -> None:
-    """The DAE form's rows, with the full modal inertia, by a dense LU."""
-    q, v, tau, w_ext = case.inputs
-    functions, p, n = case.model.casadi(), case.model.parameter_values, case.model.n_links
-    x = functions["dae_state"](q, v, p)
-    M, H, W = (np.array(a.full()) for a in functions["assemble"](x, tau, w_ext.T, p))
-    z = np.linalg.solve(M, W - H)[:, 0]
-    wrench, etaddot = z[: 12 * n].reshape(n, 12)[:, :6], z[12 * n :]
-    found = np.append(case.oracle.forward_dynamics(**case.state)[0][: case.model.chain.eta_v], etaddot)
-    assert max(case.oracle.errors(case.state, found, wrench).values()) <= case.tolerance
-
-
 def compiled_dynamics(case: Case, layout: str, derivatives: bool = False) -> Compiled:
     """Forward dynamics of the generated C, in both forms, against the oracle; returns the compiled C."""
     library = quick(case.model, layout=layout, derivatives=derivatives)
     results = {form: library.forward_dynamics(*case.inputs, form=form) for form in ("joint", "dae")}
     check(case, {form: case.oracle.errors(case.state, *result) for form, result in results.items()})
     return library
-
-
-def compiled(case: Case, layout: str) -> None:
-    """The generated C: both forms against the oracle, what else it computes against NumPy."""
-    library, numeric = compiled_dynamics(case, layout, derivatives=True), case.model.numpy()
-    q, v, _, w_ext = case.inputs
-    assert relative(library.mass_matrix(q), numeric.mass_matrix(q)) < 1e-13
-    assert relative(library.inverse_dynamics(q, v, v, w_ext)[0], numeric.inverse_dynamics(q, v, v, w_ext)) < 1e-12
-    assert np.allclose(library.energy(q, v), numeric.energy(q, v), rtol=1e-12)
-    for found, expected in zip(library.linearise(*case.inputs)[1:], numeric.derivatives(*case.inputs), strict=True):
-        assert relative(found, expected) < 10 * case.tolerance
-
-
-def derivatives(case: Case) -> None:
-    """The closed form against automatic differentiation."""
-    f, p = case.model.casadi()["forward_dynamics"], case.model.parameter_values
-    q, v, tau, w_ext = case.inputs
-    J = f.jacobian()(q, v, tau, w_ext.T, p, 0, 0)
-    for found, expected in zip(case.model.numpy().derivatives(*case.inputs), J[:3], strict=True):
-        assert relative(found, expected.full()) < 10 * case.tolerance
-
-
-def differences(model: Model, q, v, tau, w_ext, tolerance=1e-6) -> None:
-    """The closed form against central differences."""
-    numeric, h = model.numpy(), 1e-6
-    vdot = lambda q, v: numeric.forward_dynamics(q, v, tau, w_ext)[0]  # noqa: E731
-    by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
-    for found, change in (
-        (by_q, lambda e: vdot(q + e, v) - vdot(q - e, v)),
-        (by_v, lambda e: vdot(q, v + e) - vdot(q, v - e)),
-    ):
-        expected = np.array([change(h * e) / (2 * h) for e in np.eye(len(q))]).T
-        assert np.allclose(found, expected, rtol=0, atol=tolerance * abs(expected).max())
-
-
-def numpy_forms(case: Case) -> None:
-    """Both forms in NumPy against the oracle."""
-    for form in (case.model.numpy().forward_dynamics, case.model.numpy().dae_forward_dynamics):
-        assert max(case.oracle.errors(case.state, *form(*case.inputs)).values()) <= case.tolerance
-
-
-def c_forms(case: Case, layout: str) -> None:
-    """Both forms of the generated C against the oracle."""
-    for form in ("joint", "dae"):
-        found = quick(case.model, layout=layout).forward_dynamics(*case.inputs, form)
-        assert max(case.oracle.errors(case.state, *found).values()) < case.tolerance

@@ -7,7 +7,6 @@ import pinocchio as pin
 import pytest
 import random_robots as rr
 from helpers import arm, link, model_of, relative
-from test_loops import plain
 
 from screwgen import OpenLoopError, RobotFileError, UsageError, assemble, dump, load, simulate
 from screwgen.cli.main import main
@@ -15,32 +14,6 @@ from screwgen.interchange.load import import_urdf
 from screwgen.interchange.tree import Options
 from screwgen.interchange.urdf_write import export_urdf
 from screwgen.model import derive
-
-
-def names(robot: dict) -> list[str]:
-    """The coordinates of all axes that no elastic gear and no transmission drives."""
-    found = []
-    for x in robot["links"]:
-        drives = x["joint"].get("drives") or [{}] * len(x["joint"]["axes"])
-        for k, (axis, drive) in enumerate(zip(x["joint"]["axes"], drives, strict=True)):
-            kind = "slide" if isinstance(axis, dict) and "slide" in axis else "joint"
-            if "stiffness" not in drive and "transmission" not in drive:
-                found.append(f"{x['name']}.{kind}[{k}]")
-    return found
-
-
-def coupled(rng, robot: dict, state: dict, count: int = 1, among: list[str] | None = None) -> dict:
-    """The robot with couplings between random axes, of all or `among` these, that the state satisfies."""
-    every = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
-    free = names(robot) if among is None else among
-    order = rng.permutation(len(free))[: 2 * count]
-    couplings = []
-    for axis, of in zip(order[::2], order[1::2], strict=False):
-        ratio = round(float(rng.uniform(-2, 2)), 3)
-        q = {name: state["q"][every.index(plain(name))] for name in (free[axis], free[of])}
-        offset = float(q[free[axis]] - ratio * q[free[of]])
-        couplings.append({"axis": free[axis], "of": free[of], "ratio": ratio, "offset": offset})
-    return robot | {"couplings": couplings}
 
 
 def geared() -> dict:

@@ -1,6 +1,5 @@
 """What drives through cylinders and through linkages are held against alike."""
 
-import casadi as ca
 import numpy as np
 import pytest
 from helpers import QUICK, relative
@@ -58,12 +57,3 @@ def estimated(model: Model, push: np.ndarray, start: np.ndarray) -> None:
         estimator.predict(push, np.zeros((2, 6)), 1e-3)
         estimator.update(push, np.zeros((2, 6)), encoder=q[:2])
     assert np.allclose(estimator.state[0], truth.q[-1], atol=2e-4)
-
-
-def acados_agrees(model: Model, labels: tuple[str, ...], u: list[float]) -> None:
-    """The export's inputs, and that its implicit and explicit forms are one."""
-    export, x = model.acados(), np.linspace(-0.1, 0.1, 2 * model.nq)
-    f = ca.Function("f", [export.x, export.xdot, export.u, export.p], [export.f_impl_expr, export.f_expl_expr])
-    rates = f(x, 0 * x, u, model.parameter_values)[1]
-    assert export.u_labels == labels
-    assert np.abs(f(x, rates, u, model.parameter_values)[0].full()).max() < 1e-9

@@ -12,7 +12,7 @@ from helpers import model_of, quick
 
 from conformance.arms import arm_of, varied
 from conformance.features import FACTORS, Row, features
-from conformance.judge import Judge
+from conformance.judge import Judge, drawn
 from screwgen import Model
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled
@@ -44,7 +44,7 @@ class Case:
     @cached_property
     def judge(self) -> Judge:
         robot = arm_of(self.row)
-        return Judge(self.row, varied(robot, np.random.default_rng(self.seed)) if self.drawn else robot, self.seed)
+        return drawn(self.row, varied(robot, np.random.default_rng(self.seed)) if self.drawn else robot, self.seed)
 
     @cached_property
     def folder(self) -> Path:

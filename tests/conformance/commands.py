@@ -13,6 +13,7 @@ from random_robots import to_toml
 
 from conformance.cases import STEP, Case
 from conformance.numbers import near
+from conformance.twin import first_piece
 from conformance.uses import closed
 from screwgen import ScrewgenError
 
@@ -121,7 +122,7 @@ def urdf(case: Case) -> None:
     pinocchio.framesForwardKinematics(rigid, data, pinocchio.neutral(rigid))
     names = [x["name"] for x in case.judge.twin["links"]]
     for link in case.robot["links"]:
-        first = names.index(link["name"] if link.get("segments", 1) == 1 else f"{link['name']}_0")
+        first = names.index(first_piece(link))
         frame = data.oMf[rigid.getFrameId(link["name"])]
         near(frame.rotation, poses["R"][first], 1e-9, link["name"])
         assert np.max(np.abs(frame.translation - poses["joint_point"][first])) < 1e-9, link["name"]

@@ -7,12 +7,13 @@ import jax
 import numpy as np
 from helpers import EPS32, model_of, quick_batch, relative
 
-from conformance.arms import varied
+from conformance.arms import PLACES, varied
 from conformance.cases import STEP, Case
 from screwgen import rollout
 from screwgen.algorithms.robot_functions import offered, shape
 from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
+from screwgen.simulation.mobility import closing
 from screwgen.simulation.simulate import stepper
 
 
@@ -82,8 +83,9 @@ def numpy_dae(case: Case) -> None:
     M, H, W = f.assemble(x, tau, w_ext)
     z = np.linalg.solve(M, W - H)
     z += np.linalg.solve(M, W - H - M @ z)
-    n = case.model.n_links
-    near(z[: 12 * n].reshape(n, 12)[:, :6], wrench, case.tolerance * 10, "wrenches of the assembled rows")
+    n, eta = case.model.n_links, case.model.chain.eta_v
+    errors = case.judge.errors(np.append(vdot[:eta], z[12 * n :]), z[: 12 * n].reshape(n, 12)[:, :6])
+    assert max(errors.values()) <= case.tolerance * 10, f"of the assembled rows: {errors}"
 
 
 def casadi(case: Case) -> None:
@@ -109,22 +111,36 @@ def casadi(case: Case) -> None:
 def acados(case: Case) -> None:
     """The implicit rows vanish at the accelerations of the explicit ones, in a state whose loops are slightly open.
 
-    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics.
+    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics; those of the DAE form
+    are joint wrenches and accelerations alone.
     """
-    (q, v, tau, w_ext), export = case.given, case.model.acados(w_ext=True)
-    x = np.append(case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v))), v)
+    (q, v, tau, w_ext), export, numeric = case.given, case.model.acados(w_ext=True), case.model.numpy()
+    q = case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v)))
     p = np.concatenate([case.model.parameter_values, np.ravel(w_ext)])
-    explicit = ca.Function("rates", [export.x, export.u, export.p], [export.f_expl_expr])(x, tau, p)
-    near(explicit.full()[case.model.nq :, 0], case.model.numpy().forward_dynamics(x[: len(q)], v, tau, w_ext)[0],
-         case.tolerance, "accelerations")  # fmt: skip
+    explicit = ca.Function("rates", [export.x, export.u, export.p], [export.f_expl_expr])(np.append(q, v), tau, p)
+    expected = numeric.forward_dynamics(q, v, tau, w_ext)[0]
+    near(explicit.full()[case.model.nq :, 0], expected, case.tolerance, "accelerations")
+    forces = unknowns(case, export, np.append(q, v), explicit, p)
+    rows = case.model.chain.closing.rows
+    assert len(forces) == len(export.z_labels) == len(rows) and list(export.u_labels) == case.model.tau_names
+    if rows:
+        on_tips = closing(case.model)(q, np.zeros(len(v)), forces, case.model.parameter_values)[4].full().T
+        near(on_tips, numeric.loop_wrenches(q, v, tau, w_ext), 100 * case.tolerance, "wrenches of loops")
+    x = numeric.dae_state(q, v)
+    unknowns(case, case.model.acados("dae", w_ext=True), x, numeric.dae_rates(x, tau, w_ext)[0], p)
+
+
+def unknowns(case: Case, export, x, rates, p) -> np.ndarray:
+    """The algebraic unknowns with which the implicit rows of an export vanish at these rates, as they must."""
     rows = ca.Function("rows", [export.xdot, export.z, export.x, export.u, export.p], [export.f_impl_expr])
-    at = lambda z: rows(explicit, z, x, tau, p).full()[:, 0]  # noqa: E731
+    at = lambda z: rows(rates, z, x, case.given[2], p).full()[:, 0]  # noqa: E731
     count = export.z.numel()
     start = at(np.zeros(count))
     slopes = np.array([at(e) - start for e in np.eye(count)]).reshape(count, len(start)).T
     z = np.linalg.lstsq(slopes, -start, rcond=None)[0]
-    size = max(np.abs(start).max(), np.abs(case.judge.forces).max(), 1.0)
-    assert np.abs(start + slopes @ z).max() <= 100 * case.tolerance * size, f"{start + slopes @ z} of {size:.1e}"
+    left, size = start + slopes @ z, max(np.abs(start).max(), np.abs(case.judge.forces).max(), 1.0)
+    assert np.abs(left).max() <= 100 * case.tolerance * size, f"{left} of {size:.1e}"
+    return z
 
 
 def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
@@ -185,10 +201,11 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
     for row in offered(case.model.chain):
         if row.c_file:
             near(flat(getattr(c, row.name)(q, v, tau, w_ext)), expected[row.name], case.agreement, row.name)
+    x = c.dae_state(q, v)
+    near(x, case.model.numpy().dae_state(q, v), case.agreement, "state of the DAE form")
     for method in METHODS:
         near(np.concatenate(c.step(q, v, tau, w_ext, STEP, method)), np.concatenate(stepped(case, method)),
              case.agreement, method)  # fmt: skip
-        x = c.dae_state(q, v)
         there = stepper(case.model, method, "dae").step(x, tau, w_ext, STEP)
         near(c.dae_step(x, tau, w_ext, STEP, method), there, 10 * case.agreement, f"{method} of the DAE form")
 
@@ -218,7 +235,8 @@ def postures(case: Case, c: Compiled) -> None:
 
 def parameters(case: Case) -> None:
     """Numbers that are given at run time make the robot whose file has them, in every back end."""
-    other = model_of(varied(case.robot, np.random.default_rng(case.seed)))
+    kept = PLACES if case.model.chain.closing.rows else ("at", "from", "to", "axes", "transmission")
+    other = model_of(varied(case.robot, np.random.default_rng(case.seed), kept))
     (q, v, tau, w_ext), p, model = case.given, np.array(other.parameter_values), case.model
     assert other.parameter_names == model.parameter_names
     vdot, energy = other.numpy().forward_dynamics(q, v, tau, w_ext)[0], other.numpy().energy(q, v)

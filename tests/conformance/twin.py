@@ -28,6 +28,11 @@ def as_pieces(robot: dict) -> dict:
     return robot | {"links": links}
 
 
+def first_piece(link: dict) -> str:
+    """The name of the first of the links that a link of the robot is there."""
+    return link["name"] + "_0" * (link.get("segments", 1) > 1)
+
+
 def _piece(link: dict, i: int, k: int) -> dict:
     kept = ("name", "parent", "at", "joint", "bodies", "segments", "markers", "tendons")
     piece = {key: copy.deepcopy(x) for key, x in link.items() if key not in kept}

@@ -1,14 +1,14 @@
 """Accelerations and joint wrenches of random robots against the oracle: an independent Lagrangian.
 
-Every back end, both forms: NumPy, CasADi and the compiled C, joint form and DAE form. Each of the parts joint
-accelerations, modal accelerations, joint moments and joint forces is measured against its own largest entry and
-must be right to max(1e-10, 50 eps cond M).
+Every back end, both forms, and every function: NumPy, CasADi and the compiled C. Each of the parts joint accelerations,
+modal accelerations, joint moments and joint forces is measured against its own largest entry and must be right to
+max(1e-10, 50 eps cond M).
 """
 
-import judges
 import pytest
 from conftest import swept
 from helpers import EPS32, disagreement, drawn, quick
+from mixed_arms import case_of, judged
 
 SEEDS = range(50)
 """Ten robots of each number of links, from one to five."""
@@ -17,8 +17,7 @@ SEEDS = range(50)
 @pytest.mark.parametrize("seed", swept(SEEDS, *SEEDS[:5], 6, 7))
 def test_accelerations_and_wrenches(seed):
     case = drawn(seed, 1 + seed % 5)
-    judges.numpy_and_casadi(case)
-    judges.compiled_dynamics(case, ("fused", "modular")[seed % 2])
+    judged(case_of(case.robot, case.state), ("fused", "modular")[seed % 2])
 
 
 @pytest.mark.parametrize("seed", swept(range(4), 0, 1))

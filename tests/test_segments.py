@@ -6,8 +6,8 @@ from functools import cache
 
 import numpy as np
 import pytest
-from divided import state
 from helpers import ROOT, arm, link, model_of
+from step_judges import point
 
 import screwgen
 from screwgen import Robot
@@ -144,7 +144,7 @@ def test_the_base_gauge_measures_the_whole_link():
 
 def test_lines_are_drawn_through_the_segments():
     model, s = divided(4), np.linspace(0, 1, 9)
-    q = state(model, 3)[0]
+    q = point(model, 3, 2.0, 2e-3)[0]
     (R, r), tips = model.numpy().link_pose(q), model.numpy().tip_poses(q)[1]
     lines = motion.centrelines(model, q, s)
     assert lines.shape == (2, 9, 3)

@@ -3,14 +3,12 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from conftest import require_tool
+from helpers import ROOT
 
 pytestmark = pytest.mark.examples
-
-ROOT = Path(__file__).resolve().parents[1]
 
 
 def test_do_mpc_closes_the_loop_on_ella():

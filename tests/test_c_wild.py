@@ -6,8 +6,7 @@ import pytest
 from c_tools import SANITIZERS
 from conformance.c_wild import program
 from conftest import require_tool, swept
-from feature_robots import FEATURES
-from test_c_warnings import CONTROL, WITHOUT_CONTROL, write
+from feature_robots import CONTROL, FEATURES, WITHOUT_CONTROL, write
 
 EXAMPLES = ("main.c", "check.c", "mpc_main.c")
 

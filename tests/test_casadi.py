@@ -76,18 +76,6 @@ def test_one_rigid_link_has_steps():
     assert float(v) == pytest.approx(0.2 + 1e-4 * vdot, abs=1e-7) and float(q) == pytest.approx(0.1 + 2e-5, abs=1e-6)
 
 
-@pytest.mark.parametrize("name", ["ella", "six_link"])
-def test_tip_jacobian_is_that_of_virtual_work(name):
-    """A wrench on the tip section does its work on J v: in the bias it is -Jᵀ w, in inertial components."""
-    model, given = example(name), arguments(example(name))
-    q, w = given["q"], np.zeros((model.n_links, 6))
-    w[-1] = given["w_ext"][:, -1]
-    still = np.zeros(model.nq)
-    force = model.numpy().bias(q, still, w) - model.numpy().bias(q, still, None)
-    J, R = np.array(model.casadi()["tip_jacobian"](q, given["p"])), model.numpy().tip_pose(q)[0]
-    assert relative(-J.T @ (w[-1].reshape(2, 3) @ R.T).ravel(), force) < 1e-10
-
-
 def test_scaling_makes_energies_alike():
     """A mode at its size holds the energy E, a joint or mode at its rate has it; torques do 2 E over a radian."""
     model = example("ella")
@@ -153,28 +141,6 @@ def test_names_and_shapes_are_the_contracts(name, size):
 
 
 # -------- what users do
-
-
-@pytest.mark.parametrize("kind", [ca.SX, ca.MX])
-def test_functions_take_symbols(kind):
-    model = example("ella")
-    given = arguments(model)
-    for name in NAMES:
-        f = model.casadi()[name]
-        symbols = [kind.sym(n, *f.size_in(n)) for n in f.name_in()]
-        again = ca.Function("again", symbols, f.call(symbols), f.name_in(), f.name_out())
-        for a, b in zip(called(again, given), called(f, given), strict=True):
-            assert np.array_equal(a, b)
-
-
-def test_functions_survive_a_file(tmp_path):
-    model = example("six_link")
-    given = arguments(model)
-    for name in NAMES:
-        f = model.casadi()[name]
-        f.save(str(tmp_path / name))
-        for a, b in zip(called(ca.Function.load(str(tmp_path / name)), given), called(f, given), strict=True):
-            assert np.array_equal(a, b)
 
 
 def test_casadis_own_c_gives_the_same(tmp_path):

@@ -6,11 +6,11 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conformance.c_warnings import WARNINGS
 from floating_robots import SATELLITE, rod
 from helpers import QUICK, model_of
 from scipy.spatial.transform import Rotation
 from sensors import felt, measured
-from test_c_code import WARNINGS
 
 from screwgen import ScrewgenError, UsageError
 from screwgen.backends.numpy.dae_step import SERIES

@@ -46,11 +46,6 @@ def pushed(unit: Unit, seed=0) -> Unit:
 
 
 @every_target
-def test_fmpy_has_no_findings(target):
-    assert validate_fmu(str(written(target)[1])) == []
-
-
-@every_target
 @pytest.mark.parametrize("method", METHODS)
 def test_a_step_is_that_of_the_c(target, method):
     """One internal step per communication step, and ten: bit for bit."""

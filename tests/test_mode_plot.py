@@ -13,30 +13,13 @@ from screwgen.cli.main import main
 from screwgen.plotting.look import view
 from screwgen.plotting.mode_plot import STATIONS, TURN, amplified, field, figure, meaning, png, sections
 from screwgen.simulation.motion import centrelines
-from screwgen.studies.modes import mode_shapes, natural_frequencies
+from screwgen.studies.modes import mode_shapes
 
 SETPOINTS = [-0.4928, 0.6922, 0.4270]
 
 
 def posture(model, joints=SETPOINTS):
     return np.append(joints, np.zeros(model.nq - len(joints)))
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_shapes_solve_the_eigenvalue_problem_of_the_oracle(seed):
-    """`K φ = ω² M φ` for what moves, with unit modal mass; the oracle's M and K."""
-    robot, state, oracle = rr.draw_regular(np.random.default_rng(seed), limit=1e6, max_links=2)
-    model, q = model_of(robot), state["q"]
-    for joints, first in (("locked", oracle.n_joint), ("free", 0)):
-        found, moving = mode_shapes(model, q, joints), slice(first, None)
-        M, K, phi = oracle.mass_matrix(q)[moving, moving], oracle.K[moving, moving], found.shapes[moving]
-        assert not found.shapes[:first].any() and len(found.frequencies) + found.rigid == len(M)
-        assert np.allclose(phi.T @ M @ phi, np.eye(phi.shape[1]), atol=1e-9)
-        left, right = K @ phi, M @ phi * (2 * np.pi * found.frequencies) ** 2
-        assert np.allclose(left, right, atol=1e-8 * np.abs(left).max(initial=1e-300))
-        assert np.array_equal(
-            np.append(np.zeros(found.rigid), found.frequencies), natural_frequencies(model, q, joints)
-        )
 
 
 def test_centrelines_run_from_joint_to_tip():

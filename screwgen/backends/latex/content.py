@@ -91,7 +91,7 @@ class DocumentSection:
     """Whether it has further forms of the equations, which the algorithm does not need."""
 
 
-SYMBOLS, PARAMETERS = "Symbols", "Parameters"
+SYMBOLS, PARAMETERS, MODES = "Symbols", "Parameters", "Modes in numbers"
 """The titles of the tables in which readers look things up."""
 
 Named = tuple[str, str, str, str, str, Binding | None]

@@ -20,10 +20,10 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..numpy.loop_rows import choose_rows
 from ..templates import render
-from . import algorithm, check_value, coordinates, elements, motion, tables, text
+from . import algorithm, check_value, coordinates, elements, motion, numbers, tables, text
 from .algorithm import ALGORITHM
 from .blocks import LETTERS
-from .content import CITATION, PARAMETERS, SYMBOLS, Document, DocumentSection, Heading, Item, Paragraph, parse
+from .content import CITATION, MODES, PARAMETERS, SYMBOLS, Document, DocumentSection, Heading, Item, Paragraph, parse
 from .drawing_writers import picture
 from .joints import joints
 from .layout import one_line
@@ -119,6 +119,8 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     sections.append(_derivation(robot, chain))
     sections += [s for chapter in chapters for s in chapter.sections]
     sections += _classes(chain, parts, shown_steps, appendix=True)
+    if (table := numbers.modes(chain)) is not None:
+        sections.append(DocumentSection(MODES, [Paragraph(numbers.ALONE), table]))
     sections += [
         DocumentSection(SYMBOLS, [tables.symbols(occurring(symbols, sections))]),
         DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 import mpmath
 import numpy as np
@@ -27,6 +27,8 @@ BLOCKS = ("link", "tip", "tip_body", "joint")
 """The blocks that have the constants of a link."""
 MANY_LINKS, MANY_ENTRIES = 12, 81
 """Numbers of more links, and matrices with more entries, are not listed."""
+MODAL = ("M_eta", "K")
+"""The quantities of the table of modes."""
 MANY_FREQUENCIES = 8
 """Further frequencies of a link are not listed."""
 ALONE = (
@@ -53,12 +55,24 @@ def numbers(chain: Chain) -> dict[str, dict[str, Table]]:
     return out
 
 
-def _of_link(chain: Chain, i: int) -> dict[str, Table]:
+def modes(chain: Chain) -> DocumentTable | None:
+    """The table of :func:`mode_table`, without the numbers of all other symbols."""
+    found: dict[str, dict[str, Table]] = {}
+    for i, name in enumerate(chain.names[:MANY_LINKS]):
+        for display, table in _of_link(chain, i, MODAL).items() if chain.keys[i].modes else ():
+            found.setdefault(display, {})[name] = table
+    return mode_table(chain, found)
+
+
+def _of_link(chain: Chain, i: int, names: Collection[str] = ()) -> dict[str, Table]:
+    """``names``: those of the quantities that are wanted, all if there are none."""
     key, out = chain.keys[i], {}
-    blocks = [derived(key)[name] for name in BLOCKS]
-    known = values(chain, i, blocks)
+    blocks = [derived(key)[name] for name in (("link",) if names else BLOCKS)]
+    known = values(chain, i, blocks, names)
     for block in blocks:
         for name, entries in _constants(block).items():
+            if names and name not in names:
+                continue
             symbols = set().union(*(entry.free_symbols for entry in entries.flat))
             if 0 < entries.size <= MANY_ENTRIES and all(symbol.name in known for symbol in symbols):
                 table = [[_number(entry, known) for entry in row] for row in entries]
@@ -83,10 +97,11 @@ def entries(chain: Chain) -> dict[str, tuple[str, tuple[int, int]]]:
     return out
 
 
-def values(chain: Chain, i: int, blocks: list[Block]) -> Mapping[str, mpmath.mpf]:
-    """The constants of a link by label, from the parameters of the file."""
+def values(chain: Chain, i: int, blocks: list[Block], names: Collection[str] = ()) -> Mapping[str, mpmath.mpf]:
+    """The constants of a link by label, from the parameters of the file; those of some quantities or of all."""
     places, p = chain.parameter_labels[i], parameters(chain.robot)
-    labels = {s.name for b in blocks for e in _constants(b).values() for x in e.flat for s in x.free_symbols}
+    wanted = [e for b in blocks for name, e in _constants(b).items() if not names or name in names]
+    labels = {s.name for e in wanted for x in e.flat for s in x.free_symbols}
     program = preparation(chain.keys[i], tuple(sorted(labels)))
     with mpmath.workdps(30):
         given = {name: [mpmath.mpf(p[places[name[2:]]].value)] for name in program.inputs}
@@ -108,7 +123,7 @@ def mode_table(chain: Chain, found: Mapping[str, Mapping[str, Table]]) -> Docume
 
 def _modes(chain: Chain, i: int, found: Mapping[str, Mapping[str, Table]]) -> Iterator[tuple[str, ...]]:
     key, name, signal = chain.keys[i], chain.names[i], derived(chain.keys[i])["link"].signal
-    columns = [found.get(written(signal(label)), {}).get(name) for label in ("M_eta", "K")]
+    columns = [found.get(written(signal(label)), {}).get(name) for label in MODAL]
     if not key.modes or None in columns:
         return
     inertia, stiffness = (np.ravel(column) for column in columns if column is not None)

@@ -20,6 +20,7 @@ from ..templates import folder, markup, render
 from . import code_lines, diagram, numbers, text
 from .code_lines import CodeLines, GeneratedC
 from .content import (
+    MODES,
     PARAMETERS,
     SYMBOLS,
     Display,
@@ -52,7 +53,6 @@ TORQUE = "tau["
 FORWARD = "forward_dynamics"
 SYMBOL_HEAD = ("symbol", "meaning", "unit")
 """The first columns of tables whose rows say what is known of a symbol in a formula."""
-MODES = "modes"
 """The anchor of the table of modes."""
 BOLD = r"(?:\\\w+\{)*\\(?:mathbf|boldsymbol)\{"
 
@@ -243,7 +243,7 @@ def _name_rows(sections: Sequence[PageSection]) -> None:
             item.rows = [f"y{next(symbols)}" for _ in rows]
         elif section.title == PARAMETERS:
             item.rows = [f"p{k}" for k in range(len(rows))]
-        elif section.anchor == MODES:
+        elif section.title == MODES:
             item.rows = [f"mode-{row[1].strip('`')}{f'-{row[2]}' * (row[2] != '1')}" for row in rows]
 
 
@@ -259,15 +259,10 @@ def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> I
 
 
 def _frequencies(more: Extras) -> Iterator[PageSection]:
-    """The modes of the links in numbers, and the frequencies of the links."""
-    for title, anchor, about, table in (
-        ("Modes in numbers", MODES, numbers.ALONE, more.modes),
-        ("Frequencies of the links", "held", numbers.HELD, more.held),
-    ):
-        if table is not None:
-            items = [PageItem(Paragraph(about), f"{anchor}-about", CLASSES)]
-            items.append(PageItem(table, f"{anchor}-table", CLASSES))
-            yield PageSection(DocumentSection(title, []), anchor, 0, items)
+    """The frequencies of the links."""
+    if more.held is not None:
+        items = [PageItem(Paragraph(numbers.HELD), "held-about", CLASSES), PageItem(more.held, "held-table", CLASSES)]
+        yield PageSection(DocumentSection("Frequencies of the links", []), "held", 0, items)
 
 
 def _items(

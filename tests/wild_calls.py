@@ -2,7 +2,7 @@
 
 The robots are those of the matrix that hold every feature, by their numbers; each is built with runtime parameters in
 double and with baked ones in float, with all options, and with a predictive controller where it can have one. What is
-asked of every call stands in :mod:`conformance.c_wild`; sanitizers, or valgrind over scratch that nobody wrote, watch.
+asked of every call stands in :mod:`conformance.c_wild`; sanitizers watch, or valgrind.
 """
 
 from __future__ import annotations

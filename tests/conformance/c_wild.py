@@ -71,9 +71,7 @@ def program(folder: Path, name: str) -> str:
     lines += ["static void (*const CALLS[])(void) = {", *(f"    call_{k}," for k in range(len(found))), "};", ""]
     said = "\n".join(f'    "{f.name}",' for f in found)
     lines += ["static const char *const NAMES[] = {", said, "};", "", "int main(int argc, char **argv)", "{"]
-    for kind in kinds:
-        made = "scratch" if kind.endswith("work") else "block"
-        lines.append(f"    {_variable(kind, name)} = {made}(sizeof({kind}));")
+    lines += [f"    {_variable(kind, name)} = block(sizeof({kind}));" for kind in kinds]
     lines += ["    return campaign(CALLS, NAMES, (int)(sizeof CALLS / sizeof CALLS[0]), argc, argv);", "}", ""]
     return "\n".join(lines)
 
@@ -137,7 +135,18 @@ def _vary(name: str, kinds: dict[str, None], texts: str) -> list[str]:
         lines += [f"    if (one_in({2 if kind in ('state', 'input', 'measurement') else 12})) {{", f"    {whole}"]
         lines += [f"        choose(&{real}->{own}, sizeof {real}->{own});" for own in integers]
         lines += ["    }"]
+    places = {"state": "the_state->", "dae_state": "the_dae_state->"}
+    places |= {"state ": "the_estimator->state."} if f"{name}_estimator" in kinds else {}
+    for kind, place in places.items():
+        lines += _without_absent(texts, f"{name}_{kind.strip()}", place) if f"{name}_{kind.strip()}" in kinds else []
     return [*lines, "}"]
+
+
+def _without_absent(texts: str, kind: str, place: str) -> list[str]:
+    """Members that have an entry for C's sake alone, where the robot has none, are zero: no function looks at them."""
+    body = next((b for b, own in re.findall(r"typedef struct \{([^{}]*)\} (\w+);", texts) if own == kind), "")
+    found = re.findall(r"(\w+)\[\(\(([^()]+)\) > 0 \? \(\2\) : 1\)\]", body)
+    return [f"    if (!(({n}) > 0)) {{ memset({place}{own}, 0, sizeof {place}{own}); }}" for own, n in found]
 
 
 def _call(number: int, function: Prototype, name: str) -> list[str]:

@@ -16,18 +16,15 @@ import secrets
 import shutil
 import stat
 import sys
-import time
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import suppress
 from pathlib import Path
 
 from .errors import ScrewgenError, UsageError
+from .unfinished import claimed_folder, remove_if_abandoned
 
 MANIFEST = "MANIFEST.sha256"
 AT_FDCWD, RENAME_EXCHANGE = -100, 2
 """Of Linux' renameat2."""
-ABANDONED = 24 * 3600.0
-"""A new folder that is not in its place after so many seconds belongs to a process that was killed."""
 
 
 def write_folder(path: str | os.PathLike, files: Mapping[str, bytes], replaces: tuple[str, ...]) -> list[str]:
@@ -114,12 +111,12 @@ def _put(target: Path, tree: Mapping[str, bytes]) -> None:
     staged, aside = _beside(target, "new"), _beside(target, "old")
     mode, inode = stat.S_IMODE(target.stat().st_mode) if target.exists() else None, -1
     try:
-        staged.mkdir(mode=0o777 if mode is None else 0o700)
-        inode = staged.stat().st_ino
-        _fill(staged, tree)
-        if mode is not None:
-            staged.chmod(mode)
-        _swap(staged, target, aside)
+        with claimed_folder(staged, 0o777 if mode is None else 0o700):
+            inode = staged.stat().st_ino
+            _fill(staged, tree)
+            if mode is not None:
+                staged.chmod(mode)
+            _swap(staged, target, aside)
     except KeyboardInterrupt:
         if os.path.lexists(target) and target.stat().st_ino == inode:
             raise KeyboardInterrupt(f"interrupted when {target} was written already") from None
@@ -172,6 +169,4 @@ def _recover(target: Path) -> None:
         if left and role == "old" and not os.path.lexists(target):
             os.rename(max(left, key=lambda folder: folder.stat().st_mtime), target)
         for folder in left:
-            with suppress(FileNotFoundError):
-                if time.time() - folder.stat().st_mtime > ABANDONED:
-                    shutil.rmtree(folder, ignore_errors=True)
+            remove_if_abandoned(folder)

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import random_robots as rr
 from drive_robots import MIXED
-from helpers import arm, equal_links, example_dict, link, model_of
+from helpers import arm, equal_links, example_dict, link, model_of, unfolded
 from varying_robots import tapered_arm
 
 from screwgen.backends.c.project import CProject
@@ -62,8 +62,7 @@ def written(name: str, binding="runtime") -> dict[str, str]:
 
 
 def write_into(folder, name: str, binding="runtime") -> dict[str, str]:
-    for file, text in written(name, binding).items():
-        (folder / file).write_text(text)
+    unfolded(folder, written(name, binding))
     return written(name, binding)
 
 

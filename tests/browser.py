@@ -98,11 +98,6 @@ class Browser(Page):
     def resize(self, width: int, height: int, mobile: bool = False) -> None:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=mobile)
 
-    def prefer(self, **features: str) -> None:
-        """Media features, such as prefers_color_scheme="dark"."""
-        named = [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]
-        self.call("Emulation.setEmulatedMedia", features=named)
-
     def go(self, url: str) -> None:
         self.call("Page.navigate", url=url)
 

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from helpers import arm, example_dict, link, model_of
+from helpers import arm, example_dict, link, model_of, unfolded
 
 from screwgen import Model
 from screwgen.backends.c.project import CProject
@@ -77,7 +77,4 @@ def write_robot(kind: Kind, folder: Path, whole=True) -> list[str]:
 
     ``whole``: with derivatives and batch.
     """
-    texts = _texts(kind.robot, kind.layout, whole)
-    for name, text in texts.items():
-        (folder / name).write_text(text)
-    return sorted(n for n in texts if n.endswith(".c") and n not in ("main.c", "check.c"))
+    return unfolded(folder, _texts(kind.robot, kind.layout, whole))

@@ -19,9 +19,7 @@ from hypothesis import settings
 MISSING = "tool not installed: "
 NAMED = os.environ.get("CC")
 UNOPTIMISED = os.path.join(os.path.dirname(__file__), "tools", "cc")
-SLOWEST = (
-    "ella_paper guides mpc demo bench do_mpc static_analysis firmware generated c_code latex_pages cli_paper".split()
-)
+SLOWEST = "ella_paper guides mpc examples bench static_analysis firmware generated c_code latex_pages cli_paper".split()
 
 # The same examples on every machine and every day, and nothing written into the checkout.
 hypothesis.configuration.set_hypothesis_home_dir(os.path.join(tempfile.gettempdir(), "screwgen-hypothesis"))

@@ -1,13 +1,8 @@
-"""Loops of control that are unstable at their step, and the limits of real runs: `python tests/control_loops.py`.
-
-A run's own limit is found by bisection over runs in the compiled C that start at the goal with a small rate of every
-coordinate: a loop counts as unstable where rates grow as the examination of loops allows no oscillation to grow.
-"""
+"""Loops of control, unstable and stable at their steps; how runs of theirs grow, and what is said of them."""
 
 from __future__ import annotations
 
 import re
-import sys
 import warnings
 from collections.abc import Callable
 from functools import cache
@@ -15,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from floating_robots import SATELLITE
-from helpers import example_dict, model_of
+from helpers import arm, example_dict, link, model_of
 
 from screwgen import Model, simulate
 from screwgen.backends.numpy.closing import closed, moving
@@ -29,17 +24,14 @@ RUNAWAY = 1e4
 TIMES = {"s": 1.0, "ms": 1e-3, "µs": 1e-6}
 
 
+SOFT = {"rhoA": 0.5, "EIz": 20.0, "EIy": 20.0, "rhoIp": 1e-4}
+BENT = {"modes": {"bending_y": 2, "bending_z": 2}}
+
+
 def boom(joint: dict, gravity: float = 0.0, **more) -> dict:
     """A link of 1 m that bends, on one axis, with 1 kg at its tip."""
-    link = {
-        "name": "boom",
-        "length": 1.0,
-        "section": {"rhoA": 0.5, "EIz": 20.0, "EIy": 20.0, "rhoIp": 1e-4},
-        "modes": {"bending_y": 2, "bending_z": 2},
-        "joint": joint,
-        "bodies": [{"at": "tip", "mass": 1.0}],
-    }
-    return {"name": "boom", "gravity": [0.0, 0.0, gravity], "links": [link | more]}
+    own = link("boom", section=SOFT, bodies=[{"at": "tip", "mass": 1.0}], joint=joint, **BENT) | more
+    return arm(own, gravity=(0.0, 0.0, gravity))
 
 
 def weightless(name: str, **joints: dict) -> dict:
@@ -49,14 +41,10 @@ def weightless(name: str, **joints: dict) -> dict:
     return robot | {"links": links}
 
 
-RIGID = {
-    "name": "rigid",
-    "gravity": [0.0, 0.0, 0.0],
-    "links": [
-        {"name": "upper", "length": 0.6, "section": {"rhoA": 3.0, "rhoIp": 4e-3}, "joint": {"axes": ["y", "z"]}},
-        {"name": "fore", "length": 0.5, "section": {"rhoA": 2.0, "rhoIp": 2e-3}, "joint": {"axes": ["z"]}},
-    ],
-}
+RIGID = arm(
+    link("upper", 0.6, "yz", 3.0, section={"rhoIp": 4e-3}), link("fore", 0.5, "z", 2.0, section={"rhoIp": 2e-3}),
+    gravity=(0.0, 0.0, 0.0),
+)  # fmt: skip
 GEAR = {"ratio": 100.0, "rotor_inertia": 2e-5, "stiffness": 2e4, "damping": 5.0}
 GEARED = boom({"axes": ["z"], "drives": [GEAR]}, name="geared")
 SLIDE = boom({"axes": [{"slide": "y"}], "armature": [0.05]}, name="slide")
@@ -102,7 +90,6 @@ UNSTABLE = {
 }  # fmt: skip
 
 
-SOFT = {"rhoA": 0.5, "EIz": 20.0, "EIy": 20.0, "rhoIp": 1e-4}
 WEAK = SOFT | {"EIz": 8.0, "EIy": 8.0}
 TURNING = {"axes": ["y"], "armature": [0.3]}
 
@@ -177,17 +164,6 @@ def grows(model: Model, case: Case, step: float) -> bool:
     return bool(rates[-part:].max() > GROWN**0.8 * rates[:part].max() or rates.max() > RUNAWAY * KICK)
 
 
-def true_limit(model: Model, case: Case, near: float) -> float:
-    """The longest step, s, at which the rates do not grow, looked for within a factor of ten of `near`."""
-    low, high = near / 10, min(10 * near, 10 * case.step)
-    if grows(model, case, low) or not grows(model, case, high):
-        return float("nan")
-    while high / low > 1.04:
-        middle = float(np.sqrt(low * high))
-        low, high = (low, middle) if grows(model, case, middle) else (middle, high)
-    return low
-
-
 def swung(model: Model, case: Case):
     """A run of a loop that moves the first joint by 1 rad in 0.4 s."""
     goal = np.zeros(model.n_joints)
@@ -220,19 +196,3 @@ def named_step(line: str) -> float:
 def named_gains(line: str) -> dict[str, float]:
     """The gains that a line names, with their values."""
     return {key: float(x) for key, x in re.findall(r"(k[pd]\[\d\]) to ([\d.e+-]+)", line)}
-
-
-def main() -> None:
-    chosen = sys.argv[1:] or UNSTABLE
-    print(f"{'loop':36}{'step':>10}{'named':>11}{'true':>11}{'ratio':>7}  gains named")
-    for name in chosen:
-        case, model = UNSTABLE[name], model_of_case(name)
-        lines = said(lambda: moved(model, case, case.step))  # noqa: B023
-        named = named_step(lines[0]) if lines else 0.0
-        true = true_limit(model, case, named or case.step)
-        gains = ", ".join(f"{k} {x:g}" for k, x in named_gains(lines[0]).items()) if lines else "nothing said"
-        print(f"{name:36}{case.step:10.2e}{named:11.2e}{true:11.2e}{named / true:7.2f}  {gains}", flush=True)
-
-
-if __name__ == "__main__":
-    main()

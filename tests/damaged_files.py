@@ -52,65 +52,6 @@ damping = { ratio = 0.01 }
 bodies = [ { at = "tip", mass = 2.0, com = [0.0, 0.0, 0.1], inertia = [1.0, 2.0, 2.5, 0.0, 0.0, 0.0] } ]
 joint = { axes = ["y", [0.0, 0.0, 1.0]], armature = [0.1, 0.2], mount = { xyz = [0.0, 0.0, 0.1] } }
 """
-NEWER = """
-name = "soft"
-gravity = [0.0, 0.0, -9.81]
-order = 2
-
-[[links]]
-name = "post"
-length = 0.3
-profile = { rod = { diameter = [0.03, 0.02] }, E = 7e10, density = 2700.0, nu = 0.3 }
-joint.axes = ["z", "y"]
-joint.limits = [{ lower = -1.0, upper = 1.0, stiffness = 1e4 }, {}]
-joint.elements = [{ spring = { stiffness = 80.0, rest = 0.4 } }, {}]
-joint.drives = [{},
-    { transmission = { crank = 0.1, base = 0.3, angle = 1.2 }, friction = { coulomb = 3.0, velocity = 0.02 } }]
-
-[[links]]
-name = "arm"
-length = 0.4
-order = "exact"
-section = [{ at = 0, rhoA = 0.3, EIy = 0.02, EIz = 0.02, GJ = 0.02, rhoIp = 1e-5 },
-           { at = 1, rhoA = 0.2, EIy = 0.01, EIz = 0.01, GJ = 0.01, rhoIp = 1e-5 }]
-modes = { bending_y = 1, bending_z = 1, torsion = 1, points = 6 }
-damping = { ratio = 0.01, time = 0.03 }
-joint = { axes = [{ screw = "x", pitch = 0.002 }] }
-markers = [{ name = "hook", at = 0.4 }, { name = "eye", at = 0.8 }]
-tendons = [{ name = "left", from = 0.1, to = 0.8, at = [[0.0, 0.008, 0.0], [0.0, 0.004, 0.0]] },
-           { name = "spare", actuated = false, at = [[0.0, 0.0, 0.008], [0.0, 0.0, 0.008]] }]
-
-[[links]]
-name = "finger"
-parent = "arm"
-at = "hook"
-joint = { axes = ["y"], stiffness = 3.0, damping = 0.1 }
-bodies = [{ at = "base", mass = 0.2, com = [0.05, 0.0, 0.0] }]
-
-[[couplings]]
-axis = "finger.joint[0]"
-of = "post.joint[0]"
-ratio = -2.0
-offset = 0.1
-"""
-BALL = """
-name = "hanging"
-gravity = [0.0, 0.0, -9.81]
-base = "floating"
-
-[[links]]
-name = "hull"
-bodies = [{ at = "base", mass = 9.0, inertia = [0.1, 0.1, 0.1, 0.0, 0.0, 0.0] }]
-joint = { axes = [] }
-
-[[links]]
-name = "rope"
-length = 0.5
-section = { rhoA = 0.1 }
-joint = { axes = "ball", damping = [0.1, 0.1, 0.2] }
-markers = [{ name = "knot", at = 0.5 }]
-bodies = [{ at = "tip", mass = 2.0 }]
-"""
 LAW = """
 kp = [40.0, 30.0]
 kd = [4.0, 3.0]
@@ -166,13 +107,10 @@ def _run() -> bytes:
 
 
 def _mesh() -> bytes:
-    from test_finite_elements import PARTS, beam_elements
+    from test_finite_elements import beam_elements, write
 
-    mesh, out = beam_elements(6, 0.8, 2.0, 300.0, 4e5, 200.0, 0.02), io.BytesIO()
-    parts = {f"{n}_{k}": getattr(A.tocsr(), k) for n, A in (("M", mesh.M), ("K", mesh.K)) for k in PARTS}
-    np.savez(
-        out, **parts, nodes=mesh.places, **{f"set_{k}": x for k, x in mesh.sets.items()}, point_tip=[0.8, 0.0, 0.0]
-    )
+    out = io.BytesIO()
+    write(out, beam_elements(6, 0.8, 2.0, 300.0, 4e5, 200.0, 0.02), point_tip=[0.8, 0.0, 0.0])
     return out.getvalue()
 
 
@@ -187,9 +125,8 @@ def _sid(folder: Path) -> bytes:
 
 def _solid() -> bytes:
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "<f4")
-    faces = b"".join(
-        bytes(12) + corners[list(f)].tobytes() + bytes(2) for f in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
-    )
+    sides = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
+    faces = b"".join(bytes(12) + corners[list(side)].tobytes() + bytes(2) for side in sides)
     return bytes(80) + np.uint32(4).tobytes() + faces
 
 
@@ -241,6 +178,9 @@ def _visuals(path: Path) -> object:
 
 def kinds(folder: Path) -> dict[str, Kind]:
     """All kinds of files, by name."""
+    from conformance.arms import arm_of
+    from conformance.arrays import random_rows
+    from random_robots import to_toml
     from random_urdfs import random_urdf
 
     import screwgen
@@ -252,7 +192,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
     from screwgen.spec.mpc import load_mpc
 
     run, text, members = _run(), damages.TEXT, damages.MEMBERS
-    examples = [(ROOT / "examples" / f"{name}.toml").read_bytes() for name in EXAMPLES]
+    robots = [ROBOT.encode(), *((ROOT / "examples" / f"{name}.toml").read_bytes() for name in EXAMPLES)]
+    robots += [to_toml(arm_of(row)).encode() for row in random_rows(12) if row["fore"] != "elements"]
     manifest = json.dumps({"sweep": "digest", "count": 8, "chunk": 4}) + "\n0\n1\n"
     return {
         "run, view": Kind(".npz", (run,), members, _view),
@@ -261,7 +202,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "array": Kind(".npy", (damages.npy(np.eye(7)),), [damages.one_array, *damages.BYTES], _mapped),
         "SID": Kind(".sid", (_sid(folder),), text, load_sid),
         "URDF": Kind(".urdf", tuple(random_urdf(k, 5).encode() for k in range(3)), text, screwgen.load),
-        "robot": Kind(".toml", (*(x.encode() for x in (ROBOT, NEWER, BALL)), *examples), text, load),
+        "robot": Kind(".toml", tuple(robots), text, load),
         "mpc": Kind(".toml", (CONTROLLER.encode(),), text, load_mpc),
         "gains": Kind(".toml", (LAW.encode(),), text, lambda path: read_pd(path, model())),
         "state": Kind(".json", (STATE.encode(),), text, lambda path: read_state(path, model())),

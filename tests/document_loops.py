@@ -69,13 +69,13 @@ class Loops:
         for letter, i in zip("AB", gap.ends, strict=True):
             scope = self.scopes[i]
             R, twist = scope(r"\mathbf{R}_{oT}"), sized(scope(r"\mathbf{V}_T"), (6, 1))
-            known[rf"\mathbf{{r}}_{letter}"] = sized(scope(r"\mathbf{r}_{oT}"), (3, 1))
+            known[rf"\mathbf{{r}}_{{o{letter}}}"] = sized(scope(r"\mathbf{r}_{oT}"), (3, 1))
             known[rf"\boldsymbol{{\omega}}_{letter}"] = R @ twist[:3]
-            known[rf"\dot{{\mathbf{{r}}}}_{letter}"] = R @ twist[3:]
+            known[rf"\dot{{\mathbf{{r}}}}_{{o{letter}}}"] = R @ twist[3:]
             if rates is not None:
                 known[rf"\dot{{\boldsymbol{{\omega}}}}_{letter}"] = R @ rates[i][:3]
                 turning = np.cross(twist[:3].T, twist[3:].T).T
-                known[rf"\ddot{{\mathbf{{r}}}}_{letter}"] = R @ (rates[i][3:] + turning)
+                known[rf"\ddot{{\mathbf{{r}}}}_{{o{letter}}}"] = R @ (rates[i][3:] + turning)
             for name, own in gap.directions.items():
                 if letter == ("B" if name == "y" else "A"):
                     known[rf"\mathbf{{{name}}}"] = R @ own

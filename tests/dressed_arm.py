@@ -124,10 +124,15 @@ def posture(model: screwgen.Model, size: float = 0.05) -> np.ndarray:
     return q
 
 
-def still(model: screwgen.Model, q: np.ndarray) -> screwgen.Run:
-    """A run that stays where it is for a second."""
-    arrays = {key: np.zeros((2, size)) for key, size in (("v", model.nv), ("tau", model.n_tau), ("energy", 2))}
-    arrays |= {"wrench": np.zeros((2, model.n_links, 6)), "tip_position": np.zeros((2, 3)), "q": np.array([q, q])}
+def run_of(model: screwgen.Model, t: np.ndarray, q: np.ndarray) -> screwgen.Run:
+    """A run of which coordinates alone matter."""
+    sizes = {"v": model.nv, "tau": model.n_tau, "wrench": (model.n_links, 6), "tip_position": 3, "energy": 2}
+    arrays = {key: np.zeros((len(t), *np.atleast_1d(size))) for key, size in sizes.items()}
     names = {f"{kind}_names": tuple(getattr(model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
     more = dict(robot=model.robot, parameters=np.array(model.parameter_values))
-    return screwgen.Run(model.robot.name, np.array([0.0, 1.0]), **arrays, **names, **more)
+    return screwgen.Run(model.robot.name, t, q, **arrays, **names, **more)
+
+
+def still(model: screwgen.Model, q: np.ndarray) -> screwgen.Run:
+    """A run that stays where it is for a second."""
+    return run_of(model, np.array([0.0, 1.0]), np.array([q, q]))

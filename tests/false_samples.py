@@ -13,7 +13,7 @@ from pathlib import Path
 from c_robots import DRIVERS
 from c_tools import SANITIZERS
 from conftest import require_tool
-from helpers import arm, link, model_of
+from helpers import arm, link, model_of, unfolded
 
 from screwgen.studies.predictive import project
 
@@ -78,10 +78,7 @@ def program(name: str, folder: Path, *flags: str, driver="false_samples") -> Pat
         CONTROL.format(**({"delay": 1, "bounds": "", "blocks": "", "substeps": 2} | OTHERWISE.get(name, {})))
     )
     texts = project(model_of(ROBOTS[name] | {"name": "robot"}), file).files()
-    for path, text in texts.items():
-        (folder / path).parent.mkdir(exist_ok=True)
-        (folder / path).write_text(text)
-    sources = [n for n in texts if n.endswith(".c") and n.startswith("robot_")]
+    sources = [name for name in unfolded(folder, texts) if name.startswith("robot_")]
     options = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function", "-DSAMPLE=0.02", "-I.", *flags)
     command = [require_tool("gcc"), *options, "-o", out, DRIVERS / f"{driver}.c", *sources, "-lm"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)

@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 from four_bar_robots import LINKAGE
-from helpers import arm, link, model_of
+from helpers import arm, link, model_of, unfolded
 
 from screwgen import Model, write_sid
 from screwgen.spec import Link
@@ -98,3 +98,38 @@ def robot_with(feature: str) -> dict:
 @cache
 def model_with(feature: str) -> Model:
     return model_of(robot_with(feature))
+
+
+WITHOUT_CONTROL = ("welded", "modes", "shear", "tendons", "coupling", "ball", "floating", "loop", "elastic gear")
+WITHOUT_CONTROL += ("cylinder", "elastic cylinder", "four-bar")
+"""Robots of which no predictive controller is made: no joints, no cost-to-go, or refused."""
+CONTROL = """
+[horizon]
+intervals = 3
+step = 0.02
+[goal]
+joints = 0.1
+[cost]
+tip_position = 100.0
+tip_orientation = 1.0
+tip_velocity = 1.0
+joints = 10.0
+joint_rates = 1.0
+modes = 1.0
+mode_rates = 1.0
+torques = 1e-4
+terminal = { riccati = true }
+[bounds]
+torques = 60.0
+joints = { lower = -2.0, upper = 2.0 }
+joint_rates = 3.0
+torque_rates = 3000.0
+"""
+
+
+def write(folder, feature: str, binding: str, layout: str, control: str | None) -> None:
+    """The C of a robot in a folder, with all options, and with a predictive controller if its file is given."""
+    mpc = None if control is None else folder / "control.toml"
+    if mpc is not None:
+        mpc.write_text(control)
+    unfolded(folder, model_with(feature).c_files(binding, layout, mpc, batch=True, estimator=True, outputs=True))

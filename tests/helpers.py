@@ -101,6 +101,14 @@ def casadi_forward(model: Model, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarr
     return flat(vdot), np.array(wrench).T
 
 
+def unfolded(folder: Path, files: dict[str, str] | dict[str, bytes]) -> list[str]:
+    """Files of a robot's C written into a folder, and those below it; the names of the library's sources."""
+    for name, data in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(data if isinstance(data, bytes) else data.encode())
+    return sorted(n for n in files if n.endswith(".c") and "/" not in n and n not in ("main.c", "check.c"))
+
+
 def flat(value) -> np.ndarray:
     return np.array(value).ravel(order="F")
 

@@ -15,7 +15,6 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import casadi as ca
 import jax
@@ -45,30 +44,18 @@ HEAD = (
 )
 
 
-@dataclass
-class Row:
-    """What is compared, in the order of the table."""
+SHOWN = {"robot": "", "nv": "", "condition": ".0e", "values": ".0e", "steps": ".0e", "values, single": ".0e"}
+SHOWN |= {"steps, single": ".0e", "C, single": ".1e", "steps of C, single": ".1e", "M rounded": ".1e"}
+SHOWN |= {"gradient": ".0e", "motion": ".0e"}
+"""What is compared, in the order of the table, and how it is written; the two of C, single, share a cell."""
 
-    robot: str
-    nv: int
-    condition: float
-    values: float
-    steps: float
-    values_single: float
-    steps_single: float
-    c_values_single: float
-    c_steps_single: float
-    rounded: float
-    gradient: float
-    motion: float
-    seconds: float
 
-    def __str__(self) -> str:
-        cells = [self.robot, str(self.nv), *(f"{x:.0e}" for x in (self.condition, self.values, self.steps))]
-        cells += [f"{x:.0e}" for x in (self.values_single, self.steps_single)]
-        cells += [f"{self.c_values_single:.1e}, {self.c_steps_single:.1e}", f"{self.rounded:.1e}"]
-        cells += [f"{self.gradient:.0e}", f"{self.motion:.0e}"]
-        return "| " + " | ".join(cells) + " |"
+def shown(row: dict) -> str:
+    """A line of the table."""
+    cells = [format(row[name], how) for name, how in SHOWN.items()]
+    both = list(SHOWN).index("C, single")
+    cells[both : both + 2] = [", ".join(cells[both : both + 2])]
+    return "| " + " | ".join(cells) + " |"
 
 
 def named(name: str) -> Model:
@@ -163,27 +150,23 @@ def _by_casadi(model, weights) -> ca.Function:
 # -------- the table
 
 
-def row(name: str) -> Row:
+def row(name: str) -> dict:
+    """The figures of a robot under the names of `SHOWN`, and the CPU seconds of compiling a gradient."""
     model = named(name)
     x, rounded = state(model), state(model, rounded=True)
     c, reference, single = by_c(model, x), by_c(model, rounded), by_c(model, rounded, single=True)
     pairs = (by_jax(model, x), c), (by_jax(model, rounded, "single"), single), (single, reference)
-    return Row(
-        name,
-        model.nv,
-        float(np.linalg.cond(c[0]["M"])),
-        *(worst(a, b) for found, expected in pairs for a, b in zip(found, expected, strict=True)),
-        rounded_inertia(reference[0]),
-        gradient(model, x),
-        *motion_gradient(model, x),
-    )
+    found = [name, model.nv, float(np.linalg.cond(c[0]["M"]))]
+    found += [worst(a, b) for given, expected in pairs for a, b in zip(given, expected, strict=True)]
+    found += [rounded_inertia(reference[0]), gradient(model, x), *motion_gradient(model, x)]
+    return dict(zip((*SHOWN, "seconds"), found, strict=True))
 
 
 def main(names: list[str]) -> None:
     jax.config.update("jax_enable_x64", True)
     print(HEAD + "\n|" + "---|" * (HEAD.count("|") - 1))
     for name in names or ROBOTS:
-        print(row(name), flush=True)
+        print(shown(row(name)), flush=True)
 
 
 if __name__ == "__main__":

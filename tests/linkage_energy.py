@@ -1,22 +1,12 @@
-"""Energy and closure of every linkage of tests/mechanisms.py over ten seconds.
+"""What the energy of a linkage of tests/mechanisms.py, and its closure, lose in a run of compiled C."""
 
-    python tests/linkage_energy.py 10 1e-3 [names]
-
-runs each from where it is closed, at rates that keep it closed, without torques, in compiled C by every built-in method
-in both forms, and prints the largest change of its energy over the largest kinetic energy, and by how much its loops
-open, in m or of directions. A run that ends with a status says so.
-"""
-
-import sys
 from functools import cache
 
 import numpy as np
 from helpers import model_of, quick
 from mechanisms import MECHANISMS
 
-from screwgen import ScrewgenError
 from screwgen.backends.numpy.closing import moving
-from screwgen.integrators.methods import METHODS
 from screwgen.model import Model
 from screwgen.runtime.compiled import Compiled
 
@@ -70,21 +60,3 @@ def dae_steps(model: Model, compiled, method: str, step: float, count: int):
         return x, tuple(np.array(part, float) for part in coordinates(x.tolist()))
 
     return moved
-
-
-def main(duration: float, step: float, names: list[str]) -> None:
-    print(f"{'linkage':26} {'form':6} " + " ".join(f"{method:>20}" for method in METHODS))
-    for name in names:
-        for form in ("joint", "dae"):
-            cells = []
-            for method in METHODS:
-                try:
-                    energy, apart = drift(name, method, form, duration, step)
-                    cells.append(f"{energy:.1e}, {apart:.0e}")
-                except ScrewgenError as error:
-                    cells.append(type(error).__name__)
-            print(f"{name:26} {form:6} " + " ".join(f"{cell:>20}" for cell in cells), flush=True)
-
-
-if __name__ == "__main__":
-    main(float(sys.argv[1]), float(sys.argv[2]), sys.argv[3:] or list(MECHANISMS))

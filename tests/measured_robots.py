@@ -27,22 +27,6 @@ def rod(frequencies=FOUND, **more) -> dict:
     return arm(table | more)
 
 
-def two_links() -> dict:
-    """The first link measured in every direction, the second in one; bodies, damping, skew axes."""
-    first = {
-        "name": "first", "length": 0.7, "section": BARE, "frame_at": 0.1, "damping": {"ratio": 0.02},
-        "modes": counted({"axial": [60.0], "bending_y": [3.0, 22.0], "bending_z": [4.0], "torsion": [9.0, 31.0]}),
-        "joint": {"axes": ["y", [0.1, 0.3, 1.0]]},
-        "bodies": [{"at": "tip", "mass": 1.3, "com": [0.02, 0.0, -0.03], "inertia": [0.01, 0.02, 0.02, 0, 0, 0]}],
-    }  # fmt: skip
-    second = {
-        "name": "second", "length": 0.5, "section": {"rhoA": 0.8, "EIy": 7.0, "rhoIp": 2e-3},
-        "modes": {"basis": "clamped_free", "bending_y": 2, "bending_z": 2, "frequencies": {"bending_y": [5.0, 40.0]}},
-        "damping": {"ratio": 0.1}, "joint": {"axes": ["z"]}, "bodies": [{"at": "tip", "mass": 0.4}],
-    }  # fmt: skip
-    return arm(first, second)
-
-
 def clamped(table: dict) -> dict:
     """The natural frequencies (Hz) of a link's directions, by the oracle's quadrature of its own shapes."""
     line, modes = line_properties(table["section"]), table.get("modes", {})

@@ -12,7 +12,6 @@ from scipy.optimize import brentq, least_squares
 Joint = tuple[Sequence[float], object]
 """A place in the inertial frame and an axis as the robot file states it."""
 INERTIA = [0.02, 0.03, 0.025, 0.0, 0.0, 0.0]
-DIRECTION = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
 def body(name: str, joint: Joint, before: Sequence[float], centre: Sequence[float], mass: float = 1.0, **more) -> dict:
@@ -197,28 +196,17 @@ def planar(name: str, bars: dict[str, tuple], loops: Sequence[tuple]) -> dict:
     return {"name": name, "gravity": [0.0, 0.0, -9.81], "links": links, "loops": tables}
 
 
-def parallelogram() -> dict:
-    """Equal cranks and a coupler as long as the ground; in line it may go on as a crossed one."""
+def rockers(name: str, *feet: float) -> dict:
+    """A crank and rockers as long as it, which stand at these places, on one coupler."""
     tip = (0.3 * np.cos(1.0), 0.3 * np.sin(1.0))
-    bars = {"crank": ("world", (0.0, 0.0)), "coupler": ("crank", tip), "rocker": ("world", (0.8, 0.0))}
-    return planar("parallelogram", bars, [("coupler", "rocker", (0.8 + tip[0], tip[1]))])
-
-
-def locomotive() -> dict:
-    """Three equal cranks on one coupling rod: more rows than its motion leaves."""
-    tip = (0.3 * np.cos(1.0), 0.3 * np.sin(1.0))
-    bars = {"crank": ("world", (0.0, 0.0)), "rod": ("crank", tip)}
-    bars |= {"second": ("world", (0.8, 0.0)), "third": ("world", (1.6, 0.0))}
-    ends = [("rod", wheel, (x + tip[0], tip[1])) for wheel, x in (("second", 0.8), ("third", 1.6))]
-    return planar("locomotive", bars, ends)
-
-
-def three_rockers() -> dict:
-    """A parallelogram with two rockers more."""
-    tip, feet = (0.3 * np.cos(1.0), 0.3 * np.sin(1.0)), (0.5, 1.0, 1.5)
     bars = {"crank": ("world", (0.0, 0.0)), "coupler": ("crank", tip)}
     bars |= {f"rocker{k}": ("world", (x, 0.0)) for k, x in enumerate(feet)}
-    return planar("three_rockers", bars, [("coupler", f"rocker{k}", (x + tip[0], tip[1])) for k, x in enumerate(feet)])
+    return planar(name, bars, [("coupler", f"rocker{k}", (x + tip[0], tip[1])) for k, x in enumerate(feet)])
+
+
+def parallelogram() -> dict:
+    """Equal cranks and a coupler as long as the ground; in line it may go on as a crossed one."""
+    return rockers("parallelogram", 0.8)
 
 
 def antiparallelogram(crank=0.3, ground=0.8) -> dict:
@@ -296,7 +284,7 @@ MECHANISMS = {
     "slider_guide": lambda: slider_crank("guide"),
     "slider_weld": lambda: slider_crank("weld"),
     "parallelogram": parallelogram,
-    "locomotive": locomotive,
+    "locomotive": lambda: rockers("locomotive", 0.8, 1.6),
     "other_bennett": lambda: bennett(0.7, -2.0, -0.7),
     "crossed_bennett": lambda: bennett(0.5, 1.2, -0.5, -0.6),
     "bent_hooke": lambda: hooke(1.2),
@@ -304,7 +292,7 @@ MECHANISMS = {
     "spherical_at_right_angles": lambda: spherical(((1, 0, 0), (0, 1, 0), (0, 0, 1), (0.5, 0.5, 0.8))),
     "bricard_in_a_line": bricard_in_a_line,
     "schatz": schatz,
-    "three_rockers": three_rockers,
+    "three_rockers": lambda: rockers("three_rockers", 0.5, 1.0, 1.5),
     "antiparallelogram": antiparallelogram,
     "tripod": tripod,
 }

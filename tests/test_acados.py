@@ -148,30 +148,21 @@ def test_index_one(which, form):
 
 
 @pytest.mark.parametrize(("which", "binding"), BOUND)
-def test_joint_form_equals_the_oracle(which, binding):
-    """Explicit and implicit: xdot = [v; vdot]."""
+def test_both_forms_equal_the_oracle(which, binding):
+    """Joint form, explicit and implicit: xdot = [v; vdot]. DAE form, z: joint wrenches, the rates of the links' twists
+    and the modal accelerations; xdot: what follows from them.
+    """
     c = case(which)
-    e = c.model.acados("joint", binding, w_ext=True)
+    joint, dae = (c.model.acados(form, binding, w_ext=True) for form in FORMS)
     q, v, tau, w_ext = c.inputs
     p = np.r_[c.model.parameter_values if binding == "runtime" else [], w_ext.ravel()]
-    _, wrench = c.oracle.forward_dynamics(q, v, tau, w_ext)
-    explicit = ca.Function("f", [e.x, e.u, e.p], [e.f_expl_expr])(np.r_[q, v], tau, p).full()[:, 0]
-    implicit, _ = solved(e, np.r_[q, v], tau, p)
-    for found in (explicit, implicit):
+    vdot, wrench = c.oracle.forward_dynamics(q, v, tau, w_ext)
+    explicit = ca.Function("f", [joint.x, joint.u, joint.p], [joint.f_expl_expr])(np.r_[q, v], tau, p).full()[:, 0]
+    for found in (explicit, solved(joint, np.r_[q, v], tau, p)[0]):
         assert relative(found[: len(q)], v) <= 1e-15
         assert max(c.oracle.errors(c.state, found[len(q) :], wrench).values()) <= c.tolerance
-
-
-@pytest.mark.parametrize(("which", "binding"), BOUND)
-def test_dae_form_equals_the_oracle(which, binding):
-    """z: joint wrenches, the rates of the links' twists and the modal accelerations; xdot: what follows from them."""
-    c = case(which)
-    e = c.model.acados("dae", binding, w_ext=True)
-    q, v, tau, w_ext = c.inputs
-    p = np.r_[c.model.parameter_values if binding == "runtime" else [], w_ext.ravel()]
-    xdot, z = solved(e, state(e, "dae", c), tau, p)
+    xdot, z = solved(dae, state(dae, "dae", c), tau, p)
     n, m, r = c.model.n_links, c.model.n_joints, c.model.nq - c.model.n_joints
-    vdot, _ = c.oracle.forward_dynamics(q, v, tau, w_ext)
     links = z[: 12 * n].reshape(n, 12)
     found = np.r_[vdot[:m], z[12 * n :]]
     assert max(c.oracle.errors(c.state, found, links[:, :6]).values()) <= c.tolerance
@@ -180,7 +171,7 @@ def test_dae_form_equals_the_oracle(which, binding):
     _, etadot, twist_rates, etaddot, qdot = np.split(xdot, ends)
     assert relative(etadot, v[m:]) <= 1e-12 and relative(qdot, v[:m]) <= c.tolerance
     assert relative(twist_rates, links[:, 6:].ravel()) <= 1e-12 and relative(etaddot, z[12 * n :]) <= 1e-12
-    assert relative(xdot, c.model.numpy().dae_rates(state(e, "dae", c), tau, w_ext)[0]) <= c.tolerance
+    assert relative(xdot, c.model.numpy().dae_rates(state(dae, "dae", c), tau, w_ext)[0]) <= c.tolerance
 
 
 def test_parameters_and_wrenches_are_live():

@@ -1,7 +1,6 @@
 """Well-posedness, spectrum and step limits, each against a computation of its own."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,7 +18,6 @@ from screwgen.studies.analysis import sample_states
 from screwgen.studies.analysis.regularity import regularity
 from screwgen.studies.analysis.spectrum import growth, jacobian, motions, step_map
 
-EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 SOFT = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}
 
 
@@ -48,19 +46,9 @@ def difference(f, x: np.ndarray, e: float = 1e-5) -> np.ndarray:
 
 
 def equilibrium(model, joints: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """q, v, tau at rest: the modes bent by the weight (Newton), the joints held."""
-    judge, m, v = model.numpy(), model.n_joints, np.zeros(model.nq)
-    w_ext = np.zeros((model.n_links, 6))
-    q = np.append(joints, np.zeros(model.nq - m))
-
-    def residual(eta):
-        return judge.bias(np.append(joints, eta), v, w_ext)[m:]
-
-    for _ in range(8):
-        q[m:] -= np.linalg.solve(difference(residual, q[m:]), residual(q[m:]))
-    tau = judge.bias(q, v, w_ext)[:m]
-    assert np.abs(judge.forward_dynamics(q, v, tau, w_ext)[0]).max() < 1e-8
-    return q, v, tau
+    """q, v, tau at rest: the modes bent by the weight, the joints held."""
+    rest = screwgen.equilibrium(model, joints, hold=True)
+    return rest.q, np.zeros(model.nq), rest.tau
 
 
 # -------- the linearised dynamics and the steps

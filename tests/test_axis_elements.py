@@ -38,19 +38,6 @@ def sprung(elements=SPRING, **more):
     return arm(link("boom", 0.8, ("y",), modes={"bending_z": 1}, section={"EIy": 900.0}, joint=joint))
 
 
-def test_a_spring_is_a_joint_spring_and_a_torque():
-    """``k (q - rest)`` is the spring of a joint with a torque of ``k rest``."""
-    model, bare = model_of(sprung()), model_of(sprung({}, stiffness=[80.0]))
-    q, v = np.array([0.3, 0.01]), np.array([0.5, -0.2])
-    for layout in ("fused", "modular"):
-        compiled = quick(model, layout=layout)
-        found = compiled.forward_dynamics(q, v, [1.5])
-        for x, y in zip(found, bare.numpy().forward_dynamics(q, v, [1.5 + 80.0 * 0.4], None), strict=True):
-            assert relative(x, y) < 1e-11
-    more = np.subtract(model.numpy().energy(q, v), bare.numpy().energy(q, v))
-    assert more == pytest.approx([0.0, 40.0 * ((0.3 - 0.4) ** 2 - 0.3**2)], rel=1e-9)
-
-
 def test_rest_and_vibrations_know_it():
     model, bare = model_of(sprung()), model_of(sprung({}, stiffness=[80.0]))
     held = equilibrium(model)
@@ -90,10 +77,7 @@ def test_on_an_axis_that_slides_it_has_units_of_length():
     ("elements", "said"),
     [
         (3.0, "elements .link boom.: is 3.0; it must be an array with a table for each axis"),
-        (
-            [{}, {}],
-            "elements .link boom.: has length 2; it must hold one table per axis, 1; an empty",
-        ),
+        ([{}, {}], "elements .link boom.: has length 2; it must hold one table per axis, 1; an empty"),
         ({"sprung": {}}, r"elements\[0\].sprung .link boom.: is an unknown key; did you mean spring"),
         ({"spring": 2.0}, r"elements\[0\].spring .link boom.: is 2.0; it must be a table of stiffness, rest"),
         ({"spring": {"rest": 0.1}}, r"spring.stiffness .link boom.: is missing; state the stiffness of the spring"),

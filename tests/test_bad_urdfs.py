@@ -48,6 +48,9 @@ LIMIT, DYNAMICS = '<limit lower="-1" upper="1" effort="5" velocity="2"/>', '<dyn
 LAST = "</robot>"
 MORE = '<link name="hand"/>'
 
+ELBOW, GEAR, AT_8 = "line 24: joint 'elbow': ", "line 29: transmission 'gear': ", "line 8: link 'upper': "
+AXIS, LOWER = "line 20: joint 'shoulder': axis xyz: ", "line 21: joint 'shoulder': limit lower: "
+DRY, WEIGHT = "line 22: joint 'shoulder': dynamics ", "line 7: link 'upper': mass value: "
 WRONG = [
     ("</robot>", "", "line 34: is not valid XML (no element found); mend it there"),
     ('<link name="base"/>', '<link name="base">', "line 33: is not valid XML (mismatched tag); mend it there"),
@@ -59,20 +62,12 @@ WRONG = [
     ('<link name="base"/>', "<link/>", "line 3: link '': name: is missing or empty; state name="),
     ('name="fore"', 'name="upper"', "line 11: link 'upper': name: has the name of an earlier one; give each its own"),
     ('joint name="elbow"', 'joint name="shoulder"', "line 24: joint 'shoulder': name: has the name of an earlier one"),
-    (
-        'type="continuous"',
-        'type="hinge"',
-        "line 24: joint 'elbow': type: is \"hinge\"; it must be revolute, continuous",
-    ),
-    ('type="continuous"', "", "line 24: joint 'elbow': type: is missing or empty; state type="),
-    ('<parent link="upper"/>', "", "line 24: joint 'elbow': has no <parent>; state <parent link="),
+    ('type="continuous"', 'type="hinge"', ELBOW + 'type: is "hinge"; it must be revolute, continuous'),
+    ('type="continuous"', "", ELBOW + "type: is missing or empty; state type="),
+    ('<parent link="upper"/>', "", ELBOW + "has no <parent>; state <parent link="),
     ('<parent link="upper"/>', "<parent/>", "line 25: joint 'elbow': parent link: is missing or empty; state link="),
     ('<child link="fore"/>', '<child link="for"/>', "line 26: joint 'elbow': child link: is \"for\", which is no link"),
-    (
-        '<child link="fore"/>',
-        '<child link="upper"/>',
-        "line 24: joint 'elbow': carries link 'upper', as joint 'shoulder'",
-    ),
+    ('<child link="fore"/>', '<child link="upper"/>', ELBOW + "carries link 'upper', as joint 'shoulder'"),
     (
         LAST,
         f"{MORE}{LAST}",
@@ -80,51 +75,31 @@ WRONG = [
     ),
     ('<parent link="base"/>', '<parent link="fore"/>', "line 4: link 'upper': hangs on itself: its joints go round"),
     (MASS, "", "line 5: link 'upper': inertial: has no <mass>; state <mass value="),
-    (MASS, "<mass/>", "line 7: link 'upper': mass value: is missing; state value="),
-    (MASS, '<mass value="-2"/>', "line 7: link 'upper': mass value: is -2.0; it must be >= 0"),
-    (
-        MASS,
-        '<mass value="2 kg"/>',
-        "line 7: link 'upper': mass value: is \"2 kg\"; it must be a number, 0, or from 1e-12",
-    ),
-    (MASS, '<mass value="two"/>', "line 7: link 'upper': mass value: is \"two\"; it must be a number"),
+    (MASS, "<mass/>", WEIGHT + "is missing; state value="),
+    (MASS, '<mass value="-2"/>', WEIGHT + "is -2.0; it must be >= 0"),
+    (MASS, '<mass value="2 kg"/>', WEIGHT + 'is "2 kg"; it must be a number, 0, or from 1e-12'),
+    (MASS, '<mass value="two"/>', WEIGHT + 'is "two"; it must be a number'),
     (MASS, f"{MASS}{MASS}", "line 7: link 'upper': mass: is stated twice; leave one of them out"),
     (TENSOR, "", "line 5: link 'upper': inertial: has no <inertia>; state <inertia ixx="),
-    (TENSOR, TENSOR.replace(' izz="0.1"', ""), "line 8: link 'upper': inertia izz: is missing; state izz="),
-    (
-        TENSOR,
-        TENSOR.replace('izz="0.1"', 'izz="nan"'),
-        "line 8: link 'upper': inertia izz: is nan; it must be a finite",
-    ),
+    (TENSOR, TENSOR.replace(' izz="0.1"', ""), AT_8 + "inertia izz: is missing; state izz="),
+    (TENSOR, TENSOR.replace('izz="0.1"', 'izz="nan"'), AT_8 + "inertia izz: is nan; it must be a finite"),
     (
         TENSOR,
         TENSOR.replace('izz="0.1"', 'izz="0.3"'),
-        "line 8: link 'upper': inertia: is one that no body has, principal moments 0.1, 0.1, 0.3 kg·m²: none",
+        AT_8 + "inertia: is one that no body has, principal moments 0.1, 0.1, 0.3 kg·m²: none",
     ),
     ('rpy="0 0 0"', 'rpy="0 0"', "line 6: link 'upper': origin rpy: is \"0 0\"; it must be 3 numbers"),
     ('xyz="0.5 0 0"', 'xyz="0,5 0 0"', "line 27: joint 'elbow': origin xyz: is \"0,5\"; it must be a number"),
-    ('<axis xyz="0 1 0"/>', '<axis xyz="0 0 0"/>', "line 20: joint 'shoulder': axis xyz: is the zero vector; an axis"),
-    ('<axis xyz="0 1 0"/>', "<axis/>", "line 20: joint 'shoulder': axis xyz: is missing; state xyz="),
-    (LIMIT, LIMIT.replace('"-1"', '"2"'), "line 21: joint 'shoulder': limit lower: is 2.0; it must be less than upper"),
-    (LIMIT, LIMIT.replace('"-1"', '"pi"'), "line 21: joint 'shoulder': limit lower: is \"pi\"; it must be a number"),
-    (
-        DYNAMICS,
-        DYNAMICS.replace('"0.1"', '"-0.1"'),
-        "line 22: joint 'shoulder': dynamics damping: is -0.1; it must be >= 0",
-    ),
-    (
-        DYNAMICS,
-        DYNAMICS.replace('"0.2"', '"1e20"'),
-        "line 22: joint 'shoulder': dynamics friction: is 1e+20; it must be 0",
-    ),
+    ('<axis xyz="0 1 0"/>', '<axis xyz="0 0 0"/>', AXIS + "is the zero vector; an axis"),
+    ('<axis xyz="0 1 0"/>', "<axis/>", AXIS + "is missing; state xyz="),
+    (LIMIT, LIMIT.replace('"-1"', '"2"'), LOWER + "is 2.0; it must be less than upper"),
+    (LIMIT, LIMIT.replace('"-1"', '"pi"'), LOWER + 'is "pi"; it must be a number'),
+    (DYNAMICS, DYNAMICS.replace('"0.1"', '"-0.1"'), DRY + "damping: is -0.1; it must be >= 0"),
+    (DYNAMICS, DYNAMICS.replace('"0.2"', '"1e20"'), DRY + "friction: is 1e+20; it must be 0"),
     (DYNAMICS, '<mimic joint="elbows"/>', "line 22: joint 'shoulder': mimic joint: names \"elbows\", which is no"),
-    ('type="continuous"', 'type="floating"', "line 24: joint 'elbow': type: is floating, which only the joint of the"),
-    ('<joint name="elbow"/>', "", "line 29: transmission 'gear': has no <joint>; state <joint name="),
-    (
-        '<joint name="elbow"/>',
-        '<joint name="el"/>',
-        "line 29: transmission 'gear': names the joint \"el\", which is not",
-    ),
+    ('type="continuous"', 'type="floating"', ELBOW + "type: is floating, which only the joint of the"),
+    ('<joint name="elbow"/>', "", GEAR + "has no <joint>; state <joint name="),
+    ('<joint name="elbow"/>', '<joint name="el"/>', GEAR + 'names the joint "el", which is not'),
     (">1e-4<", "><", "line 31: transmission 'gear': rotorInertia: is \"\"; it must be a number, from 1e-12"),
     (">100<", ">0<", "line 31: transmission 'gear': mechanicalReduction: is 0.0; it must be > 0"),
 ]
@@ -156,45 +131,25 @@ WHOLE = [
     (SINGULAR.encode(), "line 24: joint 'elbow': moves nothing that resists it: link 'fore' and what it carries"),
 ]
 
+FORE, UPPER = '[[links]]\nname = "fore"\n', '[[links]]\nname = "upper"\n'
 SIDES = [
     ("links = 3", "links: is no array of tables; write [[links]] for each"),
     ("[[links]]\n", "links[0].name: is a Python NoneType, no link of"),
     ('[[links]]\nname = "arm"', 'links[0].name: is "arm", no link of'),
-    ('[[links]]\nname = "fore"\n' * 2, 'links[1].name: is "fore" again; state all of a link in one table'),
-    (
-        '[[links]]\nname = "fore"\nparent = "base"',
-        "links[0].parent (link fore): is what the URDF states; change it there",
-    ),
-    ('[[links]]\nname = "fore"\njoint.axes = ["z"]', "links[0].joint.axes (link fore): is what the URDF states"),
-    (
-        '[[links]]\nname = "fore"\nsection = { rhoA = 1 }',
-        "links[0].tip (link fore): is missing, and the link carries 0",
-    ),
-    (
-        '[[links]]\nname = "upper"\ntip = "wrist"',
-        'links[0].tip (link upper): is "wrist", no joint that the link carries',
-    ),
-    ('[[links]]\nname = "upper"\ntip = [0, 0]', "links[0].tip (link upper): has length 2; it must be an array of 3"),
-    (
-        '[[links]]\nname = "upper"\ntip = [0, 0, 0]',
-        "links[0].tip (link upper): is the origin of the link; state another",
-    ),
-    ('[[links]]\nname = "upper"\ny = [1, 0, 0]', "links[0].y (link upper): is along the centreline; state a direction"),
-    ('[[links]]\nname = "upper"\nrpy = [1, 0, 0]', "links[0].rpy (link upper): is stated without body, whose axes"),
-    ('[[links]]\nname = "upper"\nlenght = 2', "links[0].lenght (link upper): is an unknown key; did you mean length?"),
-    (
-        '[[links]]\nname = "upper"\nmodes = { bending_y = 2 }\ntip = "elbow"',
-        "links[0].section (link upper): is missing",
-    ),
-    (
-        '[[links]]\nname = "upper"\nbody = { sid = "none.sid" }',
-        "links[0].body.sid (link upper): none.sid: there is no such",
-    ),
-    (
-        '[[links]]\nname = "fore"\njoint.armature = [-1]',
-        "links[0].joint.armature[0] (link fore): is -1; it must be >= 0",
-    ),
-    ('[[links]]\nname = "fore"\nat = "tip"', "links[0].at (link fore): is stated, but its carrier has no length"),
+    (FORE * 2, 'links[1].name: is "fore" again; state all of a link in one table'),
+    (FORE + 'parent = "base"', "links[0].parent (link fore): is what the URDF states; change it there"),
+    (FORE + 'joint.axes = ["z"]', "links[0].joint.axes (link fore): is what the URDF states"),
+    (FORE + "section = { rhoA = 1 }", "links[0].tip (link fore): is missing, and the link carries 0"),
+    (UPPER + 'tip = "wrist"', 'links[0].tip (link upper): is "wrist", no joint that the link carries'),
+    (UPPER + "tip = [0, 0]", "links[0].tip (link upper): has length 2; it must be an array of 3"),
+    (UPPER + "tip = [0, 0, 0]", "links[0].tip (link upper): is the origin of the link; state another"),
+    (UPPER + "y = [1, 0, 0]", "links[0].y (link upper): is along the centreline; state a direction"),
+    (UPPER + "rpy = [1, 0, 0]", "links[0].rpy (link upper): is stated without body, whose axes"),
+    (UPPER + "lenght = 2", "links[0].lenght (link upper): is an unknown key; did you mean length?"),
+    (UPPER + 'modes = { bending_y = 2 }\ntip = "elbow"', "links[0].section (link upper): is missing"),
+    (UPPER + 'body = { sid = "none.sid" }', "links[0].body.sid (link upper): none.sid: there is no such"),
+    (FORE + "joint.armature = [-1]", "links[0].joint.armature[0] (link fore): is -1; it must be >= 0"),
+    (FORE + 'at = "tip"', "links[0].at (link fore): is stated, but its carrier has no length"),
     ('base = "free"', 'base: is "free"; it must be "fixed" or "floating"'),
     ("gravity = 9.81", "gravity: is 9.81; it must be an array of 3 numbers"),
     ("order = 7", 'order: is 7; it must be 1, 2 or "exact"'),

@@ -5,18 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from batch_c import (
-    ROBOTS,
-    STRICT,
-    WIDTHS,
-    batch,
-    model,
-    one_by_one,
-    scalar,
-    scenarios,
-    stepped,
-    written,
-)
+from batch_c import ROBOTS, STRICT, WIDTHS, batch, model, one_by_one, scalar, scenarios, stepped, written
 from conftest import swept
 from helpers import model_of
 

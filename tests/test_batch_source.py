@@ -11,6 +11,7 @@ import pytest
 import random_robots as rr
 from batch_c import ROBOTS, model, write_into, written
 from conftest import require_tool, swept
+from helpers import unfolded
 
 from screwgen.backends.c import batch as c_batch
 from screwgen.backends.c import pieces as c_pieces
@@ -182,8 +183,7 @@ def test_the_header_states_the_stack(tmp_path, monkeypatch, name, longest):
     monkeypatch.setattr(c_batch, "LONGEST", longest)
     monkeypatch.setattr(c_pieces, "PIECE", 100)
     files, robot = CProject(model(name).chain, "", batch=True).files(), ROBOTS[name]["name"]
-    for file, text in files.items():
-        (tmp_path / file).write_text(text)
+    unfolded(tmp_path, files)
     angles, kept = re.search(r"lanes (sin_q.*, )?kept\[(\d+)\];", files[f"{robot}_batch.c"]).groups()
     turns = f"2 * {robot.upper()}_LENGTH({robot.upper()}_NTAU)" if angles else "0"
     (tmp_path / "size.c").write_text(
@@ -249,18 +249,7 @@ def test_a_robot_of_a_batch_costs_less_than_two_fifths_of_a_scalar_step(tmp_path
     (tmp_path / "cost.c").write_text(COST.replace("METHOD(", f"CALL({method}, "))
     define = "-DCALL(m,f,a)=CALL_(m,f,a)", "-DCALL_(m,f,a)=(void)ella_##f##_##m a"
     sources = [f"ella_{x}.c" for x in ("real", "parameters", "dynamics", "links", "step", "batch")]
-    command = [
-        "gcc",
-        "-std=c99",
-        "-O2",
-        *(["-mavx2"] * wide),
-        *define,
-        "cost.c",
-        *sources,
-        "-o",
-        "cost",
-        "-lm",
-    ]
+    command = ["gcc", "-std=c99", "-O2", *(["-mavx2"] * wide), *define, "cost.c", *sources, "-o", "cost", "-lm"]
     subprocess.run(command, cwd=tmp_path, check=True)
     counts = [instructions(tmp_path, function) for function in ("one_by_one", "together")]
     assert counts[0] / counts[1] > (2.5 if wide else 1.25)

@@ -6,7 +6,7 @@ from functools import cache
 
 import pytest
 from conftest import require_tool, swept
-from helpers import arm, link, model_of
+from helpers import arm, link, model_of, unfolded
 
 from screwgen.backends.c.fields import index_type
 from screwgen.backends.c.project import CProject
@@ -22,10 +22,7 @@ def texts(layout="fused") -> dict[str, str]:
 
 def write(folder, layout="fused") -> list[str]:
     """The files in a folder; returns the sources of the library."""
-    folder.mkdir(exist_ok=True)
-    for name, text in texts(layout).items():
-        (folder / name).write_text(text)
-    return [n for n in texts(layout) if n.endswith(".c") and n not in ("main.c", "check.c")]
+    return unfolded(folder, texts(layout))
 
 
 def run(folder, *command: str) -> subprocess.CompletedProcess:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import require_tool
-from helpers import arm, example, link, model_of
+from helpers import arm, example, link, model_of, unfolded
 
 from screwgen.backends.c.project import CProject
 from screwgen.backends.numpy import reference
@@ -58,9 +58,7 @@ def built(tmp_path_factory):
     @cache
     def make(layout: str, real: str) -> Path:
         folder = tmp_path_factory.mktemp(f"{layout}-{real}")
-        for name, text in texts(layout).items():
-            (folder / name).write_text(text)
-        compiled(folder, *(n for n in texts(layout) if n.endswith(".c") and n != "main.c"), real=real)
+        compiled(folder, "check.c", *unfolded(folder, texts(layout)), real=real)
         assert outcome(folder)[0] == 0, outcome(folder)
         return folder
 
@@ -213,9 +211,7 @@ def test_recorded_states_are_those_that_the_robot_can_be_in(name):
 
 @pytest.mark.parametrize("robot", [QUADRANGLE, SECOND_ORDER], ids=["quadrangle", "second order"])
 def test_it_passes_where_not_every_state_is_possible(tmp_path, robot):
-    for name, text in CProject(model_of(robot).chain, "").files().items():
-        (tmp_path / name).write_text(text)
-    sources = [file.name for file in tmp_path.glob("*.c") if file.name != "main.c"]
+    sources = ["check.c", *unfolded(tmp_path, CProject(model_of(robot).chain, "").files())]
     for real in ("double", "float"):
         compiled(tmp_path, *sources, real=real)
         assert outcome(tmp_path)[0] == 0, outcome(tmp_path)

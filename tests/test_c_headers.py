@@ -2,8 +2,7 @@
 
 import pytest
 from conformance.c_prototypes import called_from_cpp, prototypes
-from feature_robots import model_with
-from test_c_warnings import CONTROL, write
+from feature_robots import CONTROL, model_with, write
 
 from screwgen.algorithms.robot_functions import OUTPUTS, SENSORS, in_file
 from screwgen.backends.c.project import CProject

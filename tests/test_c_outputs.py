@@ -3,10 +3,8 @@
 import re
 from functools import cache
 
-import numpy as np
 import pytest
-from conftest import swept
-from helpers import arm, drawn, equal_links, example, link, model_of, quick, relative
+from helpers import arm, equal_links, example, link, model_of
 
 from screwgen.algorithms import functions as alg
 from screwgen.algorithms.modal_elimination import WAYS
@@ -22,27 +20,6 @@ def bending(count: int, links: int = 2) -> dict:
     """Equal links with ``count`` modes per plane."""
     modes = {"bending_y": count, "bending_z": count}
     return arm(*(link(f"l{i}", axes="y", modes=modes, section=SOFT) for i in range(links)))
-
-
-@cache
-def three_links(seed: int):
-    return drawn(7000 + seed, 3, max_modes=1)
-
-
-@pytest.mark.parametrize("kind", [("fused", "runtime"), ("modular", "runtime"), ("modular", "baked")], ids="-".join)
-@pytest.mark.parametrize("seed", swept(range(2), 0))
-def test_partial_outputs_equal_numpy(seed, kind):
-    """Accelerations alone, inverse dynamics with its wrenches, mass matrix: the judge's numbers, on random robots."""
-    case = three_links(seed)
-    compiled, judge = quick(case.model, layout=kind[0], parameters=kind[1]), case.model.numpy()
-    q, v, tau, w_ext = case.inputs
-    vdot, wrench = judge.forward_dynamics(q, v, tau, w_ext)
-    other = np.random.default_rng(seed).standard_normal(case.model.nq)
-    assert relative(compiled.accelerations(q, v, tau, w_ext), vdot) <= case.agreement
-    assert relative(compiled.inverse_dynamics(q, v, vdot, w_ext)[1], wrench) <= max(1e-10, case.agreement)
-    force = judge.inverse_dynamics(q, v, other, w_ext)
-    assert relative(compiled.inverse_dynamics(q, v, other, w_ext)[0], force) <= 1e-12
-    assert relative(compiled.mass_matrix(q), judge.mass_matrix(q)) <= 1e-12
 
 
 @cache

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 from conftest import require_tool
-from helpers import arm, example, link, model_of, quick
+from helpers import arm, example, link, model_of, quick, unfolded
 
 from screwgen.backends.c.project import CProject
 from screwgen.errors import ScrewgenError, SingularError
@@ -25,10 +25,6 @@ FORMS = ("joint", "dae")
 @cache
 def ella(layout: str):
     return quick(example("ella"), layout=layout)
-
-
-def pointer(array: np.ndarray):
-    return ctypes.c_void_p(array.ctypes.data)
 
 
 def step(compiled, form: str, method: str, q, v, tau, w_ext, dt=1e-4) -> tuple[int, bool]:
@@ -164,19 +160,20 @@ SINGULAR_ARMS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", SINGULAR_ARMS)
-def test_singular_postures_are_named_by_the_judge(name):
-    robot, culprit, q = SINGULAR_ARMS[name]
-    model = model_of(robot)
-    tau, w_ext = np.ones(model.n_joints), np.zeros((model.n_links, 6))
-    with pytest.raises(SingularError, match=f"'{culprit}'"):
-        model.numpy().forward_dynamics(q, 0 * q, tau, w_ext)
-    with pytest.raises(SingularError, match=f"'{culprit}'"):
-        model.numpy().dae_forward_dynamics(q, 0 * q, tau, w_ext)
-
-
 ALWAYS_SINGULAR = ("roll", "bent roll")
 """Arms that no posture makes regular: no C is written for them."""
+
+
+@pytest.mark.parametrize("name", SINGULAR_ARMS)
+def test_singular_postures_are_named_by_the_judge(name):
+    """What is singular in every posture is said so, by evaluation as by generation."""
+    robot, culprit, q = SINGULAR_ARMS[name]
+    model = model_of(robot)
+    said = "nothing resists the joint of" if name in ALWAYS_SINGULAR else "is singular in this posture"
+    with pytest.raises(SingularError, match=f"^(?=.*link '{culprit}').*{said}"):
+        model.numpy().forward_dynamics(q, 0 * q, np.ones(model.n_joints), None)
+    with pytest.raises(SingularError, match=f"'{culprit}'"):
+        model.numpy().dae_forward_dynamics(q, 0 * q, np.ones(model.n_joints), None)
 
 
 @every_layout
@@ -204,16 +201,6 @@ def test_singular_postures_are_named_in_c(name, layout):
         x = model.numpy().dae_state(q, 0 * q)
         assert step(c, "dae", method, x, 0 * q, tau, w_ext) == (SINGULAR, True), method
         assert model.robot.links[c.library.shim_fault(c.memory)].name == culprit
-
-
-@pytest.mark.parametrize("name", SINGULAR_ARMS)
-def test_what_is_singular_in_every_posture_is_said_so(name):
-    """By evaluation as by generation; the others are so in their posture alone."""
-    robot, culprit, q = SINGULAR_ARMS[name]
-    model = model_of(robot)
-    said = "nothing resists the joint of" if name in ALWAYS_SINGULAR else "is singular in this posture"
-    with pytest.raises(SingularError, match=f"^(?=.*link '{culprit}').*{said}"):
-        model.numpy().forward_dynamics(q, 0 * q, np.ones(model.n_joints), None)
 
 
 def test_near_a_singular_posture_the_numbers_are_finite():
@@ -276,9 +263,7 @@ def test_what_is_not_finite_has_a_status(tmp_path, layout):
     flexible = link("b", 0.5, "z", rhoA=0.1, modes={"bending_y": 1}, section={"EIz": 5.0})
     model = model_of(arm(link("a", 4.0, "z"), flexible, link("c", 0.1, []), gravity=(0, 0, 0)))
     texts = CProject(model.chain, "x", "runtime", layout, estimator=True).files() | {"main.c": PROGRAM}
-    for name, text in texts.items():
-        (tmp_path / name).write_text(text)
-    sources = [n for n in texts if n.endswith(".c") and n != "check.c"]
+    sources = ["main.c", *unfolded(tmp_path, texts)]
     subprocess.run([require_tool("gcc"), "-std=c99", "-o", "arm", *sources, "-lm"], cwd=tmp_path, check=True)
     said = subprocess.run([tmp_path / "arm"], capture_output=True, text=True, check=True).stdout.split()
     statuses, left = list(map(int, said[:6])), said[6:]

@@ -6,15 +6,12 @@ import pytest
 from c_tools import SANITIZERS
 from conformance.c_wild import program
 from conftest import require_tool, swept
-from feature_robots import FEATURES
-from test_c_warnings import CONTROL, WITHOUT_CONTROL, write
+from feature_robots import CONTROL, FEATURES, WITHOUT_CONTROL, write
 
-ROBOTS = [feature for feature in FEATURES if feature not in ("loop", "coupling")]
-"""Loops and couplings have functions that do not yet look at their results."""
 EXAMPLES = ("main.c", "check.c", "mpc_main.c")
 
 
-@pytest.mark.parametrize("feature", swept(ROBOTS, "elastic gear"))
+@pytest.mark.parametrize("feature", swept(FEATURES, "elastic gear", "loop"))
 def test_wild_calls(tmp_path, feature):
     control = None if feature in WITHOUT_CONTROL else CONTROL
     write(tmp_path, feature, "runtime", "fused", control)

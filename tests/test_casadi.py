@@ -11,6 +11,7 @@ from conftest import require_tool
 from helpers import arm, example, flat, link, model_of, relative
 
 from screwgen import Robot, UsageError, derive
+from screwgen.algorithms.functions import Functions
 from screwgen.backends.casadi.expressions import unary
 from screwgen.integrators import METHODS
 from screwgen.simulation.simulate import stepper
@@ -73,18 +74,6 @@ def test_one_rigid_link_has_steps():
     q, v = model.casadi()["step"](0.1, 0.2, 0.3, np.zeros((6, 1)), model.parameter_values, 1e-4)
     (vdot,), _ = model.numpy().forward_dynamics([0.1], [0.2], [0.3], None)
     assert float(v) == pytest.approx(0.2 + 1e-4 * vdot, abs=1e-7) and float(q) == pytest.approx(0.1 + 2e-5, abs=1e-6)
-
-
-@pytest.mark.parametrize("name", ["ella", "six_link"])
-def test_tip_jacobian_is_that_of_virtual_work(name):
-    """A wrench on the tip section does its work on J v: in the bias it is -Jᵀ w, in inertial components."""
-    model, given = example(name), arguments(example(name))
-    q, w = given["q"], np.zeros((model.n_links, 6))
-    w[-1] = given["w_ext"][:, -1]
-    still = np.zeros(model.nq)
-    force = model.numpy().bias(q, still, w) - model.numpy().bias(q, still, None)
-    J, R = np.array(model.casadi()["tip_jacobian"](q, given["p"])), model.numpy().tip_pose(q)[0]
-    assert relative(-J.T @ (w[-1].reshape(2, 3) @ R.T).ravel(), force) < 1e-10
 
 
 def test_scaling_makes_energies_alike():
@@ -152,28 +141,6 @@ def test_names_and_shapes_are_the_contracts(name, size):
 
 
 # -------- what users do
-
-
-@pytest.mark.parametrize("kind", [ca.SX, ca.MX])
-def test_functions_take_symbols(kind):
-    model = example("ella")
-    given = arguments(model)
-    for name in NAMES:
-        f = model.casadi()[name]
-        symbols = [kind.sym(n, *f.size_in(n)) for n in f.name_in()]
-        again = ca.Function("again", symbols, f.call(symbols), f.name_in(), f.name_out())
-        for a, b in zip(called(again, given), called(f, given), strict=True):
-            assert np.array_equal(a, b)
-
-
-def test_functions_survive_a_file(tmp_path):
-    model = example("six_link")
-    given = arguments(model)
-    for name in NAMES:
-        f = model.casadi()[name]
-        f.save(str(tmp_path / name))
-        for a, b in zip(called(ca.Function.load(str(tmp_path / name)), given), called(f, given), strict=True):
-            assert np.array_equal(a, b)
 
 
 def test_casadis_own_c_gives_the_same(tmp_path):
@@ -271,3 +238,28 @@ def test_derivatives_are_finite_at_rest():
     at = lambda eta: [x.full() for x in hessian([0.3, 0.2, 0.1, *[eta] * 6], 0.1 * np.ones(9))]  # noqa: E731
     for rest, near in zip(at(0.0), at(1e-9), strict=True):
         assert np.all(np.isfinite(rest)) and relative(rest, near) < 1e-6
+
+
+@pytest.mark.parametrize("torques", [[2.0], [1.0, 2.0], np.ones(5), ca.SX.sym("tau")], ids=["1", "2", "5", "symbol"])
+def test_torques_of_a_wrong_number_are_refused(torques):
+    """CasADi by itself lets one drive all joints; the functions of an algebra take what they are given."""
+    model = example("ella")
+    x, f = arguments(model), model.casadi()
+    given, count = {**x, "tau": torques}, ca.SX(torques).numel()
+    for call in (
+        lambda: f["forward_dynamics"](*(given[k] for k in ("q", "v", "tau", "w_ext", "p"))),
+        lambda: f["drive_power"](**{k: given[k] for k in ("q", "v", "tau", "p")}),
+        lambda: f["step"].call([*(given[k] for k in ("q", "v", "tau", "w_ext", "p")), 1e-3]),
+        lambda: Functions(model.chain, [], [], None)._torques([0.0] * count),
+    ):
+        with pytest.raises(UsageError, match=f"^tau has {count} numbers?; it must have 3"):
+            call()
+
+
+def test_a_zero_stands_for_zeros_and_columns_for_calls():
+    model = example("ella")
+    x, f = arguments(model), model.casadi()["forward_dynamics"]
+    zero = f(x["q"], x["v"], 0, ca.SX(0), x["p"])[0]
+    assert flat(ca.DM(zero)) == pytest.approx(flat(f(x["q"], x["v"], np.zeros(3), np.zeros((6, 2)), x["p"])[0]))
+    many = f(*(np.hstack([np.reshape(x[k], (f.size1_in(k), -1))] * 2) for k in f.name_in()))[0]
+    assert many.shape == (model.nv, 2)

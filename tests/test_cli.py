@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import require_tool
+from helpers import ROOT, example_dict
 from oracle import Oracle
 
 from screwgen import __version__, derive, load
@@ -22,7 +23,6 @@ from screwgen.simulation.simulate import FORMS, simulate
 from screwgen.studies.assemble import assemble
 from screwgen.studies.modes import natural_frequencies
 
-ROOT = Path(__file__).resolve().parents[1]
 ELLA = str(ROOT / "examples" / "ella_paper.toml")
 STATE = {
     "q": [0.3, -0.4, 0.5, 1e-5, 0.01, -0.02, 2e-5, 0.01, 0.005],
@@ -100,19 +100,13 @@ def test_evaluate_agrees_with_the_oracle(capsys, folder, cell):
     found = json.loads(run(capsys, "evaluate", "ella.toml", *options))
     names = {"vdot", "links", "wrench", "tip_position", "tip_rotation", "kinetic", "potential", "power", "validity"}
     assert set(found) == names and found["links"] == ["upper_arm", "forearm"]
-    oracle = Oracle(tomllib_of(folder / "ella.toml"))
+    oracle = Oracle(example_dict("ella"))
     assert max(oracle.errors(STATE, found["vdot"], found["wrench"]).values()) < oracle.tolerance(STATE["q"])
     R, position = oracle.tip_pose(STATE["q"])
     assert np.allclose(found["tip_rotation"], R, atol=1e-12)
     assert np.allclose(found["tip_position"], position, atol=1e-12)
     assert np.allclose([found["kinetic"], found["potential"]], oracle.energy(STATE["q"], STATE["v"]), rtol=1e-12)
     assert np.shape(found["wrench"]) == (2, 6)
-
-
-def tomllib_of(path) -> dict:
-    import tomllib
-
-    return tomllib.loads(Path(path).read_text())
 
 
 @pytest.mark.parametrize("state", ["[0.3, -0.4, 0.5]", '{"q": [0.3, -0.4, 0.5]}', "[0.3, -0.4, 0.5, 0, 0, 0, 0, 0, 0]"])

@@ -7,16 +7,7 @@ import pytest
 from helpers import QUICK, arm, link, model_of, quick, quick_batch
 from mechanisms import bennett, sarrus, slider_crank
 
-from screwgen import (
-    LoopWarning,
-    OpenedError,
-    ScrewgenError,
-    SingularError,
-    UsageError,
-    assemble,
-    rollout,
-    simulate,
-)
+from screwgen import LoopWarning, OpenedError, ScrewgenError, SingularError, UsageError, assemble, rollout, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation import rollout_loops

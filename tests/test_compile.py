@@ -1,11 +1,13 @@
 """`model.compile`: the C as functions on NumPy arrays."""
 
 import threading
+from functools import partial
 
 import numpy as np
 import pytest
 from conftest import require_tool
 from helpers import EPS32, arm, drawn, example, link, model_of, relative
+from step_judges import point
 
 import screwgen
 from screwgen import ScrewgenError, SingularError, UsageError
@@ -22,10 +24,7 @@ def ella():
     return example("ella").compile(flags=("-O0",))
 
 
-def state(model, seed=0):
-    rng = np.random.default_rng(seed)
-    q, v = 0.05 * rng.normal(size=(2, model.nq))
-    return q, v, rng.normal(size=model.n_joints), rng.normal(size=(model.n_links, 6))
+state = partial(point, angle=0.1, rate=0.1)
 
 
 # -------- functions
@@ -55,41 +54,6 @@ def test_optimised_code_agrees_with_the_oracle_in_both_forms():
     for form in ("joint", "dae"):
         for found, wanted in zip(c.forward_dynamics(*case.inputs, form=form), expected, strict=True):
             assert relative(found, wanted) < case.tolerance
-
-
-def test_energy_of_other_parameters():
-    """Spin and lengths are constants that the energy alone reads: they follow the parameters too."""
-    case = drawn(12, 2, max_modes=2)
-    p = np.array(case.model.parameter_values) * np.linspace(1.01, 1.1, len(case.model.parameter_values))
-    c = case.model.compile(flags=("-O0",))
-    c.prepare(p)
-    q, v, *_ = case.inputs
-    assert np.allclose(c.energy(q, v), case.model.numpy(p).energy(q, v), rtol=1e-11)
-
-
-def test_poses_and_twists_are_those_of_the_model(ella):
-    model, (q, v, *_) = ella.model, state(ella.model)
-    found, f = ella.kinematics(q, v), model.casadi()
-    R, position = f["link_pose"](q, model.parameter_values)[:2]
-    assert np.allclose(np.hstack(found.rotation), np.reshape(R, (3, -1)), atol=1e-14)
-    assert np.allclose(found.position.T, position, atol=1e-14)
-    tip = f["tip_pose"](q, model.parameter_values)
-    assert np.allclose(found.tip_rotation[-1], tip[0], atol=1e-14)
-    assert np.allclose(found.tip_position[-1], np.ravel(tip[1]), atol=1e-14)
-    J = np.array(f["tip_jacobian"](q, model.parameter_values))
-    assert np.allclose(ella.tip_jacobian(q), J, atol=1e-13) and np.allclose(found.tip_twist[-1], J @ v, atol=1e-12)
-    assert np.allclose(ella.kinematics(q).tip_twist, 0.0)
-
-
-def test_gravity_is_the_equilibrium_of_held_joints(ella):
-    model = ella.model
-    joints, w_ext = np.array([0.3, -0.4, 0.9]), np.array([np.zeros(6), [0, 0, 0, 1.0, -2.0, 3.0]])
-    start = np.append(joints, np.zeros(model.nq - 3))
-    force, posture = ella.gravity(start, w_ext)
-    wanted = screwgen.equilibrium(model, joints, w_ext=w_ext, hold=True)
-    assert relative(force[:3], wanted.tau) < 1e-6 and relative(posture[3:], wanted.q[3:]) < 1e-4
-    assert np.array_equal(posture[:3], joints) and np.max(np.abs(force[3:])) < 1e-3
-    assert np.array_equal(start[3:], np.zeros(model.nq - 3))
 
 
 def test_a_stepper_keeps_its_arrays_and_steps_as_the_model_does(ella):
@@ -223,13 +187,7 @@ def test_instances_of_one_library_keep_apart(ella):
 
 
 def test_errors_name_what_is_wrong():
-    spherical = {
-        "name": "wrist",
-        "length": 0.5,
-        "section": {"rhoA": 1.0, "rhoIp": 0.01},
-        "joint": {"axes": ["x", "z", "x"]},
-    }
-    c = model_of(arm(spherical)).compile(flags=("-O0",))
+    c = model_of(arm(link("wrist", 0.5, "xzx"))).compile(flags=("-O0",))
     with pytest.raises(SingularError, match="'wrist'"):
         c.forward_dynamics(np.zeros(3), np.zeros(3))
     with pytest.raises(ScrewgenError, match="non-finite"):

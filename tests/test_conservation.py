@@ -1,4 +1,4 @@
-"""What a motion keeps: energy, the joints of the DAE form, bounds of the modal-implicit step; orders of the steps.
+"""What a motion keeps: energy, the joints of the DAE form, bounds of the modal-implicit step.
 
 All in compiled, optimised C. ELLA swings freely from a bent rest; nothing in it dissipates.
 """
@@ -7,11 +7,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-from helpers import arm, example, example_dict, link, model_of, rotation_of
+from helpers import example, example_dict, rotation_of
 from oracle import Oracle
 
 from screwgen.errors import ScrewgenError
-from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation.dae import DaeStepper
 
@@ -151,49 +150,3 @@ def test_explicit_steps_cannot_hold_the_axial_modes(method):
     """omega h = 8.8 is beyond every explicit bound (2 for symplectic Euler, 2.8 for RK4): they diverge, and say so."""
     with pytest.raises(ScrewgenError):
         ella().step(STRETCHED, REST, *FREE, 1e-3, method, 5000)
-
-
-# -------- order
-
-
-def soft() -> dict:
-    """Two soft links in space whose modes all methods resolve; a spring and a damper in the second joint."""
-    section = {"EA": 400.0, "EIy": 4.0, "EIz": 6.0, "GJ": 3.0, "rhoIp": 2e-2}
-    modes = {"basis": "polynomial", "axial": 1, "bending_y": 1, "bending_z": 1}
-    joint = {"mount": {"rpy": [0.3, 0.2, -0.4], "xyz": [0.05, 0.1, 0.0]}, "stiffness": [30.0], "damping": [0.5]}
-    return arm(
-        link("upper", 0.8, ["y", "z"], modes=modes, section=section, bodies=[{"at": "tip", "mass": 1.0}]),
-        link("fore", 0.7, [[1, 2, 2]], modes=modes | {"torsion": 1}, section=section, joint=joint, frame_at=0.2,
-             bodies=[{"at": "tip", "mass": 0.5, "com": [0.05, 0.02, 0.0]}]),
-    )  # fmt: skip
-
-
-@cache
-def soft_arm():
-    model = model_of(soft())
-    rng = np.random.default_rng(1)
-    q, v = 0.02 * rng.normal(size=model.nq), 0.1 * rng.normal(size=model.nq)
-    q[:3], v[:3] = [0.3, -0.5, 0.7], [1.0, -2.0, 1.5]
-    return Compiled(model), q, v, np.array([2.0, -1.0, 0.5]), rng.normal(size=(2, 6))
-
-
-def end_state(form: str, method: str, steps: int, duration=0.2) -> np.ndarray:
-    """The state of the DAE form after `duration`."""
-    c, q, v, *inputs = soft_arm()
-    if form == "joint":
-        return c.dae_state(*c.step(q, v, *inputs, duration / steps, method, steps))
-    return c.dae_step(c.dae_state(q, v), *inputs, duration / steps, method, steps)
-
-
-ORDER = {"euler": 1, "semi_implicit": 1, "modal_implicit": 1, "modal_midpoint": 2, "rk4": 4}
-
-
-@pytest.mark.parametrize("form", ["joint", "dae"])
-@pytest.mark.parametrize("method", METHODS)
-def test_order_of_convergence(form, method):
-    """Halving the step divides the error by 2 to the order; both forms meet the same solution."""
-    exact = end_state("joint", "rk4", 40000)
-    steps = [200, 400, 800] if ORDER[method] > 1 else [8000, 16000, 32000]
-    errors = [np.abs(end_state(form, method, n) - exact).max() for n in steps]
-    slopes = np.log2(np.array(errors[:-1]) / errors[1:])
-    assert np.allclose(slopes, ORDER[method], atol=0.15), (slopes, errors)

@@ -7,7 +7,7 @@ from pathlib import Path
 import control_loops as loops
 import numpy as np
 import pytest
-from helpers import example_dict, model_of
+from helpers import arm, example_dict, link, model_of
 
 import screwgen
 from screwgen.cli.main import main
@@ -190,8 +190,8 @@ def test_the_guides_gains_run_on_ella_with_the_rotors_that_it_states(tmp_path):
     gains = re.search(r"```toml\n(kp = .*?)```", text, re.DOTALL)[1]
     rotors = [[float(x) for x in found.split(",")] for found in re.findall(r"armature = \[([\d., ]+)\]", text)]
     robot = example_dict("converged")
-    for link, armature in zip(robot["links"], rotors, strict=True):
-        link["joint"]["armature"] = armature
+    for own, armature in zip(robot["links"], rotors, strict=True):
+        own["joint"]["armature"] = armature
     model = model_of(robot)
     (tmp_path / "gains.toml").write_text(gains)
     law = read_pd(tmp_path / "gains.toml", model)
@@ -204,12 +204,8 @@ def test_the_guides_gains_run_on_ella_with_the_rotors_that_it_states(tmp_path):
 
 def test_a_run_without_a_controller_blames_none():
     """A column under a thousand times its buckling load, on a joint that nothing holds."""
-    column = {
-        "name": "column", "length": 1.0, "section": loops.SOFT, "modes": {"bending_y": 2, "bending_z": 2},
-        "joint": {"axes": ["x", "y"], "mount": {"rpy": [0.0, -1.5707963267948966, 0.0]}},
-        "bodies": [{"at": "tip", "mass": 1e4}],
-    }  # fmt: skip
-    model = model_of({"name": "tower", "gravity": [0.0, 0.0, -9.81], "links": [column]})
+    more = {"section": loops.SOFT, "joint": {"mount": {"rpy": [0.0, -np.pi / 2, 0.0]}}, **loops.BENT}
+    model = model_of(arm(link("column", axes="xy", bodies=[{"at": "tip", "mass": 1e4}], **more)))
     with pytest.raises(DivergedError) as failed:
         screwgen.simulate(model, 2.0, 1e-3, q0=[1e-3, 0, 0, 0, 0, 0], backend="casadi")
     line = str(failed.value)

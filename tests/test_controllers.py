@@ -8,7 +8,7 @@ from helpers import model_of
 from test_simulate import soft_dict
 
 from screwgen import UsageError
-from screwgen.simulation.controllers import PD, Holding
+from screwgen.simulation.controllers import PD, Holding, read_controller
 from screwgen.simulation.simulate import simulate
 from screwgen.studies.equilibrium import equilibrium
 
@@ -90,6 +90,42 @@ def test_gravity_compensation_leaves_no_error_at_rest(backend):
 def test_pd_laws_built_in_python_keep_to_the_rules_of_files(options, message):
     with pytest.raises(UsageError, match=message):
         PD(**({"kp": (1.0,), "kd": (1.0,), "q_des": (0.0,)} | options))
+
+
+def test_inputs_over_time_come_from_a_table(tmp_path):
+    """Linear between rows, held at the ends; columns in any order, others zero; tendons among them."""
+    robot = soft_dict()
+    robot["links"][1]["tendons"] = [{"name": "cord", "at": [[0.0, 0.03, 0.0], [0.0, 0.02, 0.0]]}]
+    model = model_of(robot)
+    name = model.tau_names[1]
+    path = tmp_path / "inputs.csv"
+    path.write_text(f"cord.tension, t, {name}\n10,0.01,1.0\n\n30,0.03,-2.0\n")
+    law = read_controller(f"csv:{path}", model)
+    wanted = {0.0: (1.0, 10.0), 0.01: (1.0, 10.0), 0.02: (-0.5, 20.0), 0.03: (-2.0, 30.0), 9.0: (-2.0, 30.0)}
+    for t, (torque, tension) in wanted.items():
+        assert law(t, None, None) == pytest.approx([0.0, torque, 0.0, tension])
+    run = simulate(model, 0.04, 1e-3, controller=law)
+    assert run.tau[20] == pytest.approx([0.0, -0.5, 0.0, 20.0])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "has no rows; write a head, t,"),
+        ("t,elbow\n0,1\n", "column 'elbow' is an unknown key; "),
+        ("t,t\n0,1\n", "column 't' is there 2 times; leave one"),
+        ("upper.torque[0]\n1\n", "has no column 't'"),
+        ("t,upper.torque[0]\n0,1\n1\n", "line 3: has 1 entries; it must have 2, as the head"),
+        ("t,upper.torque[0]\n0,nan\n", r"line 2: upper.torque\[0\] is 'nan'; it must be a finite number"),
+        ("t,upper.torque[0]\n0,1\n\n0,2\n", "line 4: t is 0 s; it must be later than in the row before"),
+    ],
+)
+def test_tables_of_inputs_that_say_nothing_are_refused(tmp_path, text, said):
+    path = tmp_path / "inputs.csv"
+    path.write_text(text)
+    with pytest.raises(UsageError, match=f"inputs.csv: {said}") as error:
+        read_controller(f"csv:{path}", model_of(soft_dict()))
+    assert "\n" not in str(error.value)
 
 
 def test_pd_of_unequal_lengths_is_refused():

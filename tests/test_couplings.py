@@ -1,4 +1,4 @@
-"""Couplings of two axes: against the constrained equations of the oracle, elimination by hand, Pinocchio, energy."""
+"""Couplings of two axes: against elimination by hand, Pinocchio, energy."""
 
 from pathlib import Path
 
@@ -6,86 +6,14 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import random_robots as rr
-from conftest import swept
-from helpers import arm, casadi_forward, link, model_of, quick, relative
-from oracle import Oracle
-from test_loop_derivatives import error, moved
-from test_loops import constrained, looped, plain
+from helpers import arm, link, model_of, relative
 
 from screwgen import OpenLoopError, RobotFileError, UsageError, assemble, dump, load, simulate
-from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
 from screwgen.interchange.load import import_urdf
 from screwgen.interchange.tree import Options
 from screwgen.interchange.urdf_write import export_urdf
 from screwgen.model import derive
-
-
-def names(robot: dict) -> list[str]:
-    """The coordinates of all axes that no elastic gear and no transmission drives."""
-    found = []
-    for x in robot["links"]:
-        drives = x["joint"].get("drives") or [{}] * len(x["joint"]["axes"])
-        for k, (axis, drive) in enumerate(zip(x["joint"]["axes"], drives, strict=True)):
-            kind = "slide" if isinstance(axis, dict) and "slide" in axis else "joint"
-            if "stiffness" not in drive and "transmission" not in drive:
-                found.append(f"{x['name']}.{kind}[{k}]")
-    return found
-
-
-def coupled(rng, robot: dict, state: dict, count: int = 1, among: list[str] | None = None) -> dict:
-    """The robot with couplings between random axes, of all or `among` these, that the state satisfies."""
-    every = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
-    free = names(robot) if among is None else among
-    order = rng.permutation(len(free))[: 2 * count]
-    couplings = []
-    for axis, of in zip(order[::2], order[1::2], strict=False):
-        ratio = round(float(rng.uniform(-2, 2)), 3)
-        q = {name: state["q"][every.index(plain(name))] for name in (free[axis], free[of])}
-        offset = float(q[free[axis]] - ratio * q[free[of]])
-        couplings.append({"axis": free[axis], "of": free[of], "ratio": ratio, "offset": offset})
-    return robot | {"couplings": couplings}
-
-
-@pytest.mark.parametrize("seed", swept(range(12), 0, 1, 2))
-def test_random_trees_equal_the_constrained_oracle(seed):
-    """In every back end and form; every third has a loop as well, every second is open and closes alike."""
-    rng = np.random.default_rng([77, seed])
-    if seed % 3 == 2:
-        robot, state = looped(rng, ["x", "y", "z"], 4)
-    else:
-        robot, state, _ = rr.draw_regular(rng, 4 + seed % 3, branching=0.5, sliding=0.3, drives=0.3, max_modes=1)
-    assert len(names(robot)) > 1
-    robot = coupled(rng, robot, state, 1 + seed % 2)
-    model, oracle = model_of(robot), Oracle(robot)
-    judge, q = model.numpy(), np.array(state["q"])
-    v = moving(judge, q, state["v"])
-    if seed % 2:
-        q = q + 0.02 * rng.normal(size=len(q)) * (np.arange(len(q)) < model.n_joints)
-    state |= {"q": q, "v": v}
-    expected = constrained(oracle, robot, state)
-    given = q, v, state["tau"], state["w_ext"]
-    scale = np.max(np.abs(expected))
-    found, wrench = judge.forward_dynamics(*given)
-    assert np.max(np.abs(found - expected)) < 1e-9 * scale
-    assert np.max(np.abs(casadi_forward(model, *given)[0] - expected)) < 1e-9 * scale
-    dae, dae_wrench = judge.dae_forward_dynamics(*given)
-    assert np.max(np.abs(dae - expected)) < 1e-9 * scale
-    assert relative(dae_wrench, wrench) < 1e-9
-    compiled = quick(model, layout=("fused", "modular")[seed % 2], derivatives=True)
-    for form in ("joint", "dae"):
-        assert np.max(np.abs(compiled.forward_dynamics(*given, form=form)[0] - expected)) < 1e-9 * scale
-    torques = judge.coupling_torques(*given)
-    assert relative(compiled.coupling_torques(*given), torques) < 1e-9
-    by_casadi = model.casadi()["coupling_torques"](*given[:3], np.array(given[3]).T, model.parameter_values)
-    assert relative(np.ravel(by_casadi), torques) < 1e-9
-    loads = np.array(state["w_ext"]) + judge.loop_wrenches(*given)
-    needed = oracle.inverse_dynamics(q, v, found, loads)[: model.n_joints]
-    direct = [k for k, place in enumerate(model.chain.held_places) if place == k]
-    assert relative(needed[direct], (np.array(state["tau"]) + torques)[direct]) < 1e-9
-    state = moved(model, q)
-    assert error(model, state, judge.derivatives(*state)) < 1e-9
-    assert error(model, state, compiled.linearise(*state)[1:]) < 1e-7
 
 
 def geared() -> dict:

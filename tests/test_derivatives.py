@@ -7,7 +7,8 @@ import casadi as ca
 import mpmath
 import numpy as np
 import pytest
-from helpers import EPS, EPS32, G, arm, drawn, equal_links, example, flat, link, model_of, quick, relative
+from helpers import EPS, EPS32, G, arm, equal_links, example, flat, link, model_of, quick, relative
+from step_judges import point
 
 from screwgen import SingularError
 from screwgen.backends.c.project import CProject
@@ -30,14 +31,6 @@ UNTURNED = arm(
     link("b", axes="z", modes={"bending_y": 1, "torsion": 1}, section=SOFT, bodies=TIP),
     section_rotation=False,
 )
-
-
-def state(model, seed=0, angle=1.0, modal=0.01):
-    """q, v, tau, w_ext in these sizes."""
-    rng, m, r = np.random.default_rng(seed), model.n_joints, model.nq - model.n_joints
-    q = np.r_[rng.uniform(-angle, angle, m), rng.uniform(-modal, modal, r)]
-    v = np.r_[rng.uniform(-1, 1, m), rng.uniform(-0.1, 0.1, r)]
-    return q, v, rng.uniform(-5, 5, m), rng.uniform(-3, 3, (model.n_links, 6))
 
 
 @cache
@@ -66,18 +59,12 @@ def worst(found, expected):
 # -------- against CasADi
 
 
-@pytest.mark.parametrize("seed", [3])
-def test_random_robots_equal_casadi(seed):
-    case = drawn(seed, min(1 + seed % 4, 4))
-    assert worst(case.model.numpy().derivatives(*case.inputs), by_casadi(case.model, *case.inputs)) <= case.tolerance
-
-
 @pytest.mark.parametrize("robot", ["mixed", "unturned"])
 @pytest.mark.parametrize(("angle", "modal"), [(1.0, 0.02), (1e-9, 1e-12), (1e4, 0.3)], ids=["usual", "tiny", "huge"])
 def test_any_size_of_angles_equals_casadi(robot, angle, modal):
     """Huge: tip sections turned beyond two radians, where the Stumpff functions change their form."""
     model = own(robot)
-    given = state(model, 7, angle, modal)
+    given = point(model, 7, angle, modal)
     M = model.numpy().mass_matrix(given[0])
     tolerance = max(1e-10, 50 * EPS * np.linalg.cond(M))
     assert worst(model.numpy().derivatives(*given), by_casadi(model, *given)) <= tolerance
@@ -86,13 +73,10 @@ def test_any_size_of_angles_equals_casadi(robot, angle, modal):
 def test_at_rest_and_straight():
     """eta = 0 exactly: finite, and that of a neighbouring state."""
     model = own("mixed")
-    zero = [np.zeros_like(x) for x in state(model)]
+    zero = [np.zeros_like(x) for x in point(model)]
     zero[0][3] = 0.4  # x, y, x is singular at zero
     near = [zero[0] + np.r_[np.zeros(model.n_joints), np.full(model.nq - model.n_joints, 1e-10)], *zero[1:]]
     assert worst(model.numpy().derivatives(*near), model.numpy().derivatives(*zero)) < 1e-6
-
-
-# -------- against finite differences
 
 
 # -------- the generated C
@@ -101,7 +85,7 @@ def test_at_rest_and_straight():
 @pytest.mark.parametrize(("robot", "binding"), [("ella", "runtime"), ("mixed", "baked")])
 def test_c_equals_numpy_in_double_and_float(robot, binding):
     model = example("ella") if robot == "ella" else model_of(MIXED)
-    given = state(model, 5)
+    given = point(model, 5)
     expected = model.numpy().derivatives(*given)
     condition = np.linalg.cond(model.numpy().mass_matrix(given[0]))
     for single, eps in ((False, EPS), (True, EPS32)):
@@ -118,7 +102,7 @@ def test_solver_in_loops():
     model = model_of(arm(*(link(n, 0.7, "zy", modes=modes, section=SOFT) for n in "ab")))
     assert model.nq > 16
     p = np.array(model.parameter_values) * 1.1
-    given = state(model, 2)
+    given = point(model, 2)
     c = quick(model, derivatives=True)
     c.prepare(p)
     assert worst(c.linearise(*given)[1:], model.numpy(p).derivatives(*given)) <= 1e-9
@@ -131,7 +115,7 @@ def test_without_joints_or_without_modes():
         arm(link(axes=[])),
     ):
         model = model_of(robot)
-        given = state(model)
+        given = point(model)
         found = quick(model, derivatives=True).linearise(*given)[1:]
         for a, b in zip(found, model.numpy().derivatives(*given), strict=True):
             assert a.shape == b.shape and relative(a, b) < 1e-11
@@ -177,7 +161,7 @@ def test_long_derivatives_say_how_long_they_take_to_compile():
     model = model_of(equal_links(11))
     with pytest.warns(TargetWarning, match=r"of wrenches in C have \d+ operations, .* about [3-6]\d s at -O2"):
         c = quick(model, derivatives=True)
-    given = state(model)
+    given = point(model)
     condition = np.linalg.cond(model.numpy().mass_matrix(given[0]))
     assert worst(c.linearise(*given)[1:], model.numpy().derivatives(*given)) <= max(1e-12, 50 * EPS * condition)
 

@@ -1,11 +1,9 @@
 """Drives in robot files: names, units and parameters, and ten kinds of wrong tables, each refused in one line."""
 
-import numpy as np
 import pytest
 from bad_robot_files import GOOD, refused
 from drive_robots import ELASTIC, MIXED, mixed
 from helpers import example, link, model_of
-from transmitted import acados_agrees
 
 from screwgen import Robot, UsageError, derive, load
 from screwgen.backends.latex import document as latex
@@ -111,10 +109,6 @@ def test_the_z_form_and_the_printed_system_refuse_rotors():
     rigid = MIXED | {"links": [link("a", joint={"drives": [ELASTIC]})]}
     with pytest.raises(UsageError, match="the paper has neither gears nor friction nor stops"):
         derive(Robot.model_validate(rigid), formulation="printed")
-
-
-def test_acados_has_torques_where_they_act():
-    acados_agrees(mixed(), tuple(mixed().tau_names), np.ones(mixed().n_tau))
 
 
 def test_the_readme_of_casadi_knows_where_the_states_of_the_dae_stand():

@@ -1,16 +1,13 @@
-"""Drives of random robots against the oracle, and what the equations of gears and rotors must do."""
+"""What the equations of gears and rotors must do: limits, energy, friction, rest, vibrations, cost."""
 
 from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
-from conftest import swept
 from drive_robots import ARMATURE, MIXED, RATIO, mixed, pendulum, swing
-from helpers import Case, arm, case_of, drawn, link, model_of, relative
-from judges import compiled, derivatives, numpy_and_casadi, solved_densely
+from helpers import Case, arm, case_of, link, model_of, quick, relative
 from random_robots import random_state
-from test_c_posture import Posture
 
 from screwgen import PD, Holding, equilibrium, natural_frequencies, simulate
 from screwgen.algorithms import fused
@@ -18,66 +15,13 @@ from screwgen.simulation.integrate import JointState, JointStepper
 from screwgen.simulation.motion import screws
 from screwgen.studies.analysis.spectrum import growth, step_map
 
-SEEDS = range(8000, 8024)
-
-
-@cache
-def drawn_with_drives(seed: int) -> Case:
-    more = {"second_order": 0.2, "stations": 0.2} if seed % 3 == 2 else {}
-    return drawn(seed, 1 + seed % 4, drives=0.9, sliding=0.3, branching=0.3, **more)
-
-
-@pytest.fixture(params=swept(SEEDS, 8001, 8002))
-def case(request) -> Case:
-    return drawn_with_drives(request.param)
-
 
 @cache
 def everything(seed: int) -> Case:
     return case_of(MIXED, random_state(np.random.default_rng(seed), MIXED))
 
 
-# -------- against the oracle
-
-
-def test_numpy_and_casadi_equal_the_oracle(case):
-    numpy_and_casadi(case)
-
-
-@pytest.mark.parametrize("seed", swept(range(4), 0))
-def test_drives_of_every_kind_in_one_robot(seed):
-    for judge in (numpy_and_casadi, solved_densely, derivatives):
-        judge(everything(seed))
-    for layout in ("fused", "modular"):
-        compiled(everything(seed), layout)
-
-
-def test_the_dae_of_casadi_moves_rotors_as_the_joint_form_does():
-    c = everything(1)
-    q, v, tau, w_ext = c.inputs
-    model, chain, p = c.model, c.model.chain, c.model.parameter_values
-    x, dae = model.casadi()["dae_state"](q, v, p), model.casadi()["dae"]
-    M, H, W = model.casadi()["assemble"](x, tau, w_ext.T, p)
-    z = np.linalg.solve(M.full(), (W - H).full())
-    from casadi import Function
-
-    f = Function("f", [dae[k] for k in ("x", "z", "u", "p")], [dae["ode"], dae["alg"]])
-    ode, alg = (y.full()[:, 0] for y in f(x, z, np.append(tau, w_ext), p))
-    rotors = [k for k, name in enumerate(model.dae_names["x"]) if ".theta_rate[" in name]
-    expected = c.oracle.forward_dynamics(**c.state)[0][chain.n_joints : chain.n_joints + chain.n_added]
-    assert np.abs(alg).max() < 1e-9 * np.abs(H.full()).max() and len(rotors) == chain.n_added == 3
-    assert relative(ode[rotors], expected) < c.tolerance
-
-
 # -------- steps
-
-
-@pytest.mark.parametrize("method", ["modal_midpoint", "modal_implicit", "rk4"])
-def test_steps_of_both_forms_agree(method):
-    c, start = everything(3), dict(q0=everything(3).inputs[0], v0=everything(3).inputs[1])
-    given = dict(start, controller=c.inputs[2], integrator=method)
-    joint, dae = (simulate(c.model, 0.01, 1e-4, form=form, **given) for form in ("joint", "dae"))
-    assert relative(dae.q[-1], joint.q[-1]) < 1e-6
 
 
 def test_a_stiff_gear_tends_to_the_armature():
@@ -213,18 +157,16 @@ def test_free_arms_hang_where_those_with_rigid_gears_do():
 
 
 def test_gravity_of_the_c_holds_the_arm():
-    model, c = mixed(), Posture(mixed())
-    q = np.linspace(-0.4, 0.4, model.n_joints)
-    force, rest = c.gravity(np.append(q, np.ones(model.nq - len(q))), np.zeros((model.n_links, 6)))
+    model, q = mixed(), np.linspace(-0.4, 0.4, mixed().n_joints)
+    force, rest = quick(model).gravity(np.append(q, np.zeros(model.nq - len(q))))
     e = equilibrium(model, q, hold="all")
     assert relative(force[: model.n_tau], e.tau) < 1e-6 and relative(rest, e.q) < 1e-6
 
 
-@pytest.mark.parametrize("joints", ["locked", "free"])
-def test_natural_frequencies_equal_the_oracle(joints):
+def test_natural_frequencies_of_free_joints_equal_the_oracle():
     c = everything(6)
-    found = natural_frequencies(c.model, c.inputs[0], joints)
-    expected = c.oracle.frequencies(c.inputs[0], joints)
+    found = natural_frequencies(c.model, c.inputs[0], "free")
+    expected = c.oracle.frequencies(c.inputs[0], "free")
     elastic = expected > 1e-3
     assert len(found) == len(expected) and np.count_nonzero(found == 0) == np.count_nonzero(~elastic)
     assert np.allclose(found[elastic], expected[elastic], rtol=1e-6)

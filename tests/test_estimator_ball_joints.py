@@ -1,15 +1,16 @@
 """The filters of robots with ball joints: NumPy and C, differences of steps, simulated runs, what is refused."""
 
 import subprocess
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
+from conformance.c_warnings import WARNINGS
 from floating_robots import SATELLITE, rod
 from helpers import QUICK, model_of
 from scipy.spatial.transform import Rotation
 from sensors import felt, measured
-from test_c_code import WARNINGS
 
 from screwgen import ScrewgenError, UsageError
 from screwgen.backends.numpy.dae_step import SERIES
@@ -72,9 +73,9 @@ def deviation(robot) -> np.ndarray:
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_numpy_and_c_are_the_same(name):
-    """Entries of the measurements there or not by chance."""
-    robot, rng, noise = model(name), np.random.default_rng(1), noise_of(model(name))
-    filters = (compiled(name), Estimator(robot))
+    """Entries of the measurements there or not by chance, some of them doubted."""
+    robot, rng, weights = model(name), np.random.default_rng(1), []
+    filters, noise = (compiled(name), Estimator(robot)), replace(noise_of(robot), gate=4.0, doubt=0.5)
     for e in filters:
         e.start(*begin(robot), deviation(robot), 10 * deviation(robot), noise)
     tau, w_ext = 0.1 * rng.normal(size=robot.n_tau), 0.1 * rng.normal(size=(robot.n_links, 6))
@@ -86,6 +87,7 @@ def test_numpy_and_c_are_the_same(name):
             z = {key: np.where(rng.uniform(size=np.shape(x)) < 0.85, x, np.nan) for key, x in z.items()}
             for e in filters:
                 e.update(tau, w_ext, **z)
+            weights += [[np.concatenate([x.weight for x in e.innovations.values()]) for e in filters]]
         (q, v), (q_n, v_n) = (e.state for e in filters)
         assert np.max(np.abs(q - q_n)) < 1e-12 and np.max(np.abs(v - v_n)) < 1e-11 * max(1, np.max(np.abs(v_n)))
         P, P_n = (e.covariance for e in filters)
@@ -94,6 +96,8 @@ def test_numpy_and_c_are_the_same(name):
         for part in robot.chain.curved:
             first = part.q.start + part.joint.turn_at
             assert abs(np.linalg.norm(q[first : first + 4]) - 1) < 1e-15
+    of_c, of_numpy = np.array(weights).transpose(1, 0, 2)
+    assert of_c == pytest.approx(of_numpy, rel=1e-6) and ((of_c > 0) & (of_c < 1)).mean() > 0.1
 
 
 @pytest.mark.parametrize("name", ROBOTS)

@@ -8,13 +8,13 @@ import floating_robots
 import numpy as np
 import pytest
 import scipy.stats
+from conformance.c_warnings import WARNINGS
 from conftest import require_tool
 from dense_filter import DenseFilter
 from helpers import QUICK, model_of
 from scipy.spatial.transform import Rotation
 from sensors import felt, measured
 from test_analyse_loops import one_bar, parallelogram
-from test_c_code import WARNINGS
 from test_linear_loops import BALL, GEAR, linkage
 from test_loops import angles
 

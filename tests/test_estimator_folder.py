@@ -4,9 +4,9 @@ import subprocess
 import sys
 
 import pytest
+from conformance.c_warnings import WARNINGS
 from conftest import require_tool
 from helpers import ROOT, arm, link, model_of
-from test_c_code import WARNINGS
 from test_estimator import model
 
 from screwgen.backends.c.project import CProject

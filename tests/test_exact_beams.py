@@ -2,21 +2,19 @@
 
 import json
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import swept
-from helpers import QuickModel
+from helpers import ROOT, QuickModel
 
 import screwgen
 
-ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "bench"))
 
-import exact_beams  # noqa: E402
-import exact_slider_crank  # noqa: E402
-import exact_swings  # noqa: E402
+import exact_beams
+import exact_slider_crank
+import exact_swings
 
 read = lambda name: json.loads((ROOT / "tests" / name).read_text(encoding="utf-8"))  # noqa: E731
 RECORD, SOFT, SWINGS = (read(f"{n}.json") for n in ("ella_exact_beams", "ella_soft_exact_beams", "exact_swings"))

@@ -1,10 +1,11 @@
-"""Rods of order "exact" around the dynamics: what files may say of them, their points, what documents show."""
+"""Rods of order "exact" around the dynamics: what files may say of them, their points, control, what documents show."""
 
 import re
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of
+from helpers import QUICK, arm, link, model_of, quick, relative
+from test_mpc import PLAIN
 from test_reduced import arm_of, free_cloud
 
 from screwgen import Robot, RobotFileError
@@ -15,15 +16,15 @@ from screwgen.spec.load import loads
 from screwgen.viewer.scene import scene
 from screwgen.viewer.solids import Bend
 
-TEXT = """name = "arm"
+GOOD = """name = "arm"
 gravity = [0, 0, -9.81]
-{robot}
+order = "exact"
 [[links]]
 name = "rod"
 length = 1.0
-section = {{ rhoA = 1.0, EIz = 1.0 }}
-modes = {{ bending_y = 2{modes} }}
-joint = {{ axes = ["z"] }}
+section = { rhoA = 1.0, EIz = 1.0 }
+modes = { bending_y = 2 }
+joint = { axes = ["z"] }
 """
 
 
@@ -34,53 +35,39 @@ def bent(modes: int = 3, **more):
     return model_of(arm(rod, gravity=(0, 0, 0), order="exact"))
 
 
-@pytest.mark.parametrize(
-    "robot, modes, said",
-    [
-        ('order = "exakt"', "", 'order: is "exakt"; it must be 1, 2 or "exact"'),
-        ("order = 3", "", 'order: is 3; it must be 1, 2 or "exact"'),
-        ('order = "exact"\nsection_rotation = false', "", "order: .*but its sections turn; leave one of them out"),
-        ('order = "exact"', ", points = 2", "points .*: is 2; it must be at least 3"),
-        ('order = "exact"', ", points = 99", "points .*: is 99; it must be a whole number from 2 to 40"),
-        ('order = "exact"', ", points = true", "points .*: is true; it must be a whole number"),
-        ("order = 2", ", points = 6", 'points .*: is stated of a link that is not of order "exact"'),
-    ],
-)
-def test_wrong_files_are_refused_in_a_line(robot, modes, said):
-    with pytest.raises(RobotFileError, match=said) as error:
-        loads(TEXT.format(robot=robot, modes=modes), "arm.toml", ".")
-    assert "\n" not in str(error.value) and str(error.value).startswith("arm.toml: ")
+ORDER, SECTION = 'order = "exact"', "section = { rhoA = 1.0, EIz = 1.0 }\n"
+MODES, JOINT = "modes = { bending_y = 2 }\n", 'joint = { axes = ["z"] }\n'
+WRONG = [
+    (ORDER, 'order = "exakt"', 'order: is "exakt"; it must be 1, 2 or "exact"'),
+    (ORDER, "order = 3", 'order: is 3; it must be 1, 2 or "exact"'),
+    (ORDER, f"{ORDER}\nsection_rotation = false", "order: .*but its sections turn; leave one of them out"),
+    ("= 2 }", "= 2, points = 2 }", "points .*: is 2; it must be at least 3"),
+    ("= 2 }", "= 2, points = 99 }", "points .*: is 99; it must be a whole number from 2 to 40"),
+    ("= 2 }", "= 2, points = true }", "points .*: is true; it must be a whole number"),
+    (JOINT, f'{JOINT}order = "Exact"\n', r'links\[0\].order \(link rod\): is "Exact"; it must be 1, 2 or "exact"'),
+    (MODES, 'order = "exact"\n', "order .link rod.: is stated for a rigid link; state modes with it"),
+    (MODES, "modes = { points = 5 }\n", "modes.points .link rod.: is stated for a rigid link; state modes with it"),
+    (SECTION, "", "section .link rod.: is missing; state the section"),
+    (", EIz = 1.0", "", "section.EIz .link rod.: is missing, but modes.bending_y needs it; it must be > 0"),
+    ("length = 1.0\n", "", "length .link rod.: is missing; state the length of the centreline, m"),
+    ("= 2 }", "= 2, points = 5.5 }", "modes.points .link rod.: is 5.5; it must be a whole number from 2 to 40"),
+    ("= 2 }", '= 2, points = "5" }', 'modes.points .link rod.: is "5"; it must be a whole number from 2 to 40'),
+    ("= 2 }", "= 2, points = -3 }", "modes.points .link rod.: is -3; it must be a whole number from 2 to 40"),
+    ("= 2 }", "= 2, point = 5 }", r"modes.point .link rod.: is an unknown key; did you mean points\?"),
+    (JOINT, f"{JOINT}points = 5\n", "points .link rod.: is an unknown key here; it belongs in modes"),
+    ("= 2 }", "= 2, points = 5 }\norder = 1", "modes.points .link rod.: is stated of a link that is not of order"),
+    (GOOD, GOOD.replace(ORDER, "order = 2").replace("= 2 }", "= 2, points = 6 }"), "points .*: is stated of a link"),
+    (JOINT, f"{JOINT}damping = {{}}\n", "damping .link rod.: states nothing; state ratio or time"),
+    (JOINT, f"{JOINT}damping = {{ time = -1 }}\n", "damping.time .link rod.: is -1; it must be >= 0"),
+]
+"""What replaces a part of the good file, and what is said."""
 
 
-SECTION = "section = { rhoA = 1.0, EIz = 1.0 }\n"
-MODES = "modes = { bending_y = 2 }\n"
-JOINT = 'joint = { axes = ["z"] }\n'
-
-
-@pytest.mark.parametrize(
-    "old, new, said",
-    [
-        (JOINT, f'{JOINT}order = "Exact"\n', r'links\[0\].order \(link rod\): is "Exact"; it must be 1, 2 or "exact"'),
-        (MODES, 'order = "exact"\n', "order .link rod.: is stated for a rigid link; state modes with it"),
-        (MODES, "modes = { points = 5 }\n", "modes.points .link rod.: is stated for a rigid link; state modes with it"),
-        (SECTION, "", "section .link rod.: is missing; state the section"),
-        (", EIz = 1.0", "", "section.EIz .link rod.: is missing, but modes.bending_y needs it; it must be > 0"),
-        ("length = 1.0\n", "", "length .link rod.: is missing; state the length of the centreline, m"),
-        ("= 2 }", "= 2, points = 5.5 }", "modes.points .link rod.: is 5.5; it must be a whole number from 2 to 40"),
-        ("= 2 }", '= 2, points = "5" }', 'modes.points .link rod.: is "5"; it must be a whole number from 2 to 40'),
-        ("= 2 }", "= 2, points = -3 }", "modes.points .link rod.: is -3; it must be a whole number from 2 to 40"),
-        ("= 2 }", "= 2, point = 5 }", r"modes.point .link rod.: is an unknown key; did you mean points\?"),
-        (JOINT, f"{JOINT}points = 5\n", "points .link rod.: is an unknown key here; it belongs in modes"),
-        ("= 2 }", "= 2, points = 5 }\norder = 1", "modes.points .link rod.: is stated of a link that is not of order"),
-        (JOINT, f"{JOINT}damping = {{}}\n", "damping .link rod.: states nothing; state ratio or time"),
-        (JOINT, f"{JOINT}damping = {{ time = -1 }}\n", "damping.time .link rod.: is -1; it must be >= 0"),
-    ],
-)
-def test_links_that_cannot_be_exact_are_refused_in_a_line(old, new, said):
-    good = TEXT.format(robot='order = "exact"', modes="")
-    loads(good, "arm.toml", ".")
+@pytest.mark.parametrize("old, new, said", WRONG)
+def test_wrong_files_are_refused_in_a_line(old, new, said):
+    loads(GOOD, "arm.toml", ".")
     with pytest.raises(RobotFileError, match=f"^arm.toml: .*{said}") as error:
-        loads(good.replace(old, new), "arm.toml", ".")
+        loads(GOOD.replace(old, new), "arm.toml", ".")
     assert "\n" not in str(error.value)
 
 
@@ -154,3 +141,31 @@ def test_the_page_bends_rods_as_far_as_the_model_does():
     line = centrelines(model, q, drawn.places)[0]
     R, r = (x[0] for x in model.numpy().link_pose(q))
     assert r + (drawn.straight + sections[:, :3]) @ R.T == pytest.approx(line, abs=1e-4)
+
+
+def soft(section: dict, **joint) -> dict:
+    """A rod of two modes on two axes, with a body at its tip."""
+    body = {"at": "tip", "mass": 0.4, "com": [0.05, 0.0, 0.02], "inertia": [0.01, 0.02, 0.02, 0.0, 0.0, 0.0]}
+    more = {"modes": {"bending_y": 1, "bending_z": 1}, "bodies": [body], "damping": {"time": 0.01}}
+    return link("boom", 0.8, "yz", section=section, joint={"damping": [0.1, 0.1], **joint}, **more)
+
+
+def test_predictive_control_reaches_its_goal(tmp_path):
+    (tmp_path / "mpc.toml").write_text(PLAIN.replace("[0.3, 0.2, -0.2]", "[0.2, 0.1]").replace(", 4.0]", "]"))
+    rod = soft({"EIy": 300.0, "EIz": 500.0}, armature=[0.5, 0.5])
+    model = model_of(arm(rod, order="exact", gravity=(0, 0, 0)))
+    c, stepper = model.mpc(tmp_path / "mpc.toml", flags=QUICK), quick(model)
+    q, v = np.zeros(4), np.zeros(4)
+    c.initialise(q, v)
+    for _ in range(60):
+        c.prepare()
+        q, v = stepper.step(q, v, c.feedback(q, v), None, 0.002, "modal_midpoint", 10)
+    assert np.abs(q[:2] - [0.2, 0.1]).max() < 0.02
+
+
+def test_the_place_of_the_tip_in_linear_models_equals_differences():
+    """About a bent posture."""
+    model, q, e = model_of(arm(soft({"EIy": 2.0, "EIz": 1.5}), order="exact")), np.array([0.6, -0.4, 0.2, -0.2]), 1e-6
+    place = lambda s: model.numpy().tip_pose(q + s)[1]  # noqa: E731
+    expected = np.array([(place(s) - place(-s)) / (2 * e) for s in e * np.eye(4)]).T
+    assert relative(model.linearise(q, outputs=("tip_position",)).C[:, :4], expected) < 1e-8

@@ -105,10 +105,7 @@ def test_end_moments_wind_a_rod_up_to_a_helix():
     assert np.linalg.norm(tip - place) < 1e-9
 
 
-BEND = {
-    300: ((22.33, 58.84, 40.08), (22.14, 58.60, 40.36)),
-    600: ((15.79, 47.23, 53.37), (15.56, 46.90, 53.60)),
-}
+BEND = {300: ((22.33, 58.84, 40.08), (22.14, 58.60, 40.36)), 600: ((15.79, 47.23, 53.37), (15.56, 46.90, 53.60))}
 """Tips of the 45-degree bend of Bathe and Bolourchi (1979): as Simo and Vu-Quoc (1986) have them with eight elements,
 and Exudyn, with 8 elements at 300 and 32 at 600; both as Exudyn's example of its curved beam states them."""
 TORSION = 5e6 * 0.141

@@ -1,43 +1,17 @@
-"""Rods of order "exact": the oracle's collocated Lagrangian, its limits, and what it keeps."""
+"""Rods of order "exact": their limits, and what they keep."""
 
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 
-import judges
 import numpy as np
 import pytest
-from conftest import swept
-from helpers import Case, arm, drawn, link, model_of, quick, relative
+from helpers import arm, link, model_of, quick, relative
 from oracle import Oracle
 from scipy.integrate import solve_ivp
 
 from screwgen import Screw
 from screwgen.bodies.collocation import collocation
-
-SHORT = (0, 1, 5)
-"""One to three links; the others are judged in `make test-long`."""
-
-
-@cache
-def case_of(seed: int) -> Case:
-    """Exact links among links of order 1, in trees, with sections that vary, shear and sliding joints."""
-    limits = {"exact": 0.7, "stations": 0.3, "shear": 0.3, "branching": 0.3, "sliding": 0.2}
-    return drawn(1300 + seed, 1 + seed % 3, **limits)
-
-
-@pytest.mark.parametrize("seed", swept(range(100), *SHORT))
-def test_random_robots_equal_the_oracle(seed):
-    judges.numpy_and_casadi(case_of(seed))
-
-
-def test_the_robots_have_all_kinds_of_exact_links():
-    links = [x for seed in SHORT for x in case_of(seed).robot["links"] if x.get("order") == "exact" and "modes" in x]
-    modes = [x["modes"] for x in links]
-    assert {m.get("basis", "polynomial") for m in modes} == {"polynomial", "clamped_free"}
-    assert any("shear" in d for m in modes for d in m) and any("torsion" in m for m in modes)
-    assert any(isinstance(x["section"], list) for x in links)
-
 
 # ------------------------------------------------------------------------------------ small bends
 

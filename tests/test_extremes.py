@@ -13,31 +13,24 @@ SLOPE = 2.7530
 SOFT = {"EA": 5e3, "EIy": 30.0, "EIz": 50.0, "GJ": 20.0, "rhoIp": 2e-3}
 
 
-class BackEnds:
-    """A robot's forward dynamics by every back end, both forms."""
-
-    def __init__(self, case: Case, layout="fused"):
-        self.case, self.numeric, self.compiled = case, case.model.numpy(), quick(case.model, layout=layout)
-
-    def results(self, inputs) -> dict[str, tuple]:
-        return {
-            "NumPy": self.numeric.forward_dynamics(*inputs),
-            "NumPy, DAE": self.numeric.dae_forward_dynamics(*inputs),
-            "CasADi": casadi_forward(self.case.model, *inputs),
-            "C": self.compiled.forward_dynamics(*inputs),
-            "C, DAE": self.compiled.forward_dynamics(*inputs, form="dae"),
-        }
-
-    def check(self, state=None, tolerance=None) -> None:
-        """All are right to the usual tolerance, or to `tolerance` where the state itself says so."""
-        case = self.case if state is None else self.case._replace(state=state)
-        tolerance = case.tolerance if tolerance is None else tolerance
-        errors = {who: max(case.oracle.errors(case.state, *r).values()) for who, r in self.results(case.inputs).items()}
-        assert max(errors.values()) <= tolerance, (errors, tolerance)
+def results(case: Case, layout="fused") -> dict[str, tuple]:
+    """The robot's forward dynamics by every back end, both forms."""
+    numeric, compiled = case.model.numpy(), quick(case.model, layout=layout)
+    return {
+        "NumPy": numeric.forward_dynamics(*case.inputs),
+        "NumPy, DAE": numeric.dae_forward_dynamics(*case.inputs),
+        "CasADi": casadi_forward(case.model, *case.inputs),
+        "C": compiled.forward_dynamics(*case.inputs),
+        "C, DAE": compiled.forward_dynamics(*case.inputs, form="dae"),
+    }
 
 
-def check(case: Case, layout="fused", tolerance=None) -> None:
-    BackEnds(case, layout).check(tolerance=tolerance)
+def check(case: Case, layout="fused", state=None, tolerance=None) -> None:
+    """All are right to the usual tolerance, or to `tolerance` where the state itself says so."""
+    case = case if state is None else case._replace(state=state)
+    tolerance = case.tolerance if tolerance is None else tolerance
+    errors = {who: max(case.oracle.errors(case.state, *r).values()) for who, r in results(case, layout).items()}
+    assert max(errors.values()) <= tolerance, (errors, tolerance)
 
 
 # -------- states
@@ -47,17 +40,15 @@ def check(case: Case, layout="fused", tolerance=None) -> None:
 def test_modal_state_exactly_zero(layout):
     """The undeformed arm in motion; then everything zero."""
     case = drawn(700, 2, states=rr.undeformed_state)
-    ends = BackEnds(case, layout)
-    ends.check()
-    ends.check(rr.rest_state(case.robot))
+    for state in (case.state, rr.rest_state(case.robot)):
+        check(case, layout, state)
 
 
 def test_tiny_states():
     """Squares of the smallest angles underflow to zero; nothing divides by them."""
     case = drawn(710, 2)
-    ends = BackEnds(case)
     for size in (1e-3, 1e-9, 1e-20, 1e-160, 1e-300):
-        ends.check(rr.tiny_state(np.random.default_rng(710), case.robot, size))
+        check(case, state=rr.tiny_state(np.random.default_rng(710), case.robot, size))
 
 
 def test_huge_joint_angles():
@@ -66,8 +57,7 @@ def test_huge_joint_angles():
     The derivative of the accelerations by the angles turns that into a tolerance.
     """
     case = drawn(720, 2)
-    ends, m = BackEnds(case), case.model.n_joints
-    f, p = case.model.casadi()["forward_dynamics"], case.model.parameter_values
+    m, f, p = case.model.n_joints, case.model.casadi()["forward_dynamics"], case.model.parameter_values
     for angle in (1e3, 1e6):
         state = rr.huge_angle_state(np.random.default_rng(3), case.robot, angle)
         q, v, tau, w_ext = (np.array(x) for x in state.values())
@@ -77,7 +67,7 @@ def test_huge_joint_angles():
             relative_slope(J[f"jac_{y}_q"].full()[:, :m], x)
             for y, x in (("vdot", vdot), ("wrench", flat(f(**given)["wrench"])))
         )
-        ends.check(state, case.oracle.tolerance(q) + 4 * EPS * angle * growth)
+        check(case, state=state, tolerance=case.oracle.tolerance(q) + 4 * EPS * angle * growth)
 
 
 def relative_slope(J: np.ndarray, value: np.ndarray) -> float:
@@ -91,10 +81,10 @@ def test_large_section_rotations():
     )
     robot = arm(table, link("second", 0.5, "y"))
     state = rr.random_state(np.random.default_rng(1), robot)
-    ends = BackEnds(case_of(robot, state))
+    case = case_of(robot, state)
     for theta in (0.49, 0.51, 1.9, 2.1, 3.0):  # the series gets more terms at 1/2, the closed form starts at 2
         state["q"][1:4] = [-0.3 * theta / SLOPE, 0.4 * theta / SLOPE, 0.86 * theta / np.sqrt(2)]
-        ends.check(state)
+        check(case, state=state)
 
 
 # -------- robots
@@ -130,7 +120,7 @@ def test_welded_and_rigid_has_nothing_to_solve():
     """No coordinates: only wrenches are left, and they are the weights."""
     robot = arm(link("a", 0.5, [], rhoA=2.0), link("b", 0.5, [], rhoA=4.0))
     case = case_of(robot, rr.rest_state(robot))
-    for vdot, wrench in BackEnds(case).results(case.inputs).values():
+    for vdot, wrench in results(case).values():
         assert vdot.shape == (0,)
         assert np.allclose(wrench[:, 5], [3.0 * 9.81, 2.0 * 9.81], rtol=1e-14)
 
@@ -157,7 +147,7 @@ def test_many_modes(basis, count):
     robot = arm(table, link("second", 0.5, "z"))
     state = rr.random_state(np.random.default_rng(5), robot)
     case = case_of(robot, state)
-    check(case, "modular", min(case.tolerance, 1e-6))
+    check(case, "modular", tolerance=min(case.tolerance, 1e-6))
 
 
 # -------- many links

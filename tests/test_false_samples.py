@@ -6,7 +6,7 @@ import pytest
 from c_tools import SANITIZERS, complaint
 from conftest import require_tool
 from false_samples import program
-from helpers import arm, link, model_of
+from helpers import arm, link, model_of, unfolded
 
 import screwgen
 from screwgen.studies.predictive import project
@@ -41,10 +41,7 @@ def test_names_of_robots_that_the_code_has_already(tmp_path, name):
         with pytest.raises(screwgen.ScrewgenError, match=f"robot '{name}': the generated C has .* choose another name"):
             project(model, tmp_path / "mpc.toml").files()
         return
-    files = project(model, tmp_path / "mpc.toml").files()
-    for file, text in files.items():
-        (tmp_path / file).parent.mkdir(exist_ok=True)
-        (tmp_path / file).write_text(text)
+    unfolded(tmp_path, project(model, tmp_path / "mpc.toml").files())
     command = [require_tool("gcc"), "-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
     done = subprocess.run([*command, f"{name}_qp.c", f"{name}_mpc.c"], cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[:2000]

@@ -3,19 +3,18 @@
 import csv
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from conftest import require_tool
+from helpers import ROOT
 
-ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "firmware"))
 
-import budget_table as table  # noqa: E402
-import cross  # noqa: E402
-import emulate  # noqa: E402
-import stack  # noqa: E402
-import targets  # noqa: E402
+import budget_table as table
+import cross
+import emulate
+import stack
+import targets
 
 QUICK = {("fused", "baked"), ("modular", "runtime")}
 

@@ -1,18 +1,17 @@
 """Predictive control on the Cortex-M7: what `make firmware` measures, and that a figure past its limit is said."""
 
 import sys
-from pathlib import Path
 
 import pytest
 from conftest import require_tool
+from helpers import ROOT
 
-ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "firmware"))
 
-import budget_table  # noqa: E402
-import cross  # noqa: E402
-import predictive  # noqa: E402
-import stack  # noqa: E402
+import budget_table
+import cross
+import predictive
+import stack
 
 COUNTS = {"start": [50_000_000], "preparation": [4_000_000, 4_400_000], "feedback": [200_000, 100_000]}
 FOUND = {

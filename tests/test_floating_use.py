@@ -1,23 +1,22 @@
 """Floating bases, as users meet them: C, names, runs, figures, and what is refused in one line."""
 
+import copy
 import re
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
-from floating_robots import SATELLITE, TAU, start
-from helpers import example, example_file, model_of, quick, relative
+from floating_robots import SATELLITE
+from helpers import example, example_file, model_of, quick
 from random_robots import to_toml
 
 from screwgen import PD, SingularError, UsageError, derive, simulate
-from screwgen.cli.commands import evaluation
 from screwgen.errors import RobotFileError
 from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
 from screwgen.simulation.controllers import Holding, read_pd
 from screwgen.simulation.motion import centrelines
-from screwgen.simulation.state import State
 from screwgen.spec import load
 from screwgen.spec.base import TWIST
 from screwgen.spec.parameters import coordinate_units
@@ -69,69 +68,42 @@ def test_the_space_arm_of_the_examples_moves_by_its_law_and_keeps_its_momentum_a
     assert np.all(np.abs((M @ v)[:6]) < 1e-8 * (np.abs(M) @ np.abs(v))[:6])
 
 
-@pytest.mark.parametrize("form", ["joint", "dae"])
-def test_the_command_line_evaluates_it_alike_in_casadi(satellite, form):
-    q, v = start(satellite)
-    state = State(q, v, np.array(TAU), np.ones((4, 6)))
-    found, expected = (evaluation(satellite, state, *x) for x in (("casadi", form), ("numpy", "joint")))
-    assert relative(found["vdot"], expected["vdot"]) < 1e-10 and relative(found["wrench"], expected["wrench"]) < 1e-10
-
-
-WRONG = [  # what replaces a part of the file, and what the message says
-    ({"base": "free"}, 'base: is "free"; it must be "fixed" or "floating"'),
-    ({"base": True}, "base: is true; it must be"),
-    ({"base": ["floating"]}, "base: is an array of 1; it must be"),
-    ({"hull": {"axes": ["z"]}}, "links[0].joint.axes: is stated for the first link, which a floating base leaves free"),
-    ({"hull": {"axes": [{"slide": "x"}]}}, "links[0].joint.axes: is stated"),
-    ({"hull": {"axes": [], "mount": {"xyz": [0.0, 0.0, 1.0]}}}, "links[0].joint.mount: is stated for the first link"),
-    ({"hull": {"axes": [], "armature": [1.0]}}, "links[0].joint.armature"),
-    ({"left": {"parent": "world"}}, "links[1].parent: is the world, but of a robot with base"),
-    ({"left_fore": {"parent": "right"}}, 'links[2].parent: is "right", which comes later'),
-    ({"hull_parent": "hull"}, 'links[0].parent: is "hull", which is the link itself'),
-    ({"hull": None}, "links[0].joint: is missing"),
-    ({"base": "Floating"}, 'base: is "Floating"; it must be "fixed" or "floating"'),
-    ({"base": ""}, 'base: is ""; it must be "fixed" or "floating"'),
-    ({"base": {"kind": "floating"}}, 'base: is a table; it must be "fixed" or "floating"'),
-    ({"base": 0}, 'base: is 0; it must be "fixed" or "floating"'),
-    ({"hull": {}}, "links[0].joint.axes: is missing; state the axes in order"),
-    (
-        {"hull": {"axes": [], "damping": [0.1]}},
-        "links[0].joint.damping: has length 1; it must hold one number per axis, 0",
-    ),
-    ({"hull": {"axes": [], "drives": [{}]}}, "links[0].joint.drives: has length 1; it must hold one table per axis, 0"),
-    (
-        {"hull": {"axes": [], "position": [0.0, 0.0, 1.0]}},
-        "links[0].joint.position: is an unknown key; known here: axes",
-    ),
-    ({"hull_parent": "left"}, 'links[0].parent: is "left", which comes later'),
-    (
-        {"hull_parent": "base"},
-        'links[0].parent: is "base", which is no link; a link comes after the one that carries it',
-    ),
-    ({"left": {"base": "floating"}}, "links[1].base: is an unknown key; known here: name, length"),
-    (
-        {"left_fore": {"joint": {"axes": []}, "parent": "world"}},
-        "links[2].parent: is the world, but of a robot with base",
-    ),
+JOINT, PARENT, MORE = "links[0].joint", "links[{}].parent: is ", {"axes": []}
+WRONG = [  # the place of what is stated otherwise, what is stated there, and what the message says
+    ("base", "free", 'base: is "free"; it must be "fixed" or "floating"'),
+    ("base", True, "base: is true; it must be"),
+    ("base", ["floating"], "base: is an array of 1; it must be"),
+    ("base", "Floating", 'base: is "Floating"; it must be "fixed" or "floating"'),
+    ("base", "", 'base: is ""; it must be "fixed" or "floating"'),
+    ("base", {"kind": "floating"}, 'base: is a table; it must be "fixed" or "floating"'),
+    ("base", 0, 'base: is 0; it must be "fixed" or "floating"'),
+    ("0.joint", {"axes": ["z"]}, f"{JOINT}.axes: is stated for the first link, which a floating base leaves free"),
+    ("0.joint", {"axes": [{"slide": "x"}]}, f"{JOINT}.axes: is stated"),
+    ("0.joint", MORE | {"mount": {"xyz": [0.0, 0.0, 1.0]}}, f"{JOINT}.mount: is stated for the first link"),
+    ("0.joint", MORE | {"armature": [1.0]}, f"{JOINT}.armature"),
+    ("0.joint", MORE | {"damping": [0.1]}, f"{JOINT}.damping: has length 1; it must hold one number per axis, 0"),
+    ("0.joint", MORE | {"drives": [{}]}, f"{JOINT}.drives: has length 1; it must hold one table per axis, 0"),
+    ("0.joint", MORE | {"position": [0.0, 0.0, 1.0]}, f"{JOINT}.position: is an unknown key; known here: axes"),
+    ("0.joint", {}, f"{JOINT}.axes: is missing; state the axes in order"),
+    ("0.joint", None, f"{JOINT}: is missing"),
+    ("0.parent", "hull", PARENT.format(0) + '"hull", which is the link itself'),
+    ("0.parent", "left", PARENT.format(0) + '"left", which comes later'),
+    ("0.parent", "base", PARENT.format(0) + '"base", which is no link; a link comes after the one that carries it'),
+    ("1.parent", "world", PARENT.format(1) + "the world, but of a robot with base"),
+    ("2.parent", "world", PARENT.format(2) + "the world, but of a robot with base"),
+    ("2.parent", "right", PARENT.format(2) + '"right", which comes later'),
+    ("1.base", "floating", "links[1].base: is an unknown key; known here: name, length"),
 ]
 
 
-@pytest.mark.parametrize(("change", "said"), WRONG, ids=[str(k) for k in range(len(WRONG))])
-def test_a_wrong_file_is_refused_in_one_line(change, said, tmp_path):
-    robot = {**SATELLITE, "links": [dict(part) for part in SATELLITE["links"]]}
-    hull, left, fore, _ = robot["links"]
-    for key, value in change.items():
-        match key:
-            case "base":
-                robot["base"] = value
-            case "hull_parent":
-                hull["parent"] = value
-            case "hull" if value is None:
-                del hull["joint"]
-            case "hull":
-                hull["joint"] = value
-            case _:
-                {"left": left, "left_fore": fore}[key].update(value)
+@pytest.mark.parametrize(("place", "value", "said"), WRONG)
+def test_a_wrong_file_is_refused_in_one_line(place, value, said, tmp_path):
+    robot = copy.deepcopy(SATELLITE)
+    link, _, key = place.rpartition(".")
+    table = robot["links"][int(link)] if link else robot
+    table[key] = value
+    if value is None:
+        del table[key]
     (tmp_path / "bot.toml").write_text(to_toml(robot))
     with pytest.raises(RobotFileError) as refused:
         load(tmp_path / "bot.toml")

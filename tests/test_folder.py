@@ -3,12 +3,12 @@
 import os
 import signal
 import sys
-import time
 
 import pytest
 
 import screwgen.folder as folder
 from screwgen.errors import UsageError
+from screwgen.unfinished import claimed_folder
 
 FILES = {"c/a.c": b"int a;\n", "c/sub/b.c": b"int b;\n"}
 NEW = {"c/new.c": b"int n;\n"}
@@ -194,13 +194,14 @@ def test_an_interruption_behind_the_exchange_says_so(tmp_path, monkeypatch):
     assert held(out) == NEW and os.listdir(tmp_path) == ["out"]
 
 
-def test_what_a_killed_process_never_finished_goes_after_a_day(tmp_path):
-    for age in (0, 2 * folder.ABANDONED):
-        left = tmp_path / f".out-new-{'a' if age else 'b'}0000000"
-        left.mkdir()
-        os.utime(left, (time.time() - age,) * 2)
-    folder.write_folder(tmp_path / "out", FILES, ("c",))
-    assert sorted(os.listdir(tmp_path)) == [".out-new-b0000000", "out"]
+def test_what_a_killed_process_never_finished_goes_with_the_next_call(tmp_path):
+    """And what one that lives is writing stays."""
+    killed, writing = (tmp_path / f".out-new-{letter}0000000" for letter in "ab")
+    killed.mkdir()
+    (killed / "model.c").touch()
+    with claimed_folder(writing):
+        folder.write_folder(tmp_path / "out", FILES, ("c",))
+        assert sorted(os.listdir(tmp_path)) == [writing.name, "out"]
 
 
 def test_the_folder_keeps_its_mode(tmp_path):

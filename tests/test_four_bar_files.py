@@ -5,7 +5,6 @@ import pytest
 from bad_robot_files import GOOD, refusal, refused
 from four_bar_robots import LINKAGE, START, boom, digger
 from helpers import model_of
-from transmitted import acados_agrees, estimated
 
 from screwgen import FourBar, RobotFileError
 from screwgen.backends.c.project import CProject
@@ -90,15 +89,6 @@ def test_names_units_and_parameters():
     assert np.allclose(model.numpy(moved).forward_dynamics(*given)[0], other.numpy().forward_dynamics(*given)[0])
     linear = model.linearise(START)
     assert linear.input_names[:2] == ("boom.force[0]", "bucket.torque[0]") and linear.input_units[:2] == ("N", "N·m")
-
-
-def test_acados_has_torques_of_cranks():
-    acados_agrees(boom(), ("boom.force[0]", "bucket.torque[0]"), [800.0, 20.0])
-
-
-@pytest.mark.long
-def test_the_estimator_finds_a_posture_under_torques_of_cranks():
-    estimated(boom(), np.array([900.0, 12.0]), START)
 
 
 def test_documents_and_headers_say_what_a_torque_does():

@@ -1,65 +1,17 @@
-"""Four-bar linkages that drive joints, against closed forms, the oracle and the true loop; where their reach ends."""
-
-from functools import cache
+"""Four-bar linkages that drive joints, against closed forms and the true loop; where their reach ends."""
 
 import mpmath
 import numpy as np
 import pytest
-import random_robots as rr
 from conftest import swept
 from four_bar_robots import LINKAGE, START, alone, boom, digger, looped
-from helpers import Case, arm, drawn, link, model_of, quick
-from judges import numpy_and_casadi
+from helpers import arm, link, model_of, quick
 from oracle_drives import crank_angle
 from transmitted import GAINS, gains_through_levers, held_posture, postures_under, power
 
-from screwgen import (
-    PD,
-    FourBar,
-    Holding,
-    LimitWarning,
-    SingularError,
-    equilibrium,
-    natural_frequencies,
-    simulate,
-)
+from screwgen import PD, FourBar, Holding, LimitWarning, SingularError, equilibrium, natural_frequencies, simulate
 from screwgen.algorithms.travels import travels
-from screwgen.elements import FourBarLinkage
 from screwgen.plotting import plot
-
-SEEDS = (8300, *range(8302, 8308), 8309, *range(8311, 8316))
-"""Of these robots each has a linkage."""
-
-
-@cache
-def drawn_with_linkages(seed: int) -> Case:
-    more = {"second_order": 0.2} if seed % 3 == 1 else {}
-    return drawn(seed, 1 + seed % 3, drives=0.5, cylinders=0.8, linkages=0.7, sliding=0.2, branching=0.3, **more)
-
-
-@pytest.fixture(params=swept(SEEDS, 8304, 8305))
-def case(request) -> Case:
-    return drawn_with_linkages(request.param)
-
-
-def test_both_forms_in_numpy_and_casadi_equal_the_oracle(case):
-    assert any(isinstance(x, FourBarLinkage) for x in case.model.chain.travels.values())
-    numpy_and_casadi(case)
-
-
-def test_linkages_take_the_place_of_cylinders_and_other_draws_stay():
-    limits, found = {"drives": 0.5, "cylinders": 0.8}, 0
-    for seed in range(5):
-        with_linkages, without = (
-            rr.random_robot(np.random.default_rng(seed), 3, **limits, linkages=share) for share in (0.7, 0.0)
-        )
-        for part, other in zip(with_linkages["links"], without["links"], strict=True):
-            for one, two in zip(part["joint"].get("drives", []), other["joint"].get("drives", []), strict=True):
-                found += "four_bar" in one.get("transmission", {})
-                assert bool(one.pop("transmission", None)) == bool(two.pop("transmission", None))
-        assert with_linkages == without
-    assert found > 4
-
 
 # -------- one linkage on a bending boom
 

@@ -12,8 +12,8 @@ from importlib.metadata import version
 from pathlib import Path
 
 import pytest
+from helpers import ROOT
 
-ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES = ("ella", "six_link")
 LEFT_OUT = "left_out.json"
 MANIFEST = "MANIFEST.sha256"

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 from conftest import require_tool
+from helpers import ROOT
 
 pytestmark = pytest.mark.examples
 
-ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 GENERATED = {"errata.md", "misra.md"}
 """Pages with tests of their own: test_paper.py, test_static_analysis.py."""

@@ -1,12 +1,11 @@
-"""The JAX back end: against CasADi; gradients, batches, refusals."""
+"""The JAX back end: precisions, second gradients, batches, refusals, examples; its functions: `conformance/`."""
 
-import subprocess
 import sys
 
 import numpy as np
 import pytest
 from conftest import package
-from helpers import EPS, ROOT, example, model_of
+from helpers import EPS, ROOT, example, example_file, model_of
 
 from screwgen import UsageError
 from screwgen.algorithms.fused import modal_dynamics
@@ -14,24 +13,16 @@ from screwgen.backends.numpy.python import compiled
 from screwgen.ir.adjoint import adjoint, only
 
 jax = package("jax")
-from jax_table import state  # noqa: E402
+sys.path.insert(0, str(ROOT / "bench"))
+
+from jax_scenarios import measured  # noqa: E402
+from jax_table import ROBOTS, row, state  # noqa: E402
 
 jnp = jax.numpy
 LINK = {"length": 0.5, "section": {"rhoA": 2.0, "EIz": 40.0, "rhoIp": 0.01}, "bodies": [{"at": "tip", "mass": 1.5}]}
 LINK |= {"modes": {"bending_y": 1}, "damping": {"ratio": 0.02}}
 ARM = {"name": "small", "gravity": [0.0, 0.0, -9.81], "links": [{"name": "a", "joint": {"axes": ["z", "y"]}, **LINK}]}
-WEIGHTS = np.arange(1.0, 100.0)
-NAMES = (
-    "forward_dynamics",
-    "inverse_dynamics",
-    "mass_matrix",
-    "bias",
-    "energy",
-    "tip_pose",
-    "tip_jacobian",
-    "validity",
-    "levers",
-)
+GIVEN = ("q", "v", "tau", "w_ext", "p")
 
 
 @pytest.fixture(autouse=True)
@@ -50,70 +41,13 @@ def off(a, b) -> float:
     return float(np.max(np.abs(a.reshape(b.shape) - b)) / np.max(np.abs(b)))
 
 
-def casadi(model, name: str, x: dict) -> list[np.ndarray]:
-    f = model.casadi()[name]
-    found = f(*(x[f.name_in(i)].T if f.name_in(i) == "w_ext" else x[f.name_in(i)] for i in range(f.n_in())))
-    return [np.array(y.full()) for y in (found if isinstance(found, tuple) else (found,))]
-
-
-def asked(name: str) -> list[str]:
-    if name.startswith("step"):
-        return "q v tau w_ext p dt".split()
-    first = {"inverse_dynamics": "q v vdot w_ext p", "mass_matrix": "q p", "bias": "q v w_ext p", "energy": "q v p"}
-    return first.get(name, "q p" if name in ("tip_pose", "tip_jacobian", "levers") else "q v tau w_ext p").split()
-
-
-@pytest.fixture(scope="module")
-def digger():
+def test_single_precision():
     """A cylinder, a four-bar linkage, dry friction, stops and two modes."""
-    return example("bucket")
-
-
-@pytest.fixture(scope="module")
-def found(digger):
-    """All functions, a step, and the gradients of a weighted sum of the accelerations, in one compilation."""
+    digger = example("bucket")
     x = state(digger)
-
-    def everything(x):
-        f = digger.jax()
-
-        def weighted(*given):
-            out = f["forward_dynamics"](*given)
-            return WEIGHTS[: digger.nv] @ out[0], out
-
-        values = {name: f[name](*(x[k] for k in asked(name))) for name in (*NAMES[1:], "step_modal_midpoint")}
-        slope = jax.value_and_grad(weighted, argnums=range(5), has_aux=True)
-        (_, values[NAMES[0]]), slopes = slope(*(x[k] for k in asked("")))
-        return values, slopes
-
-    with jax.enable_x64(True):
-        return jax.jit(everything)(x)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_functions_are_those_of_casadi(digger, found, name):
-    ours = found[0][name]
-    theirs = casadi(digger, name, state(digger))
-    for a, b in zip(ours if isinstance(ours, tuple) else (ours,), theirs, strict=True):
-        matrix = name in ("forward_dynamics", "validity") and b.shape[1:] == (digger.n_links,)
-        assert off(a, b.T if matrix and b.shape[0] in (4, 6) else b) < 1e-12
-
-
-def test_gradients_are_those_of_casadi(digger, found):
-    """Of a weighted sum of the accelerations with every input; `p` is where lengths and masses are."""
-    x, f = state(digger), digger.casadi()["forward_dynamics"]
-    names = asked("")
-    given = [x[k].T if k == "w_ext" else x[k] for k in names]
-    jacobian = f.jacobian()(*given, *f(*given))
-    for k, (name, slope) in enumerate(zip(names, found[1], strict=True)):
-        theirs = WEIGHTS[: digger.nv] @ np.array(jacobian[k].full())
-        assert off(slope.ravel(), theirs) < 1e-12, name
-
-
-def test_single_precision(digger):
-    x = state(digger)
-    found = digger.jax("single")["forward_dynamics"](*(x[k] for k in asked("")))
-    assert found[0].dtype == jnp.float32 and off(found[0], casadi(digger, "forward_dynamics", x)[0]) < 1e-4
+    found = digger.jax("single")["forward_dynamics"](*(x[k] for k in GIVEN))
+    expected = digger.numpy().forward_dynamics(*(x[k] for k in GIVEN[:4]))
+    assert found[0].dtype == jnp.float32 and off(found[0], expected[0]) < 1e-4
 
 
 @pytest.mark.examples
@@ -123,8 +57,12 @@ def test_second_gradients_and_forward_mode(model):
     of = lambda f: lambda q: sum(f["energy"](q, x["v"], x["p"]))  # noqa: E731
     twice = jax.jacrev(jax.grad(of(model.jax())))(x["q"])
     assert off(twice, jax.hessian(of(model.jax(forward_mode=True)))(jnp.array(x["q"]))) < 1e-10
-    with pytest.raises(TypeError, match="forward-mode"):
-        jax.jacfwd(of(model.jax()))(x["q"])
+    backwards = of(model.jax())
+    for refused in (jax.jacfwd(backwards), jax.hessian(backwards), jax.jit(jax.jacfwd(backwards))):
+        with pytest.raises(UsageError, match=r"take model.jax\(forward_mode=True\)"):
+            refused(x["q"])
+    with pytest.raises(UsageError, match=r"take model.jax\(forward_mode=True\)"):
+        jax.jvp(jax.jit(backwards), (jnp.array(x["q"]),), (jnp.ones(model.nq),))
 
 
 @pytest.mark.examples
@@ -157,7 +95,7 @@ def test_a_singular_posture_is_nan_with_its_gradient():
         first = lambda q: f["forward_dynamics"](q, v, tau, w_ext, p)[0][0]  # noqa: E731
         return *jax.value_and_grad(first)(q), *f["step_euler"](q, v, tau, w_ext, p, 1e-3)
 
-    vdot, slope, *end = jax.jit(everything)(*(x[k] for k in asked("")))
+    vdot, slope, *end = jax.jit(everything)(*(x[k] for k in GIVEN))
     assert np.isnan(vdot) and np.isnan(slope).any() and np.isnan(np.concatenate(end)).all()
 
 
@@ -203,15 +141,6 @@ def test_without_jax_there_is_one_line(monkeypatch):
         model_of(ARM).jax()
 
 
-@pytest.mark.examples
-def test_the_tuning_example():
-    done = subprocess.run(
-        [sys.executable, "examples/jax_tuning.py", "--short"], capture_output=True, text=True, cwd=ROOT
-    )
-    assert done.returncode == 0, done.stderr
-    assert "JAX and the C" in done.stdout
-
-
 def test_steps_take_their_arguments_in_the_older_order_with_a_warning():
     from screwgen.backends.jax.functions import old_order_too
 
@@ -224,3 +153,21 @@ def test_steps_take_their_arguments_in_the_older_order_with_a_warning():
         assert given[4] is p and given[5] is swapped
     with pytest.warns(DeprecationWarning):
         assert step("q", h=1e-3, p=p) == (("q",), {"dt": 1e-3, "p": p})
+
+
+@pytest.mark.examples
+def test_the_bench_times_equal_motions():
+    *rates, apart = measured(example_file("flexible_arm"), scenarios=3, steps=4, rounds=1)
+    assert min(rates) > 0 and apart < 1e-12
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", ROBOTS)
+def test_rows_of_the_table(name):
+    """Errors relative to the largest entry: of values and steps beside the C of the same precision, of gradients beside
+    CasADi's. Tracing and compiling the gradient of a motion takes less than a minute of CPU time.
+    """
+    found = row(name)
+    assert max(found[x] for x in ("values", "steps", "gradient", "motion")) < 1e-12
+    assert max(found[x] for x in ("values, single", "steps, single")) < 1e-4
+    assert found["seconds"] < 60

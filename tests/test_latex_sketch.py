@@ -14,7 +14,7 @@ from screwgen.backends.latex.document import chain_of
 from screwgen.backends.latex.drawing import Drawing, Label, Stroke, dashes, outside
 from screwgen.backends.latex.drawing_writers import picture, svg
 from screwgen.backends.latex.label_places import overlaps
-from screwgen.backends.latex.sketch import sketch
+from screwgen.backends.latex.sketch import figure, sketch
 from screwgen.backends.latex.sketch_pen import Pen
 from screwgen.backends.latex.sketch_pose import drawn as numeric_of
 from screwgen.backends.latex.sketch_pose import drawn_lengths, poses
@@ -71,6 +71,15 @@ def test_every_coordinate_has_a_label_that_one_can_read(name):
     (width, height), corners = drawing.size, [p for stroke in drawing.strokes for p in stroke.points]
     corners += [corner for label in drawing.labels for corner in (label.box[:2], label.box[2:])]
     assert all(0 <= x <= width and 0 <= y <= height for x, y in corners)
+
+
+def test_of_many_links_the_first_are_drawn():
+    link = {"length": 0.3, "section": {"rhoA": 1.0, "rhoIp": 1e-3}, "joint": {"axes": ["y"]}}
+    stated = {"name": "arm", "gravity": [0.0, 0.0, -9.81], "links": [{"name": f"l{k}", **link} for k in range(14)]}
+    found = figure(chain_of(Robot.model_validate(stated)))
+    texts = [label.text for label in found.drawing.labels]
+    assert "…" in texts and "$q_{12}$" in texts and "$q_{13}$" not in texts
+    assert found.caption.startswith("The first 12 links of the robot")
 
 
 @pytest.mark.parametrize("name", ["flexible_arm", "parallelogram"])

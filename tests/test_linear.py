@@ -2,121 +2,17 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from xml.etree import ElementTree
 
-import casadi as ca
 import control
 import numpy as np
 import pytest
-from conftest import swept
-from helpers import Case, G, arm, drawn, example, flat, link, model_of, relative
+from helpers import G, arm, example, link, model_of
 
 from screwgen import SingularError, UsageError, equilibrium, simulate
-from screwgen.simulation.motion import displacements
 from screwgen.studies.modes import natural_frequencies
-from screwgen.studies.stiffness import stiffness
 
-TIP = ("tip_position", "tip_velocity", "tip_acceleration")
-EVERYTHING = ("joint_angles", "joint_rates", "modes", "mode_rates", *TIP, "wrenches")
 SETPOINTS = [-0.4928, 0.6922, 0.4270]
-
-
-def case(seed: int) -> Case:
-    return drawn(seed, 1 + seed % 3, limit=1e6, max_modes=1, max_axes=2)
-
-
-def tip_motion(c: Case) -> ca.Function:
-    """The last tip's position, velocity and acceleration by the oracle's own kinematics."""
-    tip = c.oracle.clouds[-1]
-    (acceleration,) = c.oracle.along_motion([tip.rate["tip_point"]])
-    return ca.Function(
-        "tip", [c.oracle.q, c.oracle.v, c.oracle.a], [tip.tip_point, tip.rate["tip_point"], acceleration]
-    )
-
-
-def response(c: Case, tip: ca.Function, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
-    """`vdot` and all of `EVERYTHING` by the oracle."""
-    vdot, wrench = c.oracle.forward_dynamics(q, v, tau, w_ext)
-    m = c.model.n_joints
-    coordinates = [q[:m], v[:m], q[m:], v[m:]]
-    return vdot, np.concatenate([*coordinates, *map(flat, tip(q, v, vdot)), wrench.ravel()])
-
-
-def richardson(f, x: np.ndarray, h: float, levels: int = 4) -> np.ndarray:
-    """The Jacobian of f at x by central differences extrapolated to high order."""
-
-    def column(k: int) -> np.ndarray:
-        step = np.zeros(x.size)
-        rows = []
-        for level in range(levels):
-            step[k] = h / 2**level
-            rows.append((f(x + step) - f(x - step)) / (2 * step[k]))
-        for order in range(1, levels):
-            rows = [(4**order * b - a) / (4**order - 1) for a, b in pairwise(rows)]
-        return rows[0]
-
-    return np.array([column(k) for k in range(x.size)]).T
-
-
-def blocks(names: tuple[str, ...]) -> dict[str, list[int]]:
-    """The rows of outputs by kind: what has one unit and one meaning."""
-    out: dict[str, list[int]] = {}
-    for k, name in enumerate(names):
-        kind = name.split(".")[0] if name.startswith("tip_") else name.split(".")[1].split("[")[0].split("_")[0]
-        out.setdefault(kind, []).append(k)
-    return out
-
-
-@pytest.mark.parametrize("seed", swept([0, 1, 5], 1))
-def test_all_four_matrices_equal_finite_differences_of_the_oracle(seed):
-    """To 1e-7 of the largest entry of every block: outputs of a kind against q, v, torques or wrenches."""
-    c = case(seed)
-    q, v, tau, w_ext = c.inputs
-    linear = c.model.linearise(q, v, tau, w_ext, outputs=EVERYTHING, inputs=("torques", "wrenches_on_tips"))
-    nq, m, tip = c.model.nq, c.model.n_joints, tip_motion(c)
-    rows = {"vdot": range(nq)} | {kind: [nq + k for k in found] for kind, found in blocks(linear.output_names).items()}
-    stacked = lambda *x: np.concatenate(response(c, tip, *x))  # noqa: E731
-    parts = {
-        "q": (lambda x: stacked(x, v, tau, w_ext), q, 0.002, linear.A[nq:, :nq], linear.C[:, :nq]),
-        "v": (lambda x: stacked(q, x, tau, w_ext), v, 0.5, linear.A[nq:, nq:], linear.C[:, nq:]),
-        "tau": (lambda x: stacked(q, v, x, w_ext), tau, 5.0, linear.B[nq:, :m], linear.D[:, :m]),
-        "w": (lambda x: stacked(q, v, tau, x), w_ext.ravel(), 5.0, linear.B[nq:, m:], linear.D[:, m:]),
-    }
-    for name, (f, x, h, state, output) in parts.items():
-        expected, found = richardson(f, x, h), np.vstack([state, output])
-        for kind, k in rows.items():
-            assert relative(found[list(k)], expected[list(k)]) < 1e-7, (name, kind)
-    assert np.array_equal(linear.A[:nq], np.hstack([np.zeros((nq, nq)), np.eye(nq)])) and not linear.B[:nq].any()
-    vdot, y = response(c, tip, *c.inputs)
-    assert relative(linear.vdot, vdot) < c.tolerance and relative(linear.y, y) < 1e-8
-    assert np.array_equal(linear.x, np.r_[q, v]) and np.array_equal(linear.u, np.r_[tau, w_ext.ravel()])
-
-
-@pytest.mark.parametrize("seed", swept(range(4), 0, 1))
-def test_eigenvalues_at_rest_without_gravity_are_the_natural_frequencies(seed):
-    robot = dict(drawn(seed, 1 + seed % 3, limit=1e6, max_modes=1).robot)
-    robot |= {"gravity": [0.0] * 3, "links": [{k: v for k, v in x.items() if k != "damping"} for x in robot["links"]]}
-    for x in robot["links"]:
-        x["joint"] = {k: v for k, v in x["joint"].items() if k != "damping"}
-    model = model_of(robot)
-    q = np.append(np.random.default_rng(seed).uniform(-2, 2, model.n_joints), np.zeros(model.nq - model.n_joints))
-    tau = (stiffness(model) * q)[: model.n_joints]  # so that joint springs are at rest, too
-    found = model.linearise(q, tau=tau).eigenvalues()
-    squares = np.sort(-np.real(found**2))[::2]
-    expected = (2 * np.pi * natural_frequencies(model, q, "free")) ** 2
-    assert np.allclose(squares, expected, rtol=1e-7, atol=1e-9 * max(expected, default=0.0))
-    assert np.abs(np.imag(found**2)).max(initial=0.0) <= 1e-9 * max(expected, default=0.0)
-
-
-def test_poles_of_a_welded_arm_are_its_locked_frequencies():
-    """As `screwgen modes` prints them: joints locked, which here are welds."""
-    soft = {"EIy": 60.0, "EIz": 90.0, "rhoIp": 1e-3}
-    links = [link(name, 0.5, [], modes={"bending_y": 2, "bending_z": 1}, section=soft) for name in ("a", "b")]
-    model = model_of(arm(*links, gravity=(0.0, 0.0, 0.0)))
-    poles = model.linearise([0.0] * model.nq).eigenvalues()
-    assert np.allclose(poles.imag[model.nq :] / (2 * np.pi), natural_frequencies(model), rtol=1e-9)
-    assert model.linearise([0.0] * model.nq).B.shape == (2 * model.nq, 0)
 
 
 def test_a_pendulum_is_the_textbooks():
@@ -128,21 +24,6 @@ def test_a_pendulum_is_the_textbooks():
     assert np.allclose(linear.B, [[0], [1 / inertia]], rtol=1e-12)
     assert np.allclose(linear.D, [[0], [-2 / inertia], [0], [0]], atol=1e-12)
     assert linear.output_units == ("rad", "m/s²", "m/s²", "m/s²") and linear.input_units == ("N·m",)
-
-
-def test_base_strain_is_the_curvature_at_the_clamp():
-    model = example("ella")
-    linear = model.linearise(SETPOINTS, outputs="base_strain")
-    eta = np.zeros(model.nq)
-    eta[3:] = [2e-6, 0.01, -0.02, 1e-6, 0.004, 0.03]
-    strains = dict(zip(linear.output_names, linear.C @ np.r_[eta, 0 * eta], strict=True))
-    for i, beam in enumerate(model.robot.links):
-        s = 1e-4 * np.array([1.0, 2.0])
-        u = displacements(model, eta[None], i, s)[0]
-        axial, curvature = u / (s * beam.length)[:, None], 2 * u / (s * beam.length)[:, None] ** 2
-        expected = [(2 * axial[0] - axial[1])[0], *(2 * curvature[0] - curvature[1])[1:]]
-        found = [strains[f"{beam.name}.base_strain.{d}"] for d in ("axial", "bending_y", "bending_z")]
-        assert np.allclose(found, expected, rtol=1e-6)
 
 
 def test_scipy_and_python_control_take_it():

@@ -4,11 +4,9 @@ import numpy as np
 import pytest
 from floating_robots import SATELLITE, TAU, start
 from helpers import arm, link, model_of
-from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
 from screwgen import natural_frequencies
-from screwgen.plotting.mode_plot import displaced, field
 from screwgen.studies.convergence import convergence, enriched
 from screwgen.studies.modes import mode_shapes
 
@@ -53,43 +51,6 @@ def satellite():
     return model_of(SATELLITE)
 
 
-def twist_matrix(x: np.ndarray) -> np.ndarray:
-    """The matrix (4, 4) of a twist [angular; linear], whose exponential is a motion."""
-    return np.block([[np.cross(np.eye(3), x[:3]), x[3:, None]], [np.zeros((1, 4))]])
-
-
-def test_the_linear_model_is_that_of_differences(satellite):
-    """In rotations and displacements along the axes of the moving hull, by differences along the group."""
-    q, v = start(satellite)
-    linear = satellite.linearise(q, v, TAU, outputs=["base_pose", "tip_position", "tip_velocity"])
-    n, h, judge = satellite.nv, 1e-6, satellite.numpy()
-    changed = lambda d: displaced(satellite, q, d)  # noqa: E731
-
-    def tip(q, v) -> np.ndarray:
-        twist = np.array(satellite.casadi()["tip_jacobian"](q, satellite.parameter_values)) @ v
-        return np.concatenate([q[:7], judge.tip_pose(q)[1], twist[3:]])
-
-    for k, e in enumerate(np.eye(n)):
-        for column, near in ((k, lambda s, e=e: (changed(s * e), v)), (n + k, lambda s, e=e: (q, v + s * e))):
-            ends = [near(s * h) for s in (1, -1)]
-            slope = np.subtract(*(judge.forward_dynamics(*end, TAU, None)[0] for end in ends)) / (2 * h)
-            assert np.allclose(linear.A[n:, column], slope, rtol=0, atol=1e-6 * np.max(np.abs(linear.A[n:])))
-            slope = np.subtract(*(tip(*end) for end in ends)) / (2 * h)
-            assert np.allclose(linear.C[:, column], slope, rtol=0, atol=1e-6)
-    assert np.array_equal(linear.A[6:n], np.eye(2 * n)[n + 6 : 2 * n])
-    # A neighbour whose twist differs drifts from the hull by what the two poses say, in axes of the hull.
-    rng, t = np.random.default_rng(5), 1e-4
-    delta, twist = 1e-4 * rng.normal(size=6), 1e-4 * rng.normal(size=6)
-    near = expm(twist_matrix(delta))
-    assert np.allclose(
-        twist_matrix(np.array([1.0, 2.0, 3.0, 0.0, 0.0, 0.0]))[:3, :3] @ np.array([4.0, 5.0, 6.0]), [-3.0, 6.0, -3.0]
-    )
-    apart = expm(-t * twist_matrix(v[:6])) @ near @ expm(t * twist_matrix(v[:6] + twist)) - expm(twist_matrix(delta))
-    rate = linear.A[:6] @ np.concatenate([delta, np.zeros(n - 6), twist, np.zeros(n - 6)])
-    found = apart @ np.linalg.inv(near) / t
-    assert np.allclose(found, twist_matrix(rate), rtol=0, atol=1e-7)
-
-
 def test_names_units_and_the_point_of_a_floating_linear_model(satellite):
     q, v = start(satellite)
     linear = satellite.linearise(q, v, TAU, outputs=["joint_angles", "base_twist"])
@@ -106,14 +67,3 @@ def test_names_units_and_the_point_of_a_floating_linear_model(satellite):
     assert np.array_equal(linear.y, [*q[7:11], *v[:6]])
     home = satellite.linearise([0.1, 0.2, 0.3, 0.4], outputs=["base_pose", "joint_angles"])  # the joints alone
     assert home.y.tolist() == [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4]
-
-
-def test_poles_without_damping_are_the_frequencies(satellite):
-    q = start(satellite)[0] * (np.arange(satellite.nq) < satellite.chain.eta_q)
-    poles = satellite.linearise(q).eigenvalues()
-    found = natural_frequencies(satellite, q, "free")
-    assert np.count_nonzero(found == 0) == 10
-    poles = poles.imag[poles.imag > 1e-2] / (2 * np.pi)
-    assert found[10:] == pytest.approx(poles, rel=1e-6)
-    shape = mode_shapes(satellite, q, "free").shapes[:, 0]
-    assert np.isfinite(field(satellite, q, shape).motion).all()

@@ -4,12 +4,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import swept
 from helpers import arm, link, model_of
-from test_loops import COUPLER, CRANK, DRAWS, GROUND, JOINTS, ROCKER, SIXTH, angles, lagrangian, looped
+from test_loops import COUPLER, CRANK, GROUND, ROCKER, SIXTH, angles, lagrangian
 
 from screwgen import SingularError, UsageError, dump, equilibrium, natural_frequencies
-from screwgen.backends.numpy.closing import closed, jacobian, moving
+from screwgen.backends.numpy.closing import jacobian, moving
 from screwgen.cli.linear import record, text
 from screwgen.cli.main import main
 from screwgen.simulation.controllers import Holding
@@ -227,48 +226,6 @@ def test_locked_drives_leave_the_gear_and_the_modes(bent, rest):
     free, locked = natural_frequencies(bent, rest.q, "free"), natural_frequencies(bent, rest.q)
     assert len(locked) == len(free) - 1
     assert (free[:-1] <= locked * (1 + 1e-9)).all() and (locked <= free[1:] * (1 + 1e-9)).all()
-
-
-@pytest.mark.parametrize("seed", swept(range(len(JOINTS))))
-def test_linear_models_of_random_trees_with_a_loop_are_differences(seed):
-    """Along motions that keep the loop closed, found by least squares."""
-    robot, state = looped(np.random.default_rng([DRAWS[seed], seed]), JOINTS[seed], 3 + seed % 3)
-    model, q = model_of(robot), np.array(state["q"])
-    judge = model.numpy()
-    v = moving(judge, q, state["v"])
-    linear = model.linearise(q, v, state["tau"], state["w_ext"], outputs=["joint_angles", "mode_rates"])
-    own = [model.q_names.index(name) for name in linear.state_names[: len(linear.A) // 2]]
-    others = np.setdiff1d(np.arange(model.nv), own)
-
-    def motion(x: np.ndarray) -> np.ndarray:
-        """The rates of the independent coordinates, and all coordinates, at q and v whose independent ones are x."""
-        there, held = q.copy(), np.isin(np.arange(model.nv), own)
-        there[own] = x[: len(own)]
-        there = closed(judge, there, held)
-        J, rates = jacobian(judge, there), np.zeros(model.nv)
-        rates[own] = x[len(own) :]
-        rates[others] = -np.linalg.lstsq(J[:, others], J[:, own] @ rates[own])[0]
-        return judge.forward_dynamics(there, rates, state["tau"], state["w_ext"])[0][own]
-
-    x, h = np.concatenate([q[own], v[own]]), 1e-5
-    found = np.array([(motion(x + h * e) - motion(x - h * e)) / (2 * h) for e in np.eye(len(x))]).T
-    assert np.max(np.abs(linear.A[len(own) :] - found)) < 1e-6 * np.max(np.abs(found))
-
-
-@pytest.mark.parametrize("seed", swept((0, 1, 2, 6)))
-def test_random_trees_with_a_loop_rest_and_swing_as_their_linear_models(seed):
-    """Spatial, with gears and springs; rigid motions and those that grow among them."""
-    robot, state = looped(np.random.default_rng([DRAWS[seed], seed]), JOINTS[seed], 3 + seed % 3)
-    model = model_of(robot)
-    rest = equilibrium(model, state["q"], hold=True)
-    vdot, _ = model.numpy().forward_dynamics(rest.q, np.zeros(model.nv), rest.tau, None)
-    assert np.max(np.abs(model.numpy().mass_matrix(rest.q) @ vdot)) < 1e-9
-    smooth = {name: 0.0 for name in model.parameter_names if any(x in name for x in ("damping", "viscous", "coulomb"))}
-    poles = model.linearise(rest.q, tau=rest.tau, parameters=smooth).eigenvalues()
-    poles = poles[(poles.imag > 1e-3) | ((np.abs(poles.imag) < 1e-3) & (poles.real > 1e-3))]
-    found = mode_shapes(model, rest.q, "free", loaded=True)
-    sizes = np.hypot(2 * np.pi * found.frequencies, found.growth)
-    assert np.sort(sizes) == pytest.approx(np.sort(np.abs(poles)), rel=1e-6)
 
 
 def test_the_joints_that_are_stated_are_those_with_drives_then_the_first():

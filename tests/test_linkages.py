@@ -1,10 +1,7 @@
 """Linkages that move, among them those whose rows of loops depend on each other wherever they are closed."""
 
 import json
-import subprocess
-import sys
 from functools import cache
-from pathlib import Path
 
 import mechanisms
 import numpy as np
@@ -53,11 +50,12 @@ def slope(at, values):
 # ------------------------------------------------------------------------------ closed postures
 
 
+@pytest.mark.parametrize("starts", [3, pytest.param(30, marks=pytest.mark.long)])
 @pytest.mark.parametrize("name", mechanisms.MECHANISMS)
-def test_random_starts_end_closed_or_say_that_they_do_not(name):
+def test_random_starts_end_closed_or_say_that_they_do_not(name, starts):
     model, rng = linkage(name), np.random.default_rng(1)
-    ends = [q for q in (found(model, rng) for _ in range(3)) if q is not None]
-    assert len(ends) >= 2 and max(openings(model, q) for q in ends) < CLOSED
+    ends = [q for q in (found(model, rng) for _ in range(starts)) if q is not None]
+    assert len(ends) > starts / 2 and max(openings(model, q) for q in ends) < CLOSED
 
 
 @pytest.mark.parametrize("name", ["hooke", "bennett", "spherical", "other_bennett"])
@@ -243,14 +241,3 @@ def test_loops_that_bent_links_alone_close_are_assembled_and_come_to_rest(tmp_pa
     assert main(["assemble", str(file), "--state", str(tmp_path / "state.json")]) == 0
     said = capsys.readouterr()
     assert np.allclose(json.loads(said.out)["q"], q, atol=1e-12) and "alone" not in said.err
-
-
-# ------------------------------------------------------------------------------ the sweep
-
-
-def test_the_sweep_of_starts_prints_its_table():
-    driver = Path(__file__).with_name("linkage_starts.py")
-    done = subprocess.run([sys.executable, driver, "1", "hooke", "sarrus"], capture_output=True, text=True, check=True)
-    head, *rows = done.stdout.splitlines()
-    assert head.split()[:4] == ["linkage", "closed", "refused", "open"]
-    assert [row.split()[0] for row in rows] == ["hooke", "sarrus"] and all(row.split()[3] == "0" for row in rows)

@@ -3,17 +3,14 @@
 import mpmath
 import numpy as np
 import pytest
-from conftest import swept
 from dual_arm import dual_arm
 from dual_arm import start as flying
-from helpers import EPS32, example, model_of, quick, relative
+from helpers import model_of, quick, relative
 from test_linear_loops import BALL, GEAR, linkage
-from test_loops import DRAWS, JOINTS, looped
 
 from screwgen import SingularError
 from screwgen.algorithms import fused
 from screwgen.algorithms.functions import Functions
-from screwgen.backends.numpy.closing import moving
 from screwgen.ir.replay import run
 
 H = mpmath.mpf("1e-12")
@@ -80,26 +77,6 @@ def test_a_loop_on_a_floating_base():
     assert error(model, given, model.numpy().derivatives(*given)) < 1e-10
     columns = [model.numpy().gaps(given[0], unit)[1] for unit in np.eye(model.nv)]
     assert np.array_equal(model.numpy().gap_slopes(given[0]), np.array(columns).T)  # with gears and dry friction
-
-
-@pytest.mark.parametrize("seed", swept(range(len(JOINTS))))
-def test_random_trees_with_a_loop(seed):
-    robot, state = looped(np.random.default_rng([DRAWS[seed], seed]), JOINTS[seed], 3 + seed % 3)
-    model = model_of(robot)
-    given = state["q"], moving(model.numpy(), np.array(state["q"]), state["v"]), state["tau"], state["w_ext"]
-    assert error(model, given, model.numpy().derivatives(*given)) < 1e-9
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("name", ["parallelogram", "crane_loop"])
-def test_examples_equal_casadi_in_double_and_float(name):
-    model = example(name)
-    q, v, tau, w_ext = given = moved(model, model.chain.home)
-    f = model.casadi()["forward_dynamics"].jacobian()
-    expected = [x.full() for x in f(q, v, tau, w_ext.T, model.parameter_values, 0, 0)[:3]]
-    for single, tolerance in ((False, 1e-10), (True, 1000 * EPS32)):
-        found = quick(model, derivatives=True, single=single).linearise(*given)[1:]
-        assert max(relative(a, b) for a, b in zip(found, expected, strict=True)) < tolerance
 
 
 def test_rows_that_depend_on_each_other_are_singular(bent):

@@ -2,118 +2,20 @@
 
 from pathlib import Path
 
-import casadi as ca
 import numpy as np
 import pytest
-import random_robots as rr
+from conformance import numbers
 from conftest import swept
-from helpers import arm, casadi_forward, example, link, model_of, quick
-from oracle import Oracle
-from oracle_stations import named
+from helpers import arm, example, link, model_of
+from mixed_arms import case_of
+from mixed_loops import JOINTS, looped
+from random_robots import joint_count
 
 from screwgen import OpenLoopError, SingularError, UsageError, analyse, assemble, dump, simulate
 from screwgen.backends.numpy.closing import moving
 from screwgen.cli.main import main
-from screwgen.spec.loops import STABILISATION
 from screwgen.studies.assemble import redundant
 from screwgen.studies.modes import mode_shapes
-
-JOINTS = ([], ["y"], [[0.6, 0.0, 0.8]], ["z", "x"], ["x", "y", "z"], [{"slide": "x"}], [{"slide": "z"}, "z"])
-
-
-def looped(rng, joint: list, count: int, s: float = 1.0, **limits) -> tuple[dict, dict]:
-    """A random tree with a loop that is closed in a random state: a welded bridge leads from one tip to another link.
-
-    It ends at the tip of that link, or at a marker at `s`.
-    """
-    tree, state, oracle = rr.draw_regular(rng, count, branching=0.5, sliding=0.2, drives=0.3, max_modes=1, **limits)
-    return bridged(rng, joint, tree, state, oracle, s)
-
-
-def bridged(rng, joint: list, tree: dict, state: dict, oracle: Oracle, s=1.0) -> tuple[dict, dict]:
-    """The tree with that bridge and loop; `oracle` is its own, or that of a robot with the same links and motions."""
-    count, parents = oracle.n, [-1, *oracle.parents[1:]]
-    apart = [(i, j) for i in range(count) for j in range(count) if i != j and parents[i] != j and parents[j] != i]
-    i, j = apart[rng.integers(len(apart))] if apart else (0, count - 1)
-    (R, r), (R_end, end) = oracle.section_pose(i, state["q"], 1.0), oracle.section_pose(j, state["q"], s)
-    turn = R.T @ R_end
-    mount = {"xyz": (R.T @ (end - r) - 0.1 * turn[:, 0]).tolist(), "rpy": roll_pitch_yaw(turn)}
-    names = [x["name"] for x in tree["links"]]
-    bridge = {"name": "bridge", "length": 0.1, "section": {"rhoA": 2.0}, "joint": {"axes": [], "mount": mount}}
-    bridge["parent"] = names[i]
-    loop = {"between": ["bridge.tip", f"{names[j]}.tip"], "joint": {"axes": joint}}
-    if s < 1:
-        tree["links"][j]["markers"] = [{"name": "hook", "at": s}]
-        loop["between"][1] = f"{names[j]}.hook"
-    wrenches = [*state["w_ext"], rng.normal(size=6).tolist()]
-    return tree | {"links": [*tree["links"], bridge], "loops": [loop]}, state | {"w_ext": wrenches}
-
-
-def roll_pitch_yaw(R: np.ndarray) -> list[float]:
-    """The angles of ``Rz(y) Ry(p) Rx(r)``."""
-    return [np.arctan2(R[2, 1], R[2, 2]), -np.arcsin(R[2, 0]), np.arctan2(R[1, 0], R[0, 0])]
-
-
-def rows(oracle: Oracle, robot: dict) -> list[ca.SX]:
-    """The gaps of all rows, written anew from the joint's definition: what a motion of the joint leaves at zero."""
-    names, out = [x["name"] for x in robot["links"]], []
-    for loop in robot.get("loops", ()):
-        ends = ((names.index(name), marker) for name, marker in (end.split(".") for end in loop["between"]))
-        places = [(i, named(robot["links"][i], marker)) for i, marker in ends]
-        (R_a, a), (R_b, b) = (oracle.section(i, oracle.clouds[i], s) for i, s in places)
-        R = R_a.T @ R_b
-        d = R_a.T @ (b - a)
-        axes = loop["joint"]["axes"]
-        slides = [unit(x["slide"]) for x in axes if isinstance(x, dict)]
-        turns = [unit(x) for x in axes if not isinstance(x, dict)]
-        out += [ca.dot(n, d) for n in null(slides)]
-        match turns:
-            case []:
-                out += [R[1, 2], R[2, 0], R[0, 1]]
-            case [x]:
-                out += [ca.dot(n, R @ x) for n in null([x])]
-            case [x, y]:
-                out.append(ca.dot(x, R @ y) - x @ y)
-    axes = [f"{x['name']}.{k}" for x in robot["links"] for k in range(len(x["joint"]["axes"]))]
-    for coupling in robot.get("couplings", ()):
-        follows, other = (oracle.q[axes.index(plain(coupling[key]))] for key in ("axis", "of"))
-        out.append(follows - coupling["ratio"] * other - coupling["offset"])
-    return out
-
-
-def plain(name: str) -> str:
-    """`finger.0` of `finger.joint[0]` or `finger.slide[0]`."""
-    owner, _, axis = name.partition(".")
-    return f"{owner}.{axis.partition('[')[2][:-1]}"
-
-
-def unit(axis) -> np.ndarray:
-    vector = np.eye(3)["xyz".index(axis)] if isinstance(axis, str) else np.array(axis)
-    return vector / np.linalg.norm(vector)
-
-
-def null(directions: list) -> list[np.ndarray]:
-    """An orthonormal basis of what is at right angles to these directions."""
-    if not directions:
-        return list(np.eye(3))
-    return list(np.linalg.svd(np.array(directions))[2][len(directions) :])
-
-
-def constrained(oracle: Oracle, robot: dict, state: dict) -> np.ndarray:
-    """`v̇` of the oracle's mass matrix and bias with its own rows, stabilised, by Lagrange multipliers."""
-    gap = ca.vertcat(*rows(oracle, robot))
-    G = ca.jacobian(gap, oracle.q)
-    rate = G @ oracle.v
-    f = ca.Function("rows", [oracle.q, oracle.v], [gap, G, rate, ca.jtimes(rate, oracle.q, oracle.v)])
-    q, v, tau, w_ext = (np.array(state[k]) for k in ("q", "v", "tau", "w_ext"))
-    gap, G, rate, gamma = (x.full() for x in f(q, v))
-    M, h = oracle.mass_matrix(q), oracle.bias(q, v, w_ext)
-    free = np.linalg.solve(M, oracle._force(tau, q) - h)
-    c = STABILISATION
-    wanted = -(gamma + 2 * c * rate + c * c * gap)[:, 0] - G @ free
-    inertia = G @ np.linalg.solve(M, G.T)
-    return free + np.linalg.solve(M, G.T @ np.linalg.lstsq(inertia, wanted, rcond=1e-12)[0])
-
 
 DRAWS = (901, 902, 903, 903, 901, 903, 902)
 """Draws of trees that can follow all that their loops forbid, most of them with drives."""
@@ -124,33 +26,21 @@ def test_random_trees_with_a_loop(seed):
     """Closed or open: where a loop is open both have the same stabilisation."""
     rng, opened = np.random.default_rng([DRAWS[seed], seed]), 0.02 * (seed % 2)
     robot, state = looped(rng, JOINTS[seed], 3 + seed % 3)
-    model, oracle = model_of(robot), Oracle(robot)
-    judge = model.numpy()
-    q = np.array(state["q"])
-    assert np.max(np.abs(judge.gaps(q, None)[0])) < 1e-12
-    v = np.array(state["v"]) if opened else moving(judge, q, state["v"])
-    state |= {"q": q + opened * rng.normal(size=len(q)) * (np.arange(len(q)) < oracle.n_joint), "v": v}
-    expected = constrained(oracle, robot, state)
-    given = state["q"], state["v"], state["tau"], state["w_ext"]
-    found, wrench = judge.forward_dynamics(*given)
-    scale = np.max(np.abs(expected))
-    assert np.max(np.abs(found - expected)) < 1e-9 * scale
-    assert np.max(np.abs(casadi_forward(model, *given)[0] - expected)) < 1e-9 * scale
-    closing = judge.loop_wrenches(*given)
-    same = model.casadi()["loop_wrenches"](*given[:3], np.array(given[3]).T, model.parameter_values).full().T
-    assert np.max(np.abs(same - closing)) < 1e-9 * np.max(np.abs(closing))
-    loads = np.array(state["w_ext"]) + closing
-    expected_wrench = oracle.wrenches(state["q"], state["v"], found, loads)
-    assert np.max(np.abs(wrench - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
-    dae = judge.dae_forward_dynamics(*given)
-    assert np.max(np.abs(dae[0] - expected)) < 1e-9 * scale
-    assert np.max(np.abs(dae[1] - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+    q, v = np.array(state["q"]), np.array(state["v"])
+    assert np.max(np.abs(model_of(robot).numpy().gaps(q, None)[0])) < 1e-12
+    case = case_of(
+        robot, state | {"q": q + opened * rng.normal(size=len(q)) * (np.arange(len(q)) < joint_count(robot))}
+    )
+    if opened:
+        case.judge.state["v"] = v
+    numbers.judge(case)
+    numbers.casadi(case)
+    found = [case.model.numpy().dae_forward_dynamics(*case.given)]
     if seed % 3 == 0:
-        compiled = quick(model, layout=("fused", "modular")[seed % 2])
-        for form in ("joint", "dae"):
-            loaded, wrench = compiled.forward_dynamics(*given, form=form)
-            assert np.max(np.abs(loaded - expected)) < 1e-9 * scale
-            assert np.max(np.abs(wrench - expected_wrench)) < 1e-9 * np.max(np.abs(expected_wrench))
+        found += [
+            case.c(("fused", "modular")[seed % 2]).forward_dynamics(*case.given, form=x) for x in ("joint", "dae")
+        ]
+    assert max(max(case.judge.errors(*x).values()) for x in found) <= case.tolerance
 
 
 # ------------------------------------------------------------------------------ linkages in closed form
@@ -247,9 +137,6 @@ def test_a_flexible_parallelogram_keeps_its_platform_level():
     model = example("parallelogram")
     q = assemble(model, [-0.5, 0.5, -0.5], hold=["arm.joint[0]"])
     assert np.allclose(q[:3], [-0.5, 0.5, -0.5], atol=1e-9) and not q[3:].any()
-    found = model.numpy().forward_dynamics(q, np.zeros(model.nv), None, None)[0]
-    given = q, np.zeros(model.nv), np.zeros(model.n_tau), np.zeros((3, 6))
-    assert np.allclose(casadi_forward(model, *given)[0], found, rtol=1e-10, atol=1e-9)
 
 
 # ------------------------------------------------------------------------------ what users see

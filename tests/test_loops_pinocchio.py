@@ -47,7 +47,7 @@ def spatial(seed: int, joint: list) -> tuple[dict, np.ndarray]:
     rng = np.random.default_rng([14, seed])
     rigid = {"rigid": 1.0, "material": 0.0, "frame_at": 0.0, "welded": 0.0, "drives": 0.0}
     tree, state, oracle = rr.draw_regular(rng, 5, **rigid, sliding=0.3, branching=0.5)
-    robot, _ = bridged(rng, tree, state, oracle, joint, 0)
+    robot, _ = bridged(rng, joint, tree, state, oracle)
     return robot, np.array(state["q"])
 
 

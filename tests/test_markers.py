@@ -2,23 +2,19 @@
 
 import re
 import tomllib
-from functools import cache
 
-import judges
 import numpy as np
 import pytest
-import random_robots as rr
 from bad_robot_files import GOOD, refusal, refused
 from conftest import swept
-from helpers import Case, casadi_forward, model_of, quick
-from oracle import Oracle
-from oracle_robots import pinocchio_model, relative
+from helpers import casadi_forward, model_of
+from mixed_arms import case_of
+from mixed_loops import JOINTS, looped
+from oracle_robots import relative
 from test_loop_derivatives import error, moved
-from test_loops import JOINTS, constrained, looped
 
 from screwgen import Robot, assemble, dump, equilibrium, simulate
 from screwgen.algorithms.fused import forward_dynamics
-from screwgen.backends.numpy.closing import moving
 from screwgen.plotting.strands import strands
 from screwgen.simulation.motion import centrelines
 
@@ -51,74 +47,6 @@ def branches(*more: dict, **trunk):
     return arm(trunk, mounted, right, low, rod("fore", ["y"], parent="trunk"), *more)
 
 
-def at_stations(rng, robot: dict) -> dict:
-    """The robot with most of its links carried at the base, at a marker or at a place of their parents."""
-    names = [link["name"] for link in robot["links"]]
-    for i, link in enumerate(robot["links"][1:], 1):
-        if link.get("parent") == "world" or rng.random() > 0.8:
-            continue
-        s, kind = float(rng.uniform(0.05, 0.95)), rng.integers(3)
-        parent = robot["links"][names.index(link.get("parent", names[i - 1]))]
-        if kind == 2:
-            parent.setdefault("markers", []).append({"name": f"m{i}", "at": s})
-        link["at"] = ("base", {"s": s}, f"m{i}")[kind]
-    return robot
-
-
-@cache
-def random_case(seed: int) -> Case:
-    """A random tree whose links are carried at bases, markers and places along their parents."""
-    rng = np.random.default_rng(4000 + seed)
-    limits = dict(branching=0.5, sliding=0.2, drives=0.2, stations=0.2, shear=0.1, max_modes=1 + (seed % 5 == 4))
-    limits["second_order"] = 0.5 * (seed % 3 == 0)
-    while True:
-        robot, state, _ = rr.draw_regular(rng, 2 + seed % 3, **limits)
-        robot = at_stations(rng, robot)
-        oracle = Oracle(robot)
-        if any("at" in link for link in robot["links"]) and oracle.condition(state["q"]) < 1e7:
-            return Case(robot, state, oracle, model_of(robot))
-
-
-@pytest.mark.parametrize("seed", swept(range(20), 1))
-def test_random_trees_equal_the_oracle_in_all_forms(seed):
-    case = random_case(seed)
-    numeric, n = case.model.numpy(), case.model.n_links
-    for vdot, wrench in (numeric.forward_dynamics(*case.inputs), casadi_forward(case.model, *case.inputs)):
-        assert max(case.oracle.errors(case.state, vdot, wrench).values()) < case.tolerance
-    q, v, tau, w_ext = case.inputs
-    assert max(case.oracle.errors(case.state, *numeric.dae_forward_dynamics(*case.inputs)).values()) < case.tolerance
-    M, H, W = numeric.assemble(numeric.dae_state(q, v), tau, w_ext)
-    z = np.linalg.solve(M, W - H)
-    assert np.allclose(z[: 12 * n].reshape(n, 12)[:, :6], wrench, rtol=0, atol=1e-8 * abs(wrench).max())
-    force = numeric.inverse_dynamics(q, v, vdot, w_ext)
-    expected = case.oracle.inverse_dynamics(q, v, vdot, w_ext)
-    assert np.allclose(force, expected, rtol=0, atol=1e-9 * max(abs(expected).max(), abs(tau).max(initial=1.0)))
-    assert np.allclose(numeric.link_pose(q)[1], case.oracle.poses(q)["origin"], rtol=0, atol=1e-12)
-    assert np.allclose(numeric.tip_pose(q)[1], case.oracle.tip_pose(q)[1], rtol=0, atol=1e-12)
-
-
-@pytest.mark.parametrize("layout", ["fused", "modular"])
-def test_compiled_c_equals_the_oracle_in_both_forms(layout):
-    judges.c_forms(random_case(1), layout)
-
-
-@pytest.mark.parametrize("seed", swept(range(8), 2))
-def test_rigid_trees_equal_pinocchio(seed):
-    rng = np.random.default_rng(60 + seed)
-    robot, state, _ = rr.draw_regular(rng, 4, rigid=1.0, branching=0.5, sliding=0.2, material=0.0, frame_at=0.0)
-    for link in robot["links"]:
-        for key in ("armature", "damping", "stiffness"):
-            link["joint"].pop(key, None)
-    robot = at_stations(rng, robot)
-    assert any("at" in link for link in robot["links"])
-    pin, model, _ = pinocchio_model(robot)
-    model.gravity.linear = np.array(robot["gravity"])
-    q, v, tau = (np.array(state[name]) for name in ("q", "v", "tau"))
-    expected = pin.aba(model, model.createData(), q, v, tau)
-    found, _ = model_of(robot).numpy().forward_dynamics(q, v, tau, np.zeros((4, 6)))
-    assert relative(found, expected) < 1e-10
-
-
 @pytest.mark.parametrize("order", [1, 2, "exact"])
 def test_derivatives_are_those_of_differences(order):
     """Of 40 digits: links ahead of all points of an exact rod, between them and behind them, wrenches and a tendon."""
@@ -144,42 +72,19 @@ def test_where_segments_meet_a_link_is_carried_by_a_tip():
     assert beside.chain.keys[1].stations_at == (0.5,) and beside.chain.tree.parents == (-1, 0, 1)
 
 
-def test_a_place_moves_with_the_length_of_its_link(branched):
-    """The length is a parameter at run time; the place is a share of it."""
-    values = np.array(branched.parameter_values)
-    values[branched.parameter_names.index("trunk.length")] = 0.9
-    longer = tomllib.loads(dump(branched.robot))["links"][0] | {"length": 0.9}
-    links = [longer, *tomllib.loads(dump(branched.robot))["links"][1:]]
-    q = np.full(branched.nq, 0.02)
-    expected = arm(*links).numpy().link_pose(q)[1]
-    found = np.array(branched.casadi()["link_pose"](q, values)[1]).T
-    assert np.allclose(found, expected, rtol=0, atol=1e-13) and abs(expected[1, 0] - 0.46) < 0.1
-
-
 @pytest.mark.parametrize("seed", swept(range(1, 7), 1))
 def test_a_loop_at_a_marker_equals_the_oracle(seed):
     rng = np.random.default_rng([902, seed])
     robot, state = looped(rng, JOINTS[(2 * seed + 2) % len(JOINTS)], 3, s=0.2 + 0.1 * seed)
-    model, oracle = model_of(robot), Oracle(robot)
-    (marker,) = (i for i, segment in enumerate(model.chain.segments) if segment.marker is not None)
-    judge, q = model.numpy(), np.array(state["q"])
-    assert np.max(np.abs(judge.gaps(q, None)[0])) < 1e-12
-    state |= {"v": moving(judge, q, state["v"])}
-    expected = constrained(oracle, robot, state)
-    given = q, state["v"], state["tau"], np.insert(np.array(state["w_ext"]), marker, 0.0, axis=0)
-    found, wrench = judge.forward_dynamics(*given)
-    for vdot in (found, casadi_forward(model, *given)[0], judge.dae_forward_dynamics(*given)[0]):
-        assert relative(vdot, expected) < 1e-9
-    loads, link = given[3] + judge.loop_wrenches(*given), model.chain.segments[marker].link
-    (R, r), (R_T, tip) = (oracle.section_pose(link, q, s) for s in (model.chain.segments[marker].marker, 1.0))
-    moment, force = R @ loads[marker, :3], R @ loads[marker, 3:]
-    loads = np.delete(loads, marker, axis=0)
-    loads[link] += np.concatenate([R_T.T @ (moment + np.cross(r - tip, force)), R_T.T @ force])
-    balance = oracle.wrenches(q, state["v"], found, loads)
-    assert relative(np.delete(wrench, marker, axis=0), balance) < 1e-9
+    case = case_of(robot, state)
+    (marker,) = (i for i, segment in enumerate(case.model.chain.segments) if segment.marker is not None)
+    numeric, given = case.model.numpy(), (*case.given[:3], np.insert(case.given[3], marker, 0.0, axis=0))
+    assert np.max(np.abs(numeric.gaps(given[0], None)[0])) < 1e-12
+    found = [numeric.forward_dynamics(*given), casadi_forward(case.model, *given), numeric.dae_forward_dynamics(*given)]
     if seed == 2:
-        for form in ("joint", "dae"):
-            assert relative(quick(model, layout="modular").forward_dynamics(*given, form=form)[0], expected) < 1e-9
+        found += [case.c("modular").forward_dynamics(*given, form=form) for form in ("joint", "dae")]
+    for vdot, wrench in found:
+        assert max(case.judge.errors(vdot, np.delete(wrench, marker, axis=0)).values()) <= case.tolerance
 
 
 def linkage(last: str):

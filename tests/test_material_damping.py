@@ -1,13 +1,10 @@
 """Kelvin–Voigt damping of links, `damping = { time = … }`: the whole stiffness times a time, at every order."""
 
 import re
-from functools import cache
 
-import judges
 import numpy as np
 import pytest
-from conftest import swept
-from helpers import Case, arm, drawn, link, model_of, relative
+from helpers import arm, link, model_of, relative
 from test_reduced import arm_of, free_cloud
 
 import screwgen
@@ -18,7 +15,6 @@ from screwgen.spec import Damping, Link
 from screwgen.spec.advice import advice
 
 TIME = 0.02
-SHORT = (0, 3, 11)
 KINDS = {
     "uniform": {"modes": {"bending_y": 2, "bending_z": 1, "torsion": 1}},
     "stations": {
@@ -45,24 +41,6 @@ def matrix(model, name: str, i: int = 0) -> np.ndarray:
     for (row, column), value in zip(places, constants[f"{name[0]}_below"] if places else (), strict=True):
         full[row, column] = full[column, row] = value
     return full
-
-
-@cache
-def case_of(seed: int) -> Case:
-    """Links of all orders with both kinds of damping, in trees, with sections that vary and shear."""
-    limits = {"time": 0.8, "exact": 0.3, "second_order": 0.3, "stations": 0.4, "shear": 0.3, "branching": 0.3}
-    return drawn(2300 + seed, 1 + seed % 2, **limits)
-
-
-@pytest.mark.parametrize("seed", swept(range(40), *SHORT))
-def test_random_robots_equal_the_oracle(seed):
-    judges.numpy_and_casadi(case_of(seed))
-
-
-def test_the_robots_have_it_on_coupled_modes_of_every_order_and_beside_a_ratio():
-    keys = [key for seed in SHORT for key in case_of(seed).model.chain.keys if "time" in key.damping]
-    assert {key.order for key in keys} == {1, 2, "exact"} and {len(key.damping) for key in keys} == {1, 2}
-    assert any(key.coupled for key in keys)
 
 
 # -------- the matrix

@@ -9,11 +9,9 @@ import copy
 
 import numpy as np
 import pytest
-import random_robots as rr
 from conftest import swept
-from helpers import casadi_forward, disagreement, model_of, quick, relative
-from measured_robots import BARE, FOUND, bare_frequencies, by_frequencies, counted, flat, rod
-from oracle import Oracle
+from helpers import casadi_forward, model_of, quick, relative
+from measured_robots import BARE, FOUND, bare_frequencies, counted, flat, rod
 from oracle_shapes import DIRECTIONS
 
 from screwgen import natural_frequencies
@@ -21,72 +19,7 @@ from screwgen import natural_frequencies
 # -------- a file with frequencies and the file with the stiffness that they amount to
 
 
-@pytest.mark.parametrize(
-    ("seed", "directions"),
-    [
-        pytest.param(0, DIRECTIONS, marks=pytest.mark.long),
-        (1, ("bending_y",)),
-        pytest.param(2, ("axial", "torsion"), marks=pytest.mark.long),
-        (3, DIRECTIONS),
-    ],
-    ids=lambda x: str(x) if isinstance(x, int) else "-".join(x),
-)
-def test_frequencies_that_follow_from_the_stiffness_give_the_same_dynamics(seed, directions):
-    robot, state, oracle = rr.draw_regular(
-        np.random.default_rng(seed), 2, limit=1e6, basis="clamped_free", rigid=0.0, torsion=1.0
-    )
-    given = [np.array(state[name]) for name in ("q", "v", "tau", "w_ext")]
-    stiff, measured = model_of(robot), model_of(by_frequencies(robot, directions))
-    expected = stiff.numpy().forward_dynamics(*given)
-    tolerance = oracle.tolerance(state["q"])
-    assert disagreement(oracle, expected, measured.numpy().forward_dynamics(*given)) < tolerance
-    for stiff_link, measured_link in zip(stiff.numpy().constants, measured.numpy().constants, strict=True):
-        assert np.allclose(stiff_link["K"], measured_link["K"], rtol=1e-13, atol=0)
-        assert np.allclose(stiff_link["D"], measured_link["D"], rtol=1e-13, atol=0)
-    energies = [m.numpy().energy(*given[:2]) for m in (stiff, measured)]
-    assert np.allclose(*energies, rtol=1e-12)
-
-
 # -------- frequencies of no uniform beam, against the oracle
-
-
-def replace_stiffness(oracle: Oracle, robot: dict) -> Oracle:
-    """The oracle with the stiffness and damping of measured modes put in, from the robot's dict alone."""
-    for table, part in zip(robot["links"], oracle.modal_slices, strict=True):
-        k, ratio = part.start, table.get("damping", {}).get("ratio", 0.0)
-        for d in DIRECTIONS:
-            inertia = table["section"].get("rhoIp" if d == "torsion" else "rhoA", 0.0) * table["length"]
-            for f in table.get("modes", {}).get("frequencies", {}).get(d, [None] * table.get("modes", {}).get(d, 0)):
-                if f is not None:
-                    oracle.K[k, k] = inertia * (2 * np.pi * f) ** 2
-                    oracle.D[k, k] = 2 * ratio * inertia * 2 * np.pi * f
-                k += 1
-        assert k == part.stop
-    return oracle
-
-
-def perturbed(robot: dict, rng) -> dict:
-    """Its frequencies, each off by up to a third, still ascending: no uniform beam has them."""
-    robot = by_frequencies(robot)
-    for table in robot["links"]:
-        for values in table.get("modes", {}).get("frequencies", {}).values():
-            values[:] = sorted(f * float(rng.uniform(0.67, 1.33)) for f in values)
-    return robot
-
-
-def random_case(seed: int) -> tuple[dict, dict]:
-    rng = np.random.default_rng(seed)
-    robot, state, _ = rr.draw_regular(rng, 2, limit=1e6, basis="clamped_free", rigid=0.0, torsion=1.0)
-    return perturbed(robot, rng), state
-
-
-@pytest.mark.parametrize("seed", swept(range(20, 26), 20))
-def test_forward_dynamics_equal_the_oracle_with_its_stiffness_replaced(seed):
-    robot, state = random_case(seed)
-    oracle = replace_stiffness(Oracle(robot), robot)
-    given = [np.array(state[name]) for name in ("q", "v", "tau", "w_ext")]
-    errors = oracle.errors(state, *model_of(robot).numpy().forward_dynamics(*given))
-    assert max(errors.values()) < oracle.tolerance(state["q"]), errors
 
 
 # -------- the clamped bare link has the frequencies that the file states

@@ -4,16 +4,15 @@ import numpy as np
 import pytest
 from conftest import swept
 from helpers import arm, link, model_of
-from mixed_arms import EVERY, LAYOUTS, drawn
+from mixed_arms import EVERY, LAYOUTS, drawn, judged
 
 KEPT = (3, 5)
 
 
-@pytest.mark.parametrize("seed", swept(range(24), *KEPT))
+@pytest.mark.parametrize("seed", swept(range(24), 1, 2, *KEPT))
 def test_a_random_robot_equals_the_oracle_in_every_back_end(seed, tmp_path):
-    case = drawn(seed, tmp_path)
     layout = "modular" if seed in KEPT else LAYOUTS[seed // EVERY % 2] if seed % EVERY == 0 else None
-    assert max(case.judged(layout).values()) <= case.tolerance
+    judged(drawn(seed, tmp_path), layout)
 
 
 def test_rows_of_a_loop_that_stays_open_are_kept():

@@ -1,5 +1,7 @@
 """Mode shapes against the oracle, and their picture."""
 
+from itertools import combinations
+
 import numpy as np
 import pytest
 import random_robots as rr
@@ -11,30 +13,13 @@ from screwgen.cli.main import main
 from screwgen.plotting.look import view
 from screwgen.plotting.mode_plot import STATIONS, TURN, amplified, field, figure, meaning, png, sections
 from screwgen.simulation.motion import centrelines
-from screwgen.studies.modes import mode_shapes, natural_frequencies
+from screwgen.studies.modes import mode_shapes
 
 SETPOINTS = [-0.4928, 0.6922, 0.4270]
 
 
 def posture(model, joints=SETPOINTS):
     return np.append(joints, np.zeros(model.nq - len(joints)))
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_shapes_solve_the_eigenvalue_problem_of_the_oracle(seed):
-    """`K φ = ω² M φ` for what moves, with unit modal mass; the oracle's M and K."""
-    robot, state, oracle = rr.draw_regular(np.random.default_rng(seed), limit=1e6, max_links=2)
-    model, q = model_of(robot), state["q"]
-    for joints, first in (("locked", oracle.n_joint), ("free", 0)):
-        found, moving = mode_shapes(model, q, joints), slice(first, None)
-        M, K, phi = oracle.mass_matrix(q)[moving, moving], oracle.K[moving, moving], found.shapes[moving]
-        assert not found.shapes[:first].any() and len(found.frequencies) + found.rigid == len(M)
-        assert np.allclose(phi.T @ M @ phi, np.eye(phi.shape[1]), atol=1e-9)
-        left, right = K @ phi, M @ phi * (2 * np.pi * found.frequencies) ** 2
-        assert np.allclose(left, right, atol=1e-8 * np.abs(left).max(initial=1e-300))
-        assert np.array_equal(
-            np.append(np.zeros(found.rigid), found.frequencies), natural_frequencies(model, q, joints)
-        )
 
 
 def test_centrelines_run_from_joint_to_tip():
@@ -167,3 +152,19 @@ def test_the_height_is_named_beside_its_numbers():
         word, both = axis.label.get_window_extent().width, axis.get_tightbbox(renderer).width
         axis.label.set_text("")
         assert word < both - axis.get_tightbbox(renderer).width < 3 * word
+
+
+def test_numbers_along_short_axes_do_not_cover_each_other():
+    """Of an upright arm two axes are short, and their numbers stand side by side."""
+    upright = {"mount": {"rpy": [0.0, -np.pi / 2, 0.0]}}
+    model = model_of(arm(link("pole", 1.0, [], modes={"bending_y": 1, "bending_z": 1}, joint=upright)))
+    picture = laid_out(figure(model, np.zeros(model.nq), mode_shapes(model)))
+    for axes in picture.axes:
+        boxes = []
+        for name in "xyz":
+            axis, (low, high) = getattr(axes, f"{name}axis"), getattr(axes, f"get_{name}lim")()
+            pairs = zip(axis.get_majorticklocs(), axis.get_major_ticks(), strict=True)
+            ticks = [tick for x, tick in pairs if low <= x <= high]
+            assert len(ticks) > 2 * (name == "z")
+            boxes += [tick.label1.get_window_extent() for tick in ticks]
+        assert not any(a.overlaps(b) for a, b in combinations(boxes, 2))

@@ -1,73 +1,18 @@
-"""Natural frequencies against the oracle and published numbers."""
+"""Natural frequencies: springs without digits to spare, what does not vibrate, and what is refused."""
 
 import numpy as np
 import pytest
-import random_robots as rr
-from conftest import swept
-from helpers import arm
-from helpers import link as plain_link
+from helpers import arm, link, model_of
 from oracle import Oracle
+from test_published import SETPOINTS, ella
 
-from screwgen import Robot, SingularError, UsageError, derive
+from screwgen import SingularError, UsageError
 from screwgen.studies.convergence import convergence
 from screwgen.studies.modes import natural_frequencies
-
-SETPOINTS = [-0.4928, 0.6922, 0.4270]
-
-
-def model_of(robot: dict):
-    return derive(Robot.model_validate(robot))
-
-
-def ella(count=2, basis="polynomial", section_rotation=True) -> dict:
-    section = {"rhoA": 1.6302, "EA": 4.38e7, "EIy": 2.12e3, "EIz": 3.67e3, "rhoIp": 2.15e-4}
-    modes = {"basis": basis, "axial": 1, "bending_y": count, "bending_z": count}
-    parts = (("upper", 0.95, ["y", "z"], 3.3), ("fore", 0.93, ["z"], 2.1))
-    links = [
-        {"name": name, "length": length, "section": section, "modes": modes, "joint": {"axes": axes},
-         "bodies": [{"at": "tip", "mass": mass}]}
-        for name, length, axes, mass in parts
-    ]  # fmt: skip
-    return {"name": "ella", "gravity": [0.0, 0.0, -9.81], "section_rotation": section_rotation, "links": links}
 
 
 def posture(model, joints=SETPOINTS):
     return np.append(joints, np.zeros(model.nq - len(joints)))
-
-
-@pytest.mark.parametrize(
-    ("arguments", "expected", "atol"),
-    [
-        ((4,), [2.8807, 3.6956], 6e-5),
-        ((2,), [2.8808, 3.6957], 6e-5),
-        ((5, "clamped_free"), [2.911, 3.739], 6e-4),
-        ((5, "polynomial", False), [4.7341, 6.2905], 6e-5),
-    ],
-)
-def test_published_frequencies_of_the_papers_arm(arguments, expected, atol):
-    model = model_of(ella(*arguments))
-    assert np.allclose(natural_frequencies(model, posture(model))[:2], expected, rtol=0, atol=atol)
-
-
-def test_de_luca_and_siciliano_clamped_link_with_payload():
-    link = {
-        "name": "arm", "length": 0.5, "section": {"rhoA": 0.2, "EIz": 1.0}, "joint": {"axes": ["z"]},
-        "modes": {"basis": "polynomial", "bending_y": 8},
-        "bodies": [{"at": "tip", "mass": 0.1, "inertia": [0.0, 0.0005, 0.0005, 0.0, 0.0, 0.0]}],
-    }  # fmt: skip
-    model = model_of({"name": "clamped", "gravity": [0.0, 0.0, 0.0], "links": [link]})
-    assert np.allclose(natural_frequencies(model)[:2], [2.178334, 15.914513], rtol=0, atol=1e-6)
-
-
-@pytest.mark.parametrize("seed", swept(range(8), 0, 1, 2))
-@pytest.mark.parametrize("joints", ["locked", "free"])
-def test_frequencies_equal_the_oracles(seed, joints):
-    robot, state, oracle = rr.draw_regular(np.random.default_rng(seed), limit=1e6, max_links=3)
-    found, expected = natural_frequencies(model_of(robot), state["q"], joints), oracle.frequencies(state["q"], joints)
-    scale = max(expected, default=0.0)
-    assert found.shape == expected.shape
-    assert np.allclose(found**2, expected**2, rtol=1e-8, atol=1e-9 * scale**2)
-    assert (np.diff(found) >= 0).all()
 
 
 def test_free_joints_give_exact_zeros_and_springs_do_not():
@@ -104,15 +49,15 @@ def test_springs_leave_the_mass_matrix_alone():
 
 def test_nothing_that_vibrates_is_said_at_once(monkeypatch):
     """No mass matrix of a thousand links is made to say that there are no modes."""
-    model = model_of(arm(*(plain_link(f"link{i}", 0.3, "y") for i in range(1000))))
+    model = model_of(arm(*(link(f"link{i}", 0.3, "y") for i in range(1000))))
     monkeypatch.setattr(type(model), "numpy", lambda *_: pytest.fail("computed"))
     assert natural_frequencies(model).size == 0 and convergence(model).total.size == 0
 
 
 def test_locked_rigid_arm_has_no_frequencies():
     robot = ella()
-    for link in robot["links"]:
-        del link["modes"]
+    for table in robot["links"]:
+        del table["modes"]
     model = model_of(robot)
     assert natural_frequencies(model).size == 0
     assert natural_frequencies(model, joints="free").tolist() == [0.0, 0.0, 0.0]
@@ -127,8 +72,8 @@ def test_parameters_take_the_place_of_the_files():
 
 
 def test_a_free_joint_without_inertia_is_named():
-    link = {"name": "spit", "length": 1.0, "section": {"rhoA": 1.0}, "joint": {"axes": ["x"]}}
-    model = model_of({"name": "roll", "gravity": [0.0, 0.0, 0.0], "links": [link]})
+    bare = {"name": "spit", "length": 1.0, "section": {"rhoA": 1.0}, "joint": {"axes": ["x"]}}
+    model = model_of(arm(bare))
     with pytest.raises(SingularError, match="spit"):
         natural_frequencies(model, joints="free")
 

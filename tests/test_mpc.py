@@ -5,10 +5,10 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conformance.c_warnings import WARNINGS
 from conftest import require_tool
 from helpers import QUICK, arm, link, model_of
 from mpc_judge import Problem
-from test_c_code import WARNINGS
 
 import screwgen
 from screwgen.errors import UsageError

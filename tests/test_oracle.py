@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from oracle import Oracle
-from oracle_robots import SEEDS, G, arm, pinocchio_model, regular, relative, rod
+from oracle_robots import G, arm, regular, relative, rod
 from oracle_shapes import bending_shapes, quadrature, sine_shapes
 
 # -------- shape functions
@@ -124,35 +124,3 @@ def test_rigid_rod_spin_inertia():
     """rhoIp l alone resists a roll joint, without torsion modes."""
     oracle = Oracle(arm(rod(0.7, 2.0, ["x"], rhoIp=3e-3)))
     assert np.isclose(oracle.mass_matrix([0.4])[0, 0], 0.7 * 3e-3, rtol=1e-13)
-
-
-@pytest.mark.parametrize(("seed", "share"), [*((seed, 0.0) for seed in SEEDS), *((seed, 0.6) for seed in SEEDS)])
-def test_rigid_robots_match_pinocchio(seed, share):
-    robot, state, oracle = regular(seed, rigid=1.0, material=0.0, sliding=share, branching=share)
-    pin, model, found = pinocchio_model(robot)
-    model.gravity.linear = np.array(robot["gravity"])
-    model.armature = oracle.armature
-    q, v, w_ext = np.array(state["q"]), np.array(state["v"]), np.array(state["w_ext"])
-    external = pin.StdVec_Force()
-    external.extend([pin.Force.Zero() for _ in range(model.njoints)])
-    for (joint, place), link, w in zip(found, robot["links"], w_ext, strict=True):
-        tip = place * pin.SE3(np.eye(3), np.array([link["length"], 0, 0]))
-        external[joint] = external[joint] + tip.act(pin.Force(w[3:], w[:3]))
-    applied = np.array(state["tau"]) - oracle.damping * v - oracle.K @ q
-    expected = pin.aba(model, model.createData(), q, v, applied, external)
-    vdot, wrench = oracle.forward_dynamics(**state)
-    tolerance = max(1e-11, 50e-16 * oracle.condition(q))
-    assert relative(vdot, expected) < tolerance
-    data = model.createData()
-    pin.rnea(model, data, q, v, vdot, external)
-    for i, (joint, _) in enumerate(found):
-        if robot["links"][i]["joint"]["axes"]:
-            force = data.f[joint]
-            expected = [*force.angular, *force.linear]
-            assert np.allclose(wrench[i], expected, rtol=0, atol=tolerance * np.abs(wrench).max())
-    pin.forwardKinematics(model, data, q)
-    joint, place = found[-1]
-    tip = data.oMi[joint] * place * pin.SE3(np.eye(3), np.array([robot["links"][-1]["length"], 0, 0]))
-    R, point = oracle.tip_pose(q)
-    assert np.allclose(R, tip.rotation, atol=1e-13)
-    assert np.allclose(point, tip.translation, atol=1e-13)

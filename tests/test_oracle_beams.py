@@ -4,31 +4,11 @@ import numpy as np
 import pytest
 import random_robots as rr
 from oracle import Oracle
-from oracle_robots import G, arm, beam, modes, rod
+from oracle_robots import arm, beam, modes, rod
 from oracle_shapes import bending_shapes, quadrature, sine_shapes
 from scipy.spatial.transform import Rotation
 
 # -------- one flexible link
-
-
-@pytest.mark.parametrize("plane", ["bending_y", "bending_z"])
-@pytest.mark.parametrize(
-    "mu, j, omega",
-    [(1, 0, (1.557298, 16.250085)), (0.1, 0, (2.967838, 19.355801)), (1, 1, (0.867900, 3.390572))],
-)
-def test_clamped_beam_with_tip_body(plane, mu, j, omega):
-    tip = {"mass": mu, "inertia": [j, j, j, 0, 0, 0]}
-    few, many = (Oracle(beam(modes=modes(**{plane: count}), tip=tip)) for count in (4, 6))
-    assert np.isclose(2 * np.pi * few.frequencies()[0], omega[0], rtol=1e-5)
-    assert np.allclose(2 * np.pi * many.frequencies()[:2], omega, rtol=1e-5)
-
-
-def test_axial_and_torsional_frequencies():
-    section = {"rhoA": 1.3, "EA": 4e3, "GJ": 7.0, "rhoIp": 2e-3}
-    oracle = Oracle(beam(modes=modes("clamped_free", axial=2, torsion=2), section=section, length=0.8))
-    speeds = np.sqrt([4e3 / 1.3, 4e3 / 1.3, 7 / 2e-3, 7 / 2e-3])
-    expected = speeds * np.array([1, 3, 1, 3]) / (4 * 0.8)
-    assert np.allclose(oracle.frequencies(), np.sort(expected), rtol=1e-12)
 
 
 @pytest.mark.parametrize("count, ratio", [(1, 0.970688), (2, 0.995404), (3, 0.998556), (4, 0.999377), (5, 0.999678)])
@@ -99,39 +79,6 @@ def test_material_spelling_gives_line_properties():
 
 
 # -------- published figures
-
-
-def test_de_luca_siciliano_second_link():
-    """ρA = 0.2 kg/m, l = 0.5 m, EI = 1 N·m², clamped, payload 0.1 kg with 0.0005 kg·m²."""
-    tip = {"mass": 0.1, "inertia": [0, 0.0005, 0.0005, 0, 0, 0]}
-    section = {"rhoA": 0.2, "EIz": 1.0}
-    oracle = Oracle(beam(modes=modes(bending_y=8), section=section, length=0.5, tip=tip))
-    assert np.allclose(oracle.frequencies()[:2], [2.178334, 15.914513], atol=6e-7)
-
-
-def ella(count, basis="polynomial", section_rotation=True) -> dict:
-    """The paper's two-link arm; EIz is the stiffness of bending in y."""
-    section = {"rhoA": 1.6302, "EA": 4.38e7, "EIy": 2.12e3, "EIz": 3.67e3, "rhoIp": 2.15e-4}
-    counts = {"basis": basis, "axial": 1, "bending_y": count, "bending_z": count}
-    links = [
-        {"name": name, "length": length, "section": section, "modes": counts, "joint": {"axes": axes},
-         "bodies": [{"at": "tip", "mass": mass}]}
-        for name, length, axes, mass in (("upper", 0.95, ["y", "z"], 3.3), ("fore", 0.93, ["z"], 2.1))
-    ]  # fmt: skip
-    return {"name": "ella", "gravity": [0, 0, -G], "section_rotation": section_rotation, "links": links}
-
-
-def ella_frequencies(*arguments) -> np.ndarray:
-    oracle = Oracle(ella(*arguments))
-    q = np.concatenate([[-0.4928, 0.6922, 0.4270], np.zeros(oracle.nv - 3)])
-    return oracle.frequencies(q)[:2]
-
-
-def test_ella_locked_frequencies():
-    assert np.allclose(ella_frequencies(4), [2.8807, 3.6956], atol=6e-5)
-    assert np.allclose(ella_frequencies(5, "polynomial", False), [4.7341, 6.2905], atol=6e-5)
-    assert np.allclose(ella_frequencies(2), [2.8808, 3.6957], atol=6e-5)
-    assert np.allclose(ella_frequencies(5, "clamped_free"), [2.911, 3.739], atol=6e-4)
 
 
 # -------- statics of arms

@@ -9,7 +9,8 @@ from figures import collisions, covered, laid_out, outside
 from helpers import ROOT, arm, example, link, model_of
 
 from screwgen import PD, Run
-from screwgen.algorithms.robot_functions import BY_NAME, entry_names
+from screwgen.algorithms.entry_names import entry_names
+from screwgen.algorithms.robot_functions import BY_NAME
 from screwgen.algorithms.signals import Signal
 from screwgen.cli.main import main
 from screwgen.plotting import curves, plot

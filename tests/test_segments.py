@@ -2,17 +2,15 @@
 
 import re
 import sys
-import warnings
 from functools import cache
 
 import numpy as np
 import pytest
-from conftest import swept
-from divided import cut, random_divided, state
-from helpers import ROOT, arm, casadi_forward, link, model_of, quick, relative
+from helpers import ROOT, arm, link, model_of
+from step_judges import point
 
 import screwgen
-from screwgen import Robot, derive
+from screwgen import Robot
 from screwgen.algorithms.fused import forward_dynamics
 from screwgen.algorithms.gauges import gauges
 from screwgen.backends.c.project import CProject
@@ -29,74 +27,14 @@ from screwgen.target_files import latex_files
 sys.path.insert(0, str(ROOT / "docs" / "tools"))
 import limits
 
-SEEDS = (0, 1, 2, 3, 4, 5, 7)
-EXACT = 1e-12
 BOOM = link("boom", 2.0, ["z", "y"], 1.0, {"bending_y": 2, "bending_z": 1, "torsion": 1}, section={"EIy": 90.0})
 BOOM |= {"bodies": [{"at": "base", "mass": 0.3, "com": [0.1, 0, 0]}, {"at": "tip", "mass": 0.5}]}
 JIB = link("jib", 0.7, "y", 0.5)
 MEASURED = {"bending_y": 1, "bending_z": 1, "frequencies": {"bending_y": [3.0]}}
 
 
-@cache
-def pair(seed: int):
-    """A random robot with segments, and the one that is cut by hand."""
-    robot = random_divided(900 + seed, 1 + seed % 2, stations=0.4)
-    return derive(robot), derive(cut(robot))
-
-
 def divided(segments: int, **more):
     return model_of(arm(BOOM | {"segments": segments} | more, JIB))
-
-
-@pytest.mark.parametrize("seed", swept(SEEDS, 0, 1, 3, 7))
-def test_equal_to_links_that_are_cut_by_hand(seed):
-    model, hand = pair(seed)
-    assert model.nq == hand.nq and model.n_links == hand.n_links > len(model.robot.links)
-    given, p = state(model, seed), hand.numpy()
-    expected = p.forward_dynamics(*given)
-    found = {
-        "NumPy": model.numpy().forward_dynamics(*given),
-        "NumPy, DAE": model.numpy().dae_forward_dynamics(*given),
-        "CasADi": casadi_forward(model, *given),
-    }
-    for name, result in found.items():
-        assert all(relative(*both) <= EXACT for both in zip(result, expected, strict=True)), name
-    own, q = model.numpy(), given[0]
-    assert all(np.allclose(a, b, rtol=0, atol=1e-12) for a, b in zip(own.link_pose(q), p.link_pose(q), strict=True))
-    assert all(np.allclose(a, b, rtol=0, atol=1e-12) for a, b in zip(own.tip_poses(q), p.tip_poses(q), strict=True))
-    assert np.allclose(own.energy(*given[:2]), p.energy(*given[:2]), rtol=1e-12)
-
-
-@pytest.mark.long
-def test_batches_are_equal_too():
-    """The limits are watched per segment, and told per link."""
-    model = divided(2, damping={"ratio": 0.02})
-    hand, given = derive(cut(model.robot)), state(model, 1)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", screwgen.ModelValidityWarning)
-        batches = [screwgen.rollout(m, np.concatenate(given[:2]), steps=9, step=1e-3) for m in (model, hand)]
-    assert relative(batches[0].q, batches[1].q) <= EXACT
-    measures = [batch.validity for batch in batches]
-    assert np.allclose(measures[0].values, measures[1].values, rtol=1e-9)
-    largest = np.abs(measures[0].values[:2]).max(axis=0)
-    assert list(measures[0].record()["measures"]) == ["boom", "jib"]
-    assert np.array_equal(np.abs(measures[0].by_link()["boom"]), largest)
-
-
-def test_parameters_are_those_of_the_link_and_change_at_run_time():
-    """A length, and the values at stations that lie in other segments."""
-    section = [{"at": s, "rhoA": 1.0 + s, "EIz": 2.0 - s, "rhoIp": 1e-2} for s in (0.0, 0.4, 1.0)]
-    boom = {"name": "boom", "length": 2.0, "section": section, "modes": {"bending_y": 2}, "joint": {"axes": ["z"]}}
-    model = model_of(arm(boom | {"segments": 3}))
-    assert sum(name.startswith("boom.length") for name in model.parameter_names) == 1
-    changed = {"boom.length": 1.7, "boom.section[1].rhoA": 2.2, "boom.section[2].EIz": 0.7}
-    section = [dict(station) for station in section]
-    section[1]["rhoA"], section[2]["EIz"] = 2.2, 0.7
-    hand = derive(cut(Robot.model_validate(arm(boom | {"segments": 3, "length": 1.7, "section": section}))))
-    given = state(model, 5)
-    expected = hand.numpy().forward_dynamics(*given)
-    for result in (x.forward_dynamics(*given) for x in (model.numpy(changed), quick(model).fresh(changed))):
-        assert all(relative(*both) <= EXACT for both in zip(result, expected, strict=True))
 
 
 def test_one_segment_is_the_link_itself():
@@ -206,7 +144,7 @@ def test_the_base_gauge_measures_the_whole_link():
 
 def test_lines_are_drawn_through_the_segments():
     model, s = divided(4), np.linspace(0, 1, 9)
-    q = state(model, 3)[0]
+    q = point(model, 3, 2.0, 2e-3)[0]
     (R, r), tips = model.numpy().link_pose(q), model.numpy().tip_poses(q)[1]
     lines = motion.centrelines(model, q, s)
     assert lines.shape == (2, 9, 3)

@@ -5,10 +5,7 @@ from functools import cache, partial
 
 import numpy as np
 import pytest
-import random_robots as rr
-from conftest import swept
-from helpers import example, model_of, quick
-from scipy.integrate import solve_ivp
+from helpers import example, model_of
 
 from screwgen import SingularError, UsageError
 from screwgen.integrators import METHODS
@@ -68,26 +65,6 @@ def test_modal_implicit_stays_bounded_with_axial_modes_at_one_millisecond():
 def test_explicit_methods_say_that_axial_modes_are_too_fast(integrator):
     with pytest.raises(DivergedError, match=r"t = 0\.\d+ s: .*modal_midpoint"):
         simulate(ella(), 1.0, 1e-3, integrator=integrator)
-
-
-@pytest.mark.parametrize("seed", swept([1, 5], 1))
-def test_motion_equals_an_accurate_solution_of_the_oracles_dynamics(seed):
-    robot, state, oracle = rr.draw_regular(np.random.default_rng(seed), 2, limit=1e5, soft=1.0, max_modes=1)
-    model, nq = model_of(robot), len(state["q"])
-
-    def rate(_, x):
-        return np.append(x[nq:], oracle.forward_dynamics(x[:nq], x[nq:], state["tau"], state["w_ext"])[0])
-
-    end = 0.02
-    solution = solve_ivp(rate, (0.0, end), [*state["q"], *state["v"]], method="DOP853", rtol=1e-9, atol=1e-11)
-    given, form = [state[name] for name in ("q", "v", "tau", "w_ext")], partial(CompiledStepper, quick(model))
-    run = simulate(model, end, 2e-5, *given, integrator="rk4", form=form)
-    error = np.abs(np.append(run.q[-1], run.v[-1]) - solution.y[:, -1])
-    assert (error < 1e-6 * np.abs(solution.y).max(axis=1).clip(1.0)).all()
-    _, wrench = oracle.forward_dynamics(run.q[-1], run.v[-1], state["tau"], state["w_ext"])
-    assert np.allclose(run.wrench[-1], wrench, rtol=1e-7, atol=1e-7 * np.abs(wrench).max())
-    assert np.allclose(run.tip_position[-1], oracle.tip_pose(run.q[-1])[1], atol=1e-9)
-    assert np.allclose(run.energy[-1], oracle.energy(run.q[-1], run.v[-1]), rtol=1e-9, atol=1e-9)
 
 
 END = 0.1

@@ -49,14 +49,6 @@ def fine() -> np.ndarray:
     return compiled("fused").step(*START, *INPUTS, 4e-6, "rk4", round(DURATION / 4e-6))[0]
 
 
-def in_numpy(stepper, h: float, method: str) -> np.ndarray:
-    s = stepper(ella(), method, ella().parameter_values)
-    x = s.initial(*START)
-    for _ in range(round(DURATION / h)):
-        x = s.step(x, *INPUTS, h)
-    return s.coordinates(x)[0]
-
-
 def joint_form(c: Compiled, h: float, method: str) -> np.ndarray:
     return c.step(*START, *INPUTS, h, method, round(DURATION / h))[0]
 
@@ -67,8 +59,6 @@ def dae_form(c: Compiled, h: float, method: str) -> np.ndarray:
 
 
 WAYS = {
-    "NumPy": lambda *given: in_numpy(JointStepper, *given),
-    "NumPy, DAE form": lambda *given: in_numpy(DaeStepper, *given),
     "C": lambda *given: joint_form(compiled("fused"), *given),
     "C, DAE form": lambda *given: dae_form(compiled("fused"), *given),
     "C, float, modular": lambda *given: joint_form(compiled("modular", True), *given),

@@ -4,12 +4,23 @@ import numpy as np
 import pytest
 import random_robots as rr
 from helpers import arm, link, model_of
-from test_second_order import FLAP, SPEEDS, cantilever
 
 from screwgen import UsageError, natural_frequencies
 from screwgen.studies.convergence import convergence
 from screwgen.studies.modes import mode_shapes, movable
 from screwgen.studies.steady import oscillations
+
+SPEEDS = (0, 2, 4, 6, 8, 10, 12)
+FLAP = (
+    (3.51602, 4.13732, 5.58500, 7.36037, 9.25684, 11.20233, 13.17015),
+    (22.03449, 22.61492, 24.27335, 26.80908, 29.99538, 33.64037, 37.60311),
+)
+
+
+def cantilever(modes: int, direction="bending_z"):
+    """A rod of order 2 and of unit length, mass per length and stiffness on a hub that turns about z."""
+    rod = link("rod", 1.0, "z", 1.0, {direction: modes}, section={"EIy": 1.0, "EIz": 1.0, "EA": 1e4})
+    return model_of(arm(rod, gravity=(0, 0, 0), order=2))
 
 
 @pytest.mark.parametrize("joints", ["locked", "free"])
@@ -20,6 +31,11 @@ def test_a_rotating_cantilever(joints):
         found = mode_shapes(flap, joints=joints, rates=[rate])
         assert found.rigid == (joints == "free")
         assert np.allclose(2 * np.pi * found.frequencies[:2], [FLAP[0][k], FLAP[1][k]], rtol=2e-6, atol=0)
+
+
+def test_lagwise_the_squared_frequency_is_less_by_the_squared_rate():
+    flap, lag = (natural_frequencies(cantilever(3, d), rates=[12.0]) for d in ("bending_z", "bending_y"))
+    assert np.allclose(lag**2, flap**2 - (12.0 / (2 * np.pi)) ** 2, rtol=1e-9)
 
 
 def turning_arm(order: int):
@@ -89,11 +105,13 @@ def test_a_hanging_rigid_pendulum_swings_and_a_standing_one_falls():
     assert hanging == pytest.approx([np.sqrt(9.81) / (2 * np.pi)], rel=1e-12)
 
 
+@pytest.mark.parametrize("critical, mass", [(7.837347, 0.0), (np.pi**2 / 4e6, 1e6)])
 @pytest.mark.parametrize("share, grows", [(0.999, False), (1.001, True)])
-def test_a_column_buckles_under_its_weight(share, grows):
-    """ρA g l³/EI = 7.837347 is critical."""
-    rod = link("column", 1.0, "y", 1.0, {"bending_z": 5}, section={"EIy": 1.0})
-    model = model_of(arm(rod, gravity=(-7.837347 * share, 0.0, 0.0), order=2))
+def test_a_column_buckles_under_its_weight_and_under_a_load(critical, mass, share, grows):
+    """ρA g l³/EI = 7.837347 is critical, or a mass on its tip of π²/4 EI/l²."""
+    bodies = [{"at": "tip", "mass": mass}] if mass else None
+    rod = link("column", 1.0, "y", 1.0, {"bending_z": 5}, bodies, section={"EIy": 1.0})
+    model = model_of(arm(rod, gravity=(-critical * share, 0.0, 0.0), order=2))
     found = mode_shapes(model, loaded=True)
     assert bool(found.growth.any()) is grows
     still = mode_shapes(model).frequencies[0]

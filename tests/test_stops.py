@@ -4,65 +4,41 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conformance import slopes
 from conftest import swept
-from helpers import Case, arm, case_of, drawn, link, model_of, quick, quick_batch, relative
-from judges import compiled, derivatives, numpy_and_casadi, solved_densely
+from helpers import arm, link, model_of, relative
+from mixed_arms import Mixed, case_of, judged
 from random_robots import random_state
 from scipy.integrate import solve_ivp
 from stop_robots import MIXED
 
-from screwgen import equilibrium, natural_frequencies, rollout, simulate
+from screwgen import equilibrium, natural_frequencies, simulate
 from screwgen.algorithms import fused
 from screwgen.elements import STOP
-from screwgen.integrators import METHODS
 from screwgen.simulation.integrate import JointState, JointStepper
 from screwgen.studies.analysis.spectrum import step_map
 
-SEEDS = range(8800, 8824)
-
 
 @cache
-def drawn_with_stops(seed: int) -> Case:
-    return drawn(seed, 1 + seed % 4, stops=0.9, drives=0.4 * (seed % 2), sliding=0.3, branching=0.3)
-
-
-@pytest.fixture(params=swept(SEEDS))
-def case(request) -> Case:
-    return drawn_with_stops(request.param)
-
-
-@cache
-def everything(seed: int) -> Case:
+def everything(seed: int) -> Mixed:
     return case_of(MIXED, random_state(np.random.default_rng(seed), MIXED, angle=0.6))
 
 
-def pressed(c: Case) -> int:
+def pressed(c: Mixed) -> int:
     """How many stops act in a case."""
-    q, at = c.inputs[0], [x for own in c.model.numpy().constants for x in own.get("stop_at", ())]
+    q, at = c.given[0], [x for own in c.model.numpy().constants for x in own.get("stop_at", ())]
     return sum(side * (q[k] - x) > 0 for (_, k, side), x in zip(c.model.chain.acted(STOP), at, strict=True))
 
 
 # -------- against the oracle
 
 
-def test_numpy_and_casadi_equal_the_oracle(case):
-    numpy_and_casadi(case)
-
-
 @pytest.mark.parametrize("seed", swept(range(2), 1))
 def test_stops_of_every_kind_in_one_robot(seed):
     c = everything(seed)
     assert 1 <= pressed(c) < len(c.model.chain.acted(STOP))
-    for judge in (numpy_and_casadi, solved_densely, derivatives):
-        judge(c)
-    compiled(c, "fused")
-
-
-def test_energy_is_lost_in_the_dampers_alone():
-    c = everything(3)
-    q, v, tau, w_ext = c.inputs
-    vdot = c.model.numpy().forward_dynamics(*c.inputs)[0]
-    assert np.isclose(c.oracle.energy_rate(q, v, vdot), c.oracle.power(q, v, tau, w_ext), rtol=1e-9)
+    judged(c, "fused")
+    slopes.dynamics(c)
 
 
 # -------- solutions of their own
@@ -152,45 +128,15 @@ def test_a_slide_on_its_stop_is_a_half_swing():
 # -------- steps
 
 
-@pytest.mark.parametrize("method", swept(METHODS, "modal_midpoint"))
-def test_steps_of_c_casadi_and_both_forms_agree(method):
-    """Over a hundred steps in which stops are hit and left."""
-    c, h = everything(1), 2e-4 if METHODS[method].implicit else 1e-5
-    q, v, tau, _ = c.inputs
-    given = dict(q0=q, v0=v, controller=tau, integrator=method)
-    run = simulate(c.model, 100 * h, h, backend="casadi", **given)
-    library = quick(c.model, layout="fused", derivatives=True)
-    found = library.step(q, v, tau, None, h, method, 100)
-    assert relative(found[0], run.q[-1]) < 1e-9 and relative(found[1], run.v[-1]) < 1e-9
-    x, n = library.dae_step(library.dae_state(q, v), tau, None, h, method, 100), c.model.n_joints
-    dae = simulate(c.model, 100 * h, h, form="dae", **given)
-    assert np.abs(x[-n:] - dae.q[-1, :n]).max() < 1e-9 and np.abs(dae.q[-1, :n] - run.q[-1, :n]).max() < 2e-3
-    after = c.model.casadi()[f"step_{method}"](q, v, tau, np.zeros((6, 4)), c.model.parameter_values, h)
-    for part, expected in zip(after, (run.q[1], run.v[1]), strict=True):
-        assert relative(part.full()[:, 0], expected) < 1e-11
-
-
 @pytest.mark.parametrize("method", ["modal_implicit", "semi_implicit"])
 def test_the_amplification_matrix_is_the_derivative_of_a_step(method):
     c, h, dt = everything(1), 1e-6, 1e-5
-    q, v, tau, w_ext = c.inputs
+    q, v, tau, w_ext = c.given
     stepper = JointStepper(c.model, method, c.model.parameter_values)
     after = lambda x: np.concatenate(stepper.step(JointState(*np.split(x, 2)), tau, w_ext, dt))  # noqa: E731
     x = np.append(q, v)
     columns = [(after(x + e) - after(x - e)) / (2 * h) for e in h * np.eye(len(x))]
     assert relative(step_map(c.model, method, q, v, dt, tau, w_ext=w_ext), np.array(columns).T) < 1e-6
-
-
-@pytest.mark.long
-def test_batches_have_stops():
-    c, rng = everything(1), np.random.default_rng(3)
-    quick_batch(c.model)
-    starts = np.array([np.append(*everything(1).inputs[:2])] * 5)
-    starts[:, : c.model.n_joints] += rng.uniform(-0.2, 0.2, (5, c.model.n_joints))
-    found = rollout(c.model, starts, step=1e-4, steps=100).x[:, -1]
-    for start, end in zip(starts, found, strict=True):
-        run = simulate(c.model, 0.01, 1e-4, *np.split(start, 2), backend="casadi", every=100)
-        assert relative(end, np.append(run.q[-1], run.v[-1])) < 1e-11
 
 
 # -------- rest and vibration

@@ -13,6 +13,7 @@ from helpers import ROOT, model_of
 
 from screwgen import UsageError, rollout, sweep
 from screwgen.simulation.rollout import Rollout
+from screwgen.simulation.rollout_validity import ParameterWarning
 
 LINK = {"length": 0.5, "section": {"rhoA": 2.0, "EIz": 400.0}, "bodies": [{"at": "tip", "mass": 1.5}]}
 LINK |= {"modes": {"bending_y": 1}, "joint": {"axes": ["z"]}}
@@ -98,6 +99,19 @@ def unlucky(rng, n: int) -> dict:
     given = drawn(rng, n)
     given["x0"][0] = np.nan
     return given
+
+
+def impossible(rng, n: int) -> dict:
+    given = drawn(rng, n)
+    given["parameters"]["a.bodies[0].mass"][-1] = -1.0
+    return given
+
+
+def test_what_is_wrong_with_parameters_is_said_once(model, tmp_path):
+    said = r"scenario 7 did not run \(status 3\): .*mass.*; 2 more such: see status"
+    with pytest.warns(ParameterWarning, match=said) as told:
+        found = sweep(model, impossible, 20, tmp_path / "s.npy", **HOW, executor=Losing())
+    assert len(told) == 1 and np.flatnonzero(found.status == 3).tolist() == [7, 15, 19]
 
 
 def marked(run) -> np.ndarray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import casadi as ca
 import numpy as np
 import pytest
 from conftest import package
@@ -38,7 +37,6 @@ joint = {{ axes = ["y"] }}
 tendons = [{{ name = "left", from = 0.1, to = 0.8, at = [[0.0, -0.01, 0.005], [0.0, 0.02, 0.0]] }}]
 """
 MODES = "bending_y = 1, bending_z = 1, torsion = 1"
-ORDERS = ("1", "2", '"exact"')
 TAU = np.array([0.3, -0.2, 4.0, 2.5])
 
 
@@ -49,21 +47,6 @@ def pulled(order: str, more: str = "", modes: str = MODES) -> screwgen.Model:
 def state(model: screwgen.Model, size: float = 0.02) -> tuple[np.ndarray, np.ndarray]:
     rng = np.random.default_rng(3)
     return size * rng.normal(size=model.nq), rng.normal(size=model.nv)
-
-
-@pytest.mark.parametrize("order", ORDERS)
-def test_tensions_do_their_work_along_the_lengths(order):
-    """M (vdot - vdot without) is minus the tension times the derivative of the length; power is what it does."""
-    model = pulled(order)
-    q, v = state(model)
-    f, slack = model.numpy(), TAU * [1, 1, 0, 0]
-    done = f.mass_matrix(q) @ (f.forward_dynamics(q, v, TAU, None)[0] - f.forward_dynamics(q, v, slack, None)[0])
-    x = ca.SX.sym("q", model.nq)
-    length = model.casadi()["tendon_length"](x, model.parameter_values)
-    J = ca.Function("J", [x], [ca.jacobian(length, x)])(q).full()
-    assert done == pytest.approx(-J.T @ TAU[2:], abs=1e-10)
-    assert f.drive_power(q, v, TAU)[2:] == pytest.approx(-TAU[2:] * (J @ v), rel=1e-10)
-    assert model.tau_names[2:] == ["left.tension", "right.tension"]
 
 
 def test_the_length_is_that_of_a_thread_through_guides():
@@ -84,47 +67,6 @@ def test_the_length_is_that_of_a_thread_through_guides():
     thread = (r[places] + np.einsum("kij,kj->ki", R[places], offsets))[s >= 0.2]
     expected = np.linalg.norm(np.diff(thread, axis=0), axis=1).sum()
     assert model.numpy().tendon_length(q)[1] == pytest.approx(expected, rel=5e-5)
-
-
-FLOATING = ARM.replace("order = {order}", 'order = {order}\nbase = "floating"').replace(
-    'joint = {{ axes = ["z"], damping = [0.1] }}', "joint = {{ axes = [] }}"
-)
-CLOSED = """
-
-[[links]]
-name = "anchor"
-parent = "world"
-joint = {{ axes = [], mount = {{ xyz = [0.8, 0.0, 0.0] }} }}
-bodies = [{{ at = "tip", mass = 1.0 }}]
-
-[[loops]]
-between = ["fore.tip", "anchor.tip"]
-joint = {{ axes = ["z", "y", "x"] }}
-"""
-HINGED = ARM.replace('joint = {{ axes = ["z"], damping = [0.1] }}', 'joint = {{ axes = ["y"] }}')
-
-
-CARRIED = {f"floating-{order}": (FLOATING, order) for order in ORDERS}
-CARRIED |= {f"loop-{order}": (HINGED + CLOSED, order) for order in ("1", '"exact"')}  # order 2 does not bend so far
-
-
-@pytest.mark.parametrize("text, order", CARRIED.values(), ids=CARRIED)
-def test_what_tensions_do_is_what_energy_gains(text, order):
-    """The rate of the energy is the power of torques and tensions, whatever carries the links."""
-    model = screwgen.derive(loads(text.format(order=order, more="", modes=MODES), "pulled.toml"))
-    f, tau = model.numpy(), np.append(np.zeros(model.n_joints), TAU[2:])
-    rng = np.random.default_rng(5)
-    q, v = np.array(model.chain.home) + 0.0, 0.1 * rng.normal(size=model.nv)
-    q[model.chain.base_q :] += 0.004 * rng.normal(size=model.nq - model.chain.base_q)
-    if model.chain.closing.rows:
-        q, v = screwgen.assemble(model, q), np.zeros(model.nv)
-    c, dt = model.compile(flags=["-O0"]), 1e-4
-    there, moved = c.step(q, v, tau, None, dt, "rk4")
-    middle, rates = c.step(q, v, tau, None, dt / 2, "rk4")
-    gained = sum(f.energy(there, moved)) - sum(f.energy(q, v))
-    power = [f.drive_power(*x, tau).sum() for x in ((q, v), (middle, rates), (there, moved))]
-    assert gained == pytest.approx(dt * np.dot(power, [1, 4, 1]) / 6, rel=1e-5, abs=1e-9)
-    assert c.forward_dynamics(q, v, tau)[0] == pytest.approx(f.forward_dynamics(q, v, tau, None)[0], rel=1e-8, abs=1e-8)
 
 
 def test_runs_show_tensions_and_linear_models_have_them(tmp_path):
@@ -156,19 +98,6 @@ def test_pulled_to_a_quarter_of_a_circle():
     model = screwgen.derive(loads(text.replace('axes = ["z"], damping = [0.1]', "axes = []"), "pulled.toml"))
     rest = screwgen.equilibrium(model, tau=[np.pi / 2 * 4.0 / 0.5 / 0.02, 0.0])
     assert rest.tip_position == pytest.approx([1 / np.pi, 1 / np.pi, 0.0], abs=1e-7)
-
-
-def test_segments_have_the_tendon_of_their_link():
-    """Three segments that curve as the whole link does shorten the tendons as it does."""
-    one, three = (pulled("1", more, "bending_y = 1, bending_z = 1") for more in ("", "segments = 3"))
-    bends = []
-    for model in (one, three):
-        q = np.zeros(model.nq)
-        for k, name in enumerate(model.q_names):
-            if name.startswith("arm") and "bending_y" in name:
-                q[k] = 1e-3 if model is one else 1e-3 / 9
-        bends.append(model.numpy().tendon_length(q) - model.numpy().tendon_length(0 * q))
-    assert bends[1] == pytest.approx(bends[0], rel=1e-9)
 
 
 def test_without_its_modes_a_link_has_no_tendons():

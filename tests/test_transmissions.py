@@ -4,15 +4,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-import sympy as sp
 from bad_robot_files import GOOD, refusal, refused
-from conftest import swept
-from helpers import Case, arm, drawn, example, link, model_of, relative
-from judges import numpy_and_casadi
+from helpers import arm, example, link, model_of, relative
 from transmitted import (
     GAINS,
-    acados_agrees,
-    estimated,
     gains_through_levers,
     held_posture,
     postures_under,
@@ -28,24 +23,6 @@ from screwgen.plugins import plugins
 from screwgen.simulation.controllers import read_pd
 from screwgen.spec.parameters import coordinate_units, force_units, parameters
 
-SEEDS = range(8100, 8116)
-
-
-@cache
-def drawn_with_cylinders(seed: int) -> Case:
-    more = {"second_order": 0.2} if seed % 3 == 1 else {}
-    return drawn(seed, 1 + seed % 3, drives=0.5, cylinders=0.7, sliding=0.2, branching=0.3, **more)
-
-
-@pytest.fixture(params=swept(SEEDS, 8103, 8104))
-def case(request) -> Case:
-    return drawn_with_cylinders(request.param)
-
-
-def test_both_forms_in_numpy_and_casadi_equal_the_oracle(case):
-    numpy_and_casadi(case)
-
-
 # -------- a Lagrangian by hand
 
 FRICTION = {"coulomb": 40.0, "viscous": 300.0, "velocity": 0.1}
@@ -59,57 +36,6 @@ def lift(crank=0.4, base=1.2, angle=-1.5, friction=FRICTION, modes=None, gravity
     boom = link("boom", 2.0, "y", 5.0, modes, joint={"drives": [first]}, section={"EIy": 3e4})
     jib = link("jib", 1.0, "y", 3.0, joint={"drives": [other]}, bodies=[{"at": "tip", "mass": 4.0}])
     return arm(boom, jib, gravity=gravity)
-
-
-@cache
-def lagrangian():
-    """M, h, energies, lengths and levers of `lift` with rigid links, of angles, rates and (crank, base, angle)."""
-    q, v, given = sp.symbols("q1:3"), sp.symbols("v1:3"), sp.symbols("crank base angle")
-    crank, base, angle = given
-    lengths = [
-        sp.sqrt(base**2 + crank**2 - 2 * base * crank * sp.cos(q[0] + angle)),
-        sp.sqrt(base**2 + (1.5 * base) ** 2 - 3.0 * base**2 * sp.cos(q[1] + 1.0)),
-    ]
-    rate = lambda f: sum(sp.diff(f, x) * y for x, y in zip(q, v, strict=True))  # noqa: E731
-    along = lambda a, s: sp.Matrix([s * sp.cos(a), -s * sp.sin(a)])  # noqa: E731
-    sums = (q[0], q[0] + q[1])
-    places = (along(sums[0], 1.0), along(sums[0], 2.0) + along(sums[1], 0.5), along(sums[0], 2.0) + along(sums[1], 1.0))
-    kinetic = sp.Rational(1, 2) * 30**2 * sp.Float("0.02") * rate(lengths[0]) ** 2
-    potential = 0
-    for mass, place in zip((10.0, 3.0, 4.0), places, strict=True):
-        kinetic += mass * sum(rate(x) ** 2 for x in place) / 2
-        potential -= mass * (0.3 * place[0] - 9.81 * place[1])
-    kinetic += 10.0 * 4.0 / 12 * v[0] ** 2 / 2 + 3.0 / 12 * (v[0] + v[1]) ** 2 / 2
-    M = sp.hessian(kinetic, v)
-    momentum = [sp.diff(kinetic, x) for x in v]
-    w = rate(lengths[0])
-    loss = (300.0 + 40.0 / sp.sqrt(w**2 + 0.01)) * w
-    h = [
-        rate(p) - sp.diff(kinetic - potential, x) + loss * sp.diff(lengths[0], x)
-        for p, x in zip(momentum, q, strict=True)
-    ]
-    levers = [sp.diff(length, x) for length, x in zip(lengths, q, strict=True)]
-    return sp.lambdify((*q, *v, *given), (M, h, kinetic, potential, lengths, levers), "numpy")
-
-
-@pytest.mark.parametrize("seed", swept(range(20), 0, 1, 2))
-def test_random_geometries_equal_a_lagrangian_by_hand(seed):
-    rng = np.random.default_rng(seed)
-    base = rng.uniform(0.5, 2.0)
-    given = base * rng.choice([rng.uniform(0.1, 0.9), rng.uniform(1.1, 2.0)]), base, rng.uniform(-np.pi, np.pi)
-    model = model_of(lift(*map(float, given)))
-    q, v, tau = rng.uniform(-np.pi, np.pi, 2), rng.normal(size=2), rng.normal(size=2) * 300
-    M, h, kinetic, potential, lengths, levers = lagrangian()(*q, *v, *given)
-    numeric = model.numpy()
-    assert relative(numeric.mass_matrix(q), M) < 1e-10 and relative(numeric.bias(q, v, None), h) < 1e-10
-    assert relative(numeric.levers(q), levers) < 1e-10
-    assert np.allclose(travels(model.chain, q, model.parameter_values)[:2], [lengths, levers], rtol=1e-12)
-    found = numeric.energy(q, v)
-    rest = lagrangian()(0, 0, 0, 0, *given)[3] - numeric.energy([0, 0], [0, 0])[1]
-    assert np.allclose(found, [kinetic, potential - rest], rtol=1e-10)
-    expected = np.linalg.solve(M, np.multiply(levers, tau) - h)
-    for forward in (numeric.forward_dynamics, numeric.dae_forward_dynamics):
-        assert relative(forward(q, v, tau, None)[0], expected) < 1e-10
 
 
 # -------- runs, equilibria, linear models
@@ -262,15 +188,6 @@ def test_names_units_and_parameters():
     assert np.allclose(model.numpy(moved).forward_dynamics(*given)[0], other.numpy().forward_dynamics(*given)[0])
     linear = model.linearise(START)
     assert linear.input_names[:2] == ("boom.force[0]", "jib.force[0]") and linear.input_units[:2] == ("N", "N")
-
-
-def test_acados_has_forces_of_cylinders():
-    acados_agrees(boom(), ("boom.force[0]", "jib.force[0]"), [800.0, -300.0])
-
-
-@pytest.mark.long
-def test_the_estimator_finds_a_posture_under_forces_of_cylinders():
-    estimated(boom(), np.array([900.0, -300.0]), START)
 
 
 def test_documents_and_headers_say_what_a_force_does():

@@ -1,22 +1,20 @@
 """Trees: what several links hand to one node is summed, in every back end and form."""
 
 import tomllib
-from functools import cache
 
-import judges
 import numpy as np
 import pytest
-from conftest import swept
-from helpers import Case, casadi_forward, drawn, model_of, quick_batch
+from conformance import slopes
+from helpers import model_of
 from matplotlib.text import Text
+from mixed_arms import case_of
+from random_robots import random_state
 
-from screwgen import Robot, UsageError, derive, equilibrium, rollout, simulate
-from screwgen.algorithms.fused import forward_dynamics, inverse_dynamics
-from screwgen.ir.replay import run
+from screwgen import Robot, UsageError, derive, simulate
+from screwgen.algorithms.fused import forward_dynamics
 from screwgen.plotting import mode_plot, plot
 from screwgen.simulation.motion import centrelines
 from screwgen.spec import dump
-from screwgen.studies.analysis.regularity import structure
 from screwgen.studies.modes import mode_shapes
 from screwgen.topology.tree import Tree
 
@@ -32,24 +30,24 @@ def rod(name: str, joint: dict, length=0.7, **more) -> dict:
     return {"name": name, "length": length, "section": SECTION, "modes": modes, "joint": joint, **more}
 
 
+def tree(*links: dict) -> dict:
+    return {"name": "tree", "gravity": [0.0, 1.0, -9.81], "links": list(links)}
+
+
 def arm(*links: dict):
-    return model_of({"name": "tree", "gravity": [0.0, 1.0, -9.81], "links": list(links)})
+    return model_of(tree(*links))
 
 
-def energy_balance(model, q, v, tau):
-    """Rate of the energy, by differences, less the power of the torques, W."""
-    n, h = model.numpy(), 1e-6
-    w_ext = np.zeros((model.n_links, 6))
-    vdot = n.forward_dynamics(q, v, tau, w_ext)[0]
-    ends = [sum(n.energy(q + s * h * v + h * h / 2 * vdot, v + s * h * vdot)) for s in (1, -1)]
-    return (ends[0] - ends[1]) / (2 * h) - tau @ v[: model.n_joints]
+FORK = tree(
+    rod("trunk", {"axes": ["y"]}),
+    *(rod(name, joint, parent="trunk") for name, joint in zip(("left", "right"), BRANCHES, strict=True)),
+)
+"""A trunk with two branches at its tip."""
 
 
 @pytest.fixture
 def forked():
-    """A trunk with two branches at its tip."""
-    branches = [rod(name, joint, parent="trunk") for name, joint in zip(("left", "right"), BRANCHES, strict=True)]
-    return arm(rod("trunk", {"axes": ["y"]}), *branches)
+    return model_of(FORK)
 
 
 def test_branches_that_are_stiff_and_welded_are_bodies_of_the_trunk():
@@ -68,35 +66,10 @@ def test_branches_that_are_stiff_and_welded_are_bodies_of_the_trunk():
     assert np.allclose(found, expected, rtol=1e-11)
 
 
-def test_the_energy_of_a_fork_changes_by_the_power_of_its_torques(forked):
-    rng = np.random.default_rng(1)
-    size = np.r_[np.ones(3), np.full(forked.nq - 3, 1e-3)]  # the modes are fast: differences see small motions of them
-    q, v, tau = size * rng.normal(size=forked.nq), size * rng.normal(size=forked.nq), 5 * rng.normal(size=3)
-    assert abs(energy_balance(forked, q, v, tau)) < 1e-4 * abs(tau @ v[:3])
-
-
 def test_the_mass_matrix_of_a_fork_couples_its_branches_through_the_trunk_alone(forked):
     M = forked.numpy().mass_matrix(np.zeros(forked.nq))
     assert np.allclose(M, M.T, atol=1e-12) and np.linalg.eigvalsh(M).min() > 0
     assert M[1, 2] == 0.0 and np.all(M[6:9, 9:12] == 0.0) and np.any(M[0, 6:] != 0.0)
-
-
-def test_fused_programs_follow_the_tree(forked):
-    rng = np.random.default_rng(2)
-    q, v, tau = 0.05 * rng.normal(size=forked.nq), rng.normal(size=forked.nq), rng.normal(size=3)
-    expected = forked.numpy().forward_dynamics(q, v, tau, np.zeros((3, 6)))[0]
-    unary = lambda op, x: getattr(np, {"neg": "negative"}.get(op, op), _stumpff(op))(x)  # noqa: E731
-    given = {"q": list(q), "v": list(v), "tau": list(tau), "w_ext": [0.0] * 18, "p": forked.parameter_values}
-    found = run(forward_dynamics(forked.chain), given, unary)[0]["vdot"]
-    assert np.allclose(found, expected, rtol=1e-10)
-    back = run(inverse_dynamics(forked.chain), given | {"vdot": list(found)}, unary)[0]["force"]
-    assert np.allclose(back, [*tau, *np.zeros(9)], atol=1e-12 * abs(expected).max())
-
-
-def _stumpff(op: str):
-    from screwgen.backends.numpy import python
-
-    return getattr(python, op, None)
 
 
 def test_a_child_must_come_after_its_parent():
@@ -107,43 +80,9 @@ def test_a_child_must_come_after_its_parent():
 # -------- random trees against the oracle
 
 
-@cache
-def random_tree(seed: int) -> Case:
-    """A robot of three to eight links, most of which any earlier link or the world carries."""
-    return drawn(9000 + seed, 3 + seed % 6, branching=0.7, sliding=0.2, second_order=0.1, max_modes=1 + (seed % 6 < 3))
-
-
-@pytest.fixture(params=swept(range(24), 1, 5))
-def tree(request) -> Case:
-    return random_tree(request.param)
-
-
-def test_numpy_and_casadi_equal_the_oracle(tree):
-    assert not tree.model.chain.tree.is_chain
-    for vdot, wrench in (tree.model.numpy().forward_dynamics(*tree.inputs), casadi_forward(tree.model, *tree.inputs)):
-        assert max(tree.oracle.errors(tree.state, vdot, wrench).values()) < tree.tolerance
-
-
-def test_the_assembled_system_has_the_wrenches_and_accelerations_of_the_joint_form(tree):
-    q, v, tau, w_ext = tree.inputs
-    numeric, n = tree.model.numpy(), tree.model.n_links
-    M, H, W = numeric.assemble(numeric.dae_state(q, v), tau, w_ext)
-    z = np.linalg.solve(M, W - H)
-    vdot, wrench = numeric.forward_dynamics(*tree.inputs)
-    assert np.allclose(z[: 12 * n].reshape(n, 12)[:, :6], wrench, rtol=0, atol=1e-8 * abs(wrench).max())
-    assert np.allclose(z[12 * n :], vdot[tree.model.n_joints :], rtol=0, atol=1e-8 * abs(vdot).max())
-    assert set(structure(tree.model).kinds) <= {"joint", "inertia", "wrench", "coupling"}
-
-
-@pytest.mark.parametrize("layout", ["fused", "modular"])
-def test_compiled_c_equals_the_oracle_in_both_forms(layout):
-    judges.c_forms(random_tree(1), layout)
-
-
-def test_derivatives_are_those_of_differences(forked):
-    rng = np.random.default_rng(5)
-    q, v, tau = 0.05 * rng.normal(size=forked.nq), rng.normal(size=forked.nq), rng.normal(size=3)
-    judges.differences(forked, q, v, tau, np.zeros((3, 6)))
+@pytest.mark.parametrize("check", [slopes.dynamics, slopes.wrenches])
+def test_derivatives_are_those_of_differences(check):
+    check(case_of(FORK, random_state(np.random.default_rng(5), FORK)))
 
 
 # -------- the robot file, and what users see
@@ -170,22 +109,6 @@ def test_a_tree_survives_its_file(forked):
     assert text.count('parent = "trunk"') == 2 and "at" not in tomllib.loads(text)["links"][1]
     again = Robot.model_validate(tomllib.loads(text))
     assert again == forked.robot and derive(again).chain.tree.parents == (-1, 0, 0)
-
-
-def test_both_forms_and_the_batch_make_the_same_motion(forked):
-    x0 = np.zeros((2, 2 * forked.nq))
-    x0[1, :3] = (0.2, -0.3, 0.1)
-    quick_batch(forked)
-    batch = rollout(forked, x0, np.zeros((2, 20, 3)), step=1e-3)
-    joint, dae = (simulate(forked, 0.02, 1e-3, q0=x0[1, : forked.nq], form=form) for form in ("joint", "dae"))
-    assert np.allclose(batch.q[1], joint.q, rtol=0, atol=1e-11 * abs(joint.q).max())
-    assert np.allclose(dae.q[-1], joint.q[-1], rtol=0, atol=1e-6)
-
-
-def test_an_equilibrium_of_a_tree_carries_the_weight_of_its_branches(forked):
-    rest = equilibrium(forked, [0.0, 0.0, 0.0], hold=True)
-    weight = 1.5 * 0.7 * np.linalg.norm(forked.robot.gravity)
-    assert np.linalg.norm(rest.wrench[:, 3:], axis=1) == pytest.approx([3 * weight, weight, weight], rel=1e-12)
 
 
 def test_pictures_draw_every_branch_from_the_tip_that_carries_it(forked):

@@ -9,7 +9,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-from helpers import model_of
 
 import screwgen
 from docs.tools import limits
@@ -24,61 +23,7 @@ from screwgen.simulation.validity import BOUND, ModelLeftError, ModelValidityWar
 ELLA = "examples/ella.toml"
 
 
-@cache
-def mixed() -> screwgen.Model:
-    """Two bending links with a rigid one between: base and tip bodies, a shifted frame, stated frequencies."""
-    bend = {"basis": "polynomial", "bending_y": 2, "bending_z": 1, "axial": 1}
-    base = {"length": 0.8, "section": {"rhoA": 1.5, "EA": 1e6, "EIy": 40.0, "EIz": 90.0, "rhoIp": 1e-3}}
-    measured = {"basis": "clamped_free", "bending_z": 2, "frequencies": {"bending_z": [3.0, 19.0]}}
-    body = {"at": "base", "mass": 2.0, "com": [0.1, 0.05, 0.0], "inertia": [0.02, 0.02, 0.02, 0, 0, 0]}
-    links = [
-        base | {"name": "one", "modes": bend, "joint": {"axes": ["z"]}, "frame_at": 0.1, "bodies": [body]},
-        {"name": "two", "length": 0.3, "section": {"rhoA": 2.0, "rhoIp": 1e-3}, "joint": {"axes": ["y"]}},
-        base | {"name": "three", "modes": measured, "joint": {"axes": ["y"]}, "bodies": [{"at": "tip", "mass": 1.0}]},
-    ]
-    links[2]["section"] = {"rhoA": 1.5, "rhoIp": 1e-3}
-    robot = {"name": "mixed", "gravity": [0.5, 0.0, -9.81], "links": links}
-    return model_of(robot)
-
-
-def state(model: screwgen.Model, seed: int = 3) -> tuple[np.ndarray, ...]:
-    draw = np.random.default_rng(seed).normal
-    m = model.n_joints
-    q, v = np.append(draw(size=m), 0.02 * draw(size=model.nq - m)), draw(size=model.nq)
-    return q, v, draw(size=m), draw(size=(model.n_links, 6))
-
-
 # ------------------------------------------------------------------------------ what is measured
-
-
-@pytest.mark.parametrize("layout", ["fused", "modular"])
-def test_all_back_ends_measure_the_same(layout):
-    model = mixed()
-    given = state(model)
-    judge = model.numpy().validity(*given)
-    q, v, tau, w_ext = given
-    casadi = np.array(model.casadi()["validity"](q, v, tau, w_ext.T, model.parameter_values)).T
-    assert np.allclose(casadi, judge, rtol=1e-10)
-    assert np.allclose(model.compile(layout, flags=("-O0",)).validity(*given), judge, rtol=1e-9)
-    assert not judge[1].any() and judge[0].all() and judge[2].all()
-
-
-def test_the_tip_force_is_what_the_next_link_and_the_world_take():
-    """Axial load against the wrench of the next joint, in a random motion."""
-    model = mixed()
-    q, v, tau, w_ext = state(model)
-    numeric = model.numpy()
-    vdot, wrench = numeric.forward_dynamics(q, v, tau, w_ext)
-    R, _ = numeric.link_pose(q)
-    outside = numeric.tip_poses(q)[0][0] @ w_ext[0, 3:]
-    force = (R[0].T @ (R[1] @ wrench[1, 3:] - outside))[0]
-    length, stiff, rhoA = 0.8, 40.0, 1.5
-    own = model.numpy().validity(q, v, tau, w_ext)[0, 2] - 4 * length**2 * force / (math.pi**2 * stiff)
-    h = 1e-6
-    frame = lambda t: numeric.link_pose(q + t * v + t * t / 2 * vdot)  # noqa: E731
-    place = [x[1][0] - 0.1 * x[0][0][:, 0] for x in map(frame, (-h, 0.0, h))]
-    a = R[0].T @ ((place[0] - 2 * place[1] + place[2]) / h**2 - model.parameter_values[:3])
-    assert own == pytest.approx(rhoA * a[0] * length**3 / (7.8373474 * stiff), abs=2e-3)
 
 
 def test_measures_of_a_posture_follow_from_statics():

@@ -11,7 +11,6 @@ from helpers import model_of
 from oracle_sections import property_at
 from varying_robots import tapered_arm
 
-from screwgen import RobotFileError
 from screwgen.spec.profile import Profile
 from screwgen.studies.modes import natural_frequencies
 
@@ -161,12 +160,3 @@ def test_a_uniform_profile_is_a_uniform_section():
     model = model_of(robot)
     assert not model.chain.coupled and "wedge.rhoA" in model.parameter_names
     assert dimensionless(natural_frequencies(model))[0] == pytest.approx(1.8751040687**2, rel=1e-9)
-
-
-def test_polynomials_below_zero_are_refused():
-    line = [{"at": s, "rhoA": x} for s, x in ((0.0, 1.0), (0.25, 0.01), (0.75, 0.01), (1.0, 1.0))]
-    robot = wedge((0.0, 0.0), modes=0)
-    robot["links"][0] |= {"section": {"stations": line, "between": "polynomial"}, "profile": None}
-    with pytest.raises(Exception, match="the polynomial through rhoA is -") as refused:
-        model_of(robot)
-    assert not isinstance(refused.value, RobotFileError | AssertionError)

@@ -155,12 +155,7 @@ def test_poses_are_those_of_the_model(browser, tmp_path, name):
     )
     if base:
         q[:7] = [0.3, -0.2, 0.5, 0.5, -0.5, 0.1, np.sqrt(1 - 0.51)]
-    n = model.n_links
-    still = {"v": np.zeros((2, model.nv)), "tau": np.zeros((2, model.n_tau)), "wrench": np.ones((2, n, 6))}
-    still |= {"tip_position": np.zeros((2, 3)), "energy": np.ones((2, 2)), "robot": model.robot}
-    names = {f"{kind}_names": tuple(getattr(model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-    run = screwgen.Run(model.robot.name, np.array([0.0, 1.0]), np.array([q, q]), **still, **names)
-    opened(browser, tmp_path, view(run))
+    opened(browser, tmp_path, view(still(model, q)))
     for factor in (1, 2):
         browser.run(f"screwgen.magnify({factor}), screwgen.seek(0.5)")
         for key, poses in (("frame", "link_pose"), ("tip", "tip_poses")):

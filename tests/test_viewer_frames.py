@@ -6,6 +6,7 @@ import subprocess
 import numpy as np
 import pytest
 from conftest import require_tool
+from dressed_arm import run_of, still
 from helpers import ROOT, arm, link, model_of
 from PIL import Image, ImageSequence
 
@@ -19,15 +20,6 @@ MAGNIFIED = 4.0
 MARK = 0.15
 """The length of a last link, whose colour no other thing has, m."""
 GREEN = (60, 154, 107)
-
-
-def run_of(model, t: np.ndarray, q: np.ndarray) -> screwgen.Run:
-    """A run of which coordinates alone matter."""
-    still = {key: np.zeros((len(t), size)) for key, size in (("v", model.nv), ("tau", model.n_tau))}
-    still |= {"wrench": np.zeros((len(t), model.n_links, 6)), "tip_position": np.zeros((len(t), 3))}
-    names = {f"{kind}_names": tuple(getattr(model, f"{kind}_names")) for kind in ("q", "v", "tau", "wrench")}
-    more = dict(energy=np.zeros((len(t), 2)), robot=model.robot, parameters=np.array(model.parameter_values))
-    return screwgen.Run(model.robot.name, t, q, **still, **names, **more)
 
 
 @pytest.fixture(scope="module")
@@ -107,8 +99,7 @@ def test_any_robot_is_drawn(name):
     """Floating bases, slides and loops: tubes end at the tips that the model says."""
     model = screwgen.derive(screwgen.load(ROOT / "examples" / f"{name}.toml"))
     home = np.array(model.chain.home)
-    run = run_of(model, np.array([0.0, 1.0]), np.array([home, home]))
-    drawn = Film([(run, model, name)], (200, 150))
+    drawn = Film([(still(model, home), model, name)], (200, 150))
     (actor,) = drawn.actors
     faces = actor.faces(home).reshape(-1, 3)
     _, r = model.numpy().tip_poses(home)

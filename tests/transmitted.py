@@ -1,13 +1,11 @@
 """What drives through cylinders and through linkages are held against alike."""
 
-import casadi as ca
 import numpy as np
 import pytest
-from helpers import QUICK, relative
+from helpers import relative
 
 from screwgen import PD, Model, equilibrium, simulate
 from screwgen.algorithms.travels import travels
-from screwgen.runtime.estimator import CompiledEstimator, Noise
 
 GAINS = (4e3, 1e3), (4e2, 90.0)
 
@@ -46,24 +44,3 @@ def gains_through_levers(model: Model, start: np.ndarray) -> None:
     free = PD(*GAINS, start[:2]).through(model.chain, model.parameter_values)
     expected = np.array([-4e3 * 0.02, 1e3 * 0.01]) / model.numpy().levers(q)
     assert np.allclose(free(0.0, q, 0 * q), expected)
-
-
-def estimated(model: Model, push: np.ndarray, start: np.ndarray) -> None:
-    """The filter finds the posture of a run under efforts of drives, from a wrong start."""
-    truth = simulate(model, 0.3, 1e-3, q0=start, controller=push)
-    estimator = CompiledEstimator(model, flags=QUICK)
-    noise = Noise(np.r_[1.0, 1.0, 0.1], 1e-12, encoder=1e-4, strain=2e-6, fibre=0.03)
-    estimator.start(start + 0.02, np.zeros(3), np.full(3, 0.05), np.full(3, 0.05), noise)
-    for q in truth.q[1:]:
-        estimator.predict(push, np.zeros((2, 6)), 1e-3)
-        estimator.update(push, np.zeros((2, 6)), encoder=q[:2])
-    assert np.allclose(estimator.state[0], truth.q[-1], atol=2e-4)
-
-
-def acados_agrees(model: Model, labels: tuple[str, ...], u: list[float]) -> None:
-    """The export's inputs, and that its implicit and explicit forms are one."""
-    export, x = model.acados(), np.linspace(-0.1, 0.1, 2 * model.nq)
-    f = ca.Function("f", [export.x, export.xdot, export.u, export.p], [export.f_impl_expr, export.f_expl_expr])
-    rates = f(x, 0 * x, u, model.parameter_values)[1]
-    assert export.u_labels == labels
-    assert np.abs(f(x, rates, u, model.parameter_values)[0].full()).max() < 1e-9

@@ -17,7 +17,7 @@ from screwgen.algorithms.robot_functions import FUNCTIONS, OUTPUTS, SENSED, Robo
 PAGE = ROOT / "docs" / "functions.md"
 ROWS = re.compile(r"(?:^\| `.*\n)+", re.MULTILINE)
 SIZES = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NAXES": "n_joints", "NTENDONS": "n_tendons", "NLINKS": "n"}
-SIZES |= {"NMARKERS": "m", "NSTRAINS": "n_strains"}
+SIZES |= {"NMARKERS": "m", "NSTRAINS": "n_strains", "NCYLINDERS": "n_cylinders"}
 
 
 def table(text: str) -> str:

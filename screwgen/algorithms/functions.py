@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 
 from ..elements import Law
+from ..errors import UsageError
 from ..ir.program import Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
@@ -20,6 +21,7 @@ from .law_programs import forces
 from .loop_functions import MOTION as MOTION
 from .loop_functions import POSES, LoopFunctions
 from .marker_functions import MarkerFunctions
+from .momentum import MomentumFunctions
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by
 
 KINEMATICS = Phase(ph.kinematics, OUTWARD)
@@ -34,6 +36,7 @@ MEASURING: Algorithm = (Phase(validity.measure, OUTWARD),)
 SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers, INWARD))
 
 LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
+CYLINDERS: Algorithm = (Phase(travels.cylinders, OUTWARD),)
 POWER: Algorithm = (Phase(drive_power, OUTWARD), Phase(tendons.power, OUTWARD))
 LENGTHS: Algorithm = (Phase(tendons.lengths, OUTWARD),)
 PULLS: Algorithm = (Phase(tendons.write_pulls, OUTWARD),)
@@ -65,7 +68,7 @@ def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     return out
 
 
-class Functions(LoopFunctions, MarkerFunctions):
+class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
@@ -163,8 +166,10 @@ class Functions(LoopFunctions, MarkerFunctions):
         return {"m_below": list(M), "f_eta": out}
 
     def _torques(self, tau: Sequence) -> list[dict[str, list]]:
-        """The inputs of each link; of torques alone tendons are slack."""
-        offset = self.chain.tau_offset
+        """The inputs of each link; of torques alone tendons are slack. Raises UsageError for another number of them."""
+        offset, allowed = self.chain.tau_offset, sorted({self.chain.n_joints, self.chain.n_tau})
+        if len(tau) not in allowed:
+            raise UsageError(f"tau has {len(tau)} numbers; it must have {' or '.join(map(str, allowed))}")
         efforts = [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
         tensions = list(tau[self.chain.n_joints :]) or [0.0] * self.chain.n_tensions
         for link, own in zip(efforts, self.chain.tensions, strict=True):
@@ -225,6 +230,12 @@ class Functions(LoopFunctions, MarkerFunctions):
         links = self._run(POWER, self._motion(q, v), self._torques(tau))[0]
         of_tendons = self._of_tendons(links, "tendon_power")
         return [x for link in links for x in link["power"]] + of_tendons
+
+    def cylinder_lengths(self, q: Sequence) -> list:
+        """The lengths of all cylinders."""
+        links = self._run(CYLINDERS, self.chain.split(q, "q", "eta"))[0]
+        lengths = [x for link in links for x in link["cylinder_length"]]
+        return [lengths[joint] for joint in self.chain.cylinders]
 
     def tendon_lengths(self, q: Sequence) -> list:
         """The lengths of all tendons."""

@@ -39,33 +39,33 @@ class LoopFunctions:
 
     def loop_wrenches(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
         """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
-        shut, forces = self.loop_forces(q, v, tau, w_ext)
+        state, forces = self.loop_forces(q, v, tau, w_ext)
         with self.section("loops: their wrenches on the tips"):
-            return shut.wrenches(forces)
+            return state.wrenches(forces)
 
-    def loop_forces(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[loops.Shut, list]:
+    def loop_forces(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[loops.LoopState, list]:
         """The loops in a state, and the forces of their rows."""
-        shut = self._shut(q, v)
-        unconstrained = shut.accelerations(*self.forward(q, v, tau, w_ext))
+        state = self._loop_state(q, v)
+        unconstrained = state.accelerations(*self.forward(q, v, tau, w_ext))
         inertia = self.given[0] if self.given else self._inertia()
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
-            wanted = [-(c.power(unconstrained) + c.drift) for c in shut.conditions]
-        return shut, self._row_forces(q, shut, inertia, wanted)[0][0]
+            wanted = [-(c.power(unconstrained) + c.drift) for c in state.rows]
+        return state, self._row_forces(q, state, inertia, wanted)[0][0]
 
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
         """Torques and wrenches on the tips, those of the loops included."""
         given = loops.Loads(tau, w_ext)
         if not self.chain.closing.rows:
             return given
-        shut, forces = self.loop_forces(q, v, tau, w_ext)
+        state, forces = self.loop_forces(q, v, tau, w_ext)
         with self.section("loops: their wrenches on the tips"):
-            found = shut.loads(forces)
+            found = state.loads(forces)
         return given.plus(found)
 
     def coupling_torques(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
         """The torques (n_joints,) with which couplings act on the joint axes, forces on those that slide."""
-        shut, forces = self.loop_forces(q, v, tau, w_ext)
-        return shut.torques(forces)
+        state, forces = self.loop_forces(q, v, tau, w_ext)
+        return state.torques(forces)
 
     def close(self, q: Sequence, v: Sequence) -> tuple[Sequence, Sequence]:
         """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""
@@ -75,20 +75,20 @@ class LoopFunctions:
 
     def correct(self, q: Sequence, v: Sequence) -> tuple[list, list]:
         """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
-        shut = self._shut(q, v)
-        wanted = [[-c.gap for c in shut.conditions], [-c.rate for c in shut.conditions]]
-        forces, answers = self._row_forces(q, shut, self._inertia(), *wanted)
+        state = self._loop_state(q, v)
+        wanted = [[-c.gap for c in state.rows], [-c.rate for c in state.rows]]
+        forces, answers = self._row_forces(q, state, self._inertia(), *wanted)
         return loops.moved(self.chain, q, forces[0], answers, self.apply), loops.combined(v, forces[1], answers)
 
     def gaps(self, q: Sequence, v: Sequence) -> tuple[list, list]:
         """The gap of every row of the loops, m or cosines, and its rate."""
-        found = self._shut(q, v).conditions
+        found = self._loop_state(q, v).rows
         return [c.gap for c in found], [c.rate for c in found]
 
     def offsets(self, q: Sequence, v: Sequence) -> list[loops.Offsets]:
         """How far each loop is from closed, whichever of its rows bear forces, and the rates of it."""
-        shut = self._shut(q, v)
-        return [loops.offsets(junction, shut.tips, shut.axes) for junction in self.chain.closing.junctions]
+        state = self._loop_state(q, v)
+        return [loops.offsets(junction, state.tips, state.axes) for junction in self.chain.closing.junctions]
 
     def openings(self, q: Sequence) -> list:
         """The squares of how far each loop is from closed: of the distance, m², and of the angle; two for each loop."""
@@ -97,16 +97,16 @@ class LoopFunctions:
 
     def idle_gaps(self) -> list:
         """The gaps of the rows that no motion changes, which depend on parameters alone: those at home."""
-        shut = self._shut(self.chain.home, [0.0] * self.chain.nv)
-        return [loops.condition(row, shut.tips, shut.axes).gap for row in self.chain.closing.idle]
+        state = self._loop_state(self.chain.home, [0.0] * self.chain.nv)
+        return [loops.row_at(row, state.tips, state.axes).gap for row in self.chain.closing.idle]
 
     def loops_at(self, q: Sequence, forces: Sequence) -> tuple[list, loops.Loads]:
         """The gap of every row, and what forces of the rows exert."""
-        shut = self._shut(q, [0.0] * self.chain.nv)
-        return [c.gap for c in shut.conditions], shut.loads(forces)
+        state = self._loop_state(q, [0.0] * self.chain.nv)
+        return [c.gap for c in state.rows], state.loads(forces)
 
     def _row_forces(
-        self, q: Sequence, shut: loops.Shut, inertia: Sequence, *wanted: Vector
+        self, q: Sequence, state: loops.LoopState, inertia: Sequence, *wanted: Vector
     ) -> tuple[list[list], list[list]]:
         """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
 
@@ -115,10 +115,10 @@ class LoopFunctions:
         still = copy(self)
         still.gravity, still.given, still.section = [0.0] * 3, (inertia, [0.0] * self.chain.n_given), nullcontext
         rest = [0.0] * self.chain.nv
-        found = [still.forward(q, rest, *unit) for unit in shut.units()]
-        answers = [shut.accelerations(*one) for one in found]
+        found = [still.forward(q, rest, *unit) for unit in state.units()]
+        answers = [state.accelerations(*one) for one in found]
         with self.section("loops: accelerations of the gaps by unit forces of the rows"):
-            A = mx.symmetric(len(answers), lambda i, j: shut.conditions[i].power(answers[j]))
+            A = mx.symmetric(len(answers), lambda i, j: state.rows[i].power(answers[j]))
         return self.solve_rows(A, wanted), [self.chain.join(links, "qddot", "etaddot") for links, _ in found]
 
     def solve_rows(self, A: mx.Array, wanted: Sequence[Vector]) -> list[list]:
@@ -140,7 +140,7 @@ class LoopFunctions:
         """The inertia of the coordinates that integrators give theirs."""
         return columns(self.chain, self.constants)["M_eta"]
 
-    def _shut(self, q: Sequence, v: Sequence) -> loops.Shut:
+    def _loop_state(self, q: Sequence, v: Sequence) -> loops.LoopState:
         """The loops in a state."""
         links, places = self._run(MOTION, self._state(q, v))
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
@@ -150,4 +150,4 @@ class LoopFunctions:
             curves={row: self._curve(second, row, axes.q) for second, row in self.chain.closing.related}
         )
         with self.section("loops: gaps, their rates and what their accelerations are without those of the tips"):
-            return loops.Shut(self.chain, tips, axes, [mx.array(link["R"], (3, 3)) for link in links])
+            return loops.LoopState(self.chain, tips, axes, [mx.array(link["R"], (3, 3)) for link in links])

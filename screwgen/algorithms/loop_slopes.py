@@ -19,7 +19,7 @@ from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from ..topology.loops import ClosingRow
 from . import matrices as mx
-from .loops import Axes, Shut, Tip, TipsAndAxes, condition
+from .loops import Axes, LoopState, Tip, TipsAndAxes, row_at
 from .relations import row_slopes
 from .rows import cross_columns
 from .schedule import Apply
@@ -66,7 +66,7 @@ def tips(chain: Chain) -> list[int]:
 
 
 def loop_changes(
-    chain: Chain, shut: Shut, acc: TipsAndAxes, forces: Sequence, at: Mapping[int, TipChange], apply: Apply
+    chain: Chain, state: LoopState, acc: TipsAndAxes, forces: Sequence, at: Mapping[int, TipChange], apply: Apply
 ) -> tuple[RowChange, Array]:
     """The changes of the rows, and of the generalised forces that given ``forces`` of the rows exert.
 
@@ -82,10 +82,10 @@ def loop_changes(
         if isinstance(own[0][1].row, Ratio):
             _add_coupling(chain, own[0][1], rows)
             if own[0][1].row.relation is not None:
-                _bend_coupling(chain, shut, own[0][1], acc.axes, forces[own[0][0]], rows, bend, apply)
+                _bend_coupling(chain, state, own[0][1], acc.axes, forces[own[0][0]], rows, bend, apply)
             continue
         first, second = own[0][1].first, own[0][1].second
-        a, b = shut.tips[first], shut.tips[second]
+        a, b = state.tips[first], state.tips[second]
         twists = [mx.rotate_wrench(tip.R.T, tip.twist) for tip in (a, b)]
         given = {"R": list(mx.multiply(a.R.T, b.R).flat), "d": list(mx.multiply(a.R.T, b.r - a.r))}
         given |= {"V_A": list(twists[0]), "V_B": list(twists[1]), "forces": [forces[k] for k, _ in own]}
@@ -118,7 +118,7 @@ def _add_coupling(chain: Chain, coupling: ClosingRow, rows: list[list[Array]]) -
 
 def _bend_coupling(
     chain: Chain,
-    shut: Shut,
+    state: LoopState,
     coupling: ClosingRow,
     acc: Vector,
     force: Value,
@@ -129,7 +129,7 @@ def _bend_coupling(
     """What a relation changes of the row of a coupling and of the forces that it exerts."""
     row, c = coupling.row, coupling.stabilisation
     assert isinstance(row, Ratio) and row.relation is not None
-    q, w = shut.axes.q[row.of], shut.axes.qdot[row.of]
+    q, w = state.axes.q[row.of], state.axes.qdot[row.of]
     given: dict[str, list] = {"x": [q], "w": [w], "acc": [acc[row.of]], "force": [force], "rate": [c]}
     found = apply(coupling.second, -1, row_slopes(row.relation), given)
     of = chain.base_v + row.of
@@ -154,7 +154,7 @@ def slopes_of_rows(rows: tuple[ClosingRow, ...]) -> Program:
     forces = tracer.input("forces", len(rows))
     a = Tip(mx.identity(3), mx.zeros(3), *np.split(V_A, 2))
     b = Tip(R, d, *np.split(mx.rotate_wrench(R, V_B), 2))
-    found = [condition(c, [a, b], Axes((), ())) for c in rows]
+    found = [row_at(c, [a, b], Axes((), ())) for c in rows]
     acc = TipsAndAxes([acc_A, mx.rotate_wrench(R, acc_B)], ())
     values = [c.power(acc) + c.drift for c in found]
     units = [np.concatenate([c.wrenches[0], mx.rotate_wrench(R.T, c.wrenches[1])]) for c in found]

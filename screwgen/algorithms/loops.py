@@ -75,7 +75,7 @@ class Axes(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Condition:
+class ConstraintRow:
     """A row in a state: its `gap`, and what a unit force of it exerts.
 
     `wrenches`: on tips (6,), by the numbers of their links; `torques`: on joint axes, by theirs. `rate`: of the gap.
@@ -99,7 +99,7 @@ def _power(wrenches: Mapping[int, Array], torques: Mapping[int, Value], motion: 
     return sum(parts[1:], parts[0])
 
 
-def condition(closing: ClosingRow, tips: Sequence[Tip], axes: Axes) -> Condition:
+def row_at(closing: ClosingRow, tips: Sequence[Tip], axes: Axes) -> ConstraintRow:
     """A row in a state of all tips and axes."""
     row, c = closing.row, closing.stabilisation
     wrenches: dict[int, mx.Array] = {}
@@ -113,7 +113,7 @@ def condition(closing: ClosingRow, tips: Sequence[Tip], axes: Axes) -> Condition
         gap, *both, gamma = _distance(row.normal, a, b) if isinstance(row, Distance) else _angle(row, a, b)
         wrenches = dict(zip((closing.first, closing.second), both, strict=True))
     rate = _power(wrenches, torques, TipsAndAxes({i: tips[i].twist for i in wrenches}, axes.qdot))
-    return Condition(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
+    return ConstraintRow(gap, wrenches, torques, rate, gamma + 2 * c * rate + c * c * gap)
 
 
 def _ratio_gap(row: Ratio, axes: Axes) -> Value:
@@ -192,12 +192,12 @@ class Loads(NamedTuple):
         return Loads([*torques, *self.tau[len(torques) :]], wrenches)
 
 
-class Shut:
+class LoopState:
     """The loops of a chain in a state; `rotations`: that of F_i of every link."""
 
     def __init__(self, chain: Chain, tips: Sequence[Tip], axes: Axes, rotations: Sequence):
         self.chain, self.tips, self.axes, self.rotations = chain, tips, axes, rotations
-        self.conditions = [condition(c, tips, axes) for c in chain.closing.rows]
+        self.rows = [row_at(c, tips, axes) for c in chain.closing.rows]
 
     def accelerations(self, links: Sequence[Mapping], places: Sequence[Mapping[str, Sequence]]) -> TipsAndAxes:
         """[angular; of the point, less free fall] of all tips, and of all axes, after forward dynamics."""
@@ -210,7 +210,7 @@ class Shut:
     def wrenches(self, forces: Vector) -> list[Value]:
         """The wrenches on all tips, in their tip frames, of forces of the rows: six numbers for each tip."""
         total = [mx.zeros(6) for _ in self.tips]
-        for found, force in zip(self.conditions, forces, strict=True):
+        for found, force in zip(self.rows, forces, strict=True):
             for i, wrench in found.wrenches.items():
                 total[i] = total[i] + wrench * force
         return [x for tip, w in zip(self.tips, total, strict=True) for x in mx.rotate_wrench(tip.R.T, w)]
@@ -218,7 +218,7 @@ class Shut:
     def torques(self, forces: Vector) -> list[Value]:
         """The torques on all axes of forces of the rows: those of couplings."""
         total: list[Value] = [0.0] * len(self.axes.q)
-        for found, force in zip(self.conditions, forces, strict=True):
+        for found, force in zip(self.rows, forces, strict=True):
             for k, torque in found.torques.items():
                 total[k] = total[k] + torque * force
         return total
@@ -229,7 +229,7 @@ class Shut:
 
     def units(self) -> Iterator[Loads]:
         """What a unit force of each row exerts."""
-        count = len(self.conditions)
+        count = len(self.rows)
         return (self.loads([float(j == k) for j in range(count)]) for k in range(count))
 
 

@@ -10,7 +10,6 @@ docs/functions.md. CONTRIBUTING.md says what a new function takes.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -18,31 +17,20 @@ from typing import Any
 import numpy as np
 
 from ..bodies.validity import MEASURES
-from ..spec.tendons import TENSION
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
-from .functions import ENERGY, FORWARD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
+from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
 from .gauges import strain_names
 from .loop_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
+from .momentum import CENTRED, MOMENTUM
 from .schedule import Algorithm
 from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, TWIST, WRENCH, Signal
 
 OUTPUTS, SENSORS = "outputs", "sensors"
 """The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
-PARTS: dict[tuple, list[str]] = {
-    (): [""],
-    (3,): [f".{x}" for x in "xyz"],
-    (6,): [f".{part}_{x}" for part in ("omega", "v") for x in "xyz"],
-    (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
-}
-"""The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
-EFFORT = re.compile(r"\.(torque|force|tension)(?=\[|$)")
-"""The kind of an input in its name."""
-WRITTEN = str.maketrans("-*23", "1·²³")
-"""Signs of units in comments of C, and what stands for them elsewhere."""
-SENSED = ("marker_pose", "marker_velocity", "gyro", "accelerometer")
+SENSED = ("cylinder_length", "marker_pose", "marker_velocity", "gyro", "accelerometer")
 ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
 
 
@@ -73,9 +61,14 @@ class RobotFunction:
 def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
     """The shape of a result for a robot."""
     sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NAXES": chain.n_joints, "NLINKS": chain.n}
-    sizes |= {"NTENDONS": chain.n_tensions}
+    sizes |= {"NTENDONS": chain.n_tensions, "NCYLINDERS": len(chain.cylinders)}
     sizes |= {"NMARKERS": len(chain.markers), "NSTRAINS": len(strain_names(chain))}
     return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)
+
+
+def is_matrix(signal: Signal) -> bool:
+    """Whether a result is one matrix, of the robot; others with two axes have a row per link or marker."""
+    return len(signal.shape) == 2 and not isinstance(signal.shape[0], str)
 
 
 def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray) -> Any:
@@ -133,6 +126,39 @@ FUNCTIONS = (
         c_file=OUTPUTS,
     ),
     RobotFunction(
+        "centre_of_mass",
+        "q",
+        {
+            "mass": Signal((), "kg", "-", "mass of the robot"),
+            "centre": Signal(PLACE, "m", INERTIAL, "centre of mass"),
+        },
+        programs.centre_of_mass,
+        (CENTRED,),
+        "The mass of the robot, and its centre.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "centre_of_mass_jacobian",
+        "q",
+        {"J": Signal((3, "NV"), "m per unit of q", INERTIAL, "J v is the velocity of the centre of mass")},
+        programs.centre_of_mass_jacobian,
+        (CENTRED, MOMENTUM),
+        "The Jacobian of the centre of mass.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
+        "momentum",
+        "q v",
+        {
+            "angular": Signal((3,), "kg*m^2/s", INERTIAL, "angular momentum about the origin"),
+            "linear": Signal((3,), "kg*m/s", INERTIAL, "linear momentum"),
+        },
+        programs.momentum,
+        (MOMENTUM,),
+        "The momentum of the robot: what gravity, outer wrenches and the base change, and nothing inside.",
+        c_file=SENSORS,
+    ),
+    RobotFunction(
         "drive_power",
         "q v tau",
         {"power": Signal(("NTAU",), "W", "-", "power that each drive gives to the arm")},
@@ -171,6 +197,16 @@ FUNCTIONS = (
         (LEVERS,),
         "The travel of each cylinder, or the turn of each crank, per unit of its axis; 1 without a transmission.",
         offered=lambda chain: bool(chain.travels),
+    ),
+    RobotFunction(
+        "cylinder_length",
+        "q",
+        {"cylinder_length": Signal(("NCYLINDERS",), "m", "-", "length of every cylinder")},
+        programs.cylinder_length,
+        (CYLINDERS,),
+        "The lengths of the cylinders that drive joints, between their eyes, in the order of their joints.",
+        offered=lambda chain: bool(chain.cylinders),
+        c_file=SENSORS,
     ),
     RobotFunction(
         "tendon_length",
@@ -294,42 +330,6 @@ def in_file(name: str, chain: Chain) -> tuple[RobotFunction, ...]:
 def entries(function: RobotFunction, chain: Chain) -> int:
     """The number of entries of all results."""
     return sum(math.prod(shape(of, chain)) for of in function.results.values())
-
-
-def entry_names(
-    function: RobotFunction, drives: Sequence[str], markers: Sequence[str] = (), links: Sequence[str] = ()
-) -> tuple[str, ...]:
-    """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
-    of the tendon `left.tension` it is `left.power`, and its length `left.length`;
-    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot,
-    `arm.effort.torque` of a link, `boom[1].effort.torque` of a segment of one that is divided.
-    """
-    out: list[str] = []
-    for name, signal in function.results.items():
-        what = f"{function.name}.{name}"
-        if signal.shape in (("NTAU",), ("NTENDONS",)):
-            own = [drive for drive in drives if signal.shape == ("NTAU",) or drive.endswith(TENSION)]
-            out += [EFFORT.sub(f".{name}", drive) for drive in own]
-        elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
-            owners = markers if signal.shape[0] == "NMARKERS" else links
-            out += [f"{owner}.{what}{part}" for owner in owners for part in PARTS[signal.shape[1:]]]
-        else:
-            out += [what + part for part in PARTS[signal.shape]]
-    return tuple(out)
-
-
-def written(unit: str) -> str:
-    """A unit of a signal as people write it: `kg·m²/s` of `kg*m^2/s`."""
-    return unit.translate(WRITTEN).replace("^", "")
-
-
-def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
-    """The units of these entries, as mock-up units have them."""
-    out: list[str] = []
-    for of in function.results.values():
-        count, parts = math.prod(shape(of, chain)), written(of.unit).split(", ")
-        out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
-    return out
 
 
 BY_NAME = {function.name: function for function in FUNCTIONS}

@@ -8,6 +8,26 @@ from . import fused
 from .functions import Functions
 
 
+@fused.program("q")
+def centre_of_mass(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (mass, centre)``."""
+    mass, centre = f.centre_of_mass(q)
+    return {"mass": [mass], "centre": centre}
+
+
+@fused.program("q")
+def centre_of_mass_jacobian(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (J)``, row by row."""
+    return {"J": f.centre_of_mass_jacobian(q)}
+
+
+@fused.program("q v")
+def momentum(f: Functions, q: Sequence, v: Sequence) -> fused.Outputs:
+    """``(q, v) -> (angular, linear)``."""
+    found = f.momentum(q, v)
+    return {"angular": found[:3], "linear": found[3:]}
+
+
 @fused.program("q v tau")
 def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
     """``(q, v, tau) -> (power)``."""
@@ -18,6 +38,12 @@ def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
 def tendon_length(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (length)`` of every tendon."""
     return {"length": f.tendon_lengths(q)}
+
+
+@fused.program("q")
+def cylinder_length(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (cylinder_length)`` of every cylinder."""
+    return {"cylinder_length": f.cylinder_lengths(q)}
 
 
 @fused.program("q")

@@ -158,11 +158,15 @@ CALL: dict[str, Signal] = {
     "motion": Signal((4,), "rad/s, rad/s, m/s^2, N", F_I, "angular velocity about y and z, axial motion and force"),
     "measures": Signal((4,), "-", "-", "deflection, slope, axial load and rotation against the model's limits"),
     "levers": Signal(("a",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
+    "cylinder_length": Signal(("a",), "m", "-", "length of the cylinder of each axis, 0 without one"),
     "power": Signal(("a",), "W", "-", "power that each drive gives to the arm"),
     "tendon_length": Signal(("c",), "m", "-", "lengths of the pieces of tendons along the link"),
     "tendon_power": Signal(("c",), "W", "-", "power that the tension of each piece gives to the link"),
     "pull": Signal(("c", "r"), "-", "-", "derivatives of the lengths of the pieces with the modes, row by row"),
     "strain": Signal(("g",), "1, 1/m, rad/m", "-", "strains of the section at the base"),
+    "mass": Signal((1,), "kg", "-", "mass of the link with its bodies"),
+    "mass_moment": Signal((3,), "kg*m", INERTIAL, "first moment of that about the origin"),
+    "momentum": Signal((6,), "kg*m^2/s, kg*m/s", INERTIAL, "angular about the origin, and linear"),
     "kinetic": Signal((1,), "J", "-", "kinetic energy"),
     "potential": Signal((1,), "J", "-", "potential of stress, springs and weight"),
 }
@@ -256,7 +260,6 @@ STORE = {
     "M_eta_eta": Signal(("r", "r"), "kg", "-", "modal inertia of the tip load"),
 }
 """Of a link's own store."""
-
 
 MODES, INPUTS, AXES, RATES = ("NMODES",), ("NTAU",), ("NAXES",), "rad/s^2, m/s^2"
 GIVEN = {

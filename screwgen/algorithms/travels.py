@@ -143,6 +143,16 @@ def levers(s: Scope) -> None:
     s.write("levers", slopes(s, s.read("q")) if s.key.travels else np.array([1.0] * s.key.torques, object))
 
 
+def cylinders(s: Scope) -> None:
+    """The length of the cylinder of each axis; 0 of an axis without one."""
+    q, out = s.read("q"), mx.zeros(s.key.torques)
+    for axis, travel in s.key.travels.items():
+        if travel.IS_LENGTH:
+            numbers = (s.constant(f"drive_{x}_{axis + 1}") for x in travel.KEYS)
+            out[axis] = travel.length(s.tracer, q[axis], *numbers)
+    s.write("cylinder_length", out)
+
+
 # ------------------------------------------------------------------------------------ of a robot, in numbers
 
 

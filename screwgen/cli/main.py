@@ -126,7 +126,8 @@ def simulate(
         str | None,
         typer.Option(
             metavar="KIND:FILE",
-            help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. Without: the state's tau.",
+            help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. "
+            "csv:inputs.csv: t, torques and tensions by name, over time. Without: the state's tau.",
         ),
     ] = None,
     form: Form = "joint",

@@ -39,6 +39,7 @@ class Cylinder(Travel):
         "joint.drives.friction.viscous": ("N·s/m", "viscous friction"),
         "joint.drives.friction.velocity": ("m/s", "rate over which dry friction changes its sign"),
     }
+    IS_LENGTH = True
     LETTERS = ("l", "F")
     SYMBOLS = (
         (r"l", "length of the cylinder that drives an axis; primes are derivatives with q", "m", True),
@@ -63,13 +64,19 @@ $N$ per travel.
 """
     )
 
-    def slopes(self, t: Any, q: Value, *numbers: Value, elastic: bool = False) -> TravelSlopes:
-        crank, base, angle = numbers
+    def length(self, t: Any, q: Value, *numbers: Value) -> Value:
+        return self._triangle(t, q, *numbers)[-1]
+
+    @staticmethod
+    def _triangle(t: Any, q: Value, crank: Value, base: Value, angle: Value) -> tuple[Value, Value, Value, Value]:
+        """Sine and cosine of half the angle between the eyes, the product of their distances, and the length."""
         half = 0.5 * (q + angle)
         sine, cosine = t.call("sin", half), t.call("cos", half)
         area, gap = base * crank, base - crank
-        square = gap * gap + 4.0 * area * (sine * sine)
-        length = t.call("sqrt", square)
+        return sine, cosine, area, t.call("sqrt", gap * gap + 4.0 * area * (sine * sine))
+
+    def slopes(self, t: Any, q: Value, *numbers: Value, elastic: bool = False) -> TravelSlopes:
+        sine, cosine, area, length = self._triangle(t, q, *numbers)
         slope = 2.0 * area * (sine * cosine) / length
         return TravelSlopes(slope, (area * (1.0 - 2.0 * (sine * sine)) - slope * slope) / length, 1.0)
 

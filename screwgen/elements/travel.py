@@ -56,12 +56,18 @@ class Travel:
     """The coordinate of an elastic gear: how far the rotor is ahead."""
     UNITS: ClassVar[Mapping[str, tuple[str, str]]]
     """Unit and meaning of the drive's own parameters, by their fields, where they are others than of an axis."""
+    IS_LENGTH: ClassVar[bool] = False
+    """Whether the travel is the length of what drives the axis."""
     LETTERS: ClassVar[tuple[str, str]]
     """Travel and effort in formulas."""
     SYMBOLS: ClassVar[tuple[tuple[str, str, str, bool], ...]]
     """Symbol, meaning, unit of what documents name, and whether it is a state."""
     EQUATIONS: ClassVar[str]
     """Its section in documents."""
+
+    def length(self, t: Any, q: Value, *numbers: Value) -> Value:
+        """l, where it is a length, computed with the tracer ``t``."""
+        raise NotImplementedError
 
     def slopes(self, t: Any, q: Value, *numbers: Value, elastic: bool = False) -> TravelSlopes:
         """l' and l'' at ``q``, computed with the tracer ``t``; ``elastic``: behind an elastic gear."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 import io
 from collections.abc import Callable, Sequence
 from functools import wraps
-from itertools import pairwise, product
+from itertools import combinations, pairwise, product
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import FixedLocator, MaxNLocator
 from matplotlib.transforms import Bbox
 from mpl_toolkits.mplot3d.proj3d import proj_transform
 
@@ -205,6 +205,26 @@ def fit(axes: Axes, points: np.ndarray, title: str, subtitle: str = "") -> None:
             drawn = _drawn(axes)
             centre = centre + _centre(room) - _centre(drawn)
             side *= 0.99 * min(room.width / drawn.width, room.height / drawn.height)
+    _thin_numbers(axes)
+
+
+def _thin_numbers(axes: Axes) -> None:
+    """Leave a single number, in the middle, to axes in space whose numbers cover each other, the shortest first."""
+    renderer = axes.figure.canvas.get_renderer()
+    limits = {name: getattr(axes, f"get_{name}lim")() for name in "xyz"}
+    for name in sorted("xyz", key=lambda name: limits[name][1] - limits[name][0]):
+        axes.draw(renderer)
+        boxes = [box for other in "xyz" for box in _numbers(getattr(axes, f"{other}axis"), limits[other], renderer)]
+        if not any(a.overlaps(b) for a, b in combinations(boxes, 2)):
+            return
+        axis, middle = getattr(axes, f"{name}axis"), sum(limits[name]) / 2
+        axis.set_major_locator(FixedLocator([min(axis.get_majorticklocs(), key=lambda x: abs(x - middle))]))
+
+
+def _numbers(axis: Any, limits: tuple[float, float], renderer: Any) -> list[Bbox]:
+    """What the numbers along an axis cover, with some room, pixels."""
+    pairs = zip(axis.get_majorticklocs(), axis.get_major_ticks(), strict=False)
+    return [tick.label1.get_window_extent(renderer).padded(2) for x, tick in pairs if limits[0] <= x <= limits[1]]
 
 
 def _within(text: Text, width: float) -> Text:

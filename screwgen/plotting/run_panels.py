@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..algorithms.robot_functions import BY_NAME, PARTS, written
+from ..algorithms.entry_names import PARTS, unit_text
+from ..algorithms.robot_functions import BY_NAME
 from ..elements import ROTOR
 from ..errors import UsageError, one_line
 from ..robot_model import RobotModel
@@ -128,7 +129,7 @@ def _reported(run: Run) -> Iterator[Panel]:
             lines = [PanelCurve(x, whose(k, a), a) for k, (x, a) in enumerate(zip(own, labels, strict=True))]
             first += len(labels)
             title = signal.meaning[0].upper() + signal.meaning[1:]
-            yield Panel(title, result, written(signal.unit), lines)
+            yield Panel(title, result, unit_text(signal.unit), lines)
 
 
 def _named(names: Sequence[str], values: Iterable[np.ndarray]) -> list[PanelCurve]:

@@ -34,6 +34,8 @@ __all__ = ["CompiledEstimator", "Noise"]
 NOT_FINITE = "the estimate is not finite; take a shorter step, or look at the measurements"
 OPEN = "the filter's loops do not close from where it leads; look at the measurements"
 TOO_LONG = "the step is too long for the filter; take a shorter one"
+JUDGED = ("gate", "doubt", "patience")
+"""Members of a noise model by which an update judges what is measured."""
 
 
 def _members(model: RobotModel) -> dict[str, tuple[int, ...]]:
@@ -49,7 +51,7 @@ def _members(model: RobotModel) -> dict[str, tuple[int, ...]]:
     }
     measured |= {f"estimator.innovations.{name}": (size,) for name, (_, _, size) in sensors(model.chain).items()}
     noise = {"estimator.density_q": (n,), "estimator.density_v": (n,), "estimator.fibre": (g,)}
-    noise |= {"estimator.gate": (1,), "estimator.patience": (1,)}
+    noise |= {f"estimator.{name}": (1,) for name in JUDGED}
     inputs = {"input.tau": (model.n_tau,), "input.w_ext": (model.n_links, 6)}
     return states | measured | noise | inputs | {"estimator.P": (2 * n, 2 * n)}
 
@@ -114,7 +116,7 @@ class CompiledEstimator:
         self._write({f"estimator.{name}_variance": np.square(getattr(noise, name)) for name in names})
         self._write({f"estimator.{name}": getattr(noise, name) for name in ("density_q", "density_v")})
         self._write({"estimator.fibre": fibres(self.model.chain, noise)})
-        self._write({f"estimator.{name}": getattr(noise, name) for name in ("gate", "patience")})
+        self._write({f"estimator.{name}": getattr(noise, name) for name in JUDGED})
 
     def predict(self, tau: Loads, w_ext: Loads, dt: float) -> None:
         """Predict the state ``dt`` seconds later; torques and tensions (n_tau) and tip wrenches (n, 6) are held."""
@@ -155,7 +157,7 @@ class CompiledEstimator:
             found = self._at[f"estimator.innovations.{name}"]
             there = np.repeat(made, found.size // made.size if made.size else 1)
             value, normalised = (np.where(there, found[x].astype(float), np.nan) for x in ("value", "normalised"))
-            out[name] = Innovation(value, normalised, found["refused"] != 0)
+            out[name] = Innovation(value, normalised, found["refused"] != 0, found["weight"].astype(float))
         return out
 
     @property
@@ -180,8 +182,8 @@ class CompiledEstimator:
     def _kind(self, name: str) -> Any:
         """What a member is made of."""
         if ".innovations." in name:
-            whole = ctypes.c_int
-            fields = [("value", self.real), ("normalised", self.real), ("refused", whole), ("beyond", whole)]
+            reals, whole = ("value", "variance", "normalised", "weight"), ("refused", "beyond", "trial")
+            fields = [(x, self.real) for x in reals] + [(x, ctypes.c_int) for x in whole]
             return np.dtype(fields, align=True)
         return ctypes.c_int if "has_" in name or name.endswith("patience") else None
 

@@ -34,7 +34,9 @@ class Noise:
     the link; encoders measure the others.
 
     ``gate``: an update refuses an entry whose innovation exceeds so many of its standard deviations; 0: none is
-    refused. ``patience``: so often in a row, then it is taken until it is within the gate again.
+    refused. ``patience``: so often in a row, then it is taken until it is within the gate again; after refusals as
+    often as it was within the gate since then, if that is less. ``doubt``: between so many standard deviations and the
+    gate an entry counts less, with the weight (doubt / normalised innovation)²; 0: all within the gate count in full.
     """
 
     density_v: np.ndarray | float
@@ -50,6 +52,7 @@ class Noise:
     joint_rate: np.ndarray | float = 0.0
     gate: float = 0.0
     patience: int = PATIENCE
+    doubt: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,8 @@ class Innovation:
     """The value over its standard deviation."""
     refused: np.ndarray
     """Whether it was beyond the gate and did not change the estimate."""
+    weight: np.ndarray
+    """1 where it counted in full, 0 where it was refused or not measured, between them where it was doubted."""
 
 
 def sensors(chain: Chain) -> dict[str, tuple[int, int, int]]:
@@ -103,6 +108,9 @@ def check_noise(chain: Chain, noise: Noise) -> None:
     gate = real_numbers(noise.gate)
     if gate is None or gate.shape or not 0 <= gate < np.inf:
         raise UsageError("gate: must be a finite number >= 0, of standard deviations")
+    doubt = real_numbers(noise.doubt)
+    if doubt is None or doubt.shape or not 0 <= doubt <= gate:
+        raise UsageError("doubt: must be a number from 0 to the gate, of standard deviations")
     whole(noise.patience, "patience", 1)
 
 

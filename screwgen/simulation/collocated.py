@@ -14,12 +14,15 @@ from ..spec.link_class import EXACT, LinkClass
 from ..spec.markers import TIP
 from ..spec.values import MAX_POINTS
 from .motion import bent_rod, own_length
+from .rod_inertia import inertia_error
 from .validity import ModelValidityWarning
 
 TOLERANCE = 1e-4
 """The error of a section, over the length of its link, that is worth a warning."""
-MOST_STATES = 20
-"""Of so many states, those where the link bends most, the sections are compared."""
+INERTIA = 0.01
+"""The error of the inertia of a link, of accelerations under given forces, that is worth a warning."""
+MOST_STATES, FEWER = 20, 3
+"""Of so many states, those where the link bends most, the sections are compared, and the inertia."""
 
 
 @dataclass(frozen=True)
@@ -38,19 +41,29 @@ class LeftOut:
     """How many keep the error below `TOLERANCE`; None: more than a file can state."""
     section: str = "tip"
     """The worst section: "tip", "marker 'name'", or "section at s = …"."""
+    inertia: float = 0.0
+    """The largest part by which the inertia of the link, or of a segment, is off beside that of twice as many points,
+    in any of its motions: accelerations under given forces are off by about as much."""
+
+    @property
+    def size(self) -> float:
+        """The larger of both errors, over what is worth a warning."""
+        return max(self.error / TOLERANCE, self.inertia / INERTIA)
 
     @property
     def past(self) -> bool:
         """Whether it is worth a warning."""
-        return self.error > TOLERANCE
+        return self.size > 1.0
 
     def text(self) -> str:
-        """The error and the remedy, in a line."""
+        """The errors that are worth a warning, and the remedy, in a line."""
         remedy = f"state modes.points = {self.enough}" if self.enough else "divide the link into segments"
-        said = (
-            f"the {self.points} points along it put its {self.section} {self.error:.1g} of its length beside its place"
-        )
-        return f"link '{self.link}': {said}; {remedy}"
+        said = []
+        if self.error > TOLERANCE:
+            said.append(f"put its {self.section} {self.error:.1g} of its length beside its place")
+        if self.inertia > INERTIA:
+            said.append(f"leave its inertia and accelerations off by {self.inertia:.0%}")
+        return f"link '{self.link}': the {self.points} points along it {' and '.join(said)}; {remedy}"
 
 
 def left_out(model: RobotModel, q: np.ndarray) -> tuple[LeftOut, ...]:
@@ -62,7 +75,7 @@ def worst_of(found: Iterable[LeftOut]) -> tuple[LeftOut, ...]:
     """The largest error of each link."""
     worst: dict[str, LeftOut] = {}
     for one in found:
-        if one.link not in worst or worst[one.link].error < one.error:
+        if one.link not in worst or worst[one.link].size < one.size:
             worst[one.link] = one
     return tuple(worst.values())
 
@@ -73,27 +86,29 @@ def warn(model: RobotModel, errors: Iterable[LeftOut], stacklevel: int = 2) -> N
     for one in found:
         model.once(("told", one.link, "points"), lambda: True)
     if found:
-        warnings.warn(max(found, key=lambda x: x.error).text(), ModelValidityWarning, stacklevel=stacklevel + 1)
+        warnings.warn(max(found, key=lambda x: x.size).text(), ModelValidityWarning, stacklevel=stacklevel + 1)
 
 
 def _of_segment(model: RobotModel, q: np.ndarray, i: int, key: LinkClass) -> LeftOut:
     first_mode = model.chain.eta_q + model.chain.eta_offset[i]
-    eta = _most_bent(q[..., first_mode : first_mode + key.modes].reshape(-1, key.modes))
+    every = q[..., first_mode : first_mode + key.modes].reshape(-1, key.modes)
+    eta, few = _most_bent(every, MOST_STATES), _most_bent(every, FEWER)
     length, count, named = own_length(model, i), points(key), _sections(model, i)
+    scale = np.array([1.0 if direction == "torsion" else 1.0 / length for direction, _ in key.directions])
     lines = lambda n: bent_rod(replace(key, points=n), length, eta, tuple(named))  # noqa: E731
     errors = lambda n: np.linalg.norm(lines(2 * n) - lines(n), axis=2).max(axis=0, initial=0.0) / length  # noqa: E731
-    first = errors(count)
-    more = range(count + 1, MAX_POINTS + 1)
-    enough = count if first.max() <= TOLERANCE else next((n for n in more if errors(n).max() <= TOLERANCE), None)
-    worst = int(np.argmax(first))
-    return LeftOut(model.chain.segments[i].owner, float(first[worst]), count, enough, list(named.values())[worst])
+    inertia = lambda n: inertia_error(replace(key, points=n), scale * few)  # noqa: E731
+    first, off = errors(count), inertia(count)
+    enough = (n for n in range(count, MAX_POINTS + 1) if errors(n).max() <= TOLERANCE and inertia(n) <= INERTIA)
+    worst, owner = int(np.argmax(first)), model.chain.segments[i].owner
+    return LeftOut(owner, float(first[worst]), count, next(enough, None), list(named.values())[worst], off)
 
 
-def _most_bent(eta: np.ndarray) -> np.ndarray:
-    """Of the modal coordinates (N, r) of states those that are largest, without states that are not finite."""
+def _most_bent(eta: np.ndarray, most: int) -> np.ndarray:
+    """Of the modal coordinates (N, r) of states the largest, at most so many, without states that are not finite."""
     eta = eta[np.isfinite(eta).all(axis=1)]
     sizes = np.linalg.norm(eta, axis=1)
-    return eta[np.argpartition(-sizes, MOST_STATES)[:MOST_STATES]] if len(eta) > MOST_STATES else eta
+    return eta[np.argpartition(-sizes, most)[:most]] if len(eta) > most else eta
 
 
 def _sections(model: RobotModel, i: int) -> dict[float, str]:

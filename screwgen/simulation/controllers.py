@@ -18,6 +18,7 @@ from ..spec.load import one_line, parse
 from ..spec.messages import unknown
 from ..spec.ranges import within
 from ..spec.values import array, refuse, shown
+from .input_table import read_inputs
 from .mobility import closing, stated_joints
 from .state import read_text, refusals, sized
 
@@ -303,7 +304,7 @@ def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
     return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, UNITS['q_des'])}", check))
 
 
-CONTROLLERS = {"pd": read_pd}
+CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {"pd": read_pd, "csv": read_inputs}
 
 
 def read_controller(text: str, model: RobotModel) -> Controller:

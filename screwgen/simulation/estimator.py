@@ -61,7 +61,7 @@ class Estimator:
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
         self.innovations: dict[str, Innovation] = {}
         """What the last update made of each measurement; empty before one."""
-        self._beyond = {name: np.zeros(size[2], int) for name, size in self._names.items()}
+        self._judgements = self._none_yet()
 
     def start(self, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any, noise: Noise) -> None:
         """Begin at a state, as of :class:`..runtime.estimator.CompiledEstimator`."""
@@ -72,7 +72,7 @@ class Estimator:
         q, v, T = self._shut(q, v)  # the projection is that at closed rates
         S = T @ self._conditioned(np.diag(np.concatenate(sizes)))
         P = S @ S.T
-        self.innovations, self._beyond = {}, {name: np.zeros(size[2], int) for name, size in self._names.items()}
+        self.innovations, self._judgements = {}, self._none_yet()
         self.put(q, v, P)
         self.set(noise)
 
@@ -147,21 +147,24 @@ class Estimator:
         tau, w_ext = checked_input(self.model.chain, tau, w_ext)
         given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | poses
         measured, S = checked_measurements(self.model.chain, self.noise, given), root(self._P)
-        found, beyond, used = {}, {}, []
+        found, judgements, used = {}, {}, []
         for name, (values, made) in measured.items():
             size = self._names[name][2]
-            rest, normalised, refused = np.full(size, np.nan), np.full(size, np.nan), np.zeros(size, bool)
+            rest, normalised, weight = np.full(size, np.nan), np.full(size, np.nan), np.zeros(size)
             if made.any():
                 H, left, variances, there = self._rows(name, values, made, tau, w_ext)
-                rest[there], normalised[there] = left[there], (left / deviations(S, H, variances))[there]
-                refused, beyond[name] = self._judged(name, normalised, there)
-                used.append([x[there & ~refused] for x in (H, left, variances)])
-            found[name] = Innovation(rest, normalised, refused)
+                sizes = deviations(S, H, variances)
+                rest[there], normalised[there] = left[there], (left / sizes)[there]
+                weight, judgements[name] = self._judged(name, normalised, there)
+                taken = weight > 0
+                more = (1 / weight[taken] - 1) * sizes[taken] ** 2
+                used.append([H[taken], left[taken], variances[taken] + more])
+            found[name] = Innovation(rest, normalised, ~np.isnan(normalised) & (weight == 0), weight)
         if used:
             dx, S = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
             n = self.model.nv
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
-        self.innovations, self._beyond = found, self._beyond | beyond
+        self.innovations, self._judgements = found, self._judgements | judgements
 
     def _rows(
         self, name: str, values: np.ndarray, made: np.ndarray, tau: np.ndarray, w_ext: np.ndarray
@@ -171,14 +174,24 @@ class Estimator:
         deviation = spread(getattr(self.noise, name), name, self._names[name][2])
         return H, rest, deviation**2, np.repeat(made, len(H) // len(made))
 
+    def _none_yet(self) -> dict[str, np.ndarray]:
+        """Of each measurement (2, entries): how often in a row beyond the gate, by how much the patience is less."""
+        return {name: np.zeros((2, size[2]), int) for name, size in self._names.items()}
+
     def _judged(self, name: str, normalised: np.ndarray, made: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Which entries the gate refuses, and how often in a row each was beyond it; those of an attitude as one."""
-        together = 3 if name.endswith("_attitude") else 1
-        beyond = made & (np.abs(normalised) > (self.noise.gate or np.inf))
-        beyond = np.repeat(beyond.reshape(-1, together).any(axis=1), together)
-        times, most = self._beyond[name], self.noise.patience + 1
-        times = np.where(beyond, np.minimum(times + 1, most), np.where(made, 0, times))
-        return beyond & (times < most), times
+        """The weight of every entry, those of an attitude as one, and what :meth:`_none_yet` counts."""
+        together, noise = 3 if name.endswith("_attitude") else 1, self.noise
+        sizes = np.where(made, np.abs(normalised), 0.0).reshape(-1, together).max(axis=1)
+        sizes = np.repeat(sizes, together)
+        beyond = sizes > (noise.gate or np.inf)
+        times, trial = self._judgements[name]
+        after = np.where(times > 0, noise.patience - 1, np.maximum(trial - 1, 0))
+        trial = np.where(made & ~beyond, after, trial)
+        times = np.where(beyond, np.minimum(times + 1, noise.patience + 1), np.where(made, 0, times))
+        doubted = ~beyond & (sizes > (noise.doubt or np.inf))
+        weight = np.where(doubted, noise.doubt / np.where(doubted, sizes, 1.0), 1.0) ** 2
+        refused = beyond & (times <= noise.patience - trial)
+        return np.where(made & ~refused, weight, 0.0), np.array([times, trial])
 
     def _innovation(
         self, name: str, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray

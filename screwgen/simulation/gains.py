@@ -63,9 +63,9 @@ def rounded_down(x: float) -> float:
 def gains_of(law: Any, model: RobotModel, p: np.ndarray, at: Posture, ended: bool) -> list[Gain]:
     """The gains of a started law, two for each joint; none where they cannot be had.
 
-    Of a :class:`PD` those of its numbers, without limits and without the help against gravity. Of another function of
-    `(t, q, v)` by differences, where it is smooth and quick: before a run only where asking it leaves no trace
-    (`pure`), after one in any case.
+    Of a :class:`PD` those of its numbers, without limits and without the help against gravity. Those of another
+    function of `(t, q, v)` are estimated by differences, if it is smooth and quick: before a run only if it has no side
+    effects (`pure`), after one in any case.
     """
     plain = type(law) is PD
     if plain and law.efforts is None and law.ahead_of_joints is None:

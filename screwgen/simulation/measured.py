@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, SENSORS, shape
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, SENSORS, is_matrix, shape
 from ..robot_model import RobotModel
 
 MEASURED = tuple(row.name for row in FUNCTIONS if row.c_file == SENSORS)
@@ -26,9 +26,10 @@ def measured(
     row, count = BY_NAME[name], len(samples["q"])
     given = [samples[x].reshape(-1, samples[x].shape[-1]).T for x in row.names]
     found = model.casadi()[name].map(count).call([*given, np.tile(p, (count, 1)).T])
-    sizes = [shape(signal, model.chain) for signal in row.results.values()]
+    sizes = [(1,) * is_matrix(signal) + shape(signal, model.chain) for signal in row.results.values()]
     out = [_apart(x.full(), count, size) for x, size in zip(found, sizes, strict=True)]
-    return tuple(out) if len(out) > 1 else out[0]
+    found = [x[:, 0] if is_matrix(signal) else x for x, signal in zip(out, row.results.values(), strict=True)]
+    return tuple(found) if len(found) > 1 else found[0]
 
 
 def strain(model: RobotModel, q: np.ndarray, p: Sequence[float] | np.ndarray) -> np.ndarray:

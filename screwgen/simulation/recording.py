@@ -23,9 +23,9 @@ from ..algorithms.robot_functions import entries, reported
 from ..backends.c.shim import PARTS
 from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError
-from ..files import create
 from ..robot_model import RobotModel
 from ..spec.load import one_line
+from ..unfinished import abandoned, claimed
 from .hits import Hits
 from .inputs import Inputs
 from .integrate import CasadiEvaluator, Dynamics, EquationForm
@@ -213,16 +213,16 @@ def stored(table: SampleTable, path: str | os.PathLike[str] | None) -> Iterator[
     if path is None:
         yield
         return
-    part = part_of(path)
-    stream = _claimed(part, path)
+    part, text = part_of(path), suffix(path) == ".csv"
+    stream = _claimed(part, path, _header(table, text, 0))
     try:
         with stream:
-            table.store = RunFile(table, stream, suffix(path) == ".csv")
+            table.store = RunFile(table, stream, text)
             try:
                 yield
             finally:
                 table.store.append()
-        if suffix(path) == ".csv":
+        if text:
             os.replace(part, os.path.realpath(path))
         else:
             table.run().save(path)
@@ -240,12 +240,20 @@ def stored(table: SampleTable, path: str | os.PathLike[str] | None) -> Iterator[
                 part.unlink()
 
 
-def _claimed(part: Path, path: str | os.PathLike[str]) -> BinaryIO:
-    """The new file of a run for `path`, with the access rights of the existing one; raises UsageError."""
+def _claimed(part: Path, path: str | os.PathLike[str], header: bytes) -> BinaryIO:
+    """The new file of a run for `path`, with the access rights of the existing one; raises UsageError.
+
+    In place of one that a killed process left with its `header` alone.
+    """
+    said = "that was stopped, or one that still goes on"
     try:
-        return create(part, like=path)
+        with suppress(OSError), abandoned(part) as left:
+            if left and part.stat().st_size <= len(header):
+                part.unlink()
+            said = "that was stopped" if left else "that still goes on"
+        return claimed(part, like=path)
     except FileExistsError:
-        kept = "is there already: it keeps a run that was stopped, or one that still goes on"
+        kept = f"is there already: it keeps a run {said}"
         raise UsageError(f"{one_line(str(part))}: {kept}; move it away, or choose another output") from None
     except OSError as error:
         raise unwritable(path, error) from None
@@ -256,9 +264,8 @@ class RunFile:
 
     def __init__(self, table: SampleTable, stream: BinaryIO, text: bool):
         self.table, self.stream, self.text = table, stream, text
-        self.dtype = np.dtype([(name, "<f8", shape) for name, shape in table.shapes.items()])
         self.count, self.ready, self.clock = 0, 0, time.monotonic()
-        self.end = stream.write(csv_header(_columns(table.model)) if text else npy_header(self.dtype, 0))
+        self.end = stream.write(_header(table, text, 0))
         stream.flush()
 
     def filled(self, count: int) -> None:
@@ -275,7 +282,7 @@ class RunFile:
             self._write(self.end, data)
             self.count, self.end = self.count + len(rows), self.end + len(data)
             if not self.text:
-                self._write(0, npy_header(self.dtype, self.count))
+                self._write(0, _header(self.table, False, self.count))
         self.clock = time.monotonic()
 
     def _write(self, place: int, data: bytes) -> None:
@@ -287,6 +294,13 @@ class RunFile:
 
 def _columns(model: RobotModel) -> tuple[str, ...]:
     return column_names(model.q_names, model.v_names, model.tau_names, model.wrench_names)
+
+
+def _header(table: SampleTable, text: bool, count: int) -> bytes:
+    """The head of the file of a run of so many samples."""
+    if text:
+        return csv_header(_columns(table.model))
+    return npy_header(np.dtype([(name, "<f8", shape) for name, shape in table.shapes.items()]), count)
 
 
 def npy_header(dtype: np.dtype, count: int) -> bytes:

@@ -163,7 +163,7 @@ def rollout(
         run = rolled(model, given, count, how)
     else:
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
-    warn_refused(run.refused)
+    warn_refused(run.refused, len(run.refused), "report()")
     run.validity.warn(model, stacklevel=2)
     collocated.warn(model, collocated.left_out(model, run.q))
     return run

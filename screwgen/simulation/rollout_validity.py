@@ -45,11 +45,11 @@ class ParameterWarning(UserWarning):
     """Scenarios that did not run, since no robot has their parameters."""
 
 
-def warn_refused(refused: Mapping[int, str]) -> None:
-    """Say of the first scenario of status 3 what is wrong with its parameters, and how many more there are."""
+def warn_refused(refused: Mapping[int, str], count: int, where: str) -> None:
+    """Say of the first scenario of status 3 what is wrong with its parameters, and where all ``count`` are listed."""
     if refused:
         first = min(refused)
-        more = f"; {len(refused) - 1} more such: see report()" if len(refused) > 1 else ""
+        more = f"; {count - 1} more such: see {where}" if count > 1 else ""
         warnings.warn(
             f"scenario {first} did not run (status 3): {refused[first]}{more}", ParameterWarning, stacklevel=3
         )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import secrets
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
@@ -14,12 +13,14 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from .. import notebook
-from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS, entry_names
+from ..algorithms.entry_names import entry_names
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS
 from ..errors import UsageError
-from ..files import Arrays, create, open_arrays
+from ..files import Arrays, open_arrays
 from ..robot_model import RobotModel
 from ..spec.load import dump, one_line
 from ..spec.tendons import TENSION
+from ..unfinished import claimed, part_of, remove_parts
 from .hits import Hit
 from .measured import MEASURED, measured
 from .validity import Validity
@@ -264,11 +265,14 @@ def outputs(*paths: str | os.PathLike[str]) -> Iterator[list[BinaryIO]]:
     An existing file keeps its mode.
 
     The temporary files are opened at once, so that a folder that cannot be written is refused before the work;
-    they are removed when the work fails. Raises UsageError.
+    they are removed when the work fails, and where the process was killed by the next one that writes to a path.
+    Raises UsageError.
     """
     targets = [Path(os.path.realpath(path)) for path in paths]
-    parts = [t.with_name(f".{t.name[:40]}.{secrets.token_hex(4)}.part") for t in targets]
+    parts = [part_of(target) for target in targets]
     try:
+        for target in targets:
+            remove_parts(target)
         with ExitStack() as stack:
             yield [stack.enter_context(_opened(*names)) for names in zip(parts, targets, paths, strict=True)]
         for part, target in zip(parts, targets, strict=True):
@@ -283,6 +287,6 @@ def outputs(*paths: str | os.PathLike[str]) -> Iterator[list[BinaryIO]]:
 
 def _opened(part: Path, target: Path, path: str | os.PathLike[str]) -> BinaryIO:
     try:
-        return create(part, like=target)
+        return claimed(part, like=target)
     except OSError as error:
         raise unwritable(path, error) from None

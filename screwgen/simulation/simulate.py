@@ -83,8 +83,8 @@ def simulate(
 
     With a controller the loop is examined beforehand as it is sampled, about the start and the set points of a
     :class:`PD`: a :class:`ControlLoopWarning` says where it is unstable at this step, and which step, gain or rotor
-    would make it stable. Of other functions the gains are taken by differences where these are smooth, and where asking
-    them leaves no trace.
+    would make it stable. Gains of other controllers are estimated by differences, but only if the function is
+    smooth and has no side effects.
 
     Joints beyond their limits are looked for at every step: `run.hits`. A :class:`LimitWarning` says where one leaves a
     range that has no stop, and where the set points of a :class:`PD` lie beyond a limit.

@@ -17,7 +17,7 @@ from concurrent.futures.thread import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -32,6 +32,7 @@ from . import collocated
 from .chunks import CHUNK, HERE, How, completed, merged, ready, unpacked
 from .collocated import LeftOut, left_out, worst_of
 from .rollout import Rollout, checked, rolled
+from .rollout_validity import warn_refused
 from .store import Store
 from .validity import Validity
 
@@ -122,9 +123,10 @@ def sweep(
                 found = _run(executor, task, target, progress)
     finally:
         HERE.pop(task.digest, None)
-    for validity, errors in found:
-        validity.warn(model, stacklevel=2)
-        collocated.warn(model, errors)
+    if found is not None:
+        found.validity.warn(model, stacklevel=2)
+        collocated.warn(model, found.errors)
+        warn_refused(found.refused, found.failed, "status")
     return Sweep(*target.result())
 
 
@@ -180,8 +182,24 @@ def _said(what: Any) -> str:
         return f"{what.__module__}.{what.__qualname__}{inner}"
 
 
-Limits = tuple[Validity, tuple[LeftOut, ...]]
-"""How near scenarios come to the limits of the model, and what the points of exact rods leave out in them."""
+class Limits(NamedTuple):
+    """What scenarios are warned of: how near they come to the limits of the model, what the points of exact rods leave
+    out in them, and the parameters that no robot has: those of the first scenario, and how many have such."""
+
+    validity: Validity
+    errors: tuple[LeftOut, ...]
+    refused: Mapping[int, str]
+    failed: int
+
+    def joined(self, other: Limits) -> Limits:
+        """Those of both."""
+        refused = {**self.refused, **other.refused}
+        return Limits(
+            merged([self.validity, other.validity]),
+            worst_of((*self.errors, *other.errors)),
+            {k: refused[k] for k in sorted(refused)[:1]},
+            self.failed + other.failed,
+        )
 
 
 def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Limits]:
@@ -203,21 +221,25 @@ def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Limits]:
     return (
         values.astype(values.dtype.char, copy=False),
         run.status.astype(np.uint8),
-        (run.validity, left_out(model, run.q)),
+        Limits(run.validity, left_out(model, run.q), _first(run.refused, k * task.chunk), len(run.refused)),
     )
+
+
+def _first(refused: Mapping[int, str], start: int) -> dict[int, str]:
+    """The first of the scenarios that did not run, by its number among those of all chunks."""
+    return {start + i: refused[i] for i in sorted(refused)[:1]}
 
 
 def _run(
     executor: Executor, task: SweepTask, target: Store, progress: Callable[[int, int], object] | None
-) -> list[Limits]:
+) -> Limits | None:
     """Store what the workers find; the limits of all scenarios, if there were any."""
-    limits: list[Limits] = []
+    limits: Limits | None = None
     done = sum(task.size(k) for k in target.done)
     missing = (k for k in range(task.chunks) if k not in target.done)
     for k, (values, status, own) in completed(lambda k: executor.submit(work, task, k), missing, executor):
         target.write(k, values, status)
-        validities, errors = zip(*limits, own, strict=True)
-        limits = [(merged(list(validities)), worst_of(x for some in errors for x in some))]
+        limits = own if limits is None else limits.joined(own)
         done += task.size(k)
         if progress is not None:
             progress(done, task.count)

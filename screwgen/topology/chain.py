@@ -29,6 +29,9 @@ from .parameters import labels
 from .stations import mounted
 from .tree import TIP
 
+SPARED = 0.9
+"""The part of the reach of a four-bar linkage that is well away from its dead centres."""
+
 
 class Chain(Coordinates):
     """A robot as the algorithms see it: one class per link, the coordinates, the tree and what closes it."""
@@ -190,6 +193,11 @@ class Chain(Coordinates):
         """Joint coordinates between -most and most, those of linkages brought into four fifths of their reach."""
         ends = np.minimum(0.8 * np.abs(self.reach), most) / most
         return [float(x * (upper if x > 0 else lower)) for x, (lower, upper) in zip(q, ends, strict=True)]
+
+    def within_reach(self, q: Numbers) -> bool:
+        """Whether the four-bar linkages of the file reach the links at all coordinates (nq,), dead centres apart."""
+        joints, (lower, upper) = np.array(self.of_joints(q), float), SPARED * self.reach.T
+        return bool(((lower < joints) & (joints < upper)).all())
 
     @property
     def names(self) -> list[str]:

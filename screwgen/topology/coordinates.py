@@ -225,6 +225,11 @@ class Coordinates(JointCoordinates):
         pairs = enumerate(self.keys)
         return {self.tau_offset[i] + axis: travel for i, key in pairs for axis, travel in key.travels.items()}
 
+    @cached_property
+    def cylinders(self) -> list[int]:
+        """The joint coordinates, as their numbers, that cylinders drive."""
+        return [joint for joint, travel in self.travels.items() if travel.IS_LENGTH]
+
     def travel_numbers(self, p: Any) -> Iterator[tuple[int, int, Travel, list[float]]]:
         """Of every transmission its link, its joint coordinate, what it is, and its numbers out of the parameters."""
         for i, key in enumerate(self.keys):

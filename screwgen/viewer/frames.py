@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import secrets
 import shutil
 import subprocess
 import tempfile
@@ -19,6 +18,7 @@ from ..errors import UsageError
 from ..simulation.runs import Run, check_output, outputs, suffix, unwritable
 from ..spec.load import one_line
 from ..spec.robot import Robot
+from ..unfinished import claimed_folder, part_of, remove_parts
 from .film import Film
 from .meshes import Looks
 from .view import modelled, worn
@@ -159,27 +159,38 @@ def _folder(target: Path, pictures: Iterator[np.ndarray], shown: str) -> None:
     """A folder 0001.png, 0002.png, …; a new one, or one that is empty, which then stays the same folder."""
     try:
         there = target.exists()
+        beside = target if there else target.parent
+        remove_parts(target, beside)
         if there and (not target.is_dir() or any(target.iterdir())):
             raise UsageError(f"{shown}: is there, and is no empty folder; name a new one")
     except OSError as error:
         raise unwritable(shown, error) from None
-    part = (target if there else target.parent) / f".{secrets.token_hex(8)}.part"
+    part = part_of(target, beside)
     try:
-        part.mkdir()
-        for k, picture in enumerate(pictures):
-            Image.fromarray(picture).save(part / f"{k + 1:04}.png")
-        if not there:
-            os.replace(part, target)
-            return
-        names = sorted(os.listdir(part))
-        try:
-            for name in names:
-                os.replace(part / name, target / name)
-        except BaseException:
-            for name in names:
-                (target / name).unlink(missing_ok=True)
-            raise
+        with claimed_folder(part):
+            _fill(part, pictures)
+            if not there:
+                os.replace(part, target)
+            else:
+                _move_all(part, target)
     except OSError as error:
         raise unwritable(shown, error) from None
     finally:
         shutil.rmtree(part, ignore_errors=True)
+
+
+def _fill(folder: Path, pictures: Iterator[np.ndarray]) -> None:
+    for k, picture in enumerate(pictures):
+        Image.fromarray(picture).save(folder / f"{k + 1:04}.png")
+
+
+def _move_all(folder: Path, target: Path) -> None:
+    """Move the files of a folder into another one, all of them or none."""
+    names = sorted(os.listdir(folder))
+    try:
+        for name in names:
+            os.replace(folder / name, target / name)
+    except BaseException:
+        for name in names:
+            (target / name).unlink(missing_ok=True)
+        raise

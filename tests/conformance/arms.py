@@ -78,6 +78,26 @@ def arm_of(row: Row) -> dict:
     return robot
 
 
+PLACES = ("at", "from", "to", "axes", "length", "frame_at", "mount", "transmission", "couplings", "loops")
+"""Keys whose numbers say where things are: others can change without opening a loop or leaving a linkage's reach."""
+
+
+def varied(robot: dict, rng: np.random.Generator, kept: tuple[str, ...] = PLACES) -> dict:
+    """The robot with other numbers, up to a tenth more or less, but for those under the keys that are `kept`."""
+
+    def other(x):
+        match x:
+            case dict():
+                return {key: value if key in kept else other(value) for key, value in x.items()}
+            case list():
+                return [other(value) for value in x]
+            case float():
+                return x * rng.uniform(0.9, 1.1)
+        return x
+
+    return other(robot)
+
+
 def _boom(row: Row) -> dict:
     """The first flexible link."""
     boom: dict = {"name": "boom", "length": 0.8, "joint": copy.deepcopy(TURNS[row["turn"]])}

@@ -26,7 +26,6 @@ OWN = {
 }
 """Warnings that only one of the compilers knows; the last of clang's lets older ones take those that they do not."""
 COMPILERS = tuple(OWN)
-LEVELS = ("-O0", "-O2")
 
 
 def compile_cleanly(folder: Path, compiler: str, level: str, defines: Sequence[str] = ()) -> list[str]:

@@ -15,6 +15,8 @@ SCRATCH = ("work", "chain", "mpc")
 """The ends of the names of types that are memory of a function, not its result."""
 OTHERS = ("batch",)
 """Those whose members point elsewhere."""
+USELESS = ("loop_directions",)
+"""Functions whose header says that what they leave in the structs of their results is of no use."""
 DRIVER = Path(__file__).parents[1] / "c" / "wild.h"
 
 
@@ -69,7 +71,9 @@ def program(folder: Path, name: str) -> str:
     lines += ["static void (*const CALLS[])(void) = {", *(f"    call_{k}," for k in range(len(found))), "};", ""]
     said = "\n".join(f'    "{f.name}",' for f in found)
     lines += ["static const char *const NAMES[] = {", said, "};", "", "int main(int argc, char **argv)", "{"]
-    lines += [f"    {_variable(kind, name)} = block(sizeof({kind}));" for kind in kinds]
+    for kind in kinds:
+        made = "scratch" if kind.endswith("work") else "block"
+        lines.append(f"    {_variable(kind, name)} = {made}(sizeof({kind}));")
     lines += ["    return campaign(CALLS, NAMES, (int)(sizeof CALLS / sizeof CALLS[0]), argc, argv);", "}", ""]
     return "\n".join(lines)
 
@@ -165,7 +169,7 @@ def _call(number: int, function: Prototype, name: str) -> list[str]:
                 lines.append(f"    memset(the_{short}, 0, sizeof *the_{short});")
             if short == "estimator":  # its other members are the caller's, and perhaps of no measurement
                 results += [(f"&the_estimator->{own}", f"sizeof the_estimator->{own}") for own in ("state", "P")]
-            elif not short.startswith(("parameters", "mpc")):
+            elif not short.startswith(("parameters", "mpc")) and not function.name.endswith(USELESS):
                 results.append((f"the_{short}", f"sizeof *the_{short}"))
     for own in kept:
         lines.append(f"    void *const before_{own} = copy(the_{own}, sizeof *the_{own});")

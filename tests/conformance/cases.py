@@ -10,9 +10,9 @@ import flexible_robots as fr
 import numpy as np
 from helpers import model_of, quick
 
-from conformance.arms import arm_of
+from conformance.arms import arm_of, varied
 from conformance.features import FACTORS, Row, features
-from conformance.judge import Judge
+from conformance.judge import Judge, drawn
 from screwgen import Model
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled
@@ -25,8 +25,9 @@ DIFFERENCE = 4e-3
 class Case:
     """The robot of a row in a state; what is derived and compiled is kept while checks of one robot follow another."""
 
-    def __init__(self, row: Row, seed: int = 0):
-        self.row, self.seed = dict(row), seed
+    def __init__(self, row: Row, seed: int = 0, drawn: bool = False):
+        """``drawn``: the robot has numbers of its own, those of `conformance.arms` changed at random."""
+        self.row, self.seed, self.drawn = dict(row), seed, drawn
 
     def __repr__(self) -> str:
         return f"<robot with {', '.join(self.features) or 'nothing'}>"
@@ -37,11 +38,13 @@ class Case:
 
     def without(self, names) -> Case:
         """The robot whose features of these names are plain."""
-        return case_of(tuple((f, next(iter(FACTORS[f])) if x in names else x) for f, x in self.row.items()), self.seed)
+        row = tuple((f, next(iter(FACTORS[f])) if x in names else x) for f, x in self.row.items())
+        return case_of(row, self.seed, self.drawn)
 
     @cached_property
     def judge(self) -> Judge:
-        return Judge(self.row, arm_of(self.row), self.seed)
+        robot = arm_of(self.row)
+        return drawn(self.row, varied(robot, np.random.default_rng(self.seed)) if self.drawn else robot, self.seed)
 
     @cached_property
     def folder(self) -> Path:
@@ -117,6 +120,6 @@ class Case:
 
 
 @lru_cache(maxsize=3)
-def case_of(row: tuple[tuple[str, str], ...], seed: int = 0) -> Case:
+def case_of(row: tuple[tuple[str, str], ...], seed: int = 0, drawn: bool = False) -> Case:
     """The case of a row; the last few are kept."""
-    return Case(dict(row), seed)
+    return Case(dict(row), seed, drawn)

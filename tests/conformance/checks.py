@@ -20,16 +20,19 @@ class Check(NamedTuple):
 
 
 CHECKS: dict[str, Check] = {
-    "judge": Check(numbers.judge, "accelerations, wrenches, energy, inverse dynamics equal an independent Lagrangian"),
+    "judge": Check(numbers.judge, "motion, wrenches, poses, energy, inverse dynamics of an independent Lagrangian"),
     "DAE form": Check(numbers.numpy_dae, "the DAE form equals it, by elimination and by dense solving"),
     "CasADi": Check(numbers.casadi, "every function equals NumPy's"),
     "acados": Check(numbers.acados, "implicit and explicit rows agree, forces of loops among the unknowns"),
+    "acados, DAE form": Check(numbers.acados_dae, "its implicit rows vanish at the rates of NumPy's"),
     "JAX": Check(numbers.jax_functions, "dynamics both ways, energy and a step equal NumPy's"),
+    "JAX, gradients": Check(numbers.jax_gradients, "gradients equal CasADi's; every other function"),
     "C, fused": Check(partial(numbers.c_functions, layout="fused"), "every function and every step, both forms"),
     "C, modular": Check(partial(numbers.c_functions, layout="modular"), "every function and every step, both forms"),
     "C, baked": Check(partial(numbers.c_functions, layout="auto", parameters="baked"), "with parameters as numbers"),
+    "parameters": Check(numbers.parameters, "other numbers at run time make the robot whose file has them"),
     "C, float": Check(numbers.c_float, "accelerations in single precision"),
-    "sensors": Check(measured.sensors, "what markers read equals the judge's sections, their rates and curvatures"),
+    "sensors": Check(measured.sensors, "what markers read equals the judge's sections, their rates and strains"),
     "validity": Check(measured.validity, "how far links are from the model's limits, by the judge's loads"),
     "lanes": Check(numbers.lanes, "a step of many scenarios at once, in double precision"),
     "lanes, float": Check(partial(numbers.lanes, single=True), "the same in single precision"),
@@ -40,13 +43,15 @@ CHECKS: dict[str, Check] = {
     "linear model": Check(slopes.linear, "A and B are these slopes"),
     "runs": Check(uses.runs, "a run by C equals one by CasADi and a rollout, with what they report"),
     "DAE runs": Check(uses.dae_runs, "a run of the DAE form equals one of the joint form by the same method"),
-    "energy balance": Check(uses.energy, "a step gains what inputs do less what dampers take"),
+    "energy balance": Check(
+        uses.energy, "a step gains what inputs do less what dampers take, and drives what they give"
+    ),
     "estimator": Check(uses.estimator, "the filter in C equals that in Python, a prediction equals a step"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
-    "modes": Check(uses.modes, "frequencies with the joints locked"),
+    "modes": Check(uses.modes, "frequencies and shapes with the joints locked and free"),
     "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),
     "commands": Check(commands.every_command, "every command ends well"),
-    "mock-up unit": Check(commands.units, "a unit of FMI 3 steps as the C does"),
+    "mock-up unit": Check(commands.units, "a unit of FMI 2 or 3 steps as the C does, with its slopes"),
     "URDF": Check(commands.urdf, "exported and imported again"),
     "robot file": Check(uses.toml, "written and read again it is the same robot"),
 }

@@ -112,7 +112,6 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
 
 BUILT_OTHERWISE: dict[tuple[str, str], str] = {
     ("shared tendon", "elements"): "a tendon runs along rods",
-    ("second order", "flat"): "not tried yet: shapes of second order whose tips do not turn what they carry",
 }
 """Pairs that the two links of the matrix leave no place for; another robot may have them."""
 

@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 from every_command import DONE, checked
+from helpers import unfolded
 
 from conformance.c_warnings import COMPILERS, compile_cleanly
 from conformance.cases import Case
 
-LAYOUTS = ("auto", "modular")
+LAYOUTS, BINDINGS = ("auto", "modular"), ("runtime", "baked")
 
 
 def folder(case: Case) -> None:
     """A folder with all that a robot can have compiles without a warning, and its self-check passes, also in float.
 
-    Compilers, layouts and levels take turns from robot to robot.
+    Compilers, layouts and bindings of parameters take turns from robot to robot.
     """
-    compiler, layout = COMPILERS[case.seed % 2], LAYOUTS[case.seed // 2 % 2]
-    place = case.folder / "c"
-    place.mkdir(exist_ok=True)
-    options = dict(batch=True, derivatives=True, estimator=True, outputs=True)
-    for name, data in case.model.c_files("runtime", layout, None, **options).items():
-        (place / name).write_bytes(data)
+    turns = ((1, COMPILERS), (2, LAYOUTS), (4, BINDINGS))
+    compiler, layout, binding = (names[case.seed // k % 2] for k, names in turns)
+    place, options = case.folder / "c", dict(batch=True, derivatives=True, estimator=True, outputs=True)
+    unfolded(place, case.model.c_files(binding, layout, None, **options))
     said = compile_cleanly(place, compiler, "-O0")
     assert not said, said
     found = checked(place)

@@ -14,18 +14,17 @@ from types import SimpleNamespace
 import casadi as ca
 import flexible_robots as fr
 import numpy as np
+import random_robots as rr
 import scipy.linalg
-from mixed_loops import Loops
+from mixed_loops import Loops, bridge_of
 from oracle import Oracle, part_error
 from oracle_exact import ExactLink, gauss
-from oracle_floating import ANGLE
+from oracle_floating import ANGLE, column_rates, columns
 from scipy.spatial.transform import Rotation
-from test_ball_joints import column_rates, columns
-from test_loops import roll_pitch_yaw
 
 from conformance.arms import LOOPS
 from conformance.features import Row
-from conformance.twin import as_turns
+from conformance.twin import as_turns, first_piece
 
 CONDITION = 1e8
 DEFINITE = 1e-5
@@ -36,83 +35,16 @@ PARTS = ("base", "joints", "rotors", "modes")
 class Judge:
     """A robot in a state: `given` (q, v, tau, w_ext) as the product takes them, `state` those of the oracle.
 
-    Loops are closed in the state by a welded bridge that is as long as is needed.
+    `twin` is the robot of the oracle; where its loops are closed in the state, so are their rates.
     """
 
-    def __init__(self, row: Row, robot: dict, seed: int = 0):
-        for attempt in range(60):
-            rng = np.random.default_rng([seed, attempt])
-            self.robot = copy.deepcopy(robot)
-            self._draw(rng, row)
-            if self.regular:
-                return
-        raise RuntimeError(f"no regular state of {dict(row)} in 60 draws")
-
-    def _draw(self, rng, row: Row) -> None:
-        twin = as_turns(self.robot)
-        cloud = any("cloud" in x for x in twin["links"])
-        state = (fr.random_state if cloud else _random_state)(rng, twin)
-        state = {name: np.array(x, float) for name, x in state.items()}
-        oracle = Oracle(twin)
-        if row["order"] == "second order":  # whose mass matrix is definite only where links bend little
-            for name in ("q", "v"):
-                state[name][oracle.n_joint + oracle.n_rotor :] *= 0.3
-        self._mild(rng, row, oracle, state)
-        if row["closing"] in LOOPS:
-            self._close(rng, row, oracle, state)
-            twin = as_turns(self.robot)
-            oracle = Oracle(twin)
-        self.twin, self.oracle, self.state = twin, oracle, state
-        self.tensions = rng.uniform(5.0, 30.0, len(self.tendon_lengths))
+    def __init__(self, robot: dict, twin: dict, oracle: Oracle, state: dict):
+        self.robot, self.twin, self.oracle = robot, twin, oracle
+        self.state = {name: np.array(x, float) for name, x in state.items()}
         self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
         if self.rows is not None:
-            state["v"] = self.rows.moving(state["q"], state["v"])
-        vars(self).pop("acting", None)
-
-    def _mild(self, rng, row: Row, oracle: Oracle, state: dict) -> None:
-        """Postures that transmissions reach, couplings keep and Euler angles have."""
-        q, tau = state["q"], state["tau"]
-        floating = row["base"] != "fixed"
-        if floating:
-            q[3:6], tau[:6] = rng.uniform(-ANGLE, ANGLE, 3), 0.0
-        for i, link in enumerate(self.robot["links"]):
-            own = oracle.joint_slices[[x["name"] for x in oracle.robot["links"]].index(link["name"])]
-            if link.get("segments", 1) > 1:
-                first = [x["name"] for x in oracle.robot["links"]].index(f"{link['name']}_0")
-                own = oracle.joint_slices[first]
-            if i == 0 and floating:
-                continue
-            if link["joint"]["axes"] == "ball":
-                q[own] = rng.uniform(-ANGLE, ANGLE, 3)
-            elif row["turn"] == "slide" and link["name"] == "boom":
-                q[own] = rng.uniform(-0.3, 0.3, 1)
-            elif link["name"] == "fore":
-                before = q[own].copy()
-                q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
-                self._geared(oracle, state, own, before)
-        if row["closing"] == "coupling":
-            coupling, places = self.robot["couplings"][0], _axes(oracle.robot)
-            q[places[coupling["axis"]]] = coupling["ratio"] * q[places[coupling["of"]]] + coupling["offset"]
-
-    @staticmethod
-    def _geared(oracle: Oracle, state: dict, own: slice, before: np.ndarray) -> None:
-        """Let the rotor of an elastic gear follow its axis."""
-        for place, axis in enumerate(oracle.drives.rotors):
-            drive = [d for link in oracle.links for d in link.drives][axis]
-            if axis == own.start and "transmission" not in drive:
-                state["q"][oracle.n_joint + place] += drive.get("ratio", 1.0) * (state["q"][own] - before)[0]
-
-    def _close(self, rng, row: Row, oracle: Oracle, state: dict) -> None:
-        poses, names = oracle.poses(state["q"]), [x["name"] for x in oracle.robot["links"]]
-        i, j = names.index("fore"), names.index("post")
-        R, r = poses["tip_R"][i].T, poses["tip_point"]
-        turn = R @ poses["tip_R"][j]
-        mount = {"xyz": (R @ (r[j] - r[i]) - 0.1 * turn[:, 0]).tolist()}
-        mount["rpy"] = [float(x) for x in roll_pitch_yaw(turn)]
-        bridge = {"name": "bridge", "length": 0.1, "section": {"rhoA": 2.0, "rhoIp": 1e-3}, "parent": "fore"}
-        self.robot["links"].append(bridge | {"joint": {"axes": [], "mount": mount}})
-        self.robot["loops"] = [{"between": ["bridge.tip", "post.tip"], "joint": {"axes": LOOPS[row["closing"]]}}]
-        state["w_ext"] = np.vstack([state["w_ext"], rng.normal(size=6)])
+            self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
+        self.tensions = np.zeros(len(self.tendon_lengths))
 
     # ------------------------------------------------------------------------------------ regularity, tolerance
 
@@ -191,7 +123,7 @@ class Judge:
         """By joint of the oracle's robot: free, ball or plain; its coordinates there; its link."""
         out = []
         balls = {link["name"] for link in self.robot["links"] if link["joint"]["axes"] == "ball"}
-        first = {name + "_0" for link in self.robot["links"] if link.get("segments", 1) > 1 for name in [link["name"]]}
+        first = {first_piece(link) for link in self.robot["links"] if link.get("segments", 1) > 1}
         for i, (own, link) in enumerate(zip(self.oracle.joint_slices, self.twin["links"], strict=True)):
             name = link["name"].removesuffix("_0") if link["name"] in first else link["name"]
             ball = name in balls and len(link["joint"]["axes"]) == 3
@@ -288,10 +220,75 @@ class Judge:
         return out
 
 
-def _random_state(rng, robot: dict) -> dict:
-    import random_robots as rr
+# ---------------------------------------------------------------------------------------- the state of a row
 
-    return rr.random_state(rng, robot)
+
+def drawn(row: Row, robot: dict, seed: int = 0) -> Judge:
+    """The robot of a row in a random state that is regular; a bridge that is as long as is needed closes a loop."""
+    for attempt in range(60):
+        rng = np.random.default_rng([seed, attempt])
+        found = _drawn(rng, row, copy.deepcopy(robot))
+        if found.regular:
+            return found
+    raise RuntimeError(f"no regular state of {dict(row)} in 60 draws")
+
+
+def _drawn(rng, row: Row, robot: dict) -> Judge:
+    twin = as_turns(robot)
+    draw = fr.random_state if any("cloud" in x for x in twin["links"]) else rr.random_state
+    state = {name: np.array(x, float) for name, x in draw(rng, twin).items()}
+    oracle = Oracle(twin)
+    if row["order"] == "second order":  # whose mass matrix is definite only where links bend little
+        for name in ("q", "v"):
+            state[name][oracle.n_joint + oracle.n_rotor :] *= 0.3
+    _mild(rng, row, robot, oracle, state)
+    if row["closing"] in LOOPS:
+        _close(rng, row, robot, oracle, state)
+        twin = as_turns(robot)
+        oracle = Oracle(twin)
+    judge = Judge(robot, twin, oracle, state)
+    judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
+    return judge
+
+
+def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
+    """Postures that transmissions reach, couplings keep and Euler angles have."""
+    q, tau, names = state["q"], state["tau"], [x["name"] for x in oracle.robot["links"]]
+    floating = row["base"] != "fixed"
+    if floating:
+        q[3:6], tau[:6] = rng.uniform(-ANGLE, ANGLE, 3), 0.0
+    for i, link in enumerate(robot["links"]):
+        own = oracle.joint_slices[names.index(first_piece(link))]
+        if i == 0 and floating:
+            continue
+        if link["joint"]["axes"] == "ball":
+            q[own] = rng.uniform(-ANGLE, ANGLE, 3)
+        elif row["turn"] == "slide" and link["name"] == "boom":
+            q[own] = rng.uniform(-0.3, 0.3, 1)
+        elif link["name"] == "fore":
+            before = q[own].copy()
+            q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
+            _geared(oracle, state, own, before)
+    if row["closing"] == "coupling":
+        coupling, places = robot["couplings"][0], _axes(oracle.robot)
+        q[places[coupling["axis"]]] = coupling["ratio"] * q[places[coupling["of"]]] + coupling["offset"]
+
+
+def _geared(oracle: Oracle, state: dict, own: slice, before: np.ndarray) -> None:
+    """Let the rotor of an elastic gear follow its axis."""
+    for place, axis in enumerate(oracle.drives.rotors):
+        drive = [d for link in oracle.links for d in link.drives][axis]
+        if axis == own.start and "transmission" not in drive:
+            state["q"][oracle.n_joint + place] += drive.get("ratio", 1.0) * (state["q"][own] - before)[0]
+
+
+def _close(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
+    names = [x["name"] for x in oracle.robot["links"]]
+    bridge, loop = bridge_of(oracle, state, names.index("fore"), names.index("post"), LOOPS[row["closing"]])
+    bridge["section"]["rhoIp"] = 1e-3
+    robot["links"].append(bridge)
+    robot["loops"] = [loop]
+    state["w_ext"] = np.vstack([state["w_ext"], rng.normal(size=6)])
 
 
 def _axes(robot: dict) -> dict[str, int]:
@@ -306,13 +303,22 @@ def _axes(robot: dict) -> dict[str, int]:
     return places
 
 
+def rod_of(link, table: dict) -> SimpleNamespace:
+    """What the shapes of a link of any order need, by the names of those that are exact."""
+    rod = SimpleNamespace(counts=link.counts, basis=table["modes"].get("basis", "polynomial"), length=link.length)
+    rod._tables = lambda s: ExactLink._tables(rod, s)
+    return rod
+
+
+def tables(link, table: dict, s: float) -> dict[str, np.ndarray]:
+    """Of each direction (3, r): the shapes at a section, their slopes and second derivatives with s."""
+    return rod_of(link, table)._tables(s) if table.get("modes") else {}
+
+
 def _tendon_length(link, table: dict, tendon: dict, eta: ca.SX) -> ca.SX:
     """The length of a piece of a tendon along a link: ``∫ |e_x + gamma + kappa x d + d'| ds``, at Gauss points."""
-    modes = table["modes"]
-    basis, most = modes.get("basis", "polynomial"), max(link.counts.values())
-    count = modes.get("points", most + 2 if basis == "polynomial" else 2 * most + 4)
-    rod = SimpleNamespace(counts=link.counts, basis=basis, length=link.length)
-    rod._tables = lambda s: ExactLink._tables(rod, s)
+    most, rod = max(link.counts.values()), rod_of(link, table)
+    count = table["modes"].get("points", most + 2 if rod.basis == "polynomial" else 2 * most + 4)
     a, b = tendon.get("from", 0.0), tendon.get("to", 1.0)
     begin, end = (np.array(x) for x in tendon["at"])
     slope, total = (end - begin) / ((b - a) * link.length), ca.SX(0)

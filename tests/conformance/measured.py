@@ -12,15 +12,14 @@ from oracle import parents_of
 from scipy.spatial.transform import Rotation
 
 from conformance.cases import Case
+from conformance.judge import Judge, tables
 from conformance.numbers import near
+from conformance.twin import first_piece
 from screwgen.bodies.validity import MEASURES
-
-BENDING = ("bending_y", "bending_z")
-APART, SMALL = 0.02, 1e-4
 
 
 def sensors(case: Case) -> None:
-    """Poses equal the judge's, twists and accelerations the rates of poses, strains the judge's curvatures."""
+    """Poses equal the judge's, twists and accelerations the rates of poses, strains the judge's."""
     (q, v, tau, w_ext), f = case.given, case.model.numpy()
     R, r = f.marker_pose(q)
     for marker, rotation, place in zip(case.model.chain.markers, R, r, strict=True):
@@ -41,7 +40,37 @@ def sensors(case: Case) -> None:
     near(f.marker_jacobian(q) @ vdot + f.marker_bias(q, v), felt, 1e-6, "accelerations")
     free = np.einsum("kji,j->ki", R, gravity)
     near(f.accelerometer(q, v, tau, w_ext), felt[:, 3:] - free, 1e-6, "accelerometers")
-    curvatures(case)
+    strains(case)
+    whole_mass(case)
+    cylinders(case)
+
+
+def whole_mass(case: Case) -> None:
+    """Mass, centre and momentum are those of all elements of the judge; the centre moves as its Jacobian says."""
+    (q, v, *_), f = case.given, case.model.numpy()
+    oracle, state = case.judge.oracle, case.judge.state
+    moment = oracle._function([oracle.q], sum(cloud.first_moment() for cloud in oracle.clouds))(state["q"]).full()
+    wanted = sum(float(np.sum(cloud.masses)) for cloud in oracle.clouds)
+    mass, centre = f.centre_of_mass(q)
+    near(mass, wanted, case.tolerance, "mass")
+    near(centre, moment[:, 0] / wanted, case.tolerance, "centre of mass")
+    linear, angular = oracle.momentum(state["q"], state["v"])
+    near(np.concatenate(f.momentum(q, v)), np.concatenate([angular, linear]), case.tolerance, "momentum")
+    near(mass * f.centre_of_mass_jacobian(q) @ v, linear, case.tolerance, "Jacobian of the centre of mass")
+
+
+def cylinders(case: Case) -> None:
+    """Their lengths are the distances of their eyes."""
+    names, q = case.model.q_names, case.given[0]
+    wanted = []
+    for link in case.robot["links"]:
+        for k, drive in enumerate(link["joint"].get("drives", [])):
+            own = drive.get("transmission", {})
+            if "crank" in own:
+                turned = q[names.index(f"{link['name']}.joint[{k}]")] + own["angle"]
+                wanted.append(np.hypot(own["crank"] * np.cos(turned) - own["base"], own["crank"] * np.sin(turned)))
+    if wanted:
+        near(case.model.numpy().cylinder_length(q), np.array(wanted), 1e-14, "lengths of cylinders")
 
 
 def section(case: Case, i: int, s: float | None, state: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -67,31 +96,27 @@ def in_time(case: Case, vdot: np.ndarray, f: Callable) -> np.ndarray:
     return (4 * fine - coarse) / 3
 
 
-def second_difference(case: Case, poses: dict, marker, spacing: float, share: float, state: np.ndarray) -> np.ndarray:
-    """Of the judge's sections at a marker and before and behind it, in axes of the link."""
-    i = marker.segment
-    places = [section(case, i, marker.at + share * k, state)[1] for k in (-1, 0, 1)]
-    a, b, c = (poses["R"][i].T @ (place - poses["origin"][i]) for place in places)
-    return (a - 2 * b + c) / spacing**2
+def strains(case: Case) -> None:
+    """Strains at bases and markers are the derivatives of the judge's shapes, times the modes."""
+    chain, judge, names = case.model.chain, case.judge, [x["name"] for x in case.judge.twin["links"]]
+    places = [(f"{x['name']}.base_strain", names.index(first_piece(x)), 0.0) for x in case.robot["links"]]
+    places += [(f"{m.name}.strain", m.segment, m.at) for m in chain.markers if not m.is_tip]
+    wanted = {f"{name}.{d}": x for name, i, s in places for d, x in strained(judge, i, s).items()}
+    assert list(wanted) == case.model.strain_names
+    if wanted:
+        near(case.model.numpy().strain(case.given[0]), list(wanted.values()), 1e-9, "strains")
 
 
-def curvatures(case: Case) -> None:
-    """Curvatures at markers are second differences of the judge's sections, where modes are small and do not shear."""
-    chain, judge = case.model.chain, case.judge
-    if "shear" in case.features or not any(not m.is_tip for m in chain.markers):
-        return
-    found = dict(zip(case.model.strain_names, case.model.numpy().strain(case.given[0]), strict=True))
-    state = judge.state["q"].copy()
-    state[judge.oracle.n_joint + judge.oracle.n_rotor :] *= SMALL
-    poses = judge.oracle.poses(state)
-    for marker in (m for m in chain.markers if not m.is_tip):
-        length = judge.twin["links"][marker.segment]["length"]
-        coarse, fine = (second_difference(case, poses, marker, h * length, h, state) for h in (APART, APART / 2))
-        bent = (4 * fine - coarse) / 3 / SMALL
-        for axis, direction in enumerate(BENDING, 1):
-            name = f"{marker.name}.strain.{direction}"
-            error = abs(found[name] - bent[axis]) if name in found else 0.0
-            assert error < 2e-3 * max(np.abs(bent[1:])), f"{name}: {found[name]:.6g} is not {bent[axis]:.6g}"
+def strained(judge: Judge, i: int, s: float) -> dict[str, float]:
+    """By direction, at a section of a link of the judge's."""
+    link, table, out = judge.oracle.links[i], judge.twin["links"][i], {}
+    eta = judge.state["q"][judge.oracle.modal_slices[i]]
+    for d, shapes in tables(link, table, s).items() if "cloud" not in table else ():
+        own, eta = np.split(eta, [link.counts[d]])
+        order = 2 if d.startswith("bending") else 1
+        if len(own):
+            out[d] = shapes[order] @ own / link.length**order
+    return out
 
 
 BUCKLED, SAGGED = np.pi**2 / 4, 7.8373474

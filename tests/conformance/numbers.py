@@ -5,12 +5,15 @@ from __future__ import annotations
 import casadi as ca
 import jax
 import numpy as np
-from helpers import EPS32, quick_batch, relative
+from helpers import EPS32, model_of, quick_batch, relative
 
+from conformance.arms import PLACES, varied
 from conformance.cases import STEP, Case
 from screwgen import rollout
-from screwgen.algorithms.robot_functions import offered, shape
+from screwgen.algorithms.robot_functions import is_matrix, offered, shape
 from screwgen.integrators import METHODS
+from screwgen.runtime.compiled import Compiled
+from screwgen.simulation.mobility import closing
 from screwgen.simulation.simulate import stepper
 
 
@@ -50,8 +53,21 @@ def judge(case: Case) -> None:
         near(f.loop_wrenches(*case.given), j.motion[1], case.tolerance, "wrenches of loops")
     near(f.mass_matrix(case.given[0]), j.mass_matrix, case.tolerance, "mass matrix")
     q, v, _, w_ext = case.given
-    near(f.inverse_dynamics(q, v, j.vdot, w_ext), j.forces, case.tolerance, "inverse dynamics")
+    inertia = j.mass_matrix @ j.vdot  # the size of forces that may balance
+    found = np.append(f.inverse_dynamics(q, v, j.vdot, w_ext), inertia)
+    near(found, np.append(j.forces, inertia), case.tolerance, "inverse dynamics")
     near(np.array(f.energy(q, v)), np.array(j.energy), case.tolerance, "energy")
+    poses, x = j.oracle.poses(j.state["q"]), j.state
+    for found, (R, place) in ((f.link_pose(q), ("R", "origin")), (f.tip_poses(q), ("tip_R", "tip_point"))):
+        near(found[0], poses[R], case.tolerance, R)
+        near(found[1], poses[place], case.tolerance, place)
+    twist = j.oracle.tip_twists(x["q"], x["v"])[-1].reshape(2, 3) @ poses["tip_R"][-1].T
+    near(tip_jacobian(case) @ v, twist.ravel(), case.tolerance, "twist of the last tip")
+
+
+def tip_jacobian(case: Case) -> np.ndarray:
+    """Of the last tip, by CasADi."""
+    return case.model.casadi()["tip_jacobian"](case.given[0], case.model.parameter_values).full()
 
 
 def in_float(case: Case) -> float:
@@ -69,11 +85,14 @@ def numpy_dae(case: Case) -> None:
     errors = case.judge.errors(vdot, wrench)
     assert max(errors.values()) <= case.tolerance, errors
     q, v, tau, w_ext = case.given
-    M, H, W = f.assemble(f.dae_state(q, v), tau, w_ext)
+    x = f.dae_state(q, v)
+    near(f.project(x), x, case.tolerance, "projection of a closed state")
+    M, H, W = f.assemble(x, tau, w_ext)
     z = np.linalg.solve(M, W - H)
     z += np.linalg.solve(M, W - H - M @ z)
-    n = case.model.n_links
-    near(z[: 12 * n].reshape(n, 12)[:, :6], wrench, case.tolerance * 10, "wrenches of the assembled rows")
+    n, eta = case.model.n_links, case.model.chain.eta_v
+    errors = case.judge.errors(np.append(vdot[:eta], z[12 * n :]), z[: 12 * n].reshape(n, 12)[:, :6])
+    assert max(errors.values()) <= case.tolerance * 10, f"of the assembled rows: {errors}"
 
 
 def casadi(case: Case) -> None:
@@ -101,44 +120,83 @@ def acados(case: Case) -> None:
 
     Forces of loops are unknowns of the rows, which are written apart from those of the dynamics.
     """
-    (q, v, tau, w_ext), export = case.given, case.model.acados(w_ext=True)
-    x = np.append(case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v))), v)
+    (q, v, tau, w_ext), export, numeric = case.given, case.model.acados(w_ext=True), case.model.numpy()
+    q = case.moved(q, 1e-3 * np.random.default_rng(2).normal(size=len(v)))
     p = np.concatenate([case.model.parameter_values, np.ravel(w_ext)])
-    explicit = ca.Function("rates", [export.x, export.u, export.p], [export.f_expl_expr])(x, tau, p)
-    near(explicit.full()[case.model.nq :, 0], case.model.numpy().forward_dynamics(x[: len(q)], v, tau, w_ext)[0],
-         case.tolerance, "accelerations")  # fmt: skip
+    explicit = ca.Function("rates", [export.x, export.u, export.p], [export.f_expl_expr])(np.append(q, v), tau, p)
+    expected = numeric.forward_dynamics(q, v, tau, w_ext)[0]
+    near(explicit.full()[case.model.nq :, 0], expected, case.tolerance, "accelerations")
+    forces = unknowns(case, export, np.append(q, v), explicit, p)
+    rows = case.model.chain.closing.rows
+    assert len(forces) == len(export.z_labels) == len(rows) and list(export.u_labels) == case.model.tau_names
+    if rows:
+        on_tips = closing(case.model)(q, np.zeros(len(v)), forces, case.model.parameter_values)[4].full().T
+        near(on_tips, numeric.loop_wrenches(q, v, tau, w_ext), 100 * case.tolerance, "wrenches of loops")
+
+
+def acados_dae(case: Case) -> None:
+    """The implicit rows of the DAE form, whose unknowns are joint wrenches and accelerations, vanish at its rates."""
+    (q, v, tau, w_ext), export, numeric = case.given, case.model.acados("dae", w_ext=True), case.model.numpy()
+    x, p = numeric.dae_state(q, v), np.concatenate([case.model.parameter_values, np.ravel(w_ext)])
+    unknowns(case, export, x, numeric.dae_rates(x, tau, w_ext)[0], p)
+
+
+def unknowns(case: Case, export, x, rates, p) -> np.ndarray:
+    """The algebraic unknowns with which the implicit rows of an export vanish at these rates, as they must."""
     rows = ca.Function("rows", [export.xdot, export.z, export.x, export.u, export.p], [export.f_impl_expr])
-    at = lambda z: rows(explicit, z, x, tau, p).full()[:, 0]  # noqa: E731
+    at = lambda z: rows(rates, z, x, case.given[2], p).full()[:, 0]  # noqa: E731
     count = export.z.numel()
     start = at(np.zeros(count))
     slopes = np.array([at(e) - start for e in np.eye(count)]).reshape(count, len(start)).T
     z = np.linalg.lstsq(slopes, -start, rcond=None)[0]
-    size = max(np.abs(start).max(), np.abs(case.judge.forces).max(), 1.0)
-    assert np.abs(start + slopes @ z).max() <= 100 * case.tolerance * size, f"{start + slopes @ z} of {size:.1e}"
+    left, size = start + slopes @ z, max(np.abs(start).max(), np.abs(case.judge.forces).max(), 1.0)
+    assert np.abs(left).max() <= 100 * case.tolerance * size, f"{left} of {size:.1e}"
+    return z
 
 
 def by_columns(found: ca.DM, signal, chain) -> np.ndarray:
     """A result of CasADi as an array of the shape that it has elsewhere: links and markers stand side by side there."""
     size = shape(signal, chain)
-    if len(size) < 2 or not isinstance(signal.shape[0], str):
+    if len(size) < 2 or is_matrix(signal):
         return found.full().ravel()
     parts = np.stack(np.hsplit(found.full(), size[0]))
     return parts.ravel() if len(size) == 3 else parts[:, :, 0].ravel()
 
 
+STATED = ("q", "v", "tau", "w_ext", "p")
+
+
 def jax_functions(case: Case) -> None:
     """Dynamics both ways, energy and a step."""
-    given = arguments(case) | {"p": np.array(case.model.parameter_values)}
-    expected = expected_results(case)
     with jax.enable_x64(True):
-        f = case.model.jax()
-        for name in ("forward_dynamics", "inverse_dynamics", "energy"):
-            row = next(x for x in offered(case.model.chain) if x.name == name)
-            found = f[name](*(given[x] for x in row.names), given["p"])
-            near(flat(tuple(found) if isinstance(found, list | tuple) else found), expected[name], case.agreement, name)
-        q, v = f["step"](*(given[x] for x in ("q", "v", "tau", "w_ext", "p")), STEP)
-    wanted = stepped(case, "modal_midpoint")
-    near(np.concatenate([q, v]), np.concatenate(wanted), case.agreement, "step")
+        given = jax_results(case, ("forward_dynamics", "inverse_dynamics", "energy"))
+        q, v = case.model.jax()["step"](*(given[x] for x in STATED), STEP)
+    near(np.concatenate([q, v]), np.concatenate(stepped(case, "modal_midpoint")), case.agreement, "step")
+
+
+def jax_gradients(case: Case) -> None:
+    """All other functions, and the gradients of a weighted sum of the accelerations, which CasADi has too."""
+    weights, of = np.random.default_rng(3).normal(size=case.model.nv), "forward_dynamics"
+    with jax.enable_x64(True):
+        given = jax_results(case, [x.name for x in offered(case.model.chain)])
+        (_, wrench), backwards = jax.vjp(case.model.jax()[of], *(given[x] for x in STATED))
+        slopes = backwards((weights, np.zeros_like(wrench)))
+    function = case.model.casadi()[of]
+    at = [given[x].T if x == "w_ext" else given[x] for x in STATED]
+    wanted = function.reverse(1)(*at, *function(*at), weights, np.zeros(wrench.T.shape))
+    for name, ours, theirs in zip(STATED, slopes, wanted, strict=True):
+        near(np.ravel(ours), theirs.full().ravel(order="F"), 10 * case.tolerance, f"gradient with {name}")
+
+
+def jax_results(case: Case, names) -> dict[str, np.ndarray]:
+    """What these functions are given, where they give what NumPy's do."""
+    given, expected = arguments(case) | {"p": np.array(case.model.parameter_values)}, expected_results(case)
+    for row in offered(case.model.chain):
+        if row.name in names:
+            found = case.model.jax()[row.name](*(given[x] for x in (*row.names, "p")))
+            found = flat(tuple(found) if isinstance(found, list | tuple) else found)
+            near(found, expected[row.name], case.agreement, row.name)
+    return given
 
 
 def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -158,19 +216,61 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
         errors = case.judge.errors(*c.forward_dynamics(q, v, tau, w_ext, form=form))
         assert max(errors.values()) <= case.tolerance, (form, errors)
     near(c.inverse_dynamics(q, v, given["vdot"], w_ext)[0], expected["inverse_dynamics"], case.agreement, "inverse")
-    near(c.mass_matrix(q), case.model.numpy().mass_matrix(q), case.agreement, "mass matrix")
+    by_elimination(case, c)
+    postures(case, c)
     near(np.ravel(c.validity(q, v, tau, w_ext)), expected["validity"], case.agreement, "validity")
     if "coupling_torques" in expected:
         near(c.coupling_torques(q, v, tau, w_ext), expected["coupling_torques"], case.agreement, "coupling torques")
     for row in offered(case.model.chain):
         if row.c_file:
             near(flat(getattr(c, row.name)(q, v, tau, w_ext)), expected[row.name], case.agreement, row.name)
+    x = c.dae_state(q, v)
+    near(x, case.model.numpy().dae_state(q, v), case.agreement, "state of the DAE form")
     for method in METHODS:
         near(np.concatenate(c.step(q, v, tau, w_ext, STEP, method)), np.concatenate(stepped(case, method)),
              case.agreement, method)  # fmt: skip
-        x = c.dae_state(q, v)
         there = stepper(case.model, method, "dae").step(x, tau, w_ext, STEP)
         near(c.dae_step(x, tau, w_ext, STEP, method), there, 10 * case.agreement, f"{method} of the DAE form")
+
+
+def by_elimination(case: Case, c: Compiled) -> None:
+    """What the C has of the dynamics besides: accelerations alone, wrenches of inverse dynamics, M, assembled rows."""
+    (q, v, tau, w_ext), f = case.given, case.model.numpy()
+    vdot, wrench = f.forward_dynamics(q, v, tau, w_ext)
+    near(c.accelerations(q, v, tau, w_ext), vdot, case.agreement, "accelerations alone")
+    loads = w_ext + f.loop_wrenches(q, v, tau, w_ext) if case.model.chain.closing.rows else w_ext
+    near(c.inverse_dynamics(q, v, vdot, loads)[1], wrench, case.tolerance, "wrenches of inverse dynamics")
+    near(c.mass_matrix(q), f.mass_matrix(q), case.agreement, "mass matrix")
+    x = f.dae_state(q, v)
+    for found, wanted, what in zip(c.assemble(x, tau, w_ext), f.assemble(x, tau, w_ext), "MHW", strict=True):
+        near(found, wanted, case.agreement, f"{what} of the assembled rows")
+
+
+def postures(case: Case, c: Compiled) -> None:
+    """Poses of links and tips, the Jacobian of the last tip and its twist."""
+    (q, v, *_), f = case.given, case.model.numpy()
+    found = c.kinematics(q, v)
+    for given, wanted in zip(found[:4], (*f.link_pose(q), *f.tip_poses(q)), strict=True):
+        near(given, wanted, case.agreement, "poses")
+    J = tip_jacobian(case)
+    near(c.tip_jacobian(q), J, case.agreement, "Jacobian of the tip")
+    near(found.tip_twist[-1], J @ v, case.agreement, "twist of the tip")
+
+
+def parameters(case: Case) -> None:
+    """Numbers that are given at run time make the robot whose file has them, in every back end."""
+    kept = PLACES if case.model.chain.closing.rows else ("at", "from", "to", "axes", "transmission")
+    other = model_of(varied(case.robot, np.random.default_rng(case.seed), kept))
+    (q, v, tau, w_ext), p, model = case.given, np.array(other.parameter_values), case.model
+    assert other.parameter_names == model.parameter_names
+    vdot, energy = other.numpy().forward_dynamics(q, v, tau, w_ext)[0], other.numpy().energy(q, v)
+    found = {x: (f.forward_dynamics(q, v, tau, w_ext)[0], f.energy(q, v))
+             for x, f in (("NumPy", model.numpy(p)), ("C", case.c().fresh(p)))}  # fmt: skip
+    f = model.casadi()
+    found["CasADi"] = np.ravel(f["forward_dynamics"](q, v, tau, w_ext.T, p)[0]), np.ravel(f["energy"](q, v, p))
+    for name, (rates, energies) in found.items():
+        near(rates, vdot, case.tolerance, f"accelerations by {name}")
+        near(energies, energy, case.tolerance, f"energies by {name}")
 
 
 def c_float(case: Case) -> None:

@@ -29,8 +29,18 @@ REFUSALS: tuple[Refusal, ...] = (
         for x in LOOPED
     ),
     Refusal("C, fused", (), "would be one function of", "compilers take long over one function so large", large=True),
-    Refusal("acados", ("ball",), "there is no acados model", "its states add up, quaternions do not"),
-    Refusal("acados", (), "whose unknowns must be unique", "rows of loops share forces", large=True),
+    *(
+        refusal
+        for check in ("acados", "acados, DAE form")
+        for refusal in (
+            Refusal(check, ("ball",), "there is no acados model", "its states add up, quaternions do not"),
+            Refusal(check, (), "whose unknowns must be unique", "rows of loops share forces", large=True),
+        )
+    ),
+    *(
+        Refusal("acados, DAE form", (x,), "the DAE has no differential equations", "rates of such rotors need the rows")
+        for x in ("elastic cylinder", "elastic four-bar")
+    ),
     Refusal("URDF", ("screw",), "URDF has no joint that turns and travels at once", "URDF has no screws"),
     Refusal("URDF", ("ball",), "is a ball joint, which URDF does not have", "URDF has no ball joints"),
     Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from conftest import swept
 from helpers import model_of
 from pydantic import ValidationError
 
@@ -18,15 +19,16 @@ from conformance.table import page
 
 ROWS = covering()
 SHORT = [ROWS.index(row) for row in few()]
-TRIPLES = random_rows(6)
-LONG = ("mock-up unit", "C folder", "commands")
+DRAWN = random_rows(48)
+LONG = ("JAX, gradients", "mock-up unit", "C folder", "commands")
 """Checks that take so long that they try each feature, but not each pair."""
 QUICK = tuple(name for name in CHECKS if name not in LONG)
+SOME = ("judge", "DAE form", "CasADi", "C, fused", "derivatives of steps", "document")
 OTHERS = [(k, name) for k in range(len(ROWS)) for name in QUICK if k not in SHORT]
 
 
-def of(row, seed):
-    return case_of(tuple(row.items()), seed)
+def of(row, seed, drawn=False):
+    return case_of(tuple(row.items()), seed, drawn)
 
 
 @pytest.mark.parametrize("row, check", [(k, name) for k in SHORT for name in QUICK])
@@ -44,10 +46,10 @@ def test_every_pair_of_features_meets_every_check(row, check):
     outcome(check, of(ROWS[row], row))
 
 
-@pytest.mark.parametrize("row", range(len(TRIPLES)))
-@pytest.mark.parametrize("check", ["judge", "C, fused", "derivatives of steps", "document"])
-def test_random_triples(check, row):
-    outcome(check, of(TRIPLES[row], 1000 + row))
+@pytest.mark.parametrize("row", swept(range(len(DRAWN)), *range(6)))
+@pytest.mark.parametrize("check", [*SOME, pytest.param("commands", marks=pytest.mark.long)])
+def test_random_features_and_numbers(check, row):
+    outcome(check, of(DRAWN[row], 1000 + row, drawn=True))
 
 
 def test_all_pairs_that_can_stand_together_stand_in_a_row():

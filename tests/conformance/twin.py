@@ -9,10 +9,9 @@ from __future__ import annotations
 import copy
 
 import numpy as np
-from oracle_floating import JOINTS
+from oracle_floating import JOINTS, TURNS
 from oracle_link import read_link
 from oracle_sections import property_at
-from test_ball_joints import TURNS
 
 
 def as_pieces(robot: dict) -> dict:
@@ -27,6 +26,11 @@ def as_pieces(robot: dict) -> dict:
         if len(pieces) > 1 and not link["name"].startswith(f"{link['parent']}_"):
             _carry_on_piece(link, pieces)
     return robot | {"links": links}
+
+
+def first_piece(link: dict) -> str:
+    """The name of the first of the links that a link of the robot is there."""
+    return link["name"] + "_0" * (link.get("segments", 1) > 1)
 
 
 def _piece(link: dict, i: int, k: int) -> dict:

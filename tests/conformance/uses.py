@@ -8,7 +8,8 @@ from scipy.linalg import eigvalsh, null_space
 
 import screwgen
 from conformance.cases import STEP, Case
-from conformance.numbers import near
+from conformance.numbers import flat, near
+from screwgen.algorithms.robot_functions import reported
 from screwgen.backends.numpy.closing import moving
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.estimator import Estimator
@@ -36,9 +37,14 @@ def runs(case: Case) -> None:
     rolled = screwgen.rollout(model, np.concatenate([q, v])[None], tau, w_ext=w_ext, step=STEP, steps=COUNT)
     assert rolled.ok.all(), rolled.report()
     near(rolled.q[0], run.q, 100 * case.agreement, "coordinates of a rollout")
-    for name in ("wrench", "tip_position", "energy", "drive_power"):
+    rows = {row.name: row for row in reported(model.chain)}
+    for name in ("wrench", "tip_position", *rows):
         near(getattr(rolled, name)[0], getattr(run, name), 1e3 * case.agreement, name)
         near(getattr(other, name), getattr(run, name), 1e3 * case.agreement, name)
+    last = {name: x[-1] for name, x in run.arrays.items()} | {"w_ext": w_ext}
+    for name, row in rows.items():
+        expected = flat(getattr(model.numpy(), name)(*(last[x] for x in row.names)))
+        near(np.ravel(getattr(run, name)[-1]), expected, case.agreement, f"{name} of the last sample")
 
 
 def dae_runs(case: Case) -> None:
@@ -60,6 +66,10 @@ def energy(case: Case) -> None:
     q, v, tau, w_ext = case.given
     c, f, h = case.c(), case.model.numpy(), 1e-5
     loads = 0 * w_ext
+    moved = f.forward_dynamics(q, v, tau, loads)[0] - f.forward_dynamics(q, v, 0 * tau, loads)[0]
+    given, M = f.drive_power(q, v, tau), case.judge.mass_matrix
+    most = np.abs(v) @ np.abs(M) @ np.abs(moved) + np.abs(given).sum()
+    assert abs(v @ M @ moved - given.sum()) <= case.tolerance * most, "drives do not give the power that moves the arm"
     ends = []
     for sign in (-1, 1):
         there, rates = c.step(q, v, tau, loads, h, "rk4") if sign > 0 else (q, v)
@@ -129,19 +139,29 @@ def closed(case: Case) -> tuple[np.ndarray, np.ndarray]:
 
 
 def modes(case: Case) -> None:
-    """Frequencies with the joints locked are those of mass matrix and springs in the motions that loops leave."""
+    """Vibrations are those of mass matrix and springs in the motions that loops leave, joints locked and free."""
     model, q = case.model, closed(case)[0]
     chain, f = model.chain, model.numpy(np.append(np.zeros(3), model.parameter_values[3:]))
-    found, moving = screwgen.natural_frequencies(model, q), movable(model, "locked", q, model.parameter_values)
-    T = np.eye(model.nv)
+    T, M = np.eye(model.nv), f.mass_matrix(q)
     for joint, place in chain.elastic_travels.items():
         T[place, chain.base_v + joint] = -f.levers(q)[joint]
-    T = T[:, moving] @ null_space(f.gap_slopes(q) @ T[:, moving]) if chain.closing.rows else T[:, moving]
     rest, h = np.zeros(model.nv), 1e-6
     at = lambda x: np.asarray(f.inverse_dynamics(case.moved(q, x), rest, rest, None))  # noqa: E731
     K = np.array([(at(h * x) - at(-h * x)) / (2 * h) for x in T.T]).T
-    squares = eigvalsh(T.T @ K, T.T @ f.mass_matrix(q) @ T)
-    near(found, np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi), 1e-6, "frequencies")
+    K, M = (x + x.T for x in (T.T @ K / 2, T.T @ M @ T / 2))
+    for joints in ("locked", "free"):
+        if joints == "free" and chain.elastic_travels:
+            return  # whose gears are under load in this posture
+        found, moving = screwgen.mode_shapes(model, q, joints), movable(model, joints, q, model.parameter_values)
+        N = np.eye(model.nv)[:, moving]
+        N = N @ null_space(f.gap_slopes(q) @ T @ N) if chain.closing.rows else N
+        squares = eigvalsh(N.T @ K @ N, N.T @ M @ N)
+        expected = np.sqrt(np.maximum(squares[found.rigid :], 0.0)) / (2 * np.pi)
+        near(found.frequencies, expected, 1e-6, f"frequencies, {joints}")
+        near(squares[: found.rigid], 0.0, 1e-7 * np.max(squares, initial=1.0), "of rigid motions")
+        S = np.linalg.solve(T, found.shapes)
+        near(S.T @ M @ S, np.eye(len(expected)), 1e-8, "modal masses")
+        near(S.T @ K @ S, np.diag((2 * np.pi * expected) ** 2), 1e-6, "modal stiffness")
 
 
 def toml(case: Case) -> None:

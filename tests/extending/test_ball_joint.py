@@ -9,15 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from conftest import package
 from floating_robots import SATELLITE, rod
-from helpers import casadi_forward, flat, model_of, quick, relative
+from helpers import model_of, relative
+from outside import Outside, every_check
 from scipy.spatial.transform import Rotation
 
-from screwgen import Robot, UsageError, dump, rollout, simulate
+from screwgen import Robot, UsageError, dump, simulate
 from screwgen.algebra.expression import identity, zeros
 from screwgen.backends.numpy.dae_step import SERIES
-from screwgen.integrators import METHODS
 from screwgen.joints.ball import TURNS
 from screwgen.joints.exponential import (
     angular_velocity,
@@ -86,11 +85,6 @@ def pair():
     return model_of(robot(CARRIED_BALL)), model_of(robot("ball"))
 
 
-@pytest.fixture(scope="module")
-def compiled(pair):
-    return quick(pair[0], derivatives=True)
-
-
 def start(model):
     """A posture and rates without pattern."""
     rng, chain = np.random.default_rng(3), model.chain
@@ -117,27 +111,18 @@ def torques(model, tau, turn):
     return own @ tau
 
 
-def expected(pair):
-    """Accelerations and wrenches of the product's robot, as those of the one from outside."""
+@pytest.fixture(scope="module")
+def outside(pair):
+    """With accelerations and wrenches of the product's robot, as those of the one from outside."""
     q, v = start(pair[0])
     turn = to_link(pair[0], q)
     found, wrench = pair[1].numpy().forward_dynamics(q, turn @ v, torques(pair[0], TAU, turn), W_EXT)
-    return turn.T @ found, wrench
+    return Outside(pair[0], (q, v, TAU, W_EXT), turn.T @ found, wrench)
 
 
-def test_it_moves_as_the_products_joint_does_in_every_back_end(pair, compiled):
-    model, (q, v) = pair[0], start(pair[0])
-    given, (vdot, wrench) = (q, v, TAU, W_EXT), expected(pair)
-    found = {"NumPy": model.numpy().forward_dynamics(*given), "DAE": model.numpy().dae_forward_dynamics(*given)}
-    found |= {"CasADi": casadi_forward(model, *given)}
-    jax = package("jax")
-    with jax.enable_x64(True):
-        found["JAX"] = model.jax()["forward_dynamics"](*given, np.array(model.parameter_values))
-    found |= {f"C, {form}": compiled.forward_dynamics(*given, form) for form in ("joint", "dae")}
-    found["C, modular"] = quick(model, layout="modular").forward_dynamics(*given)
-    for name, (own, of_joints) in found.items():
-        assert relative(np.asarray(own), vdot) < 1e-11, name
-        assert relative(np.reshape(of_joints, wrench.shape), wrench) < 1e-11, name
+@every_check
+def test_it_moves_as_the_products_joint_does(outside, check):
+    outside.holds(check)
 
 
 def test_energy_and_mass_matrix_are_those_of_the_products(pair):
@@ -148,52 +133,13 @@ def test_energy_and_mass_matrix_are_those_of_the_products(pair):
     assert relative(model.numpy().energy(q, v), other.numpy().energy(q, turn @ v)) < 1e-12
 
 
-def test_derivatives_are_along_turns_in_axes_of_the_carrier(pair, compiled):
-    """Against differences of coordinates that move by `integrate`."""
-    model, (q, v), h = pair[0], start(pair[0]), 1e-6
-    numeric, chain, none = model.numpy(), model.chain, np.zeros(pair[0].nv)
-    at = lambda u, w: numeric.forward_dynamics(chain.integrate(q, u, SERIES), v + w, TAU, W_EXT)[0]  # noqa: E731
-    by_q, by_v, _ = numeric.derivatives(q, v, TAU, W_EXT)
-    for found, sides in ((by_q, lambda u: (u, none)), (by_v, lambda u: (none, u))):
-        differences = [(at(*sides(u)) - at(*sides(-u))) / (2 * h) for u in h * np.eye(chain.nv)]
-        assert relative(found, np.transpose(differences)) < 1e-7
-    for found, in_c in zip((by_q, by_v), compiled.linearise(q, v, TAU, W_EXT)[1:], strict=False):
-        assert relative(in_c, found) < 1e-12
-    slope = model.linearise(q, v, TAU).A[chain.nv :]
-    assert relative(slope, np.hstack([by_q, by_v])) < 1e-12
-
-
-@pytest.mark.parametrize("name", METHODS)
-def test_steps_of_every_method_agree_and_are_differentiated(pair, compiled, name):
-    model, (q, v), h = pair[0], start(pair[0]), 1e-3
-    chain, nv = model.chain, model.nv
-    expected = model.casadi()[f"step_{name}"](q, v, TAU, W_EXT.T, model.parameter_values, h)
-    for found, wanted in zip(compiled.step(q, v, TAU, W_EXT, h, name), expected, strict=True):
-        assert relative(found, flat(wanted)) < 1e-12
-    after, rates, A, B = compiled.step_derivatives(q, v, TAU, W_EXT, h, name)
-
-    def moved(u):
-        there, faster = compiled.step(
-            chain.integrate(q, u[:nv], SERIES), v + u[nv : 2 * nv], TAU + u[2 * nv :], W_EXT, h, name
-        )
-        return np.append(chain.difference(after, there, SERIES), faster - rates)
-
-    differences = [(moved(u) - moved(-u)) / 2e-6 for u in 1e-6 * np.eye(2 * nv + model.n_tau)]
-    assert relative(A, np.transpose(differences[: 2 * nv])) < 1e-8
-    assert relative(B, np.transpose(differences[2 * nv :])) < 1e-7
-
-
-def test_runs_forms_and_lanes_agree_with_the_products(pair):
+@pytest.mark.parametrize("form", ["joint", "dae"])
+def test_runs_are_those_of_the_products(pair, form):
     model, other = pair
     q, v = start(model)
     given = dict(duration=0.02, step=1e-4, q0=q, controller=None, integrator="rk4")
-    run, dae = (simulate(model, v0=v, form=form, **given) for form in ("joint", "dae"))
-    wanted = simulate(other, v0=to_link(model, q) @ v, **given)
+    run, wanted = simulate(model, v0=v, form=form, **given), simulate(other, v0=to_link(model, q) @ v, **given)
     assert relative(run.q[-1], wanted.q[-1]) < 1e-9
-    assert relative(dae.q[-1], wanted.q[-1]) < 1e-9
-    rolled = rollout(model, np.append(q, v), step=1e-4, steps=20).x[0, -1]
-    alone = simulate(model, 2e-3, 1e-4, q, v)
-    assert relative(rolled, np.append(alone.q[-1], alone.v[-1])) < 1e-12
 
 
 def test_a_kind_that_moves_in_part_is_refused():

@@ -3,7 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from helpers import model_of
+from helpers import arm, link, model_of
 from mpmath import mpf
 
 from screwgen import natural_frequencies
@@ -47,25 +47,16 @@ def _modes(M, K, powers):
     return modes, list(values)
 
 
-def arm(basis) -> dict:
+def ritz(basis) -> dict:
     section = {"rhoA": 1.5, "EA": 4e6, "EIy": 900.0, "EIz": 700.0, "GJ": 300.0, "rhoIp": 1e-3}
     modes = {"basis": basis, "bending_y": 2, "bending_z": 1, "axial": 1, "torsion": 1}
-    link = {
-        "length": 0.8,
-        "section": section,
-        "modes": modes,
-        "bodies": [{"at": "tip", "mass": 1.0, "com": [0.1, 0.2, 0.0]}],
-    }
-    links = [
-        {"name": "upper", "joint": {"axes": ["y", "z"]}, **link},
-        {"name": "lower", "joint": {"axes": ["z"]}, **link},
-    ]
-    return {"name": "ritz", "gravity": [0.0, 0.0, -9.81], "links": links}
+    more = {"section": section, "modes": modes, "bodies": [{"at": "tip", "mass": 1.0, "com": [0.1, 0.2, 0.0]}]}
+    return arm(link("upper", 0.8, "yz", **more), link("lower", 0.8, "z", **more)) | {"name": "ritz"}
 
 
 @pytest.fixture(scope="module")
 def models():
-    return model_of(arm(monomials)), model_of(arm("polynomial"))
+    return model_of(ritz(monomials)), model_of(ritz("polynomial"))
 
 
 def test_the_same_space_has_the_same_frequencies(models):

@@ -2,14 +2,12 @@
 
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 import pytest
-from conftest import package
-from helpers import arm, casadi_forward, link, model_of, quick, relative
+from helpers import arm, link, model_of, relative
+from outside import Outside, every_check
 
 from screwgen import Robot, RobotFileError, UsageError, assemble, dump, simulate
-from screwgen.integrators import METHODS
 from screwgen.interchange.urdf_write import export_urdf
 
 
@@ -48,51 +46,29 @@ def state(model=MODEL, angle=0.7, rate=0.9):
     return q, np.array([rate, slope * rate, 0.1, 0.2]), np.array([1.5, -0.4]), np.zeros((2, 6))
 
 
-def test_accelerations_and_torques_are_those_of_the_reduced_equations():
+@pytest.fixture(scope="module")
+def reduced():
     """With ``v = B u`` the equations are ``Bᵀ M B u̇ = Bᵀ (F - M Ḃ u)``, M and F those of the arms without the cam."""
-    robot = MODEL.robot.model_copy(update={"couplings": ()})
-    tree = type(MODEL)(robot)
+    tree = type(MODEL)(MODEL.robot.model_copy(update={"couplings": ()}))
     q, v, tau, w_ext = state()
-    numeric = tree.numpy()
     B = np.zeros((4, 3))
     B[0, 0] = B[2, 1] = B[3, 2] = 1.0
     B[1, 0] = RATIO * (1 + 0.3 * np.cos(q[0]))
     drift = np.array([0.0, -RATIO * 0.3 * np.sin(q[0]) * v[0] ** 2, 0.0, 0.0])
-    M, force = numeric.mass_matrix(q), np.r_[tau, 0.0, 0.0] - numeric.bias(q, v, w_ext)
-    expected = B @ np.linalg.solve(B.T @ M @ B, B.T @ (force - M @ drift)) + drift
-    found = {"NumPy": MODEL.numpy().forward_dynamics(q, v, tau, w_ext)[0]}
-    found["DAE"] = MODEL.numpy().dae_forward_dynamics(q, v, tau, w_ext)[0]
-    found["CasADi"] = casadi_forward(MODEL, q, v, tau, w_ext)[0]
-    for layout in ("fused", "modular"):
-        found[layout] = quick(MODEL, layout=layout).forward_dynamics(q, v, tau, w_ext)[0]
-    jax = package("jax")
-    with jax.enable_x64(True):
-        found["JAX"] = MODEL.jax()["forward_dynamics"](q, v, tau, w_ext, np.array(MODEL.parameter_values))[0]
-    for name, vdot in found.items():
-        assert relative(np.asarray(vdot), expected) < 1e-9, name
-    torques = (M @ expected - force)[:2]
-    for torque in (MODEL.numpy().coupling_torques(q, v, tau, w_ext), quick(MODEL).coupling_torques(q, v, tau, w_ext)):
-        assert relative(torque, torques) < 1e-9
-    assert torques @ v[:2] == pytest.approx(0.0, abs=1e-9), "the cam does no work"
+    M, force = tree.numpy().mass_matrix(q), np.r_[tau, 0.0, 0.0] - tree.numpy().bias(q, v, w_ext)
+    vdot = B @ np.linalg.solve(B.T @ M @ B, B.T @ (force - M @ drift)) + drift
+    return Outside(MODEL, (q, v, tau, w_ext), vdot), (M @ vdot - force)[:2]
 
 
-def test_derivatives_are_those_of_casadi():
-    q, v, tau, w_ext = state()
-    J = MODEL.casadi()["forward_dynamics"].jacobian()(q, v, tau, w_ext.T, MODEL.parameter_values, 0, 0)
-    c = quick(MODEL, derivatives=True).linearise(q, v, tau, w_ext)[1:]
-    for found, in_c, expected in zip(MODEL.numpy().derivatives(q, v, tau, w_ext), c, J[:3], strict=True):
-        assert relative(found, expected.full()) < 1e-8 and relative(in_c, expected.full()) < 1e-8
+@every_check
+def test_it_moves_as_the_reduced_equations_say(reduced, check):
+    reduced[0].holds(check)
 
 
-@pytest.mark.parametrize("name", METHODS)
-def test_a_step_and_its_derivatives(name):
-    q, v, tau, w_ext = state()
-    step, p, h, n = MODEL.casadi()[f"step_{name}"], MODEL.parameter_values, 1e-3, MODEL.nq
-    x, u = ca.SX.sym("x", 2 * n), ca.SX.sym("u", 2)
-    after = ca.vertcat(*step(x[:n], x[n:], u, w_ext.T, p, h))
-    A = ca.Function("A", [x, u], [ca.jacobian(after, x), ca.jacobian(after, u)])(np.r_[q, v], tau)
-    _, _, by_x, by_u = quick(MODEL, derivatives=True).step_derivatives(q, v, tau, w_ext, h, name)
-    assert relative(by_x, A[0].full()) < 1e-8 and relative(by_u, A[1].full()) < 1e-7
+def test_its_torques_do_no_work(reduced):
+    case, torques = reduced
+    assert relative(MODEL.numpy().coupling_torques(*case.given), torques) < 1e-9
+    assert torques @ case.given[1][:2] == pytest.approx(0.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy"])

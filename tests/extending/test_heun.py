@@ -15,7 +15,7 @@ from screwgen.simulation.simulate import stepper
 
 HEUN = Method("heun", 2, (Stage(), Stage([1])), Move(["1/2", "1/2"]), "Heun's method, two forward dynamics")
 
-DURATION, STEPS = 0.1, (50, 100, 200)
+DURATION = 0.1
 
 
 @cache
@@ -46,14 +46,8 @@ def start():
     return q, v, np.array([2.0, -1.0, 0.5]), rng.normal(size=(2, 6))
 
 
-@cache
-def exact() -> np.ndarray:
-    """The state [q; v] at the end, by many steps of a method of order 4."""
-    return np.concatenate(compiled().step(*start(), DURATION / 5000, "rk4", 5000))
-
-
-def in_numpy(steps: int, form: str) -> np.ndarray:
-    plant, (q, v, tau, w_ext) = stepper(model(), HEUN, form), start()
+def in_numpy(steps: int) -> np.ndarray:
+    plant, (q, v, tau, w_ext) = stepper(model(), HEUN), start()
     state = plant.initial(q, v)
     for _ in range(steps):
         state = plant.step(state, tau, w_ext, DURATION / steps)
@@ -71,12 +65,6 @@ def in_c(steps: int) -> np.ndarray:
     return np.concatenate(compiled().step(*start(), DURATION / steps, HEUN, steps))
 
 
-def in_c_dae(steps: int) -> np.ndarray:
-    q, v, tau, w_ext = start()
-    x = compiled().dae_step(compiled().dae_state(q, v), tau, w_ext, DURATION / steps, HEUN, steps)
-    return np.concatenate(stepper(model(), HEUN, "dae").coordinates(x))
-
-
 def in_lanes(steps: int) -> np.ndarray:
     q, v, tau, w_ext = start()
     inputs = {"w_ext": w_ext, "step": DURATION, "steps": 1, "substeps": steps}
@@ -89,27 +77,11 @@ def in_a_run(steps: int) -> np.ndarray:
     return np.concatenate([run.q[-1], run.v[-1]])
 
 
-WAYS = {
-    "numpy": lambda steps: in_numpy(steps, "joint"),
-    "numpy, DAE form": lambda steps: in_numpy(steps, "dae"),
-    "casadi": in_casadi,
-    "c": in_c,
-    "c, DAE form": in_c_dae,
-    "batch": in_lanes,
-    "run": in_a_run,
-}
+WAYS = {"numpy": in_numpy, "casadi": in_casadi, "c": in_c, "batch": in_lanes, "run": in_a_run}
 
 
 @pytest.mark.filterwarnings("ignore::screwgen.ModelValidityWarning")
 @pytest.mark.parametrize("way", WAYS)
-def test_order_is_two(way):
-    errors = [np.abs(WAYS[way](steps) - exact()).max() for steps in STEPS]
-    slopes = np.log2(np.array(errors[:-1]) / errors[1:])
-    assert np.allclose(slopes, 2, atol=0.1), (slopes, errors)
-
-
-@pytest.mark.filterwarnings("ignore::screwgen.ModelValidityWarning")
-@pytest.mark.parametrize("way", ["numpy", "casadi", "c", "batch", "run"])
 def test_a_step_is_heuns(way):
     """In the textbook's words: the mean of the slopes at both ends of a step of Euler's."""
     (q, v, *inputs), h = start(), DURATION / 100

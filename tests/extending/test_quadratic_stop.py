@@ -2,15 +2,13 @@
 
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 import pytest
-from conftest import package
 from helpers import arm, link, model_of, quick, relative
+from outside import Outside, every_check
 
-from screwgen import Robot, RobotFileError, ScrewgenError, UsageError, dump, simulate
+from screwgen import Robot, RobotFileError, ScrewgenError, UsageError, dump
 from screwgen.elements import AxisElement, key
-from screwgen.integrators import METHODS
 
 
 @dataclass(frozen=True)
@@ -58,24 +56,18 @@ def force(x, w):
     return BUFFER.stiffness * depth**2 + BUFFER.damping * depth * w
 
 
-def test_it_pushes_as_its_law_says_in_every_back_end():
+@pytest.fixture(scope="module")
+def pushed():
     """The same motion as with the force among the torques of an arm without it."""
     model, bare = dressed(), dressed({})
     q, v, tau, w_ext = state(model)
-    pushed = tau - np.r_[0.0, force(q[1:3], v[1:3])]
-    expected = bare.numpy().forward_dynamics(q, v, pushed, w_ext)[0]
-    jax = package("jax")
-    with jax.enable_x64(True):
-        found = {"JAX": model.jax()["forward_dynamics"](q, v, tau, w_ext, np.array(model.parameter_values))[0]}
-    found |= {"NumPy": model.numpy().forward_dynamics(q, v, tau, w_ext)[0]}
-    found |= {"DAE": model.numpy().dae_forward_dynamics(q, v, tau, w_ext)[0]}
-    found |= {
-        "CasADi": model.casadi()["forward_dynamics"](q, v, tau, w_ext.T, model.parameter_values)[0].full().ravel()
-    }
-    for options in ({"layout": "fused"}, {"layout": "modular"}, {"parameters": "baked"}):
-        found[str(options)] = quick(model, **options).forward_dynamics(q, v, tau, w_ext)[0]
-    for name, vdot in found.items():
-        assert relative(np.asarray(vdot), expected) < 1e-10, name
+    expected = bare.numpy().forward_dynamics(q, v, tau - np.r_[0.0, force(q[1:3], v[1:3])], w_ext)
+    return Outside(model, (q, v, tau, w_ext), *expected)
+
+
+@every_check
+def test_it_pushes_as_its_law_says(pushed, check):
+    pushed.holds(check)
 
 
 def test_its_energy_is_the_work_against_it():
@@ -83,43 +75,6 @@ def test_its_energy_is_the_work_against_it():
     q, v, *_ = state(model)
     more = model.numpy().energy(q, v)[1] - bare.numpy().energy(q, v)[1]
     assert more == pytest.approx(np.sum(BUFFER.stiffness * (q[1:3] - BUFFER.at) ** 3 / 3), rel=1e-12)
-
-
-def test_derivatives_are_those_of_casadi():
-    model = dressed()
-    q, v, tau, w_ext = state(model)
-    f = model.casadi()["forward_dynamics"]
-    J = f.jacobian()(q, v, tau, w_ext.T, model.parameter_values, 0, 0)
-    c = quick(model, derivatives=True).linearise(q, v, tau, w_ext)[1:]
-    for found, in_c, expected in zip(model.numpy().derivatives(q, v, tau, w_ext), c, J[:3], strict=True):
-        assert relative(found, expected.full()) < 1e-9 and relative(in_c, expected.full()) < 1e-9
-
-
-@pytest.mark.parametrize("name", METHODS)
-def test_a_step_and_its_derivatives_follow_from_the_force_alone(name):
-    """In C against CasADi's automatic differentiation of the same step."""
-    model = dressed()
-    q, v, tau, w_ext = state(model)
-    step, p, h = model.casadi()[f"step_{name}"], model.parameter_values, 1e-3
-    compiled = quick(model, derivatives=True)
-    for found, expected in zip(compiled.step(q, v, tau, w_ext, h, name), step(q, v, tau, w_ext.T, p, h), strict=True):
-        assert relative(found, expected.full().ravel()) < 1e-12
-    x, u = ca.SX.sym("x", model.nq + model.nv), ca.SX.sym("u", model.n_tau)
-    after = ca.vertcat(*step(x[: model.nq], x[model.nq :], u, w_ext.T, p, h))
-    A = ca.Function("A", [x, u], [ca.jacobian(after, x), ca.jacobian(after, u)])(np.r_[q, v], tau)
-    _, _, by_x, by_u = compiled.step_derivatives(q, v, tau, w_ext, h, name)
-    assert relative(by_x, A[0].full()) < 1e-9 and relative(by_u, A[1].full()) < 1e-8
-
-
-def test_runs_rollouts_and_both_forms_agree():
-    model = dressed()
-    q, v, tau, _ = state(model)
-    c, numpy = (simulate(model, 0.05, 1e-3, q0=q, v0=v, controller=tau, backend=x) for x in ("c", "numpy"))
-    assert relative(c.q, numpy.q) < 1e-10
-    given = dict(q0=q, v0=v, controller=tau, integrator="rk4")
-    ends = [[simulate(model, 0.02, h, form=x, **given).q[-1] for x in ("dae", "joint")] for h in (2e-4, 1e-4)]
-    errors = [relative(*pair) for pair in ends]
-    assert errors[1] < 1e-7 and errors[0] / errors[1] > 12, "of fourth order in the step"
 
 
 def test_its_numbers_are_parameters():

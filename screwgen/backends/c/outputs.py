@@ -12,6 +12,7 @@ from math import prod
 from ...algorithms.gauges import strain_names
 from ...algorithms.robot_functions import RobotFunction, in_file, shape
 from ...algorithms.signals import Signal
+from ...spec.parameters import coordinate_names
 from ...topology.chain import Chain
 from .code import Place
 from .pieces import piece_place, pieces
@@ -27,9 +28,10 @@ def content(part: str, chain: Chain, baked: bool, place: Place) -> dict:
 
 
 def sensor_names(chain: Chain) -> dict:
-    """What stands in the head of ``<robot>_sensors.h``: the names of markers and of strains, with their units."""
+    """What stands in the head of ``<robot>_sensors.h``: names of markers, of strains with their units, of cylinders."""
     return {
         "markers": [m.name for m in chain.markers],
+        "cylinders": [coordinate_names(chain.robot).tau[k] for k in chain.cylinders],
         "strains": [f"{x} ({u})" for x, u in strain_names(chain).items()],
     }
 

@@ -19,7 +19,7 @@ from ...algorithms import fused
 from ...algorithms.dae_functions import unknown_size
 from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
-from ...algorithms.robot_functions import BY_NAME, ROTATION, RobotFunction, offered, shape
+from ...algorithms.robot_functions import BY_NAME, RobotFunction, is_matrix, offered, shape
 from ...algorithms.signals import Signal
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
@@ -30,6 +30,7 @@ from ...spec.parameters import parameters, per_base, travels, turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
 from ..templates import render
+from .checked import CheckedFunction
 from .expressions import expressions
 from .patterns import jacobians, structures
 
@@ -108,7 +109,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
 def shaped(values: ca.SX, signal: Signal, chain: Chain) -> ca.SX:
     """A result as CasADi's matrices have it: a column per link, matrices (stored row by row) side by side."""
     whole = shape(signal, chain)
-    if signal.shape == ROTATION or len(whole) == 3:
+    if is_matrix(signal) or len(whole) == 3:
         return side_by_side(values, *whole[-2:])
     return ca.reshape(values, whole[1], whole[0]) if len(whole) == 2 else values
 
@@ -185,7 +186,7 @@ def modal_functions(chain: Chain) -> Made:
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:
-    return ca.Function(name, list(inputs.values()), list(outputs.values()), list(inputs), list(outputs))
+    return CheckedFunction(name, list(inputs.values()), list(outputs.values()), list(inputs), list(outputs))
 
 
 def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:

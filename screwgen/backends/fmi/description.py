@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from ...algorithms.response import Response
+from ...spec.tendons import tendon_names
 from ...topology.chain import Chain
 from .units import exponents, spelled
 from .variables import STEP, Variable, first_references
@@ -168,21 +169,25 @@ def build_description(name: str, files: Sequence[str]) -> bytes:
 
 
 def terminals(chain: Chain, variables: Sequence[Variable]) -> bytes:
-    """``terminalsAndIcons/terminalsAndIcons.xml``: one terminal for each joint axis and each tip."""
+    """``terminalsAndIcons/terminalsAndIcons.xml``: a terminal for each joint axis, tendon and tip."""
     root = Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     listed = SubElement(root, "Terminals")
     first = first_references(variables)
     for k in range(chain.n_joints):
         members = {
-            "coordinate": first["q"] + chain.base_q + k,
+            "coordinate": first["q"] + chain.axis_places[k],
             "rate": first["v"] + chain.base_v + k,
             "force": first["tau"] + k,
         }
         _terminal(listed, variables[members["coordinate"]].name, {n: variables[r].name for n, r in members.items()})
+    known = {x.name for x in variables}
+    for tendon in tendon_names(chain.robot):
+        own = {what: f"{tendon}.{what}" for what in ("tension", "length", "power")}
+        _terminal(listed, tendon, {what: name for what, name in own.items() if name in known})
     for i in chain.lasts:
         link = chain.segments[i].owner
-        own = [x.name for x in variables if x.name.startswith((f"{link}.tip.", f"{link}.w_ext."))]
-        _terminal(listed, f"{link}.tip", {name.removeprefix(f"{link}.").removeprefix("tip."): name for name in own})
+        names = [x.name for x in variables if x.name.startswith((f"{link}.tip.", f"{link}.w_ext."))]
+        _terminal(listed, f"{link}.tip", {name.removeprefix(f"{link}.").removeprefix("tip."): name for name in names})
     return _text(root)
 
 

@@ -11,9 +11,10 @@ from math import prod
 
 import numpy as np
 
+from ...algorithms.entry_names import entry_names, entry_units
 from ...algorithms.gauges import strain_names
 from ...algorithms.response import OWN, REPORTED, Response
-from ...algorithms.robot_functions import SENSED, entry_names, entry_units, shape
+from ...algorithms.robot_functions import SENSED, shape
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
@@ -67,7 +68,8 @@ def variables(answers: Response, methods: Sequence[str], baked: bool) -> list[Va
         Variable("solver", "solver.method", "", "integrator of co-simulation", *tunable, start, items=names),
     ]
     for p in () if baked else parameters(chain.robot):
-        out.append(Variable("parameters", p.name, p.unit, p.description, *tunable, p.value))
+        name = p.name.replace("][", ",")  # the naming convention knows one bracket of indices, "at[0,2]"
+        out.append(Variable("parameters", name, p.unit, p.description, *tunable, p.value))
     first = len(out)
     out += _states(chain)
     out += _inputs(chain)
@@ -168,7 +170,8 @@ def _outputs(answers: Response) -> Iterator[Variable]:
     pieces = [segment.name for segment in chain.segments]
     for told in answers.rows.values():
         meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        for entry in zip(entry_names(told, efforts, markers, pieces), entry_units(told, chain), meanings, strict=True):
+        names = entry_names(told, efforts, markers, pieces, chain.cylinders)
+        for entry in zip(names, entry_units(told, chain), meanings, strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

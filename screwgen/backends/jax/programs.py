@@ -22,6 +22,7 @@ from ...ir.adjoint import GRADIENT, SEED, adjoint
 from ...ir.levels import Levels, levels
 from ...ir.program import Program
 from ...ir.replay import run
+from .reverse import tangents
 
 LIMIT, TERMS = 4.0, 14
 """As in the other back ends: where the Stumpff series ends, and its number of terms."""
@@ -30,22 +31,20 @@ LANES = 64
 """The largest number of scenarios side by side."""
 
 Values = Mapping[str, Any]
-Kept = tuple[dict[str, Any], dict[str, tuple[()]]]
-"""Inputs, and as keys of a tree without leaves the names of those that are differentiated."""
 
 
 class JaxProgram:
     """A program on JAX arrays: ``(inputs) -> (outputs, guards)``, vectors by name, all of one floating-point type.
 
-    It works below ``jit``, ``vmap``, ``scan`` and ``grad``, of any order; forward mode is refused by JAX.
+    It works below ``jit``, ``vmap``, ``scan`` and ``grad``, of any order; forward mode is refused.
     """
 
     def __init__(self, program: Program):
         self.program = program
         self._adjoints: dict[tuple[str, ...], JaxProgram] = {}
         self._tables: dict[Any, Callable] = {}
-        self._differentiable = jax.custom_vjp(self._plain)
-        self._differentiable.defvjp(self._forward, self._backward, symbolic_zeros=True)
+        self._differentiable = jax.custom_jvp(self._plain)
+        self._differentiable.defjvp(self._with_tangents, symbolic_zeros=True)
 
     def __call__(self, inputs: Values) -> tuple[dict[str, Any], Any]:
         return self._differentiable({name: inputs[name] for name in self.program.inputs})
@@ -57,20 +56,20 @@ class JaxProgram:
         *outputs, guards = self._tables[real](*(inputs[name].astype(real) for name in self.program.inputs))
         return dict(zip(self.program.outputs, outputs, strict=True)), guards
 
-    def _forward(self, inputs: Values) -> tuple[tuple[dict[str, Any], Any], Kept]:
-        values = {name: x.value for name, x in inputs.items()}
-        moving: dict[str, tuple[()]] = {name: () for name, x in inputs.items() if x.perturbed}
-        return self(values), (values, moving)  # what an outer derivative differentiates
+    def _with_tangents(self, given: tuple[Values], moves: tuple[Values]) -> tuple[Any, Any]:
+        """The results, and what stands for their tangents; guards are not differentiated."""
+        (inputs,), ways = given, {name: x for name, x in moves[0].items() if not _is_zero(x)}
+        outputs, guards = self(inputs)  # what an outer derivative differentiates
+        names, moving, taken = tuple(outputs), tuple(ways), tuple(inputs)
 
-    def _backward(self, kept: Kept, seeds: tuple[Values, Any]) -> tuple[dict[str, Any]]:
-        values, moving = kept
-        found = {name: jnp.zeros_like(x) for name, x in values.items()}
-        given = {name: x for name, x in seeds[0].items() if not _is_zero(x)}
-        if moving and given:
-            made = self._adjoint(tuple(moving), tuple(given))
-            outputs, _ = made(values | {SEED + name: x for name, x in given.items()})
-            found |= {name: outputs[GRADIENT + name] for name in moving}
-        return (found,)
+        def pull(values: Sequence[Any], seeds: Mapping[int, Any]) -> list[Any]:
+            made = self._adjoint(moving, tuple(names[place] for place in seeds))
+            seeded = {SEED + names[place]: x for place, x in seeds.items()}
+            found, _ = made(dict(zip(taken, values, strict=True)) | seeded)
+            return [found[GRADIENT + name] for name in moving]
+
+        found = tangents(pull, list(inputs.values()), list(ways.values()), list(outputs.values()))
+        return (outputs, guards), (dict(zip(names, found, strict=True)), jnp.zeros_like(guards))
 
     def _adjoint(self, wanted: tuple[str, ...], outputs: tuple[str, ...]) -> JaxProgram:
         key = (*wanted, "", *outputs)

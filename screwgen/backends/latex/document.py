@@ -194,6 +194,9 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
         *coordinates.tables(chain),
         Heading("Links"),
+        Paragraph(
+            "A link sits on the tip of the one above it, the first on the base, unless its remarks name another."
+        ),
         tables.links(chain),
         *besides(chain),
     ]

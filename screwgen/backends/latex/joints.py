@@ -43,6 +43,10 @@ def joints(chain: Chain) -> DocumentSection | None:
         r"$q_k$ are numbered along the robot, as in `tau` and `q`. $\mathbf{w}_i$ is what the joint exerts on its "
         r"link: it accelerates the link, bears what the link's tip carries, and its part along the axes is the torque."
     )
+    if chain.robot.loops:
+        about += r" $\boldsymbol{\mathcal{W}}_{ext,i}$ has the wrenches of the loops in it."
+    if chain.robot.couplings:
+        about += r" $\boldsymbol{\tau}_{\lambda,i}$ are the forces of couplings on the axes of joint $i$."
     return DocumentSection(JOINTS, [Paragraph(about), *items])
 
 
@@ -72,8 +76,8 @@ def _torques(chain: Chain, i: int, axes: Sequence[int]) -> Formula:
     key, n = chain.keys[i], i + 1
     names = [[rf"\tau_{{{axis + 1}}}"] for axis in axes]
     left = names[0][0] if len(names) == 1 else matrix(names)
-    if chain.closing.rows:
-        left += rf" + (\mathbf{{J}}^{{\top}}\lambda)_{n}"
+    if chain.robot.couplings:
+        left += rf" + \boldsymbol{{\tau}}_{{\lambda,{n}}}"
     terms = [rf"{_subspace(chain, i, axes)}\,{_moved(chain, i)}"]
     terms += [rf"+ \mathbf{{J}}_{{m,{n}}}\,\ddot{{\mathbf{{q}}}}_{n}"] * key.has_constant_inertia
     terms += [rf"+ \mathbf{{D}}_{{q,{n}}}\,\dot{{\mathbf{{q}}}}_{n}"] * key.has_dampers

@@ -43,12 +43,21 @@ def runs(text: str) -> Iterator[Run]:
     """The pieces of a text in the markup of documents."""
     for piece in filter(None, PIECES.split(text)):
         if piece.startswith("$"):
-            root = ElementTree.fromstring(mathml.inline(piece[1:-1]))
-            yield from _formula(root, 0)
+            yield from _spaced(list(_formula(ElementTree.fromstring(mathml.inline(piece[1:-1])), 0)))
         elif piece.startswith("`"):
             yield Run(piece[1:-1], "code", 0)
         else:
             yield Run(piece, "plain", 0)
+
+
+def _spaced(formula: list[Run]) -> Iterator[Run]:
+    """The letters of a formula with room around the signs that join two terms, and behind commas."""
+    before = "="
+    for run in formula:
+        joins = run.text == "=" or (run.text in "+-\u2212" and before != "=")
+        text = f" {run.text} " if joins else ", " if run.text == "," else run.text
+        yield run if run.level else run._replace(text=text)
+        before = run.text
 
 
 LEVELS = {"msub": (0, 1), "msup": (0, -1), "msubsup": (0, 1, -1)}
@@ -59,7 +68,7 @@ def _formula(element: ElementTree.Element, level: int) -> Iterator[Run]:
     if element.tag in ("mi", "mn", "mo", "mtext"):
         text = (element.text or "").strip() or " "
         italic = element.tag == "mi" and len(text) == 1 and element.get("mathvariant") != "normal"
-        yield Run({",": ", " if level == 0 else ",", "=": " = "}.get(text, text), "math" if italic else "sign", level)
+        yield Run(text, "math" if italic else "sign", level)
         return
     for place, child in enumerate(element):
         yield from _formula(child, level or LEVELS.get(element.tag, (0,) * len(element))[place])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from .content import Display, DocumentSection, DocumentTable, Item, StepEquation
+from .content import Display, DocumentSection, DocumentTable, Figure, Heading, Item, Paragraph, StepEquation
 from .layout import Formula
 from .symbols import Entry
 
@@ -52,8 +52,10 @@ def _formulas(item: Item) -> Iterator[str]:
             yield from _inline((item.meaning, item.unit, item.frame))
         case DocumentTable():
             yield from _inline([*item.head, *(cell for row in item.rows for cell in row)])
-        case _:
+        case Paragraph() | Heading():
             yield from _inline([item.text])
+        case Figure():
+            yield from _inline([item.caption])
 
 
 def _cells(formula: Formula) -> Iterator[str]:

@@ -47,7 +47,8 @@ JOINED = (
 COUPLED = r"An axis follows another, $q_b = r\,q_a + c$; a gap closes at the rate $c_s$."
 CLOSED = (
     r"The conditions that bear a force $\lambda_j$ each. Directions $\mathbf{n}$ and $\mathbf{x}$ of loops are in axes "
-    r"of A, $\mathbf{y}$ in axes of B."
+    r"of A, $\mathbf{y}$ in axes of B. Conditions that the robot fulfils in every posture, as those across the plane "
+    "of a planar arm, bear none."
 )
 
 

@@ -78,6 +78,10 @@ def _drawn(chain: Chain, pose: Pose, pen: Pen) -> Pen:
         _modes(pen, chain, *group)
     loops(pen, chain, pose)
     wrenches(pen, chain, pose)
+    for i, parent in enumerate(chain.tree.parents):
+        carrier = pose.part(parent)
+        if chain.segments[i].link >= MOST_LINKS and carrier is not None:
+            pen.wish("link", "…", carrier.tip, towards=(1.0, 0.0))
     for part in pose.parts:
         _frame(pen, chain, part)
     return pen

@@ -39,7 +39,7 @@ SLIDE = 0.3
 """How far they slide, over the size of the robot."""
 SIGNS = ((1.0,), (-1.0,), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0, -1.0))
 """The senses in which joints turn, again and again along the chain."""
-BENDING = (0.0, 0.5, 1.0)
+BENDING = (0.0, 1.0)
 """The parts of the deflections by which links are bent one after the other, while loops stay closed."""
 ALONG = 0.9
 """A link that turns about an axis that has more than this part along it stays where it is."""
@@ -288,7 +288,7 @@ def _joint(
 
 def rotation(axis: np.ndarray, angle: float) -> np.ndarray:
     """(3, 3): a turn about a unit vector."""
-    K = np.cross(np.eye(3), axis).T
+    K = np.cross(np.eye(3), axis)
     return np.asarray(np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * K @ K)
 
 

@@ -97,13 +97,14 @@ def score(pose: Pose, view: View, apart: Spread) -> float:
 
 
 def _shown(pose: Pose, view: View) -> float:
-    """The mean length of links over their true one, and how well the arrows of axes and of deflections show."""
+    """The mean and least length of links over the true one, and how well arrows of axes and deflections show."""
     ways = [(part.straight[1] - part.straight[0]) / part.long for part in pose.parts if part.long > NEAR]
     axes = [axis for part in pose.parts for axis in part.axes]
     long, arrows, bends = (_lengths(view, of) for of in (ways, axes, [x for part in pose.parts for x in part.bends]))
     arcs = np.abs(np.reshape(axes, (-1, 3)) @ view.towards)
-    shown = np.minimum(arrows / ARROW, 1.0) + np.minimum(arcs / ARC, 1.0)
-    return _mean(long, 1.0) + 0.4 * _mean(shown, 2.0) + 0.5 * float(np.min(bends / ARROW, initial=1.0))
+    turns = np.minimum(arrows / ARROW, 1.0) + np.minimum(arcs / ARC, 1.0)
+    links = 0.5 * (_mean(long, 1.0) + float(np.min(long, initial=1.0)))
+    return links + 0.4 * _mean(turns, 2.0) + 0.5 * float(np.min(bends / ARROW, initial=1.0))
 
 
 def _lengths(view: View, ways: Sequence[np.ndarray]) -> np.ndarray:

@@ -117,6 +117,9 @@ def block_view(
         found = latex(right), tuple(_entries(block, step).flat)
         none = ex.is_zero(right) or _vanishes(block, step)
         if none or (ex.is_identity(right) and step.signal.name not in AXES_OF_JOINT):
+            values[step.signal.name] = (
+                np.zeros(step.signal.shape, dtype=int) if none else np.eye(*step.signal.shape, dtype=int)
+            )
             if step.signal.name in told:
                 (zeros if none else identities).append(_written(step.signal))
             continue

@@ -81,9 +81,9 @@ def unwound(chain: Chain, found: np.ndarray, start: np.ndarray) -> np.ndarray:
     coordinates of screws and of coupled axes are left as they are: whole turns of theirs are other postures.
     """
     coupled = {axis for c in chain.closing.rows if isinstance(c.row, Ratio) for axis in (c.row.axis, c.row.of)}
-    screws = [screw for link in chain.robot.links for screw in link.joint.screws]
-    hinges = [k for k, s in enumerate(screws) if s.turn and not s.slides and k not in coupled]
-    out, at = found.copy(), np.array(hinges, int) + chain.base_q
+    screws = [(i, n, screw) for i, key in enumerate(chain.keys) for n, screw in enumerate(key.screws)]
+    hinges = [(i, n) for i, n, s in screws if s.turn and not s.slides and chain.tau_offset[i] + n not in coupled]
+    out, at = found.copy(), np.array([chain.q_offset[i] + n for i, n in hinges], int)
     out[at] -= 2 * np.pi * np.round((found[at] - start[at]) / (2 * np.pi))
     return out
 

@@ -150,7 +150,8 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
     A mode's deflection is within ±what the weight of the whole arm would cause, but no more than a small share of
     the link's length; its rate is that of a vibration of such a size. `hold`: the torques balance the joints in
     the undeformed posture at rest; else they are zero. Loops are closed, the modes nearly as drawn, and rates keep
-    them so; there are fewer states than asked for where most searches for closed postures end with open loops.
+    them so; there are fewer states than asked for where most searches for closed postures end with open loops, or
+    out of the reach of a four-bar linkage.
     A floating base rests at the inertial frame, and ball joints rest where they are drawn.
     """
     rng, m, n = np.random.default_rng(seed), model.n_joints, model.n_links
@@ -171,6 +172,8 @@ def sample_states(model: RobotModel, count: int, seed: int = 0, hold: bool = Tru
             q = closed(model.numpy(), np.where(is_mode, 0.0, q), is_mode) + np.where(is_mode, q, 0.0)
             q = closed(model.numpy(), q)
         except OpenLoopError:
+            continue
+        if not model.chain.within_reach(q):  # closing the loops has moved a joint out of the reach of its linkage
             continue
         v = moving(model.numpy(), q, v)
         v[moves] = 0.0  # a base has no part in the loops, and no ball joint stands beside one

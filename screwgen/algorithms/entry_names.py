@@ -1,0 +1,66 @@
+"""The names and units of the entries of what functions of a robot report, in files of runs and in mock-up units."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+
+from ..spec.tendons import TENSION
+from ..topology.chain import Chain
+from .robot_functions import RobotFunction, shape
+
+PARTS: dict[tuple, list[str]] = {
+    (): [""],
+    (3,): [f".{x}" for x in "xyz"],
+    (6,): [f".{part}_{x}" for part in ("omega", "v") for x in "xyz"],
+    (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
+}
+"""The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
+EFFORT = re.compile(r"\.(torque|force|tension)(?=\[|$)")
+"""The kind of an input in its name."""
+SIGNS = str.maketrans("-*23", "1·²³")
+"""Signs of units in comments of C, and what stands for them elsewhere."""
+
+
+def entry_names(
+    function: RobotFunction,
+    drives: Sequence[str],
+    markers: Sequence[str] = (),
+    links: Sequence[str] = (),
+    cylinders: Sequence[int] = (),
+) -> tuple[str, ...]:
+    """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
+    of the tendon `left.tension` it is `left.power`, and its length `left.length`;
+    `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot,
+    `arm.effort.torque` of a link, `boom[1].effort.torque` of a segment of one that is divided.
+
+    ``cylinders``: which of the drives are some, `arm.cylinder_length[0]` is that of `arm.force[0]`.
+    """
+    out: list[str] = []
+    of_drives = {"NTAU": drives, "NTENDONS": [drive for drive in drives if drive.endswith(TENSION)]}
+    of_drives["NCYLINDERS"] = [drives[k] for k in cylinders]
+    for name, signal in function.results.items():
+        what = f"{function.name}.{name}"
+        if len(signal.shape) == 1 and signal.shape[0] in of_drives:
+            out += [EFFORT.sub(f".{name}", drive) for drive in of_drives[str(signal.shape[0])]]
+        elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
+            owners = markers if signal.shape[0] == "NMARKERS" else links
+            out += [f"{owner}.{what}{part}" for owner in owners for part in PARTS[signal.shape[1:]]]
+        else:
+            out += [what + part for part in PARTS[signal.shape]]
+    return tuple(out)
+
+
+def unit_text(unit: str) -> str:
+    """A unit of a signal as people write it: `kg·m²/s` of `kg*m^2/s`."""
+    return unit.translate(SIGNS).replace("^", "")
+
+
+def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
+    """The units of these entries, as mock-up units have them."""
+    out: list[str] = []
+    for of in function.results.values():
+        count, parts = math.prod(shape(of, chain)), unit_text(of.unit).split(", ")
+        out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
+    return out

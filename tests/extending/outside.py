@@ -1,0 +1,37 @@
+"""A robot with something that the product does not contain goes through the checks of the matrix of features."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from conformance.cases import Case
+from conformance.checks import CHECKS
+from helpers import EPS, Model, relative
+
+every_check = pytest.mark.parametrize(
+    "check",
+    ["DAE form", "CasADi", "JAX", "C, fused", "C, modular", "lanes", "derivatives", "derivatives of steps", "runs"],
+)
+"""What is built on the dynamics; runs are those of C, of CasADi and of rollouts."""
+
+
+class Outside(Case):
+    """A model in a state q, v, tau, w_ext, with the accelerations, and wrenches, that somebody else expects there."""
+
+    def __init__(self, model: Model, given: tuple, vdot, wrench=None):
+        super().__init__({})
+        self.expected = [np.asarray(x) for x in (vdot, wrench) if x is not None]
+        tolerance = max(1e-10, 50 * EPS * np.linalg.cond(model.numpy().mass_matrix(given[0])))
+        judge = SimpleNamespace(given=given, tolerance=tolerance, errors=self._errors)
+        vars(self).update(model=model, judge=judge)
+
+    def _errors(self, *found) -> dict[int, float]:
+        pairs = zip(found, self.expected, strict=False)
+        return {k: relative(np.reshape(x, expected.shape), expected) for k, (x, expected) in enumerate(pairs)}
+
+    def holds(self, check: str) -> None:
+        """In NumPy it moves as it is expected to, and what else is built on that agrees."""
+        assert max(self._errors(*self.model.numpy().forward_dynamics(*self.given)).values()) <= self.tolerance
+        CHECKS[check].run(self)

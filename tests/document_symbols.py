@@ -115,6 +115,7 @@ class Printed:
             if section.link_class:
                 for number, names in re.findall(r"As for class (\d+): (.*)\.", own[0].text):
                     own += listed(names, self.classes[int(number)])
+                self._steps_of_others(own)
                 self.classes[section.link_class] = own
             else:
                 self.sections[section.title] = own
@@ -122,6 +123,14 @@ class Printed:
         self.theory = [eq for part in theory for eq in part.equations]
         inline = [(left, right) for part in theory for left, sign, right in part.inline if sign == "="]
         self.inline = dict(reversed(inline))
+
+    def _steps_of_others(self, own: list[Part]) -> None:
+        """Steps that a class only names, where an earlier one has them."""
+        for part in own:
+            for title, number, names in re.findall(r"As under “(.*)” of class (\d+): (.*)\.\n", part.text):
+                other = next(p for p in self.classes[int(number)] if p.title == title)
+                for name in map(plain, re.findall(r"\$([^$]*)\$", names)):
+                    part.steps.setdefault(name, other.steps[name])
 
     def table(self, first: str) -> list[tuple[str, ...]]:
         """The rows of the table whose head begins so; none if there is no such table."""

@@ -71,7 +71,7 @@ def test_every_step_is_shown_once_with_name_and_equation(name):
     others = [s for s in sections if re.match(r"Link class \d+, other forms\}", s)]
     assert sorted(shown) == list(range(1, len(chain.classes) + 1))
     for class_number, key in enumerate(chain.classes, 1):
-        referred = [shown[int(n)] for n in re.findall(r"As for class (\d+)", shown[class_number])] + others
+        referred = [shown[int(n)] for n in re.findall(r"(?:As for|of) class (\d+)", shown[class_number])] + others
         wanted = Counter(step.name for step in {step for _, view in views(key) for step in view.steps})
         own = _steps(shown[class_number])
         assert own <= wanted

@@ -27,7 +27,7 @@ from .content import CITATION, MODES, PARAMETERS, SYMBOLS, Document, DocumentSec
 from .drawing_writers import picture
 from .joints import joints
 from .layout import one_line
-from .link_class import class_section, ordered
+from .link_class import PrintedClasses, class_section, ordered
 from .notation import Notation, respelled
 from .occurring import occurring
 from .page import extras as extras
@@ -136,7 +136,7 @@ def _classes(
     chain: Chain, parts: Mapping[LinkClass, Sequence[list[BlockView]]], shown: Mapping[LinkClass, dict], appendix: bool
 ) -> Iterator[DocumentSection]:
     """The sections of the classes: what the algorithm needs, or the further forms of their equations."""
-    printed: dict = {}
+    printed = PrintedClasses()
     for number, key in enumerate(chain.classes, 1):
         members = [name for name, k in zip(chain.names, chain.keys, strict=True) if k == key]
         yield class_section(number, key, members, parts[key][appendix], printed, shown[key], appendix)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from ...algebra.notation import axis_latex
 from ...bases import Shapes
@@ -50,16 +50,24 @@ Part = tuple[str, tuple[Item, ...]]
 """A heading with its content."""
 
 
+@dataclass
+class PrintedClasses:
+    """What the sections of earlier classes print, with the number of the class: parts, and steps by their headings."""
+
+    parts: dict[Part, int] = field(default_factory=dict)
+    steps: dict[Hashable, int] = field(default_factory=dict)
+
+
 def class_section(
     number: int,
     key: LinkClass,
     members: Sequence[str],
     views: Sequence[BlockView],
-    printed: dict[Part, int],
+    printed: PrintedClasses,
     shown: dict[Item, str],
     appendix: bool = False,
 ) -> DocumentSection:
-    """The section of a class; parts that an earlier class has ``printed`` are only named.
+    """The section of a class; parts and steps that an earlier class has ``printed`` are only named.
 
     So are steps that are ``shown`` under an earlier heading of the class.
     ``appendix``: of further forms of the equations, without the kinematic field.
@@ -69,13 +77,15 @@ def class_section(
     if appendix:
         items = [Paragraph(f"{OTHERS} Links of this class: {names}.")]
     parts = list(_parts(key, views, appendix))
-    for earlier in sorted({printed[part] for part in parts if part in printed}):
-        titles = [part[0] for part in parts if printed.get(part) == earlier]
+    for earlier in sorted({printed.parts[part] for part in parts if part in printed.parts}):
+        titles = [part[0] for part in parts if printed.parts.get(part) == earlier]
         items.append(Paragraph(f"As for class {earlier}: {', '.join(titles).lower()}."))
     for title, below in parts:
-        if (title, below) not in printed:
-            printed[title, below] = number
-            items += [Heading(title), *_once(title, below, shown)]
+        if (title, below) not in printed.parts:
+            printed.parts[title, below] = number
+            own = _once(title, below, shown)
+            whole = key.order == EXACT or key.tendons  # what is computed point by point is read in its order
+            items += [Heading(title), *(own if whole else _others(title, own, number, printed.steps))]
     return DocumentSection(f"Link class {number}{', other forms' * appendix}", items, number, appendix)
 
 
@@ -89,6 +99,25 @@ def _once(title: str, below: Sequence[Item], shown: dict[Item, str]) -> Iterator
         if item not in repeated:
             shown[item] = title
             yield item
+
+
+def _others(title: str, below: Iterable[Item], number: int, printed: dict[Hashable, int]) -> Iterator[Item]:
+    """What is below a title; steps that an earlier class prints below the same title are only named."""
+    items = list(below)
+    steps = {item: (title, item, *_size(item)) for item in items if isinstance(item, StepEquation)}
+    known = {item: printed[step] for item, step in steps.items() if step in printed}
+    for earlier in sorted(set(known.values())):
+        symbols = ", ".join(f"${item.step.formula[0][0]}$" for item, own in known.items() if own == earlier)
+        yield Paragraph(f"As under “{title}” of class {earlier}: {symbols}.")
+    yield from (item for item in items if item not in known)
+    for step in steps.values():
+        printed.setdefault(step, number)
+
+
+def _size(item: StepEquation) -> tuple[Hashable, ...]:
+    """What tells steps apart that print alike: of how many entries they and what they are made of are."""
+    definition = item.step.definition
+    return definition.signal.shape, *definition.entries.ravel()
 
 
 def _parts(key: LinkClass, views: Sequence[BlockView], appendix: bool) -> Iterator[Part]:

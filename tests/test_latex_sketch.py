@@ -13,7 +13,7 @@ from screwgen import Robot, load
 from screwgen.backends.latex.document import chain_of
 from screwgen.backends.latex.drawing import Drawing, Label, Stroke, dashes, outside
 from screwgen.backends.latex.drawing_writers import picture, svg
-from screwgen.backends.latex.label_places import overlaps
+from screwgen.backends.latex.label_places import Wish, overlaps, placed
 from screwgen.backends.latex.sketch import figure, sketch
 from screwgen.backends.latex.sketch_pen import Pen
 from screwgen.backends.latex.sketch_pose import drawn as numeric_of
@@ -107,6 +107,12 @@ def test_the_arc_of_a_turn_goes_counterclockwise_about_an_axis_towards_the_reade
         x, y = Pen(view, 100.0).flat(Pen(view, 100.0).circle(np.zeros(3), np.array(axis), 8.0)).T
         area = float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]))
         assert np.sign(area) == np.sign(np.dot(axis, view.towards))
+
+
+def test_labels_that_are_needed_find_a_place_in_any_crowd():
+    labels, _ = placed([Wish("q", f"$q_{{{k}}}$", (5.0, 0.0)) for k in range(200)], [], [])
+    assert [label.text for label in labels] == [f"$q_{{{k}}}$" for k in range(200)]
+    assert list(overlaps(labels)) == []
 
 
 def test_solids_hide_what_is_behind_them():

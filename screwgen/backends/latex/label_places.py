@@ -105,7 +105,7 @@ def _candidates(wish: Wish, size: Point) -> tuple[np.ndarray, np.ndarray]:
     centres = np.array(wish.anchor) + (distances[:, None, None] - EDGE + within[None, :, None]) * ways[None]
     costs = np.round(distances[:, None] + ASIDE * (1 - np.cos(turns)) / 2, 6)
     order = np.argsort(costs, axis=None, kind="stable")
-    return centres.reshape(-1, 2)[order], costs.ravel()[order]
+    return np.round(centres.reshape(-1, 2)[order], 6), costs.ravel()[order]
 
 
 def _leader(anchor: Point, label: Label) -> Stroke | None:

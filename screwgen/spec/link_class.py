@@ -13,7 +13,7 @@ from ..joints.kind import JointKind
 from ..joints.product import WELD as WELDED
 from ..joints.screw import Screw
 from ..reduction.invariants import Invariants
-from .axis_laws import Acting, laws
+from .axis_laws import LawOnAxis, laws
 from .drive_class import DriveClass, Stop, drive_classes, stops
 from .joint import Joint
 from .markers import TIP
@@ -183,7 +183,7 @@ class LinkClass:
         return list(dict.fromkeys(filter(None, said)))
 
     @cached_property
-    def laws(self) -> tuple[Acting, ...]:
+    def laws(self) -> tuple[LawOnAxis, ...]:
         """The forces that are not linear on the coordinates of the joint: friction, stops, elements of axes."""
         return tuple(laws(self))
 

@@ -15,7 +15,7 @@ from test_estimator import SOFT, TIP
 
 from screwgen import ScrewgenError, SingularError, UsageError
 from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.runtime.lean import LeanProject
+from screwgen.runtime.lean import RuntimeProject
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.integrate import JointStepper
 
@@ -341,7 +341,7 @@ int main(void)
 
 def test_the_gate_in_c_under_sanitizers(tmp_path):
     """Bit for bit what drop-outs leave, and the count of refused entries; nothing else is printed."""
-    files = LeanProject(model().chain, "0", "runtime", estimator=True).files() | {"main.c": PROGRAM}
+    files = RuntimeProject(model().chain, "0", "runtime", estimator=True).files() | {"main.c": PROGRAM}
     for name, text in files.items():
         (tmp_path / name).write_text(text)
     sources = (name for name in files if name.endswith(".c"))

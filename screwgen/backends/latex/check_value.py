@@ -56,7 +56,7 @@ def _tables(
         for i, x in sorted(wrench_of.items())
     )
     yield Paragraph(
-        f"{about} At the tip{'s of the first and the last link' * (chain.n > 1)}, {acting}; at others nothing acts."
+        f"{about} At the tip{'s of the first and the last link' * (chain.n > 1)}, {acting}; at others nothing acts{' besides the loops' * bool(chain.robot.loops)}."
     )
     size = max(len(q), len(v), len(u))
     columns = [[exact(x) for x in column] + [""] * (size - len(column)) for column in (q, v, u, vdot)]

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import pairwise
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -34,6 +33,10 @@ class TextRun(NamedTuple):
     """How far it is below the piece before it, px; empty where it is on the same line."""
 
 
+STRAIGHT = 0.9
+"""The cosine of the angle from which on a line goes on in its direction."""
+
+
 def svg(drawing: Drawing) -> str:
     """The drawing in SVG."""
     width, height = drawing.size
@@ -60,7 +63,7 @@ def svg(drawing: Drawing) -> str:
 
 
 def picture(drawing: Drawing) -> str:
-    """The drawing in LaTeX: every line is made of straight pieces by ``\\qbezier``."""
+    """The drawing in LaTeX: every line is made of parabolas by ``\\qbezier``."""
     width, height = drawing.size
     return render(
         "latex/sketch.tex.jinja",
@@ -97,13 +100,29 @@ def _pieces(label: str, look: str) -> Iterator[TextRun]:
 
 
 def _curves(stroke: Stroke) -> Iterator[tuple[int, str]]:
-    """The straight pieces of a line: how many dots make them, and their points."""
+    """The parabolas of a line: how many dots make them, and their points. Each goes through three points in a row."""
     lines = dashes(stroke.points, *DASHES[stroke.look]) if stroke.look in DASHES else [stroke.points]
     for points in lines:
-        for a, b in pairwise(points):
-            count = int(np.ceil(np.hypot(b[0] - a[0], b[1] - a[1]) / (TOUCH * THIN * WIDTHS[stroke.look])))
-            middle = (rounded((a[0] + b[0]) / 2), rounded((a[1] + b[1]) / 2))
+        start = 0
+        while start < len(points) - 1:
+            end = min(start + (2 if _smooth(points[start : start + 3]) else 1), len(points) - 1)
+            a, b = points[start], points[end]
+            between = points[start + 1] if end > start + 1 else ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+            middle = tuple(rounded(2 * m - (x + y) / 2) for m, x, y in zip(between, a, b, strict=True))
+            length = sum(np.hypot(y[0] - x[0], y[1] - x[1]) for x, y in ((a, between), (between, b)))
+            count = int(np.ceil(length / (TOUCH * THIN * WIDTHS[stroke.look])))
             yield max(count, 1), "".join(f"({_number(x)},{_number(y)})" for x, y in (a, middle, b))
+            start = end
+
+
+def _smooth(points: Sequence[tuple[float, float]]) -> bool:
+    """Whether a line does not turn sharply in the middle of three points."""
+    if len(points) < 3:
+        return False
+    (ax, ay), (bx, by), (cx, cy) = points
+    before, after = (bx - ax, by - ay), (cx - bx, cy - by)
+    along = before[0] * after[0] + before[1] * after[1]
+    return along > STRAIGHT * np.hypot(*before) * np.hypot(*after)
 
 
 def _number(x: float) -> str:

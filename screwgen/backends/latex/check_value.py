@@ -55,9 +55,8 @@ def _tables(
         rf"$\boldsymbol{{\mathcal{{W}}}}_{{ext,{i}}} =$ [{', '.join(map(exact, x))}]"
         for i, x in sorted(wrench_of.items())
     )
-    yield Paragraph(
-        f"{about} At the tip{'s of the first and the last link' * (chain.n > 1)}, {acting}; at others nothing acts{' besides the loops' * bool(chain.robot.loops)}."
-    )
+    where, besides = "s of the first and the last link" * (chain.n > 1), " besides the loops" * bool(chain.robot.loops)
+    yield Paragraph(f"{about} At the tip{where}, {acting}; at others nothing acts{besides}.")
     size = max(len(q), len(v), len(u))
     columns = [[exact(x) for x in column] + [""] * (size - len(column)) for column in (q, v, u, vdot)]
     rows = tuple((f"{k + 1}", *row) for k, row in enumerate(zip(*columns, strict=True)))

@@ -197,7 +197,8 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
         *coordinates.tables(chain),
         Heading("Links"),
         Paragraph(
-            "A link sits on the tip of the one above it, the first on the base, unless its remarks name another; `world` is the base."
+            "A link sits on the tip of the one above it, the first on the base, unless its remarks name another; "
+            "`world` is the base."
         ),
         tables.links(chain),
         *besides(chain),

@@ -333,7 +333,7 @@ def _anchor_of(sections: Sequence[PageSection], part: str) -> str:
 
 
 def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
-    of_class = {s.section.link_class: s.anchor for s in sections}
+    of_class = {s.section.link_class: s.anchor for s in sections if not s.section.appendix}
     places = {(link, lines.title): anchor for s in sections for x in s.items for anchor, link, lines in x.codes}
     torques = {item.link: item.anchor for s in sections for item in s.items if item.link}
     for i, name in enumerate(more.names[:MANY_LINKS]):

@@ -26,7 +26,7 @@ from .version import __version__ as VERSION
 
 if TYPE_CHECKING:
     from .backends.casadi.acados import AcadosExport
-    from .backends.casadi.functions import Made
+    from .backends.lazy import LazyFunctions
 
 _T = TypeVar("_T")
 
@@ -127,9 +127,10 @@ class RobotModel:
         return modal_functions(self.chain)
 
     @cached_property
-    def _casadi(self) -> Made:
+    def _casadi(self) -> LazyFunctions:
         from .backends.casadi import functions as casadi
         from .backends.casadi import steps
+        from .backends.lazy import LazyFunctions
 
         own = (casadi.functions, casadi.dae_functions, steps.motion_functions)
         integrands = {
@@ -137,7 +138,7 @@ class RobotModel:
             "dae": lambda: casadi.dae(self.chain, found["assemble"]),
         }
         makers = (make(self.chain) for make in (*own, *(p.casadi for p in self._plugins)))
-        found: Made = casadi.Made(merged("CasADi function", *makers, integrands))
+        found: LazyFunctions = LazyFunctions(merged("CasADi function", *makers, integrands))
         return found
 
     def casadi(self, methods: Sequence[Method] = ()) -> Mapping:

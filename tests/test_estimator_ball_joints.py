@@ -15,7 +15,7 @@ from sensors import felt, measured
 from screwgen import ScrewgenError, UsageError
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.runtime.lean import LeanProject
+from screwgen.runtime.lean import RuntimeProject
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.integrate import JointStepper
 
@@ -221,7 +221,7 @@ def test_a_quaternion_of_no_length_is_refused():
 @pytest.mark.parametrize("name", ROBOTS)
 def test_the_c_compiles_without_a_warning(name, tmp_path):
     robot = model(name)
-    for file, text in LeanProject(robot.chain, "0", "baked", estimator=True).files().items():
+    for file, text in RuntimeProject(robot.chain, "0", "baked", estimator=True).files().items():
         (tmp_path / file).write_text(text)
     source = tmp_path / f"{robot.robot.name}_estimator.c"
     done = subprocess.run(

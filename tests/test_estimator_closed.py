@@ -22,7 +22,7 @@ from screwgen import SingularError, UsageError, equilibrium
 from screwgen.algorithms.joint_sensors import pose_sensors
 from screwgen.plotting.mode_plot import displaced
 from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.runtime.lean import LeanProject
+from screwgen.runtime.lean import RuntimeProject
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.integrate import JointStepper
 
@@ -314,7 +314,7 @@ def test_what_leads_astray_is_refused_and_changes_nothing():
 )
 def test_folders_compile_without_a_warning(tmp_path, name, compiler, binding, define):
     robot = model(name)
-    for file, text in LeanProject(robot.chain, robot.version, binding, estimator=True).files().items():
+    for file, text in RuntimeProject(robot.chain, robot.version, binding, estimator=True).files().items():
         (tmp_path / file).write_text(text)
     source = f"{robot.robot.name}_estimator.c"
     command = [require_tool(compiler), *WARNINGS, *define, "-fsyntax-only", source]

@@ -15,7 +15,7 @@ from test_estimator import SOFT, TIP
 
 from screwgen import ScrewgenError, SingularError, UsageError
 from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.runtime.lean import LeanProject
+from screwgen.runtime.lean import RuntimeProject
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.integrate import JointStepper
 
@@ -112,7 +112,9 @@ def test_a_measurement_that_stays_beyond_the_gate_is_taken_again(kind, within):
         e.update([0.0], REST, [0.3])
         refused.append(bool(e.innovations["encoder"].refused[0]))
     assert refused[: patience + 1] == [True] * patience + [False]
-    assert np.mean(refused[150:]) < 0.05 and abs(e.state[0][0] - 0.3) < 5e-3
+    settled = within == 30  # taken after fewer refusals, the mode that nothing damps rings on
+    assert np.mean(refused[150:]) <= (0.0 if settled else 0.05)
+    assert abs(e.state[0][0] - 0.3) < (1e-3 if settled else 5e-3)
 
 
 def test_an_attitude_is_refused_as_a_whole():
@@ -341,7 +343,7 @@ int main(void)
 
 def test_the_gate_in_c_under_sanitizers(tmp_path):
     """Bit for bit what drop-outs leave, and the count of refused entries; nothing else is printed."""
-    files = LeanProject(model().chain, "0", "runtime", estimator=True).files() | {"main.c": PROGRAM}
+    files = RuntimeProject(model().chain, "0", "runtime", estimator=True).files() | {"main.c": PROGRAM}
     for name, text in files.items():
         (tmp_path / name).write_text(text)
     sources = (name for name in files if name.endswith(".c"))

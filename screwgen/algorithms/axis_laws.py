@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..elements import Law
 from ..ir.program import Value, Vector
-from ..spec.axis_laws import Acting
+from ..spec.axis_laws import LawOnAxis
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from .scope import Scope
@@ -16,7 +16,7 @@ Place = tuple[str, int]
 """A part of a link's coordinates, `q` or `theta`, and the number there."""
 
 
-class OfLink(NamedTuple):
+class LawsOfLink(NamedTuple):
     """A law, where it acts among the coordinates of a link, and at which side of each."""
 
     law: Law
@@ -24,7 +24,7 @@ class OfLink(NamedTuple):
     sides: tuple[int, ...]
 
 
-class OfRobot(NamedTuple):
+class LawsOfRobot(NamedTuple):
     """A law, the coordinates on which it acts, as numbers among the given ones (``n_given``), and the side of each."""
 
     law: Law
@@ -32,15 +32,15 @@ class OfRobot(NamedTuple):
     sides: list[int]
 
 
-def of_link(key: LinkClass) -> list[OfLink]:
+def of_link(key: LinkClass) -> list[LawsOfLink]:
     """The laws that act on a link's coordinates."""
     groups = [(law, [one for one in key.laws if one.law == law]) for law in dict.fromkeys(one.law for one in key.laws)]
-    return [OfLink(law, [(x.part, x.place) for x in own], tuple(x.side for x in own)) for law, own in groups]
+    return [LawsOfLink(law, [(x.part, x.place) for x in own], tuple(x.side for x in own)) for law, own in groups]
 
 
-def of_robot(chain: Chain) -> list[OfRobot]:
+def of_robot(chain: Chain) -> list[LawsOfRobot]:
     """The laws that act in a robot, link by link."""
-    return [OfRobot(law, [x.coordinate for x in own], [x.side for x in own]) for law, own in chain.laws.items()]
+    return [LawsOfRobot(law, [x.coordinate for x in own], [x.side for x in own]) for law, own in chain.laws.items()]
 
 
 def columns_of(s: Scope) -> Iterator[tuple[str, list[Value]]]:
@@ -68,7 +68,7 @@ def axis_energy(s: Scope, q: Vector) -> Value:
     return total
 
 
-def _on_axes(s: Scope) -> list[Acting]:
+def _on_axes(s: Scope) -> list[LawOnAxis]:
     return [one for one in s.key.laws if one.part == "q"]
 
 

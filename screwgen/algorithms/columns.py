@@ -20,7 +20,7 @@ def columns(chain: Chain, links: Sequence[Mapping[str, Sequence]]) -> dict[str, 
     for one in of_robot(chain):
         out |= {name: [0.0] * len(one.coordinates) for name in one.law.constants}
     for i, link in enumerate(links):
-        for part, span in chain.own_spans(i).items():
+        for part, span in chain.coordinate_spans(i).items():
             for name, own in zip(robot_columns(part), link_columns(part), strict=True):
                 out[name][span] = link[own]
     return out

@@ -110,7 +110,7 @@ class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
 
     def _terms(self, i: int, x: Mapping[str, list], parts: Sequence[str]) -> dict[str, list]:
         out: dict[str, list] = {}
-        spans = self.chain.own_spans(i)
+        spans = self.chain.coordinate_spans(i)
         below, gear = (spans.pop(part, None) for part in ("below", "between"))
         for part, span in spans.items():
             if not isinstance(part, str):

@@ -66,7 +66,7 @@ def _sources(
     links = []
     for i in range(chain.n):
         names = {f"c.{label}": 1 for label in constant_labels(chain, i, algorithms)}
-        for part, span in chain.own_spans(i).items():
+        for part, span in chain.coordinate_spans(i).items():
             names |= dict.fromkeys(link_columns(part), width(span))
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}

@@ -161,7 +161,7 @@ def eliminate(s: Scope) -> None:
     """Tip to base: add the tip's reaction, eliminate modes and joint, pass the result to the parent."""
     M_V, M_D, h_V, h_eta = rows(s)
     own = M_V, M_D, h_V, h_eta + pulled(s)
-    if s.key.unstiffened:
+    if s.key.lacks_geometric_stiffness:
         s.keep("own_axial", np.concatenate([own[0][3], own[1][3], own[2][3:4]]))
     loads = [(section, *tip_load(section)) for section in s.sections]
     for station, Lambda, p in loads[1:]:
@@ -218,7 +218,7 @@ def accelerate(s: Scope) -> None:
         etaddot = modal_accelerations(s, delta)
         s.write("etaddot", etaddot)
     at_stations = [_tip_delta(station, delta, etaddot) for station in s.stations]
-    if s.key.unstiffened:
+    if s.key.lacks_geometric_stiffness:
         own = mx.dot(s.kept("own_axial"), np.concatenate([delta, etaddot, [1.0]]))
         for station, delta_T in zip(s.stations, at_stations, strict=True):
             own = own + on_the_way(station) * mx.dot(station.kept("load_axial"), np.concatenate([delta_T, [1.0]]))
@@ -273,7 +273,7 @@ def inverse_inward(s: Scope) -> None:
     load = tip_reaction(s)
     bias, bias_eta = link_load(s, s.kept("omega"), s.kept("acc_0") + delta) if exact else (h_V, h_eta)
     needed = mx.multiply(M_V, delta) + mx.multiply(M_D, etaddot) + bias
-    if s.key.unstiffened:
+    if s.key.lacks_geometric_stiffness:
         own = needed[3]
         for station in s.stations:
             own = own + on_the_way(station) * station.read("tip.p")[3]

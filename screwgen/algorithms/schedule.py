@@ -83,7 +83,13 @@ def _ways(key: LinkClass) -> tuple[str, ...]:
     That is to second order, when a link is straight; where sections that turn without inertia have rank at the tip
     alone; where the shapes are the numbers of a file; and where several sections carry links.
     """
-    if key.order in (2, EXACT) or key.light or key.modes < FEW or key.elastic is not None or key.stations_at:
+    if (
+        key.order in (2, EXACT)
+        or key.has_inertialess_section_modes
+        or key.modes < FEW
+        or key.elastic is not None
+        or key.stations_at
+    ):
         return (FACTOR,)
     return WAYS if key.modes <= MANY else (COMPLIANCE,)
 

@@ -28,7 +28,7 @@ def measure(s: Scope) -> None:
         s.write("measures", mx.zeros(len(MEASURES)))
         return
     given, names = {"eta": s.read("eta")}, MEASURES[:2]
-    if s.key.unstiffened:
+    if s.key.lacks_geometric_stiffness:
         motion, names = s.read("motion"), MEASURES
         given |= {"omega_t": motion[:2], "a_x": motion[2:3], "F_x": s.read("wrench")[3:4], "F_own": motion[3:]}
     found = [np.ravel(x) for x in s.lower("validity", given, *names)]

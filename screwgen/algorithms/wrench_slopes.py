@@ -85,7 +85,7 @@ def _columns(
 
 def wrench_program(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row."""
-    chain.needs_tree("derivatives of joint wrenches", "differentiate the CasADi functions")
+    chain.refuse_loops("derivatives of joint wrenches", "differentiate the CasADi functions")
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"])

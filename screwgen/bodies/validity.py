@@ -57,7 +57,7 @@ def validity_block(key: LinkClass) -> Block:
         l = length(b, key)
         fields = Fields(key, b.values[l.name].item(), 0)
         _tip(b, key, l, (fields.tip()[1:], fields.rotation()[1:]))
-        if key.unstiffened:
+        if key.lacks_geometric_stiffness:
             _loads(b, key, l)
     return b
 

@@ -83,12 +83,12 @@ def _casadi_joint(model: Model, s: State) -> Evaluation:
 
 def _casadi_dae(model: Model, s: State) -> Evaluation:
     from ..backends.casadi.functions import modal_functions
-    from ..backends.numpy.own_forces import OwnForces
+    from ..backends.numpy.own_forces import CoordinateForces
 
     functions, p = modal_functions(model.chain), model.parameter_values
     x = model.casadi()["dae_state"](s.q, s.v, p)
-    own = OwnForces.of_columns(model.chain, [np.array(x)[:, 0] for x in functions["modal_properties"].call([p])])
-    own = own.acting(own.of(s.q), own.of(s.v))
+    own = CoordinateForces.of_columns(model.chain, [np.array(x)[:, 0] for x in functions["modal_properties"].call([p])])
+    own = own.linearised_over(own.of(s.q), own.of(s.v))
     force = own.force(own.of(s.q), own.of(s.v), 0.0)
     _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, own.M, force, p)
     return np.array(vdot)[:, 0], np.array(wrench).T

@@ -4,7 +4,7 @@ from .added import Added as Added
 from .added import Linear as Linear
 from .added import Terms as Terms
 from .axis_element import AxisElement as AxisElement
-from .axis_element import OfElement as OfElement
+from .axis_element import ElementLaw as ElementLaw
 from .axis_element import key as key
 from .cylinder import CYLINDER as CYLINDER
 from .four_bar import FourBarLinkage as FourBarLinkage

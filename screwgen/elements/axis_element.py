@@ -64,7 +64,7 @@ class AxisElement:
 
 
 @dataclass(frozen=True)
-class OfElement:
+class ElementLaw:
     """The law of a kind of element."""
 
     kind: type[AxisElement]

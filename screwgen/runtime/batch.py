@@ -14,7 +14,7 @@ from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..robot_model import RobotModel
 from .differentiated import STATUS, known
-from .lean import LeanProject
+from .lean import RuntimeProject
 from .library import load
 from .memory import pointer
 from .pace import FIRST, slices
@@ -190,9 +190,9 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
             over.set()
 
 
-def _files(model: RobotModel, methods: Sequence[Method]) -> tuple[LeanProject, dict[str, str]]:
+def _files(model: RobotModel, methods: Sequence[Method]) -> tuple[RuntimeProject, dict[str, str]]:
     """The sources of a batch, and its project."""
-    project, name = LeanProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
+    project, name = RuntimeProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
     library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
     files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
     return project, files | {"shim.c": project.shim("batch_shim.c")}

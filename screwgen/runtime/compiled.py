@@ -18,16 +18,16 @@ from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from .differentiated import NO_METHOD, Differentiated
-from .forms import Forms, Later
-from .lean import LeanProject
+from .differentiated import NO_METHOD, CompiledDerivatives
+from .forms import Forms, LazyLibrary
+from .lean import RuntimeProject
 from .library import load
 from .memory import Array, LinkMotions, Pair, pointer
 from .pace import slices
 from .stepper import Stepper
 
 
-class Compiled(Differentiated):
+class Compiled(CompiledDerivatives):
     """A robot's C in a shared library.  Arrays are those of the NumPy back end; precision may be single.
 
     Numbers are copied from the caller's arrays into the structs of the C, and from there into ``out`` or new arrays.
@@ -60,14 +60,14 @@ class Compiled(Differentiated):
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
         options: dict[str, Any] = {"derivatives": derivatives, "methods": methods, "outputs": True}
-        self.project = LeanProject(self.chain, model.version, parameters, layout, **options)
+        self.project = RuntimeProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
         files = self.project.files() | shims(self.project)
         joint, dae = split(self.project, files)
         headers = {name: text for name, text in files.items() if name.endswith(".h")}
         compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
-        self.library = Forms(compiled(joint), Later(lambda: compiled(dae)))
-        self._sensors = Later(lambda: compiled(headers | self.project.sensing()))
+        self.library = Forms(compiled(joint), LazyLibrary(lambda: compiled(dae)))
+        self._sensors = LazyLibrary(lambda: compiled(headers | self.project.sensing()))
         self._place()
         self.prepare(None)
 

@@ -15,7 +15,7 @@ from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
-from .lean import LeanProject
+from .lean import RuntimeProject
 from .memory import Array, Memory, Real, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
@@ -25,7 +25,7 @@ Derivatives = tuple[Array, Array, Array, Array]
 NO_METHOD = "in the generated C there is no integrator"
 
 
-def known(method: str | Method, project: LeanProject) -> Method:
+def known(method: str | Method, project: RuntimeProject) -> Method:
     """An integrator of the library of a project; raises UsageError where it is not one of its methods."""
     wanted = method_of(method, project.methods, NO_METHOD)
     if wanted not in project.methods.values():
@@ -53,10 +53,10 @@ class Scratch(dict):
         return self.setdefault(name, ctypes.create_string_buffer(size()))
 
 
-class Differentiated(Memory):
+class CompiledDerivatives(Memory):
     """The functions that need ``derivatives=True``."""
 
-    project: LeanProject
+    project: RuntimeProject
     single: bool
 
     def linearise(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Derivatives:

@@ -14,7 +14,7 @@ from ..backends.numpy.covariance import LOST, root
 from ..errors import DivergedError, SingularError, UsageError
 from ..robot_model import RobotModel
 from .differentiated import NONFINITE, SINGULAR, failure
-from .lean import LeanProject
+from .lean import RuntimeProject
 from .library import load
 from .measurements import (
     Innovation,
@@ -58,7 +58,7 @@ def _members(model: RobotModel) -> dict[str, tuple[int, ...]]:
 
 def _files(model: RobotModel, binding: str) -> dict[str, str]:
     """The sources of an estimator."""
-    project = LeanProject(model.chain, model.version, binding, estimator=True)
+    project = RuntimeProject(model.chain, model.version, binding, estimator=True)
     return project.files() | {"shim.c": project.shim("estimator_shim.c", list(_members(model)))}
 
 

@@ -14,7 +14,7 @@ from ..backends.fmi.package import archive, unit
 from ..errors import TargetWarning
 from ..integrators.method import Method
 from ..robot_model import RobotModel
-from .lean import LeanProject
+from .lean import RuntimeProject
 from .library import binary, has_compiler
 
 FLAGS = ("-O2", "-fvisibility=hidden", "-Wl,-s")
@@ -28,7 +28,7 @@ PLACES = {
 """The folders of binaries of Linux, by version and processor."""
 
 
-class UnitProject(LeanProject):
+class UnitProject(RuntimeProject):
     """The library of a unit, which knows the strains besides."""
 
     further = (STRAINED,)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 
-class Later:
+class LazyLibrary:
     """The functions of a library by name; it is compiled when the first is asked for.
 
     Raises AttributeError for a name that it does not have, ScrewgenError where it does not compile.
@@ -28,11 +28,11 @@ class Later:
 class Forms:
     """The functions of a robot's library by name; those of the DAE form come from a library of their own."""
 
-    def __init__(self, joint: ctypes.CDLL, dae: Later):
+    def __init__(self, joint: ctypes.CDLL, dae: LazyLibrary):
         self._joint, self._dae = joint, dae
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
-        """A function; raises as :class:`Later`."""
+        """A function; raises as :class:`LazyLibrary`."""
         try:
             found = getattr(self._joint, name)
         except AttributeError:

@@ -10,7 +10,7 @@ LEFT_OUT = ("reference.h", SENSORS)
 """What begins the names of templates of which a shared library has no use at once."""
 
 
-class LeanProject(CProject):
+class RuntimeProject(CProject):
     """The library alone, without the self-check, whose reference values take as long as all the rest."""
 
     _recorded = ()

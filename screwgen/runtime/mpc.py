@@ -14,7 +14,7 @@ from ..arguments import Given, Numbers, array
 from ..backends.c.mpc import Fitted, MpcProject
 from ..robot_model import RobotModel
 from .differentiated import failure
-from .lean import LeanProject
+from .lean import RuntimeProject
 from .library import load
 from .memory import StructMemory, pointer
 
@@ -25,7 +25,7 @@ COUNTS = (
 )
 
 
-class LeanMpcProject(MpcProject, LeanProject):
+class RuntimeMpcProject(MpcProject, RuntimeProject):
     """The library alone, without self-check and example."""
 
     def example(self) -> dict[str, str]:
@@ -111,7 +111,7 @@ class CompiledMpc:
     ):
         self.model, self.real, self.projection = model, np.dtype(np.float32 if single else np.float64), projection
         self.fitted, self.said = fitted, fitted.said
-        project = LeanMpcProject(self.fitted, model.version)
+        project = RuntimeMpcProject(self.fitted, model.version)
         content = project.context["mpc"]
         members = _members(self.fitted, content)
         files = project.files() | {"shim.c": project.shim("mpc_shim.c", list(members))}

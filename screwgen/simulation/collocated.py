@@ -62,7 +62,7 @@ class LeftOut:
         if self.error > TOLERANCE:
             said.append(f"put its {self.section} {self.error:.1g} of its length beside its place")
         if self.inertia > INERTIA:
-            said.append(f"leave its inertia and accelerations off by {self.inertia:.0%}")
+            said.append(f"leave its inertia and accelerations off by {100 * self.inertia:.2g} %")
         return f"link '{self.link}': the {self.points} points along it {' and '.join(said)}; {remedy}"
 
 

@@ -49,8 +49,8 @@ class Holding:
 
     @parameters_keyword
     def __init__(self, model: RobotModel, parameters: Numbers | None = None):
-        model.chain.needs_sums("torque that holds it against gravity", "leave out gravity compensation")
-        model.chain.needs_fixed("torque that holds it against gravity", "leave out gravity compensation")
+        model.chain.refuse_quaternion_joints("torque that holds it against gravity", "leave out gravity compensation")
+        model.chain.refuse_floating_base("torque that holds it against gravity", "leave out gravity compensation")
         self.model, self.statics, self.count, self.chain = model, model.statics, model.n_joints, model.chain
         self.p = np.array(model.parameter_values if parameters is None else parameters, float)
         self.still = np.zeros((6, model.n_links))
@@ -151,7 +151,7 @@ class PD:
 
         Raises UsageError where the law has another number of joints than the robot.
         """
-        chain.needs_sums("PD law of its joints", "give a function of t, q and v")
+        chain.refuse_quaternion_joints("PD law of its joints", "give a function of t, q and v")
         if len(self.q_des) != chain.n_joints:
             what = f"q_des has length {len(self.q_des)}; the robot has {chain.n_joints} joint coordinates"
             raise UsageError(f"PD: {what}")
@@ -250,7 +250,7 @@ def read_pd(path: str | os.PathLike[str], model: RobotModel) -> PD:
     `{ t = …, q = […] }` with ascending times. `gravity = true` adds the torques that hold the arm at the measured joint
     angles. Raises UsageError, `<file>: <key>: <fault>; <what is allowed>`.
     """
-    model.chain.needs_sums("PD law from a file", "give a function of t, q and v in Python")
+    model.chain.refuse_quaternion_joints("PD law from a file", "give a function of t, q and v in Python")
     file = one_line(os.fsdecode(path))
     data = parse(read_text(path, "a TOML file"), file, UsageError, "a gains file has no such depth")
     with refusals(file):

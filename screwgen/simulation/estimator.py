@@ -276,7 +276,7 @@ class Estimator:
     def _directions(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``J``, ``J_q`` of ``J v``, and what gaps take to close, by the inertia of a step of one second."""
         chain, own = self.model.chain, self._stepper.dynamics.own
-        own = own.acting(own.of(q), own.of(v), FIRM, own.of(v))
+        own = own.linearised_over(own.of(q), own.of(v), FIRM, own.of(v))
         M = self._numeric.mass_matrix(q)
         at = slice(chain.nv - chain.n_given, None)
         M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..arguments import Numbers
 from ..backends.numpy.dae_step import space_of
-from ..backends.numpy.own_forces import OwnForces
+from ..backends.numpy.own_forces import CoordinateForces
 from ..errors import DivergedError
 from ..integrators.method import Method, Motion
 from ..integrators.methods import method_of
@@ -83,7 +83,7 @@ class Dynamics:
         functions = model.modal_functions
         self.p, self.n_links = np.array(p, float), model.n_links
         self.evaluate = CasadiEvaluator(functions["modal_dynamics"])
-        self.own = OwnForces.of_columns(model.chain, CasadiEvaluator(functions["modal_properties"])(self.p))
+        self.own = CoordinateForces.of_columns(model.chain, CasadiEvaluator(functions["modal_properties"])(self.p))
 
     def explicit(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         """`vdot` (nv,) and the joint wrenches (6 n,)."""
@@ -91,14 +91,14 @@ class Dynamics:
 
     def modes(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
-        own = self.own.acting(self.own.of(q), self.own.of(v))
+        own = self.own.linearised_over(self.own.of(q), self.own.of(v))
         return own.M, own.force(own.of(q), own.of(v), 0.0)
 
     def implicit(
         self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float, there: Motion
     ) -> np.ndarray:
         """`vdot` (nv,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
-        own = self.own.acting(self.own.of(q), self.own.of(v), h, self.own.of(there[1]))
+        own = self.own.linearised_over(self.own.of(q), self.own.of(v), h, self.own.of(there[1]))
         return self.evaluate(*there, tau, w_ext, own.inertia(h), own.force(own.of(q), own.of(v), h), self.p)[0]
 
 

@@ -89,7 +89,7 @@ class Linearised:
         self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
         self.dynamics = Dynamics(model, self.p)
         own = self.dynamics.own
-        self.own = own.acting(own.of(self.q), own.of(self.v))
+        self.own = own.linearised_over(own.of(self.q), own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))
         self.identity = np.vsplit(np.eye(2 * model.nv), 2)
         self.gains = np.zeros((model.n_tau, 2 * model.nv)) if controller is None else self._gains()

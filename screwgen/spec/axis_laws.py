@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..elements import FRICTION, STOP, Law, OfElement
+from ..elements import FRICTION, STOP, ElementLaw, Law
 
 if TYPE_CHECKING:
     from .link_class import LinkClass
@@ -14,7 +14,7 @@ SIDES = {"lower": -1, "upper": 1}
 """The sign of a coordinate beyond each limit."""
 
 
-class Acting(NamedTuple):
+class LawOnAxis(NamedTuple):
     """A law on one coordinate of a link, and the labels of the numbers that it is made of, None for one that is zero.
 
     ``part``: `q`, or `theta` of an added coordinate; ``place``: the number there; ``side``: see
@@ -28,20 +28,20 @@ class Acting(NamedTuple):
     labels: tuple[str | None, ...]
 
 
-def laws(key: LinkClass) -> Iterator[Acting]:
+def laws(key: LinkClass) -> Iterator[LawOnAxis]:
     """The laws of a class, law by law; friction in transmissions depends on the posture and is not among them."""
     for axis, drive in enumerate(key.drives):
         if drive.coulomb and not drive.travel:
             place = ("theta", key.added_axes.index(axis)) if axis in key.added_axes else ("q", axis)
-            yield Acting(FRICTION, *place, 1, (f"drive_coulomb_{axis + 1}", f"drive_velocity_{axis + 1}"))
+            yield LawOnAxis(FRICTION, *place, 1, (f"drive_coulomb_{axis + 1}", f"drive_velocity_{axis + 1}"))
     for axis, side in key.stops:
         damping = f"limit_damping_{axis + 1}" if axis in key.stop_damping else None
         labels = (f"limit_{side}_{axis + 1}", f"limit_stiffness_{axis + 1}", damping)
-        yield Acting(STOP, "q", axis, SIDES[side], labels)
+        yield LawOnAxis(STOP, "q", axis, SIDES[side], labels)
     for kind in dict.fromkeys(kind for kind, _ in key.elements):
         for axis in (axis for own, axis in key.elements if own is kind):
             own = tuple(element_label(kind.KIND, name, axis) for name in kind.table())
-            yield Acting(OfElement(kind), "q", axis, 1, own)
+            yield LawOnAxis(ElementLaw(kind), "q", axis, 1, own)
 
 
 def element_label(kind: str, name: str, axis: int) -> str:

@@ -13,7 +13,7 @@ from ..joints.kind import JointKind
 from ..joints.product import WELD as WELDED
 from ..joints.screw import Screw
 from ..reduction.invariants import Invariants
-from .axis_laws import Acting, laws
+from .axis_laws import LawOnAxis, laws
 from .drive_class import DriveClass, Stop, drive_classes, stops
 from .joint import Joint
 from .markers import TIP
@@ -96,7 +96,7 @@ class LinkClass:
     """The elements of the axes by their kind, each with its axis."""
     tendons: tuple[TendonClass, ...] = ()
     """The pieces of tendons along the link."""
-    light: bool = False
+    has_inertialess_section_modes: bool = False
     """Whether modes turn sections that have no rotary inertia, without moving the centreline: see `Modes.alike`."""
     stations_at: tuple[float, ...] = ()
     """The places s in [0, 1) along the link, or along its segment, at which it carries others, besides its tip."""
@@ -132,7 +132,7 @@ class LinkClass:
         return any(d in TURN and TURN[d][0] == axis for d, _ in self.directions)
 
     @property
-    def unstiffened(self) -> bool:
+    def lacks_geometric_stiffness(self) -> bool:
         """Whether the link is a rod whose model leaves out what axial loads and rotation do to its bending."""
         return any(self.counts[1:3]) and self.order == 1
 
@@ -183,7 +183,7 @@ class LinkClass:
         return list(dict.fromkeys(filter(None, said)))
 
     @cached_property
-    def laws(self) -> tuple[Acting, ...]:
+    def laws(self) -> tuple[LawOnAxis, ...]:
         """The forces that are not linear on the coordinates of the joint: friction, stops, elements of axes."""
         return tuple(laws(self))
 
@@ -317,5 +317,7 @@ def link_class(
         segment=segment if stations else 0,
         tendons=tendon_classes(link, segment),
         rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
-        light=any(modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()),
+        has_inertialess_section_modes=any(
+            modes.alike(d) and not stated(inertia) for d, (_, inertia) in SHEARED.items()
+        ),
     )

@@ -36,7 +36,7 @@ def assemble(
     loops close with other ones alone; gears are without load. A floating base stays as well. `parameters`: their
     values. Raises UsageError, and OpenLoopError where the search ends with an open loop, which it says.
     """
-    model.chain.needs_sums("assembly", "state its coordinates")
+    model.chain.refuse_quaternion_joints("assembly", "state its coordinates")
     if not model.chain.closing.junctions:
         said = f"robot '{model.robot.name}' has neither loops nor couplings"
         raise UsageError(f"{said}; state [[loops]] or [[couplings]] tables, or leave this out")

@@ -119,7 +119,7 @@ def equilibrium(
     bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
     NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
-    model.chain.needs_sums("equilibrium", "simulate it with dampers")
+    model.chain.refuse_quaternion_joints("equilibrium", "simulate it with dampers")
     if model.chain.floating:
         p = model.chain.parameters.vector(parameters)
         return floating_equilibrium(equilibrium, model, q, tau, w_ext, hold, p, free)

@@ -183,8 +183,8 @@ def loaded_motion(
     model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
-    model.chain.needs_sums("modes under load", "take model.numpy().derivatives")
-    model.chain.needs_fixed(*LOADED)
+    model.chain.refuse_quaternion_joints("modes under load", "take model.numpy().derivatives")
+    model.chain.refuse_floating_base(*LOADED)
     if not model.chain.closing.rows:
         return steady(model, q, rates, loaded, p, moving)
     if rates is not None:

@@ -82,7 +82,7 @@ def steady(
     carry the joints. The coordinates `moving` may move. Raises UsageError where there is no such deflection, and where
     the loads on them change as joints turn.
     """
-    model.chain.needs_sums("steady motion", "simulate it")
+    model.chain.refuse_quaternion_joints("steady motion", "simulate it")
     chain = model.chain
     v = chain.with_inner(checked(rates, "rates", model.n_joints), p)
     p = np.array(p, float) if loaded else np.r_[np.zeros(3), p[3:]]

@@ -120,17 +120,17 @@ class Chain(Coordinates):
         """The robot's parameters, and the checks of their values."""
         return Parameters(self.robot)
 
-    def needs_fixed(self, what: str, instead: str) -> None:
+    def refuse_floating_base(self, what: str, instead: str) -> None:
         """Raises UsageError where the base floats: ``what`` there is none of, and what to do ``instead``."""
         if self.floating:
             raise UsageError(f"robot '{self.robot.name}' has a floating base, for which there is no {what}; {instead}")
 
-    def needs_tree(self, what: str, instead: str) -> None:
+    def refuse_loops(self, what: str, instead: str) -> None:
         """The same where loops close the tree."""
         if self.closing.rows:
             raise UsageError(f"robot '{self.robot.name}' has loops, for which there is no {what}; {instead}")
 
-    def needs_sums(self, what: str, instead: str) -> None:
+    def refuse_quaternion_joints(self, what: str, instead: str) -> None:
         """The same where a joint behind the base has coordinates that do not add up: a ball joint."""
         for part in self.curved:
             if not part.joint.in_space:

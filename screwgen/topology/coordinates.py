@@ -20,7 +20,7 @@ ADDED = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force
 """The signal of what elements add to a link's coordinates by that of its joint."""
 
 
-class Acted(NamedTuple):
+class LawPlace(NamedTuple):
     """Where a law acts: the link, the coordinate as its number among the last ``n_given``, the side there."""
 
     link: int
@@ -205,17 +205,17 @@ class Coordinates(JointCoordinates):
         return out
 
     @cached_property
-    def laws(self) -> dict[Law, list[Acted]]:
+    def laws(self) -> dict[Law, list[LawPlace]]:
         """The laws of all joints, each with the coordinates on which it acts, link by link."""
-        found: dict[Law, list[Acted]] = {FRICTION: [], STOP: []}
+        found: dict[Law, list[LawPlace]] = {FRICTION: [], STOP: []}
         places = {"q": 0, "theta": self.nv - self.base_v - self.n_inner}
         offsets = {"q": self.tau_offset, "theta": self.theta_offset}
         for i, key in enumerate(self.keys):
             for law, part, place, side, _ in key.laws:
-                found.setdefault(law, []).append(Acted(i, places[part] + offsets[part][i] + place, side))
+                found.setdefault(law, []).append(LawPlace(i, places[part] + offsets[part][i] + place, side))
         return {law: acted for law, acted in found.items() if acted}
 
-    def acted(self, law: Law) -> list[Acted]:
+    def acted(self, law: Law) -> list[LawPlace]:
         """Where a law acts, nowhere if it is not among them."""
         return self.laws.get(law, [])
 
@@ -253,7 +253,7 @@ class Coordinates(JointCoordinates):
         """The number of coordinates, the last of q, whose inertia and force an integrator gives."""
         return self.nv - self.base_v if self.has_axis_forces else self.n_modes
 
-    def own_spans(self, i: int) -> dict[str | Law, slice]:
+    def coordinate_spans(self, i: int) -> dict[str | Law, slice]:
         """The slices of these coordinates that hold ``eta`` and, where axes have forces, ``q`` and ``theta`` of a link.
 
         ``below``: the slice of the entries below the diagonal of their inertia, if modes are coupled; ``between``: of
@@ -277,7 +277,7 @@ class Coordinates(JointCoordinates):
     @cached_property
     def coupled(self) -> list[tuple[int, int]]:
         """Row and column, among these coordinates, of the entries of their inertia below the diagonal."""
-        first = [self.own_spans(i)["eta"].start for i in range(self.n)]
+        first = [self.coordinate_spans(i)["eta"].start for i in range(self.n)]
         modes = [(f + i, f + j) for f, key in zip(first, self.keys, strict=True) for i, j in key.coupled]
         first_added = self.n_given - self.n_inner
         return modes + [(first_added + k, joint) for k, joint in enumerate(self.added_joints)]

@@ -148,7 +148,7 @@ typedef struct {
     six_link_real body0_mass; /* kg: mass of body 1 */
     six_link_real chi_1; /* kg*m: first moment of each mode shape */
     six_link_real chi_2; /* kg*m: first moment of each mode shape */
-    six_link_real joint_damping_1; /* N*m*s/rad, N*m/rad: joint damping */
+    six_link_real joint_damping_1; /* N*m*s/rad: joint damping */
     six_link_real length; /* m: length of the link */
     six_link_real m; /* kg: mass, base bodies included */
     six_link_real mount_rpy_x; /* rad: roll, pitch, yaw of the mount */

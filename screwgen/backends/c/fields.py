@@ -156,7 +156,7 @@ def columns(chain: Chain, i: int, text: Callable[[str, str, int], str]) -> str:
     ``text`` of a column's name, of the robot's column that holds it, and of its place there.
     """
     out = ""
-    for part, span in chain.own_spans(i).items():
+    for part, span in chain.coordinate_spans(i).items():
         pairs = zip(link_columns(part), robot_columns(part), strict=True)
         arguments = [text(own, name, span.start) for own, name in pairs]
         if width(span):

@@ -8,7 +8,7 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
-from ...algorithms.axis_laws import OfRobot, of_robot
+from ...algorithms.axis_laws import LawsOfRobot, of_robot
 from ...algorithms.law_programs import STAGE, spring_slopes, spring_stage, stage, stage_slopes
 from ...elements import Key
 from ...ir.program import Program
@@ -41,7 +41,7 @@ def content(chain: Chain) -> list[dict]:
     return [_law(chain, one) for one in of_robot(chain)]
 
 
-def _law(chain: Chain, one: OfRobot) -> dict:
+def _law(chain: Chain, one: LawsOfRobot) -> dict:
     terms, slopes = stage(one.law), stage_slopes(one.law)
     return {
         "name": one.law.name.upper(),

@@ -54,7 +54,7 @@ def piece_place(chain: Chain, kept: str, own: Mapping[str, Callable[[int], str]]
         owner, _, what = signal.partition(":")
         if owner == KEPT:
             return f"{kept}[{int(what or 0) + k}]"
-        for part, span in chain.own_spans(int(owner)).items() if is_column(what) else ():
+        for part, span in chain.coordinate_spans(int(owner)).items() if is_column(what) else ():
             names = link_columns(part)
             if what in names:
                 return f"c->{robot_columns(part)[names.index(what)]}[{span.start + k}]"

@@ -68,7 +68,7 @@ def acados(
     chain: Chain, functions: Mapping[str, Any], form: str = "joint", binding: str = "runtime", w_ext: bool = False
 ) -> AcadosExport:
     """The export of a chain from its CasADi functions; see :meth:`screwgen.Model.acados`."""
-    chain.needs_sums("acados model", "take the CasADi functions")
+    chain.refuse_quaternion_joints("acados model", "take the CasADi functions")
     _check("form", form, FORMS)
     _check("binding of the parameters", binding, BINDINGS)
     tau = ca.SX.sym("tau", chain.n_tau)

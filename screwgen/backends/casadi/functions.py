@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import tempfile
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -19,60 +19,20 @@ from ...algorithms import fused
 from ...algorithms.dae_functions import unknown_size
 from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
-from ...algorithms.robot_functions import BY_NAME, RobotFunction, is_matrix, offered, shape
+from ...algorithms.robot_functions import RobotFunction, is_matrix, offered, shape
 from ...algorithms.signals import Signal
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError
 from ...ir.program import Program
-from ...notebook import code, markdown_table, plain
 from ...spec.base import POSE
 from ...spec.parameters import parameters, per_base, travels, turning
 from ...spec.robot import Robot
 from ...topology.chain import Chain
+from ..lazy import LazyFunctions
 from ..templates import render
 from .checked import CheckedFunction
 from .expressions import expressions
 from .patterns import jacobians, structures
-
-
-class Made(Mapping):
-    """Values by name, each made when it is first asked for."""
-
-    def __init__(self, makers: Mapping[str, Callable[[], object]]):
-        self._makers = makers
-        self._made: dict[str, Any] = {}
-
-    def joined(self, makers: Mapping[str, Callable[[], object]]) -> Made:
-        """These values, which are not made again, and others."""
-        return Made({name: partial(self.__getitem__, name) for name in self} | dict(makers))
-
-    def __getitem__(self, name: str) -> Any:
-        if name not in self._made:
-            choice(name, self._makers, "there is no function")
-            self._made[name] = self._makers[name]()
-        return self._made[name]
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._makers
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._makers)
-
-    def __len__(self) -> int:
-        return len(self._makers)
-
-    def __repr__(self) -> str:
-        return f"Functions({', '.join(self)})"
-
-    def _repr_markdown_(self) -> str:
-        """What the functions take and return; the parameters `p` come last."""
-        known = (BY_NAME[name] for name in self if name in BY_NAME)
-        rows = [
-            (code(f"{row.name}({', '.join(row.names)}, p)"), ", ".join(map(code, row.results)), plain(row.about))
-            for row in known
-        ]
-        others = ", ".join(code(name) for name in self if name not in BY_NAME)
-        return f"{markdown_table(('function', 'results', 'what'), rows)}\nOthers: {others}\n"
 
 
 def symbols(chain: Chain, names: str) -> dict[str, ca.SX]:
@@ -155,7 +115,7 @@ def dae(chain: Chain, assemble: ca.Function) -> dict[str, ca.SX]:
     return dict(x=given["x"], z=given["z"], u=u, p=given["p"], ode=ode, alg=M @ given["z"] + H - W)
 
 
-def modal_functions(chain: Chain) -> Made:
+def modal_functions(chain: Chain) -> LazyFunctions:
     """What integrators need: ``modal_dynamics``, ``modal_properties``, and those of the DAE form.
 
     ``dae_dynamics``, ``joint_rates``, ``project``.  ``f_eta`` belongs to the last ``chain.n_given`` of q, and so
@@ -182,7 +142,7 @@ def modal_functions(chain: Chain) -> Made:
         ("measures", "q wrench motion p", fused.measures),
         ("modal_properties", "p", fused.modal_properties),
     )
-    return Made({row[0]: making(*row) for row in rows})
+    return LazyFunctions({row[0]: making(*row) for row in rows})
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:

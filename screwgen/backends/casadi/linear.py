@@ -39,8 +39,8 @@ def tendon_work(chain: Chain) -> ca.Function:
 
 def statics(chain: Chain) -> ca.Function:
     """The program :func:`..algorithms.linear_model.statics`; ``wrench`` is (6, n)."""
-    chain.needs_sums("statics", "simulate it with dampers")
-    chain.needs_fixed("equilibrium", "simulate it with dampers, or with PD control")
+    chain.refuse_quaternion_joints("statics", "simulate it with dampers")
+    chain.refuse_floating_base("equilibrium", "simulate it with dampers, or with PD control")
     nq, given = chain.nq, symbols(chain, "q w_ext p")
     shapes = {"stiffness": (nq, nq), "weight": (nq, 3), "wrench": (6, chain.n)}
     found = expressions(programs.statics(chain), given)

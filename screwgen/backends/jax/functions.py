@@ -29,7 +29,7 @@ from ...integrators.methods import with_built_in
 from ...ir.adjoint import only
 from ...ir.program import Program
 from ...topology.chain import Chain
-from ..casadi.functions import Made
+from ..lazy import LazyFunctions
 from .programs import JaxProgram, Values, straight
 
 PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
@@ -37,7 +37,7 @@ STEP = "modal_midpoint"
 """The method of the function `step`, which is that of a simulation."""
 
 
-def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterable[Method]) -> Made:
+def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterable[Method]) -> LazyFunctions:
     """The functions by name, each made when it is first asked for; see :meth:`screwgen.Model.jax`."""
     choice(precision, PRECISIONS, "there is no precision")
     if precision == "double" and not jax.config.read("jax_enable_x64"):
@@ -46,7 +46,7 @@ def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterabl
     own = Own(chain, PRECISIONS[precision], straight if forward_mode else JaxProgram)
     found = with_built_in(methods)
     steps: dict[str, Callable] = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
-    return Made({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
+    return LazyFunctions({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
 
 
 def old_order_too(step: Callable) -> Callable:

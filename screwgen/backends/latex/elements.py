@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...elements import STOP, TRAVELS, OfElement, friction, gear, stop
+from ...elements import STOP, TRAVELS, ElementLaw, friction, gear, stop
 from ...ir.block import Binding
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
@@ -33,7 +33,7 @@ def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
     out = [gear.EQUATIONS] if _drives(chain) else []
     out += [stop.EQUATIONS] if STOP in chain.laws else []
-    out += [law.kind.equations() for law in chain.laws if isinstance(law, OfElement)]
+    out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
     return out + ([gear.travel_equations(chain.travel_kinds)] if chain.elastic_travels else [])
 

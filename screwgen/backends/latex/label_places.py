@@ -12,6 +12,8 @@ from .label_text import measured
 
 DISTANCES = (9.0, 13.0, 18.0, 25.0, 34.0, 46.0, 62.0, 84.0, 112.0, 150.0, 200.0)
 """How far the edge of a label may be from its anchor, px: the first distance with a free place is taken."""
+EDGE = 5.0
+"""px: what of such a distance counts as the room around the anchor itself."""
 DIRECTIONS = 24
 FAR = 15.0
 """px: from here on a thin line leads from the anchor to its label."""
@@ -21,6 +23,8 @@ ROOM = 2.0
 """px around a label that stay free."""
 ACROSS = 6.0
 """The cost of a point of a line below a label, in px of distance."""
+BLINDED = 90.0
+"""The cost of a line to a label that runs through another one, in px of distance."""
 ASIDE = 7.0
 """The cost of a place opposite to the wanted one, in px of distance."""
 
@@ -68,42 +72,40 @@ def _felt(strokes: Sequence[Stroke], dots: Sequence[Dot]) -> np.ndarray:
 
 def _best(wish: Wish, taken: np.ndarray, boxes: np.ndarray) -> Label | None:
     """The label at its freest place; None where it is not needed and there is none that is free."""
-    found: list[tuple[float, Label]] = []
-    for distance, label in _candidates(wish):
-        x0, y0, x1, y1 = np.array(label.box) + np.array([-ROOM, -ROOM, ROOM, ROOM])
-        if np.any((boxes[:, 0] < x1) & (boxes[:, 2] > x0) & (boxes[:, 1] < y1) & (boxes[:, 3] > y0)):
-            continue
-        x, y = taken.T
-        if _crosses(_leader(wish.anchor, label), boxes):
-            continue
-        crossed = int(np.sum((x > x0) & (x < x1) & (y > y0) & (y < y1)))
-        if not crossed:
-            found.append((distance, label))
-            break
-        if wish.needed:
-            found.append((distance + ACROSS * crossed, label))
-    return min(found, key=lambda one: one[0])[1] if found else None
+    size = measured(wish.text, wish.look)
+    centres, costs = _candidates(wish, size)
+    low, high = (centres + side * (np.array(size) / 2 + ROOM) for side in (-1, 1))
+    over = (boxes[None, :, :2] < high[:, None]) & (boxes[None, :, 2:] > low[:, None])
+    best, least = None, np.inf
+    for k in np.flatnonzero(~np.any(np.all(over, axis=2), axis=1)):
+        label = Label(wish.look, wish.text, (float(centres[k, 0]), float(centres[k, 1])), size, wish.names)
+        cost = ACROSS * float(np.sum(np.all((taken > low[k]) & (taken < high[k]), axis=1)))
+        cost += BLINDED * _crosses(_leader(wish.anchor, label), boxes)
+        if not cost:
+            return best if least <= costs[k] else label
+        if wish.needed and costs[k] + cost < least:
+            best, least = label, costs[k] + cost
+    return _aside(wish, boxes) if best is None and wish.needed else best
 
 
-def _candidates(wish: Wish) -> list[tuple[float, Label]]:
-    """Labels around the anchor with their cost, the cheapest first."""
-    size, out = measured(wish.text, wish.look), []
-    wanted = np.arctan2(wish.towards[1], wish.towards[0])
-    for distance in (x for x in DISTANCES if x <= wish.reach):
-        for k in range(DIRECTIONS):
-            angle = wanted + 2 * np.pi * k / DIRECTIONS
-            cost = round(distance + ASIDE * (1 - np.cos(angle - wanted)) / 2, 6)
-            out.append((cost, Label(wish.look, wish.text, _at(wish.anchor, angle, distance, size), size, wish.names)))
-    return sorted(out, key=lambda one: one[0])
+def _aside(wish: Wish, boxes: np.ndarray) -> Label:
+    """The label to the right of all others, where no place around its anchor is left."""
+    size = measured(wish.text, wish.look)
+    right = float(np.max(boxes[:, 2], initial=wish.anchor[0])) + ROOM + size[0] / 2
+    return Label(wish.look, wish.text, (right, wish.anchor[1]), size, wish.names)
 
 
-def _at(anchor: Point, angle: float, distance: float, size: Point) -> Point:
-    """The centre of a box whose edge is at a distance from the anchor, in a direction."""
-    way = np.array([np.cos(angle), np.sin(angle)])
-    half = np.array(size) / 2
-    within = float(np.min(half / np.maximum(np.abs(way), 1e-9)))
-    x, y = np.array(anchor) + (distance - 5.0 + within) * way
-    return float(x), float(y)
+def _candidates(wish: Wish, size: Point) -> tuple[np.ndarray, np.ndarray]:
+    """(n, 2) and (n,): centres of boxes around the anchor with their costs, the cheapest first."""
+    distances = np.array([x for x in DISTANCES if x <= wish.reach])
+    turns = 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS
+    angles = np.arctan2(wish.towards[1], wish.towards[0]) + turns
+    ways = np.column_stack([np.cos(angles), np.sin(angles)])
+    within = np.min(np.array(size) / 2 / np.maximum(np.abs(ways), 1e-9), axis=1)
+    centres = np.array(wish.anchor) + (distances[:, None, None] - EDGE + within[None, :, None]) * ways[None]
+    costs = np.round(distances[:, None] + ASIDE * (1 - np.cos(turns)) / 2, 6)
+    order = np.argsort(costs, axis=None, kind="stable")
+    return np.round(centres.reshape(-1, 2)[order], 6), costs.ravel()[order]
 
 
 def _leader(anchor: Point, label: Label) -> Stroke | None:

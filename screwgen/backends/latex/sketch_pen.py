@@ -18,6 +18,8 @@ SHORT = 4.0
 """px: arrows that are seen no longer than this have no head."""
 ROUND = 28
 """Corners of a circle in space."""
+DIGITS = 6
+"""The decimals of a place on paper, px: rounding errors must not decide which points a line keeps."""
 UNCUT = ("joint", "ground")
 """The looks of strokes that nothing hides."""
 MARGIN = 8.0
@@ -42,8 +44,8 @@ class Pen:
         self.holes: list[np.ndarray] = []
 
     def flat(self, points: np.ndarray) -> np.ndarray:
-        """(..., 2) px: points on paper."""
-        return self.scale * self.view.flat(np.asarray(points))
+        """(..., 2) px: points on paper, without the last digits, which differ from machine to machine."""
+        return np.round(self.scale * self.view.flat(np.asarray(points)), DIGITS)
 
     def point(self, place: np.ndarray) -> Point:
         """One of them."""
@@ -66,7 +68,7 @@ class Pen:
 
     def drawn(self, look: str, points: ArrayLike, head: bool = False) -> None:
         """A line through points on paper."""
-        self.lines.append(Line(look, np.array(points, float), head))
+        self.lines.append(Line(look, np.round(np.array(points, float), DIGITS), head))
 
     def circle(
         self, place: np.ndarray, axis: np.ndarray, size: float, turn: float = 2 * np.pi, start: float = 0.0

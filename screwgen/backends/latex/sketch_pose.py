@@ -41,6 +41,8 @@ SIGNS = ((1.0,), (-1.0,), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0, -1.0))
 """The senses in which joints turn, again and again along the chain."""
 BENDING = (0.0, 1.0)
 """The parts of the deflections by which links are bent one after the other, while loops stay closed."""
+COARSE, DIGITS = 2, 9
+"""The decimals, rad or m, of where the last search of a posture begins, and of where it ends."""
 ALONG = 0.9
 """A link that turns about an axis that has more than this part along it stays where it is."""
 
@@ -199,11 +201,25 @@ def _closed(numeric: Numeric, q: np.ndarray, bent: np.ndarray) -> np.ndarray | N
     movable[: chain.base_q] = False
     for share in BENDING:
         start = np.where(movable, q if found is None else found, q + share * bent)
+        end = _searched(numeric, start, movable)
+        if end is None:
+            break
+        found = end
+    return found
+
+
+def _searched(numeric: Numeric, start: np.ndarray, movable: np.ndarray) -> np.ndarray | None:
+    """A posture near a start in which loops are closed, the same on all machines; None where none is found.
+
+    Where loops leave joints free, rounding errors lead a search elsewhere. So it ends with a short one from coordinates
+    of few decimals.
+    """
+    for decimals in (COARSE, DIGITS):
         end = nearest(numeric, start, movable, hasty=True)
         if np.max(np.abs(numeric.offsets(end))) > CLOSED:
-            break
-        found = unwound(chain, end, q)
-    return found
+            return None
+        start = np.where(movable, np.round(unwound(numeric.chain, end, start), decimals), start)
+    return start
 
 
 def _bent(chain: Chain, lengths: dict[int, float]) -> np.ndarray:

@@ -33,6 +33,7 @@ PLACES: tuple[Named, ...] = (
         "F_{i+1}",
         STATE,
     ),
+    (r"\mathbf{S}_i", "motion subspace of the joint, at the joint point", "-, m", "6 × n_{q,i}", "F_i", STATE),
     (r"\mathbf{j}_m", "armatures of the axes", "kg*m^2, kg", "n_{q,i}", "-", PARAMETER),
     (r"\mathbf{d}_q", "dampings of the axes", "N*m*s/rad, N*s/m", "n_{q,i}", "-", PARAMETER),
     (r"\mathbf{k}_q", "stiffnesses of the axes", "N*m/rad, N/m", "n_{q,i}", "-", PARAMETER),
@@ -77,6 +78,15 @@ ROBOT: tuple[Named, ...] = (
 )
 """Of all links together."""
 
+CLOSING: tuple[Named, ...] = (
+    (r"\lambda_j", "force of row j that closes a loop or couples axes", "N, N*m", "1", "-", STATE),
+    (r"g", "gap of a row", "m, 1", "1", "-", STATE),
+    (r"\gamma", "acceleration of a gap that the velocities cause", "m/s^2, 1/s^2", "1", "-", STATE),
+    (r"\mathbf{W}_A", "wrench by a unit force of a row on tip A", "1, m", "6", "inertial", STATE),
+    (r"\mathbf{W}_B", "wrench by a unit force of a row on tip B", "1, m", "6", "inertial", STATE),
+)
+"""Of rows that close loops."""
+
 BLOCKS: tuple[Named, ...] = (
     (r"\mathbf{M}^c_j", "inertia of link $j$ with all that it carries, nothing moving", MIXED, LINK, "F_j", STATE),
     (r"\mathbf{Y}_k", "takes the twist of the carrying link to that of link $k$", "-, m", LINK, "F_k", STATE),
@@ -86,5 +96,5 @@ BLOCKS: tuple[Named, ...] = (
 )
 """Of the blocks of the mass matrix."""
 
-THEORY = (*ELEMENT, *PLACES, *ELIMINATION, *ROBOT, *BLOCKS)
+THEORY = (*ELEMENT, *PLACES, *ELIMINATION, *ROBOT, *CLOSING, *BLOCKS)
 """Those that a document has stand in its table."""

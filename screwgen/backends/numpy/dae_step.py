@@ -15,7 +15,7 @@ from ...integrators.method import Method, Move, Stage, times, weighted
 from ...integrators.space import FLAT, Curved, Space
 from ...joints.exponential import Series, algebra_rate, exponential
 from ...topology.chain import Chain
-from .own_forces import OwnForces
+from .own_forces import CoordinateForces
 from .python import c4, c5
 
 SERIES = Series(c4, c5)
@@ -33,7 +33,7 @@ Function = Callable[..., Sequence]
 class DaeDynamics:
     """``xdot`` of the DAE form under held inputs; methods give the inertia and force of modes and sprung joints.
 
-    `properties`: those of :class:`.OwnForces`. `solve (x, tau, w_ext, inertia, force) -> (xdot, vdot, wrench)`;
+    `properties`: those of :class:`.CoordinateForces`. `solve (x, tau, w_ext, inertia, force) -> (xdot, vdot, wrench)`;
     `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read where joints are sprung.
     """
 
@@ -41,7 +41,7 @@ class DaeDynamics:
         self, chain: Chain, properties: Sequence, solve: Function, projection: Function, joint_rates: Function
     ):
         n, r = chain.n, chain.n_inner
-        self.forces = OwnForces.of_columns(chain, properties)
+        self.forces = CoordinateForces.of_columns(chain, properties)
         self.solve, self.projection, self.sprung, self.joint_rates = (
             solve,
             projection,
@@ -65,7 +65,7 @@ class DaeDynamics:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         here = self.own(x)
         own, rate = here if start is None or start is x else self.own(start)
-        forces = self.forces.acting(own, rate, h, here[1])
+        forces = self.forces.linearised_over(own, rate, h, here[1])
         return self.solve(x, tau, w_ext, forces.inertia(h), forces.force(own, rate, h))
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -37,7 +37,7 @@ from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .python import Function, compiled
-from .rates import Rates
+from .rates import ValuesPerRate
 
 ELSEWHERE = 7
 """The seed of a posture in which no axes are in line."""
@@ -171,11 +171,11 @@ class Numeric:
     def _by_rates(self, rates: Callable, q: Numbers) -> np.ndarray:
         """Rates that are linear in v, by one pass with units of all its entries."""
         (values,) = self._rows(q=q)
-        units = [Rates(unit) for unit in np.eye(self.chain.nv)]
+        units = [ValuesPerRate(unit) for unit in np.eye(self.chain.nv)]
         functions = copy(self._functions(MOTION))
         functions.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given  # forces are not linear in v
         found = rates(functions, values, units)
-        return np.array([x.entries if isinstance(x, Rates) else [0.0] * len(units) for x in found])
+        return np.array([x.entries if isinstance(x, ValuesPerRate) else [0.0] * len(units) for x in found])
 
     def validity_at_rest(self, q: Numbers, w_ext: Loads = None) -> np.ndarray:
         """The measures (n, 4) with joints and modes held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""

@@ -8,16 +8,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...algorithms.axis_laws import OfRobot, of_robot
+from ...algorithms.axis_laws import LawsOfRobot, of_robot
 from ...algorithms.law_programs import replayed, secants, spring_stage, stage_slopes
 from ...elements.law import Secant
 from ...topology.chain import Chain
 
 
-class ActingLaw(NamedTuple):
+class LinearisedLaw(NamedTuple):
     """A law on its coordinates, with its constants by name; over a step the linear force of ``held``."""
 
-    law: OfRobot
+    law: LawsOfRobot
     constants: Mapping[str, np.ndarray]
     held: Secant | None = None
 
@@ -29,25 +29,27 @@ class ActingLaw(NamedTuple):
 
 
 @dataclass
-class OwnForces:
+class CoordinateForces:
     """Inertia, stiffness and damping of these coordinates, the last ``n_given`` of ``q``.
 
     ``M``, ``K``, ``D`` (n_inertia, ...): the diagonal, then the entries below it where modes or rotors are coupled;
-    ``laws``: what else acts, as linear forces once :meth:`acting` has set them.
+    ``laws``: what else acts, as linear forces once :meth:`linearised_over` has set them.
     """
 
     chain: Chain
     M: np.ndarray
     K: np.ndarray
     D: np.ndarray
-    laws: Sequence[ActingLaw] = ()
+    laws: Sequence[LinearisedLaw] = ()
 
     @classmethod
-    def of_columns(cls, chain: Chain, columns: Sequence[np.ndarray]) -> OwnForces:
+    def of_columns(cls, chain: Chain, columns: Sequence[np.ndarray]) -> CoordinateForces:
         """Out of the robot's columns, in the order of :func:`...algorithms.columns.columns`."""
         M, K, D, *rest = columns
         own, laws = iter(rest), of_robot(chain)
-        return cls(chain, M, K, D, [ActingLaw(one, {name: next(own) for name in one.law.constants}) for one in laws])
+        return cls(
+            chain, M, K, D, [LinearisedLaw(one, {name: next(own) for name in one.law.constants}) for one in laws]
+        )
 
     def of(self, x: np.ndarray) -> np.ndarray:
         """The part of ``q`` or ``v`` (nq, ...) that belongs to these coordinates."""
@@ -55,7 +57,9 @@ class OwnForces:
             return x[self.chain.given_places]
         return x[len(x) - self.chain.n_given :]
 
-    def acting(self, x: np.ndarray, rate: np.ndarray, h: float = 0.0, there: np.ndarray | None = None) -> OwnForces:
+    def linearised_over(
+        self, x: np.ndarray, rate: np.ndarray, h: float = 0.0, there: np.ndarray | None = None
+    ) -> CoordinateForces:
         """The same with the laws as linear forces ``h`` after the coordinates ``x`` with ``rate``.
 
         ``x``, ``rate`` (n_given,); ``there``: the rates at the stage, those of ``rate`` by default.
@@ -65,7 +69,7 @@ class OwnForces:
         return replace(self, laws=[a._replace(held=Secant(**held)) for a, held in zip(self.laws, found, strict=True)])
 
     @property
-    def slopes(self) -> OwnForces:
+    def slopes(self) -> CoordinateForces:
         """The same for small changes of coordinates and rates: laws are then at rest at zero."""
         at_zero = [
             one._replace(held=one.held._replace(rest=0.0, constant=0.0)) if one.held else one for one in self.laws

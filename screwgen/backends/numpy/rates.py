@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 
-class Rates:
+class ValuesPerRate:
     """What a number is for each of several arguments, as one entry of an array of objects."""
 
     __slots__ = ("entries",)
@@ -14,28 +14,28 @@ class Rates:
     def __init__(self, entries: np.ndarray):
         self.entries = entries
 
-    def __add__(self, other: Rates | float) -> Rates:
-        return Rates(self.entries + _entries(other))
+    def __add__(self, other: ValuesPerRate | float) -> ValuesPerRate:
+        return ValuesPerRate(self.entries + _entries(other))
 
     __radd__ = __add__
 
-    def __sub__(self, other: Rates | float) -> Rates:
-        return Rates(self.entries - _entries(other))
+    def __sub__(self, other: ValuesPerRate | float) -> ValuesPerRate:
+        return ValuesPerRate(self.entries - _entries(other))
 
-    def __rsub__(self, other: float) -> Rates:
-        return Rates(other - self.entries)
+    def __rsub__(self, other: float) -> ValuesPerRate:
+        return ValuesPerRate(other - self.entries)
 
-    def __mul__(self, other: Rates | float) -> Rates:
-        return Rates(self.entries * _entries(other))
+    def __mul__(self, other: ValuesPerRate | float) -> ValuesPerRate:
+        return ValuesPerRate(self.entries * _entries(other))
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: float) -> Rates:
-        return Rates(self.entries / other)
+    def __truediv__(self, other: float) -> ValuesPerRate:
+        return ValuesPerRate(self.entries / other)
 
-    def __neg__(self) -> Rates:
-        return Rates(-self.entries)
+    def __neg__(self) -> ValuesPerRate:
+        return ValuesPerRate(-self.entries)
 
 
-def _entries(x: Rates | float) -> np.ndarray | float:
-    return x.entries if isinstance(x, Rates) else x
+def _entries(x: ValuesPerRate | float) -> np.ndarray | float:
+    return x.entries if isinstance(x, ValuesPerRate) else x

@@ -24,7 +24,7 @@ from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from .dae_step import DaeDynamics, HeldDae, space_of
 from .numeric import EPSILON
-from .own_forces import OwnForces
+from .own_forces import CoordinateForces
 from .reference import Case, evaluation
 
 LONGEST = 0.05
@@ -83,14 +83,14 @@ class _Soft:
         fastest = np.sqrt(max(K[modes] / M[modes], default=0.0))
         self.softness = min(1.0, float(FASTEST / (LONGEST * fastest))) if fastest else 1.0
         self.columns = M, K * self.softness**2, D * self.softness, *laws
-        self.own = OwnForces.of_columns(chain, self.columns)
+        self.own = CoordinateForces.of_columns(chain, self.columns)
 
     def explicit(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         return self.implicit(q, v, 0.0)
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
         at_q, at_v = there or (q, v)
-        own = self.own.acting(self.own.of(q), self.own.of(v), h, self.own.of(at_v))
+        own = self.own.linearised_over(self.own.of(q), self.own.of(v), h, self.own.of(at_v))
         self.functions.given = (own.inertia(h).tolist(), own.force(own.of(q), own.of(v), h).tolist())
         return np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
 

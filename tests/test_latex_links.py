@@ -140,7 +140,6 @@ def test_the_diagram_is_drawn_from_the_model(name):
 
 
 def test_the_diagram_of_a_long_arm_goes_on_in_a_further_line():
-    """It is no wider than the page; boxes are apart, and all is within the picture."""
     svg = next(
         e for e in ElementTree.fromstring(diagram(Chain(load(example_file("six_link"))))).iter() if e.get("viewBox")
     )

@@ -12,6 +12,8 @@ from .symbols import Entry
 FORMULA = re.compile(r"\$([^$]*)\$")
 LINK = r"(?:i|\d+|i[+-]1|\{(?:i|\d+|i[+-]1)\})"
 """The number of a link below a symbol."""
+ALONE = r"(?<![A-Za-z\\])(?<!\\mathbf\{)(?<!\\boldsymbol\{)(?<!\\mathrm\{)(?<!_)(?<!_\{)"
+"""What stands before a symbol: a letter that is bold or upright, or an index, is another symbol or none."""
 OTHER = r"(?!\}*(?:_|\^(?!\{?(?:\\top|[-\d]))))"
 """A letter without an index is another one than that with an index, or with a star or the like."""
 SCRIPT = re.compile(r"[_^]")
@@ -29,7 +31,7 @@ def pattern(symbol: str) -> re.Pattern[str]:
     base, below = re.escape(symbol[:cut]), re.escape(symbol[cut:])
     below = re.sub(r"(?<![A-Za-z])i(?![A-Za-z])", lambda _: LINK, below)
     other = OTHER * ("_" not in symbol)
-    return re.compile(rf"(?<![A-Za-z\\]){base}(?![A-Za-z]){other}\}}*{below}(?![A-Za-z])")
+    return re.compile(rf"{ALONE}{base}(?![A-Za-z]){other}\}}*{below}(?![A-Za-z])")
 
 
 def _scripts(symbol: str) -> int:

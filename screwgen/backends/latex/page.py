@@ -11,8 +11,7 @@ import re
 from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from itertools import count
+from dataclasses import dataclass
 from typing import Any
 
 from ...topology.chain import Chain
@@ -20,15 +19,12 @@ from ..templates import folder, markup, render
 from . import code_lines, diagram, numbers, text
 from .code_lines import CodeLines, GeneratedC
 from .content import (
-    MODES,
-    PARAMETERS,
     SYMBOLS,
     Display,
     Document,
     DocumentSection,
     DocumentTable,
     Heading,
-    Item,
     Paragraph,
     StepEquation,
 )
@@ -39,10 +35,9 @@ from .layout import Formula
 from .marks import Entries, Marks
 from .mass_matrix import MassMatrix, mass_matrix
 from .numbers import MANY_LINKS, Table
+from .page_sections import ALL, CLASSES, ESSENCE, SYMBOL_HEAD, PageItem, PageSection, name_rows
 from .steps import KEY_STEPS
 
-ESSENCE, CLASSES, ALL = 1, 2, 3
-"""The levels of detail: what a robot is solved by, what each class of links adds, every auxiliary step."""
 CLASS_STEPS = (*KEY_STEPS, "M_eta", "K", "S", "J", "A")
 """Steps that the second level shows besides those that the paper numbers."""
 SOLUTION = "Outward: accelerations"
@@ -51,9 +46,6 @@ BIAS = re.compile(r"joint: .*eliminated")
 TORQUE = "tau["
 """What generated C calls an entry of the torques."""
 FORWARD = "forward_dynamics"
-SYMBOL_HEAD = ("symbol", "meaning", "unit")
-"""The first columns of tables whose rows say what is known of a symbol in a formula."""
-"""The anchor of the table of modes."""
 BOLD = r"(?:\\\w+\{)*\\(?:mathbf|boldsymbol)\{"
 
 
@@ -129,57 +121,11 @@ def extras(chain: Chain, at: Sequence[float] | None = None) -> Extras:
     )
 
 
-@dataclass
-class PageItem:
-    """An item with its anchor, its level, the row of the symbol that it defines, and its lines of C."""
-
-    item: Item
-    anchor: str
-    level: int
-    symbol: int = -1
-    code: CodeLines | None = None
-    codes: Sequence[tuple[str, str, CodeLines]] = ()
-    """Anchors, links and lines of what has no step of its own; of the heading of the solution."""
-    link: str = ""
-    """The name of the one link that it is about."""
-    rows: Sequence[str] = ()
-    """The anchors of the rows of a table to which links and searches lead."""
-
-    @property
-    def kind(self) -> str:
-        return self.item.kind
-
-
-@dataclass
-class PageSection:
-    section: DocumentSection
-    anchor: str
-    number: int
-    items: list[PageItem] = field(default_factory=list)
-
-    @property
-    def title(self) -> str:
-        return self.section.title
-
-    @property
-    def level(self) -> int:
-        return min((item.level for item in self.items), default=CLASSES)
-
-    @property
-    def is_reference(self) -> bool:
-        """Whether it is a table to look things up in, which is closed at first."""
-        return self.title in (SYMBOLS, PARAMETERS)
-
-    @property
-    def headings(self) -> list[PageItem]:
-        return [item for item in self.items if item.kind == "heading"]
-
-
 def page(shown: Document, more: Extras | None = None) -> str:
     """The document in HTML."""
     symbols = _symbols(shown)
     sections = list(_sections(shown, symbols, more))
-    _name_rows(sections)
+    name_rows(sections)
     values = {"text": text.in_html, "rows": text.html_rows, "document": shown, "sections": sections, "more": more}
     data = _data(sections, symbols, more)
     body = render(
@@ -230,21 +176,6 @@ def _symbols(shown: Document) -> list[str]:
     """The LaTeX of the symbols, in the order of their tables."""
     tables = (item for s in shown.sections for item in s.items if isinstance(item, DocumentTable))
     return [row[0].strip("$") for table in tables if table.head[:3] == SYMBOL_HEAD for row in table.rows]
-
-
-def _name_rows(sections: Sequence[PageSection]) -> None:
-    """The anchors of rows: of symbols ``y0`` … through all tables, of parameters, of modes by link and number."""
-    symbols = count()
-    for section, item in ((s, item) for s in sections for item in s.items):
-        if not isinstance(item.item, DocumentTable):
-            continue
-        rows = item.item.rows
-        if item.item.head[:3] == SYMBOL_HEAD:
-            item.rows = [f"y{next(symbols)}" for _ in rows]
-        elif section.title == PARAMETERS:
-            item.rows = [f"p{k}" for k in range(len(rows))]
-        elif section.title == MODES:
-            item.rows = [f"mode-{row[1].strip('`')}{f'-{row[2]}' * (row[2] != '1')}" for row in rows]
 
 
 def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> Iterator[PageSection]:
@@ -333,7 +264,7 @@ def _anchor_of(sections: Sequence[PageSection], part: str) -> str:
 
 
 def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
-    of_class = {s.section.link_class: s.anchor for s in sections}
+    of_class = {s.section.link_class: s.anchor for s in sections if not s.section.appendix}
     places = {(link, lines.title): anchor for s in sections for x in s.items for anchor, link, lines in x.codes}
     torques = {item.link: item.anchor for s in sections for item in s.items if item.link}
     for i, name in enumerate(more.names[:MANY_LINKS]):

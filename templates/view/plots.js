@@ -2,7 +2,7 @@
 
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const shown = (x) => (Math.abs(x) < 5e-5 ? "0" : Math.abs(x) >= 1e5 || Math.abs(x) < 1e-3 ? x.toExponential(2) : x.toPrecision(3)).replace("-", "−");
-const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"]];
+const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
 const LEFT = 46;
 /** Of a link's first, second and third axis or direction; set points are wide and pale, ghosts dotted. */
 const DASHES = [[], [8, 4], [8, 3, 2, 3]];

@@ -7,14 +7,16 @@ from functools import cache
 
 import covertable
 
-from conformance.features import FACTORS, FEATURES, Row, conditions, features, possible
+from conformance.features import APART, FACTOR_OF, FACTORS, FEATURES, Row, conditions, features, possible
 
 
 @cache
 def covering() -> tuple[Row, ...]:
     """Rows that hold all pairs of levels that can stand together."""
     levels = {factor: list(levels) for factor, levels in FACTORS.items()}
-    return tuple(covertable.make(levels, strength=2, constraints=conditions()))
+    plain = {factor: own[0] for factor, own in levels.items()}
+    apart = ({**plain, **more, **{FACTOR_OF[x]: x for x in pair}} for pair, more in APART.items())
+    return (*covertable.make(levels, strength=2, constraints=conditions()), *apart)
 
 
 @cache

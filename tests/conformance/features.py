@@ -115,6 +115,11 @@ BUILT_OTHERWISE: dict[tuple[str, str], str] = {
 }
 """Pairs that the two links of the matrix leave no place for; another robot may have them."""
 
+APART: dict[tuple[str, str], dict[str, str]] = {
+    ("second order", "flat"): {"turn": "three axes", "fore": "rod", "tendon": "tendon", "damping": "ratio"},
+}
+"""Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
+
 NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "exact fore")}
 """What a level needs one of."""
 
@@ -134,7 +139,7 @@ def conditions() -> list[dict]:
     is_ = lambda level: {"operator": "eq", "left": FACTOR_OF[level], "value": level}  # noqa: E731
     never = [
         {"operator": "not", "condition": {"operator": "and", "conditions": [is_(a), is_(b)]}}
-        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE)
+        for a, b in (*IMPOSSIBLE, *BUILT_OTHERWISE, *APART)
     ]
     needs = [
         {"operator": "or", "conditions": [{"operator": "not", "condition": is_(level)}, *map(is_, needed)]}

@@ -309,6 +309,10 @@ SEARCHES = {
     "rudder torque of the forearm": ("torque-forearm",),
     "M_D": ("{first}-M_D",),
     "eta": ("{eta}",),
+    "M_12": ("M-1-2",),
+    "joint 3 mode 1 of link 2": ("M-3-7",),
+    "coupling of elbow and first bending in y": ("M-3-5", "M-3-8"),
+    "mass matrix": ("{matrix}",),
 }
 """What readers type, and where the first hits lead; that the forearm's joint is an elbow no file says."""
 
@@ -329,6 +333,7 @@ def test_what_readers_type_is_found(program, tmp_path):
     guide = re.findall(r'<tr id="guide-(\w+)"[^>]*>(.*?)</tr>', body("ella"))
     links = {name: re.findall(r'href="#([^"]+)"', cells) for name, cells in guide}
     places = {f"{{bias {name}}}": found[2] for name, found in links.items()}
+    places["{matrix}"] = re.search(r'<h2 id="(s\d+)">\d+\. Mass matrix', body("ella"))[1]
     places["{first}-M_D"] = f"{first_class()}-M_D"
     places["{eta}"] = re.search(r'<tr id="(y\d+)"><td><math><msub[^>]*><mi>\U0001d73c<', body("ella"))[1]
     with started(program, tmp_path) as browser:

@@ -5,6 +5,7 @@ import importlib
 import os
 import shutil
 import signal
+import sys
 import tempfile
 import threading
 from collections import Counter
@@ -16,8 +17,15 @@ import hypothesis.configuration
 import pytest
 from hypothesis import settings
 
+from screwgen.backends.numpy import numeric
+
 MISSING = "tool not installed: "
 NAMED = os.environ.get("CC")
+GROWTH = 1_500_000_000
+"""Bytes by which a process of tests grows until it forgets what it has derived."""
+limit = [2 * GROWTH]
+STATM = Path("/proc/self/statm")
+KEEPING = ("screwgen", "helpers", "conformance")
 UNOPTIMISED = os.path.join(os.path.dirname(__file__), "tools", "cc")
 SLOWEST = "ella_paper guides mpc examples bench static_analysis firmware generated c_code latex_pages cli_paper".split()
 
@@ -71,6 +79,27 @@ def _compile_quickly():
 
     for module in (compiled, estimator, mpc) if tcc else ():
         module.load = load
+
+
+@pytest.fixture(autouse=True)
+def _bounded():
+    """A process of tests that has grown large forgets what is derived: thousands of robots would fill the machine."""
+    yield
+    if resident() < limit[0]:
+        return
+    kept = [module for name, module in sys.modules.items() if name.partition(".")[0] in KEEPING]
+    for value in [value for module in kept for value in vars(module).values() if hasattr(value, "cache_clear")]:
+        value.cache_clear()
+    numeric._COMPILED.clear()
+    gc.unfreeze()
+    gc.collect()
+    gc.freeze()
+    limit[0] = resident() + GROWTH  # what is free again need not go back to the system
+
+
+def resident() -> int:
+    """Bytes of memory that this process has; 0 on systems that do not say."""
+    return int(STATM.read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") if STATM.exists() else 0
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -100,11 +100,12 @@ class Run:
         return envs
 
     def _given(self, link: Link, loads: list[np.ndarray], torques: Mapping) -> Env:
-        """The external wrench, the rows of the link with it and with tensions, and what acts on its axes."""
+        """The external wrench, the bias of the link with tensions, and what acts on its axes."""
         scope = self.state.scopes[link.number]
         env = {plain(r"\boldsymbol{\mathcal{W}}_{ext,i}"): self.state.w_ext[link.number][:, None] + loads[link.number]}
-        body, _, tensions = scope.theory[plain(r"\mathbf{h}_i")].partition(TENSION)
-        h = sized(value(body, self._known(scope, env)), (6 + link.sizes[2], 1))
+        right = next(right for left, _, right in self.lines[INWARD] if left == plain(r"\mathbf{h}^A_i"))
+        tensions = right.partition(TENSION)[2].partition(CARRIED)[0].partition(" = ")[0]
+        h = sized(scope(r"\mathbf{h}_i"), (6 + link.sizes[2], 1))
         for c, pulled in self.pulls[link.number]:
             known = {"T_c": np.full((1, 1), self.state.tensions[c]), plain(r"\partial\boldsymbol{\ell}_c"): pulled}
             nothing = r"\begin{bmatrix} \mathbf{0} \\"
@@ -148,6 +149,7 @@ class Run:
             known[BEFORE] = np.zeros((6, 1)) if at_rest else self._tip_rate(link, envs[link.parent])
         body, *names = right.split(" = ")
         body, _, summed = body.partition(CARRIED)
+        body = body.partition(TENSION)[0]  # what tensions do is in the bias already
         total = value(body, self._known(scope, known))
         for child in self.links if summed else ():
             if child.parent == link.number:

@@ -20,7 +20,7 @@ EFFORT = (1.0, -2.0, 1.5, 0.5, -1.0, 2.5)
 OTHER = (-0.05, 0.15, 0.1, 0.5, 1.0, -0.8)
 WRENCH = (0.1, -0.2, 0.3, 1.0, -2.0, 1.5)
 QUATERNION = (0.8, 0.4, 0.4, 0.2)
-MODE, LARGE, MODE_RATE, SLACK = 0.001, 0.03, 0.1, 1e-4
+MODE, LARGE, MODE_RATE, SLACK = 0.01, 0.3, 1.0, 1e-4
 """Sizes of first modes, also of rods that bend far, and of their rates, further ones a tenth; the twist of gears."""
 NEARER = (1.0, 0.4, 0.1, 0.0)
 """By what the posture is scaled until the robot has accelerations there."""

@@ -46,6 +46,8 @@ PLAIN = DocumentStyle()
 TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
 """What the tensions of tendons do to the rows of a link."""
 DERIVATION = "Derivation"
+OF_BODIES = ("S_T", "I_T", "h_T_tau")
+"""What point masses at the tip have none of, which is said."""
 
 
 def document(
@@ -155,7 +157,7 @@ def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView,
     given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes), parts)
     out: list[BlockView] = []
     for name in ordered(blocks):
-        out.append(block_view(blocks[name], seen, *given))
+        out.append(block_view(blocks[name], seen, *given, told=OF_BODIES if name == "tip_body" else ()))
         if name == "tip":
             out += station_views(key, seen, given, {step.name for step in out[-1].steps})
     return tuple(out)

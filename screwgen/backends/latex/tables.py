@@ -114,6 +114,7 @@ def _remarks(chain: Chain, i: int) -> str:
         "joint stiffness": key.stiffness,
         "modal damping": key.damping,
         "frame off the joint": key.frame_at,
+        f"order {key.order}": key.modes and key.order != 1,
         "spin inertia": key.spin,
         "rotary inertia": key.rotary,
         "measured frequencies": key.measured,

@@ -167,24 +167,36 @@ STATED = ("q", "v", "tau", "w_ext", "p")
 
 
 def jax_functions(case: Case) -> None:
-    """Every function, a step, and the gradients of a weighted sum of the accelerations, which CasADi has too."""
-    given = arguments(case) | {"p": np.array(case.model.parameter_values)}
-    expected, weights = expected_results(case), np.random.default_rng(3).normal(size=case.model.nv)
+    """Dynamics both ways, energy and a step."""
     with jax.enable_x64(True):
-        f = case.model.jax()
-        for row in offered(case.model.chain):
-            found = f[row.name](*(given[x] for x in (*row.names, "p")))
-            found = flat(tuple(found) if isinstance(found, list | tuple) else found)
-            near(found, expected[row.name], case.agreement, row.name)
-        q, v = f["step"](*(given[x] for x in STATED), STEP)
-        (_, wrench), backwards = jax.vjp(f["forward_dynamics"], *(given[x] for x in STATED))
-        slopes = backwards((weights, np.zeros_like(wrench)))
+        given = jax_results(case, ("forward_dynamics", "inverse_dynamics", "energy"))
+        q, v = case.model.jax()["step"](*(given[x] for x in STATED), STEP)
     near(np.concatenate([q, v]), np.concatenate(stepped(case, "modal_midpoint")), case.agreement, "step")
-    function = case.model.casadi()["forward_dynamics"]
+
+
+def jax_gradients(case: Case) -> None:
+    """All other functions, and the gradients of a weighted sum of the accelerations, which CasADi has too."""
+    weights, of = np.random.default_rng(3).normal(size=case.model.nv), "forward_dynamics"
+    with jax.enable_x64(True):
+        given = jax_results(case, [x.name for x in offered(case.model.chain)])
+        (_, wrench), backwards = jax.vjp(case.model.jax()[of], *(given[x] for x in STATED))
+        slopes = backwards((weights, np.zeros_like(wrench)))
+    function = case.model.casadi()[of]
     at = [given[x].T if x == "w_ext" else given[x] for x in STATED]
     wanted = function.reverse(1)(*at, *function(*at), weights, np.zeros(wrench.T.shape))
     for name, ours, theirs in zip(STATED, slopes, wanted, strict=True):
         near(np.ravel(ours), theirs.full().ravel(order="F"), 10 * case.tolerance, f"gradient with {name}")
+
+
+def jax_results(case: Case, names) -> dict[str, np.ndarray]:
+    """What these functions are given, where they give what NumPy's do."""
+    given, expected = arguments(case) | {"p": np.array(case.model.parameter_values)}, expected_results(case)
+    for row in offered(case.model.chain):
+        if row.name in names:
+            found = case.model.jax()[row.name](*(given[x] for x in (*row.names, "p")))
+            found = flat(tuple(found) if isinstance(found, list | tuple) else found)
+            near(found, expected[row.name], case.agreement, row.name)
+    return given
 
 
 def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.ndarray]:

@@ -67,7 +67,8 @@ def variables(answers: Response, methods: Sequence[str], baked: bool) -> list[Va
         Variable("solver", "solver.method", "", "integrator of co-simulation", *tunable, start, items=names),
     ]
     for p in () if baked else parameters(chain.robot):
-        out.append(Variable("parameters", p.name, p.unit, p.description, *tunable, p.value))
+        name = p.name.replace("][", ",")  # the naming convention knows one bracket of indices, "at[0,2]"
+        out.append(Variable("parameters", name, p.unit, p.description, *tunable, p.value))
     first = len(out)
     out += _states(chain)
     out += _inputs(chain)

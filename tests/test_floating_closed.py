@@ -7,25 +7,14 @@ import pytest
 from batch_c import STRICT
 from conftest import swept
 from dual_arm import dual_arm, start, torques
-from floating_robots import SATELLITE, TAU, momentum
+from floating_robots import SATELLITE, momentum
 from floating_robots import start as flying
 from helpers import model_of, quick, quick_batch, relative
-from test_acados import solved
 
 from screwgen import PD, OpenLoopError, UsageError, assemble, rollout, simulate
 from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation.dae import DaeStepper
-
-
-def test_the_dae_form_of_acados_has_no_wrench_on_the_base():
-    model = model_of(SATELLITE)
-    (q, v), tau, numeric = flying(model), np.array(TAU), model.numpy()
-    x = numeric.dae_state(q, v)
-    rates, z = solved(model.acados("dae"), x, tau, model.parameter_values)
-    assert relative(rates, numeric.dae_rates(x, tau, np.zeros((4, 6)))[0]) < 1e-10
-    assert relative(z[6:12], numeric.forward_dynamics(q, v, tau, None)[0][:6]) < 1e-10 and np.abs(z[:6]).max() < 1e-9
-
 
 # -------- two arms that hold one object
 

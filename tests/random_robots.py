@@ -30,7 +30,6 @@ LIMITS = {
     "drives": 0.0,  # of a joint: gears with rotors, some of them elastic or with friction
     "stops": 0.0,  # of an axis: limits, most of them with stops
     "cylinders": 0.0,  # of a drive of an axis that turns: a cylinder in place of a gear
-    "gears": 0.0,  # of such a cylinder whose gear was drawn elastic: it stays so
     "linkages": 0.0,  # of a cylinder: a four-bar linkage in its place, drawn from a stream of its own
     "soft": 0.7,  # of a robot: stiffness so low that inertia forces are not drowned by elastic ones
     "no_section_rotation": 0.15,
@@ -139,7 +138,7 @@ def random_joint(rng, limits: dict) -> dict:
         if any("rotor_inertia" in drive for drive in joint["drives"]):
             joint.pop("armature", None)
     if limits["cylinders"]:
-        with_cylinders(rng, joint, limits["cylinders"], limits["gears"])
+        with_cylinders(rng, joint, limits["cylinders"])
     if limits["linkages"]:
         replace_cylinders(joint, limits["linkages"])
     if count and limits["stops"]:
@@ -147,16 +146,12 @@ def random_joint(rng, limits: dict) -> dict:
     return joint
 
 
-def with_cylinders(rng, joint: dict, probability: float, gears: float) -> None:
-    """Some axes that turn get a cylinder, whose rotor at the joint is about as heavy as an armature.
-
-    `gears`: the probability that an elastic gear stays elastic.
-    """
+def with_cylinders(rng, joint: dict, probability: float) -> None:
+    """Some axes that turn get a cylinder on a rigid gear, whose rotor is about as heavy as an armature."""
     drives = joint.get("drives", [{}] * len(joint["axes"]))
     for k, axis in enumerate(joint["axes"]):
         if not isinstance(axis, dict) and chance(rng, probability):
-            rigid = () if gears and chance(rng, gears) else ("stiffness", "damping")
-            drive = {name: value for name, value in drives[k].items() if name not in rigid}
+            drive = {name: value for name, value in drives[k].items() if name not in ("stiffness", "damping")}
             base = float(rng.uniform(0.3, 1.5))
             lever = {"base": base, "crank": base * float(rng.choice([rng.uniform(0.2, 0.8), rng.uniform(1.2, 2.0)]))}
             drive["transmission"] = lever | {"angle": float(rng.uniform(-np.pi, np.pi))}

@@ -221,13 +221,6 @@ def test_loaded_frequencies_are_the_eigenvalues_of_the_linear_model(bent, rest):
     assert np.allclose(found.shapes.T @ M @ found.shapes, np.eye(len(poles)), atol=1e-8)
 
 
-def test_locked_drives_leave_the_gear_and_the_modes(bent, rest):
-    """The rotor is locked: one coordinate less than free, and each frequency between two of those."""
-    free, locked = natural_frequencies(bent, rest.q, "free"), natural_frequencies(bent, rest.q)
-    assert len(locked) == len(free) - 1
-    assert (free[:-1] <= locked * (1 + 1e-9)).all() and (locked <= free[1:] * (1 + 1e-9)).all()
-
-
 def test_the_joints_that_are_stated_are_those_with_drives_then_the_first():
     driven = linkage(rocker={"joint": {"armature": [0.1]}})
     stated = lambda crank: stated_joints(driven, angles(crank), driven.parameter_values).tolist()  # noqa: E731

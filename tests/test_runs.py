@@ -41,13 +41,6 @@ def test_csv_reads_back_bit_for_bit(tmp_path):
     assert np.array_equal(np.loadtxt(tmp_path / "run.csv", delimiter=",", skiprows=1), run.table)
 
 
-@pytest.mark.parametrize("suffix", [".npz", ".csv"])
-def test_stored_twice_gives_the_same_bytes(tmp_path, suffix):
-    for name in ("a", "b"):
-        short_run().save(tmp_path / (name + suffix))
-    assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
-
-
 def test_saving_replaces_a_whole_file_or_leaves_it_alone(tmp_path, monkeypatch):
     path = tmp_path / "run.csv"
     path.write_text("old")

@@ -60,8 +60,6 @@ def dae_form(c: Compiled, h: float, method: str) -> np.ndarray:
 
 WAYS = {
     "C": lambda *given: joint_form(compiled("fused"), *given),
-    "C, DAE form": lambda *given: dae_form(compiled("fused"), *given),
-    "C, float, modular": lambda *given: joint_form(compiled("modular", True), *given),
     "C, float, DAE form": lambda *given: dae_form(compiled("modular", True), *given),
 }
 

@@ -50,34 +50,9 @@ def forked():
     return model_of(FORK)
 
 
-def test_branches_that_are_stiff_and_welded_are_bodies_of_the_trunk():
-    body = {"at": "tip", "mass": 0.8, "com": [0.1, 0.2, 0.0], "inertia": [0.01, 0.02, 0.02, 0.0, 0.0, 0.0]}
-    other = {"at": "tip", "mass": 0.3, "com": [0.0, -0.1, 0.2]}
-    bodies = {"a": body, "b": other}
-    weld = {"joint": {"axes": []}, "parent": "trunk"}
-    welded = [{"name": n, "bodies": [b | {"at": "base"}], **weld} for n, b in bodies.items()]
-    trunk = rod("trunk", {"axes": ["y", "z"]})
-    tree = arm(trunk, *welded)
-    chain = arm(trunk | {"bodies": [body, other]})
-    rng = np.random.default_rng(0)
-    q, v, tau = 0.2 * rng.normal(size=chain.nq), rng.normal(size=chain.nq), rng.normal(size=2)
-    found = tree.numpy().forward_dynamics(q, v, tau, np.zeros((3, 6)))[0]
-    expected = chain.numpy().forward_dynamics(q, v, tau, np.zeros((1, 6)))[0]
-    assert np.allclose(found, expected, rtol=1e-11)
-
-
-def test_the_mass_matrix_of_a_fork_couples_its_branches_through_the_trunk_alone(forked):
-    M = forked.numpy().mass_matrix(np.zeros(forked.nq))
-    assert np.allclose(M, M.T, atol=1e-12) and np.linalg.eigvalsh(M).min() > 0
-    assert M[1, 2] == 0.0 and np.all(M[6:9, 9:12] == 0.0) and np.any(M[0, 6:] != 0.0)
-
-
 def test_a_child_must_come_after_its_parent():
     with pytest.raises(ValueError, match="must come after"):
         Tree((-1, 2, 0))
-
-
-# -------- random trees against the oracle
 
 
 @pytest.mark.parametrize("check", [slopes.dynamics, slopes.wrenches])

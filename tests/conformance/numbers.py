@@ -112,7 +112,7 @@ def casadi(case: Case) -> None:
         near(np.concatenate(parts), expected[row.name], case.agreement, row.name)
     q, v, tau, w_ext = case.given
     x = case.model.numpy().dae_state(q, v)
-    near(np.ravel(functions["dae_state"](q, v, p)), x, case.agreement, "state of the DAE form")
+    near(flat(functions["dae_state"](q, v, p)), x, case.agreement, "state of the DAE form")
     rows = [np.asarray(y.full()) for y in functions["assemble"](x, tau, w_ext.T, p)]
     sizes = [x.full().ravel() for x in functions["scaling"](p)]
     assert [len(x) for x in sizes] == [len(q), len(v), len(tau)] and np.all(np.concatenate(sizes) > 0)
@@ -209,7 +209,7 @@ def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.nda
     q, v, tau, w_ext = case.given
     step = case.model.casadi()[f"step_{method}"]
     for _ in range(steps):
-        q, v = (np.ravel(x) for x in step(q, v, tau, w_ext.T, case.model.parameter_values, STEP))
+        q, v = (flat(x) for x in step(q, v, tau, w_ext.T, case.model.parameter_values, STEP))
     return q, v
 
 
@@ -272,7 +272,7 @@ def parameters(case: Case) -> None:
     found = {x: (f.forward_dynamics(q, v, tau, w_ext)[0], f.energy(q, v))
              for x, f in (("NumPy", model.numpy(p)), ("C", case.c().fresh(p)))}  # fmt: skip
     f = model.casadi()
-    found["CasADi"] = np.ravel(f["forward_dynamics"](q, v, tau, w_ext.T, p)[0]), np.ravel(f["energy"](q, v, p))
+    found["CasADi"] = flat(f["forward_dynamics"](q, v, tau, w_ext.T, p)[0]), flat(f["energy"](q, v, p))
     for name, (rates, energies) in found.items():
         near(rates, vdot, case.tolerance, f"accelerations by {name}")
         near(energies, energy, case.tolerance, f"energies by {name}")

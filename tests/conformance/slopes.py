@@ -92,19 +92,18 @@ def outputs(case: Case, linear, q: np.ndarray, v: np.ndarray) -> None:
     near(y[:3], f.tip_pose(q)[1], case.agreement, "place of the tip")
     near(along[:3], y[3:6], case.agreement, "velocity of the tip")
     near(along[3:], y[6:9], case.tolerance, "acceleration of the tip")
-    rng, push = np.random.default_rng(6), np.zeros_like(w_ext)
-    push[model.chain.lasts] = rng.normal(size=(len(model.chain.lasts), 6))
+    rng = np.random.default_rng(6)
+    push = rng.normal(size=w_ext.shape)
     x, u = rng.normal(size=2 * nv) * np.append(case.sizes, case.sizes), rng.normal(size=len(tau))
     pushed = f.forward_dynamics(q, v, tau, w_ext + push)[0] - vdot
-    given = push[model.chain.lasts].ravel()
-    near(linear.B[nv:, len(tau) :] @ given, pushed, 10 * case.tolerance, "B by wrenches")
+    near(linear.B[nv:, len(tau) :] @ push.ravel(), pushed, 10 * case.tolerance, "B by wrenches")
 
     def at(t: float) -> np.ndarray:
         there = case.moved(q, t * x[:nv]), v + t * x[nv:], tau + t * u, w_ext + t * push
         return model.linearise(*there, outputs=OUTPUTS).y
 
     coarse, fine = ((at(t) - at(-t)) / (2 * t) for t in (DIFFERENCE, DIFFERENCE / 2))
-    expected, found = (4 * fine - coarse) / 3, linear.C @ x + linear.D @ np.append(u, given)
+    expected, found = (4 * fine - coarse) / 3, linear.C @ x + linear.D @ np.append(u, push)
     for unit in set(linear.output_units):
         own = [k for k, name in enumerate(linear.output_units) if name == unit]
         near(found[own], expected[own], 3 * smooth(case), f"outputs in {unit}")
@@ -128,5 +127,8 @@ def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-
         rates[others] = -np.linalg.lstsq(J[:, others], J[:, own] @ rates[own])[0]
         return f.forward_dynamics(there, rates, tau, w_ext)[0][own]
 
-    found = np.array([(accelerations(h * e) - accelerations(-h * e)) / (2 * h) for e in np.eye(2 * half)]).T
-    near(linear.A[half:], found, max(1e-6, case.tolerance / h), "A")
+    coarse, fine = (
+        np.array([(accelerations(t * e) - accelerations(-t * e)) / (2 * t) for e in np.eye(2 * half)]).T
+        for t in (h, h / 2)
+    )
+    near(linear.A[half:], (4 * fine - coarse) / 3, max(1e-6, case.tolerance / h), "A")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -37,6 +38,8 @@ DISPLACEMENT: dict[int | str, str] = {
 OTHERS = "Not needed for the algorithm: energies, poses, the rows of the stacked system, limits of the model."
 """What the further forms of the equations are."""
 
+TERM = re.compile(r" (?=[+-] )")
+"""Where a sum goes on with its next term."""
 FORMULAS = 6
 """Of up to that many polynomial shapes the coefficients are printed."""
 
@@ -155,8 +158,9 @@ def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
     yield Paragraph(
         "The entries of the constants above, and the shapes, whose numbers are printed there with fewer digits:"
     )
-    cells = [f"${left} = {right}$" for left, right in dict(rows).items()]
-    count = 2 if all(width(cell) <= PAGE / 2 - 2.0 for cell in cells) else 1
+    found = dict(rows)
+    count = 2 if all(width(f"{left} = {right}") <= PAGE / 2 - 2.0 for left, right in found.items()) else 1
+    cells = [f"${left} =$ ${TERM.sub('$ $', right)}$" for left, right in found.items()]  # may be broken at terms
     cells += [""] * (-len(cells) % count)
     lines = tuple(tuple(cells[k : k + count]) for k in range(0, len(cells), count))
     yield DocumentTable(("entry",) * count, (1.0 / count,) * count, lines)

@@ -15,7 +15,7 @@ from helpers import example_file
 
 from screwgen import Robot, load
 from screwgen.backends.latex.document import chain_of
-from screwgen.backends.latex.drawing import Drawing, Label, Stroke, dashes, outside
+from screwgen.backends.latex.drawing import Drawing, DrawnLabel, Stroke, dashes, outside
 from screwgen.backends.latex.drawing_writers import picture, svg
 from screwgen.backends.latex.label_places import Wish, overlaps, placed
 from screwgen.backends.latex.sketch import figure, sketch
@@ -112,7 +112,7 @@ def test_both_languages_have_the_same_labels_and_one_decimal(name):
 
 
 def test_names_that_mean_something_to_a_language_are_written_as_they_are():
-    label = Label("link", "`a<&_%`: x<y & 5 % of_it", (50.0, 10.0), (90.0, 12.0), ('"<b>',))
+    label = DrawnLabel("link", "`a<&_%`: x<y & 5 % of_it", (50.0, 10.0), (90.0, 12.0), ('"<b>',))
     drawing = Drawing((100.0, 20.0), (Stroke("axis", ((0.0, 0.0), (9.0, 9.0))),), (), (label,))
     root = ElementTree.fromstring(svg(drawing))
     assert "".join(root[-1].itertext()) == '"<b>a<&_%: x<y & 5 % of_it'

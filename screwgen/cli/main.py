@@ -304,17 +304,13 @@ def latex(
     notation: Annotated[
         str | None, typer.Option(metavar="NAME|FILE", help="Letters: paper, featherstone, or a TOML table of your own.")
     ] = None,
-    at: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="Of a page: the posture of the mass matrix in numbers, a state as .json."),
-    ] = None,
+    at: Annotated[str | None, typer.Option(metavar="FILE", help="Of a page: a state, for its mass matrix.")] = None,
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
     from .typesetting import run_latex
 
-    form = (scalar, about, documentclass, fragment, notation, at)
-    run_latex(robot, output, *form, quiet=quiet or context.obj)
+    run_latex(robot, output, scalar, about, documentclass, fragment, notation, at, quiet=quiet or context.obj)
 
 
 exchange.register(app, EPILOG)

@@ -67,7 +67,7 @@ class DocumentTable:
 
 
 @dataclass(frozen=True)
-class Figure:
+class DrawingItem:
     """A drawing with its caption."""
 
     kind: ClassVar[str] = "figure"
@@ -76,7 +76,7 @@ class Figure:
     essential: bool = False
 
 
-Item = Paragraph | Display | Heading | StepEquation | DocumentTable | Figure
+Item = Paragraph | Display | Heading | StepEquation | DocumentTable | DrawingItem
 
 
 @dataclass

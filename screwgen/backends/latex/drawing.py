@@ -51,7 +51,7 @@ class Dot:
 
 
 @dataclass(frozen=True)
-class Label:
+class DrawnLabel:
     """A text, in the markup of documents, around its centre."""
 
     look: str
@@ -76,7 +76,7 @@ class Drawing:
     size: Point
     strokes: tuple[Stroke, ...]
     dots: tuple[Dot, ...]
-    labels: tuple[Label, ...]
+    labels: tuple[DrawnLabel, ...]
 
     def respelled(self, text: Callable[[str], str]) -> Drawing:
         """The drawing with other texts of its labels."""
@@ -88,7 +88,7 @@ def rounded(x: float) -> float:
     return round(float(x) + TIE, 1) + 0.0
 
 
-def framed(strokes: Sequence[Stroke], dots: Sequence[Dot], labels: Sequence[Label], margin: float) -> Drawing:
+def framed(strokes: Sequence[Stroke], dots: Sequence[Dot], labels: Sequence[DrawnLabel], margin: float) -> Drawing:
     """A drawing of these, moved into the smallest box with a margin, with rounded coordinates."""
     corners = [p for stroke in strokes for p in stroke.points]
     corners += [(x + s * dot.radius, y + s * dot.radius) for dot in dots for x, y in [dot.at] for s in (-1, 1)]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .drawing import Dot, Label, Point, Stroke, resampled
+from .drawing import Dot, DrawnLabel, Point, Stroke, resampled
 from .label_text import measured
 
 DISTANCES = (9.0, 13.0, 18.0, 25.0, 34.0, 46.0, 62.0, 84.0, 112.0, 150.0, 200.0)
@@ -45,10 +45,12 @@ class Wish:
     """The largest distance from its anchor, px."""
 
 
-def placed(wishes: Sequence[Wish], strokes: Sequence[Stroke], dots: Sequence[Dot]) -> tuple[list[Label], list[Stroke]]:
+def placed(
+    wishes: Sequence[Wish], strokes: Sequence[Stroke], dots: Sequence[Dot]
+) -> tuple[list[DrawnLabel], list[Stroke]]:
     """The labels, none of which overlap, and the lines that lead to those that are far from their anchors."""
     taken, boxes = [_felt(strokes, dots)], np.empty((0, 4))
-    labels: list[Label] = []
+    labels: list[DrawnLabel] = []
     leaders: list[Stroke] = []
     for wish in wishes:
         label = _best(wish, np.concatenate(taken), boxes)
@@ -70,7 +72,7 @@ def _felt(strokes: Sequence[Stroke], dots: Sequence[Dot]) -> np.ndarray:
     return np.concatenate([np.empty((0, 2)), *(resampled(np.array(s.points), STEP) for s in strokes), *rings])
 
 
-def _best(wish: Wish, taken: np.ndarray, boxes: np.ndarray) -> Label | None:
+def _best(wish: Wish, taken: np.ndarray, boxes: np.ndarray) -> DrawnLabel | None:
     """The label at its freest place; None where it is not needed and there is none that is free."""
     size = measured(wish.text, wish.look)
     centres, costs = _candidates(wish, size)
@@ -78,7 +80,7 @@ def _best(wish: Wish, taken: np.ndarray, boxes: np.ndarray) -> Label | None:
     over = (boxes[None, :, :2] < high[:, None]) & (boxes[None, :, 2:] > low[:, None])
     best, least = None, np.inf
     for k in np.flatnonzero(~np.any(np.all(over, axis=2), axis=1)):
-        label = Label(wish.look, wish.text, (float(centres[k, 0]), float(centres[k, 1])), size, wish.names)
+        label = DrawnLabel(wish.look, wish.text, (float(centres[k, 0]), float(centres[k, 1])), size, wish.names)
         cost = ACROSS * float(np.sum(np.all((taken > low[k]) & (taken < high[k]), axis=1)))
         cost += BLINDED * _crosses(_leader(wish.anchor, label), boxes)
         if not cost:
@@ -88,11 +90,11 @@ def _best(wish: Wish, taken: np.ndarray, boxes: np.ndarray) -> Label | None:
     return _aside(wish, boxes) if best is None and wish.needed else best
 
 
-def _aside(wish: Wish, boxes: np.ndarray) -> Label:
+def _aside(wish: Wish, boxes: np.ndarray) -> DrawnLabel:
     """The label to the right of all others, where no place around its anchor is left."""
     size = measured(wish.text, wish.look)
     right = float(np.max(boxes[:, 2], initial=wish.anchor[0])) + ROOM + size[0] / 2
-    return Label(wish.look, wish.text, (right, wish.anchor[1]), size, wish.names)
+    return DrawnLabel(wish.look, wish.text, (right, wish.anchor[1]), size, wish.names)
 
 
 def _candidates(wish: Wish, size: Point) -> tuple[np.ndarray, np.ndarray]:
@@ -108,7 +110,7 @@ def _candidates(wish: Wish, size: Point) -> tuple[np.ndarray, np.ndarray]:
     return np.round(centres.reshape(-1, 2)[order], 6), costs.ravel()[order]
 
 
-def _leader(anchor: Point, label: Label) -> Stroke | None:
+def _leader(anchor: Point, label: DrawnLabel) -> Stroke | None:
     """From an anchor to the edge of its label, where that is far."""
     x0, y0, x1, y1 = label.box
     end = np.clip(anchor, (x0, y0), (x1, y1))
@@ -128,7 +130,7 @@ def _crosses(line: Stroke | None, boxes: np.ndarray) -> bool:
     return bool(np.any((boxes[:, 0] < x) & (x < boxes[:, 2]) & (boxes[:, 1] < y) & (y < boxes[:, 3])))
 
 
-def overlaps(labels: Sequence[Label]) -> Iterator[tuple[Label, Label]]:
+def overlaps(labels: Sequence[DrawnLabel]) -> Iterator[tuple[DrawnLabel, DrawnLabel]]:
     """The pairs of labels that overlap."""
     for i, first in enumerate(labels):
         for second in labels[i + 1 :]:

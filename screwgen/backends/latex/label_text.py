@@ -24,7 +24,7 @@ WIDE, CAPITAL, MONO, NARROW = 0.62, 0.75, 0.61, 0.36
 THIN = set("iljt.,;:'|!()[]I 1")
 
 
-class Run(NamedTuple):
+class LetterRun(NamedTuple):
     """A piece of a label in one style."""
 
     text: str
@@ -39,18 +39,18 @@ def size(look: str) -> float:
     return SIZES.get(look, USUAL)
 
 
-def runs(text: str) -> Iterator[Run]:
+def runs(text: str) -> Iterator[LetterRun]:
     """The pieces of a text in the markup of documents."""
     for piece in filter(None, PIECES.split(text)):
         if piece.startswith("$"):
             yield from _spaced(list(_formula(ElementTree.fromstring(mathml.inline(piece[1:-1])), 0)))
         elif piece.startswith("`"):
-            yield Run(piece[1:-1], "code", 0)
+            yield LetterRun(piece[1:-1], "code", 0)
         else:
-            yield Run(piece, "plain", 0)
+            yield LetterRun(piece, "plain", 0)
 
 
-def _spaced(formula: list[Run]) -> Iterator[Run]:
+def _spaced(formula: list[LetterRun]) -> Iterator[LetterRun]:
     """The letters of a formula with room around the signs that join two terms, and behind commas."""
     before = "="
     for run in formula:
@@ -63,12 +63,12 @@ def _spaced(formula: list[Run]) -> Iterator[Run]:
 LEVELS = {"msub": (0, 1), "msup": (0, -1), "msubsup": (0, 1, -1)}
 
 
-def _formula(element: ElementTree.Element, level: int) -> Iterator[Run]:
+def _formula(element: ElementTree.Element, level: int) -> Iterator[LetterRun]:
     """The letters of MathML in a line."""
     if element.tag in ("mi", "mn", "mo", "mtext"):
         text = (element.text or "").strip() or " "
         italic = element.tag == "mi" and len(text) == 1 and element.get("mathvariant") != "normal"
-        yield Run(text, "math" if italic else "sign", level)
+        yield LetterRun(text, "math" if italic else "sign", level)
         return
     for place, child in enumerate(element):
         yield from _formula(child, level or LEVELS.get(element.tag, (0,) * len(element))[place])
@@ -81,7 +81,7 @@ def measured(text: str, look: str) -> Point:
     return round(width + 2.0, 1), round(HIGH * letters, 1)
 
 
-def _width(run: Run) -> float:
+def _width(run: LetterRun) -> float:
     if run.style == "code":
         return MONO * len(run.text)
     return sum(map(_wide, run.text))

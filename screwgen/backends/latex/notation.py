@@ -19,7 +19,7 @@ from typing import Any
 from ...errors import UsageError, one_line
 from ...ir.block import NamedSignal
 from .breaking import fitted
-from .content import SYMBOLS, Display, Document, DocumentTable, Figure, Heading, Item, Paragraph, StepEquation
+from .content import SYMBOLS, Display, Document, DocumentTable, DrawingItem, Heading, Item, Paragraph, StepEquation
 from .layout import Formula
 from .scalars import entry
 from .tables import NONE
@@ -278,7 +278,7 @@ def _formulas(document: Document) -> Iterator[str]:
                     yield from (
                         piece for row in item.rows for cell in row for piece in re.findall(r"\$([^$]*)\$", cell)
                     )
-                case Figure():
+                case DrawingItem():
                     for label in item.drawing.labels:
                         yield from re.findall(r"\$([^$]*)\$", label.text)
                 case Paragraph() | Heading():
@@ -298,7 +298,7 @@ def _item(item: Item, chosen: Notation, entries: Entries) -> Item:
         case StepEquation():
             step = replace(item.step, formula=rows(item.step.formula), components=rows(item.step.components))
             return replace(item, step=step, meaning=text(item.meaning), frame=text(item.frame))
-        case Figure():
+        case DrawingItem():
             return replace(item, drawing=item.drawing.respelled(text), caption=text(item.caption))
         case DocumentTable():
             return replace(item, rows=tuple(tuple(map(text, row)) for row in item.rows))

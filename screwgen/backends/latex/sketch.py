@@ -14,12 +14,12 @@ from ...spec.link_class import AXIS
 from ...spec.reduced import ELASTIC
 from ...topology.chain import Chain
 from . import coordinate_symbols
-from .content import Figure
+from .content import DrawingItem
 from .drawing import Drawing
 from .sketch_acting import bodies, drives, gravity, loops, masses, tendons, wrenches
 from .sketch_joints import foot, joint, names, on_world
 from .sketch_pen import Pen
-from .sketch_pose import MOST_LINKS, Part, Pose, View, drawn_lengths, poses, true_lengths
+from .sketch_pose import MOST_LINKS, LinkShape, SketchPose, SketchView, drawn_lengths, poses, true_lengths
 from .sketch_view import chosen
 
 WIDE, PER_LINK, WIDEST, HIGHEST = 210.0, 90.0, 430.0, 250.0
@@ -42,10 +42,10 @@ MOST_NAMED = 6
 """Coordinates of a posture that the caption says one by one."""
 
 
-def figure(chain: Chain) -> Figure:
+def figure(chain: Chain) -> DrawingItem:
     """The sketch of a robot with its caption."""
     pose, view = chosen(poses(chain), chain.robot.gravity)
-    return Figure(_drawing(chain, pose, view), _caption(chain, pose), essential=True)
+    return DrawingItem(_drawing(chain, pose, view), _caption(chain, pose), essential=True)
 
 
 def sketch(chain: Chain) -> Drawing:
@@ -53,7 +53,7 @@ def sketch(chain: Chain) -> Drawing:
     return figure(chain).drawing
 
 
-def _drawing(chain: Chain, pose: Pose, view: View) -> Drawing:
+def _drawing(chain: Chain, pose: SketchPose, view: SketchView) -> Drawing:
     """The picture of a robot in a posture; a smaller one where what is drawn beside the links needs room."""
     scale = _scale(pose, view)
     pen = _drawn(chain, pose, Pen(view, scale))
@@ -64,7 +64,7 @@ def _drawing(chain: Chain, pose: Pose, view: View) -> Drawing:
     return pen.drawing()
 
 
-def _drawn(chain: Chain, pose: Pose, pen: Pen) -> Pen:
+def _drawn(chain: Chain, pose: SketchPose, pen: Pen) -> Pen:
     """All that is in space."""
     letters, pulled = masses(chain), set[int]()
     for part in pose.parts:
@@ -87,7 +87,7 @@ def _drawn(chain: Chain, pose: Pose, pen: Pen) -> Pen:
     return pen
 
 
-def _scale(pose: Pose, view: View) -> float:
+def _scale(pose: SketchPose, view: SketchView) -> float:
     """px per m, by which the robot fills its room."""
     points = view.flat(np.concatenate([np.vstack([part.line, part.mount]) for part in pose.parts]))
     extent = np.maximum(np.ptp(points, axis=0), 1e-9)
@@ -99,7 +99,7 @@ def _scale(pose: Pose, view: View) -> float:
 # --------------------------------------------------------------------------------------------- links
 
 
-def _link(pen: Pen, chain: Chain, part: Part) -> None:
+def _link(pen: Pen, chain: Chain, part: LinkShape) -> None:
     """A link with its name, what it is mounted by, and the ground below it."""
     i, key, segment = part.number, chain.keys[part.number], chain.segments[part.number]
     if pen.far(part.carrier, part.mount) > SHORT:
@@ -119,7 +119,7 @@ def _link(pen: Pen, chain: Chain, part: Part) -> None:
             _marker(pen, part, marker.at, marker.name.partition(".")[2])
 
 
-def _beside(pen: Pen, part: Part) -> tuple[float, float]:
+def _beside(pen: Pen, part: LinkShape) -> tuple[float, float]:
     """The direction across a link, away from where its modes bend it."""
     x, y = pen.flat(part.line[-1] - part.line[0])
     bent = pen.flat(part.at(0.5) - part.straight.mean(axis=0))
@@ -127,20 +127,20 @@ def _beside(pen: Pen, part: Part) -> tuple[float, float]:
     return float(side[0]), float(side[1] or 1.0)
 
 
-def _hangs(pen: Pen, part: Part) -> bool:
+def _hangs(pen: Pen, part: LinkShape) -> bool:
     """Whether a link goes down from its foot."""
     x, y = pen.flat(part.tip - part.mount)
     return bool(y < -abs(x))
 
 
-def _weld(pen: Pen, part: Part) -> None:
+def _weld(pen: Pen, part: LinkShape) -> None:
     """A cross where a link is welded."""
     x, y = pen.point(part.joint)
     for s in (1.0, -1.0):
         pen.drawn("ground", [(x - TICK, y - s * TICK), (x + TICK, y + s * TICK)])
 
 
-def _marker(pen: Pen, part: Part, s: float, name: str) -> None:
+def _marker(pen: Pen, part: LinkShape, s: float, name: str) -> None:
     """A tick across a link, with the name of the marker."""
     place, way = pen.flat(part.at(s)), pen.flat(part.at(min(s + 0.05, 1.0)) - part.at(s - 0.05))
     across = np.array([-way[1], way[0]]) / max(float(np.linalg.norm(way)), 1e-9)
@@ -148,7 +148,7 @@ def _marker(pen: Pen, part: Part, s: float, name: str) -> None:
     pen.wish("link", f"`{name}`", place, needed=False, reach=34.0, towards=(float(across[0]), float(across[1])))
 
 
-def _frame(pen: Pen, chain: Chain, part: Part) -> None:
+def _frame(pen: Pen, chain: Chain, part: LinkShape) -> None:
     """The axes y and z of a link's frame, and x where no link lies along it."""
     if not chain.segments[part.number].first:
         return
@@ -168,11 +168,11 @@ def _frame(pen: Pen, chain: Chain, part: Part) -> None:
 
 # --------------------------------------------------------------------------------------------- modes
 
-Group = tuple[Part, str, list[int]]
+Group = tuple[LinkShape, str, list[int]]
 """The part at which modes are drawn, their direction, and their numbers among all modes."""
 
 
-def _mode_groups(chain: Chain, pose: Pose) -> Iterator[Group]:
+def _mode_groups(chain: Chain, pose: SketchPose) -> Iterator[Group]:
     """The modes of each link by the direction in which they displace it; of many segments together."""
     for link in dict.fromkeys(chain.segments[part.number].link for part in pose.parts):
         own = [part for part in pose.parts if chain.segments[part.number].link == link]
@@ -186,7 +186,7 @@ def _mode_groups(chain: Chain, pose: Pose) -> Iterator[Group]:
             yield from ((parts[-1], letter, modes) for letter, modes in groups.items())
 
 
-def _modes(pen: Pen, chain: Chain, part: Part, letter: str, modes: Sequence[int]) -> None:
+def _modes(pen: Pen, chain: Chain, part: LinkShape, letter: str, modes: Sequence[int]) -> None:
     """The arrow of a deflection, with the modes that make it."""
     known, titles, rates = coordinate_symbols.modes(chain), names(chain), chain.eta_v
     text = f"${ranges([known[k] for k in modes])}$"
@@ -203,13 +203,13 @@ def ranges(letters: Sequence[str]) -> str:
     return ", ".join(letters) if len(letters) < 3 else rf"{letters[0]} \ldots {letters[-1]}"
 
 
-def _twist(pen: Pen, part: Part) -> np.ndarray:
+def _twist(pen: Pen, part: LinkShape) -> np.ndarray:
     """(n, 3): an arc about the centreline."""
     way = part.at(TWISTED + 0.05) - part.at(TWISTED - 0.05)
     return pen.circle(part.at(TWISTED), way, TWIST, 1.5 * np.pi, np.pi / 2)
 
 
-def _deflection(pen: Pen, part: Part, letter: str) -> np.ndarray:
+def _deflection(pen: Pen, part: LinkShape, letter: str) -> np.ndarray:
     """(2, 3): from where the undeformed tip is, along one axis of the frame; y before z, and all of them of a body."""
     moved = part.turn.T @ (part.tip - part.straight[1])
     if letter == ELASTIC:
@@ -223,7 +223,7 @@ def _deflection(pen: Pen, part: Part, letter: str) -> np.ndarray:
 # ------------------------------------------------------------------------------------------- caption
 
 
-def _caption(chain: Chain, pose: Pose) -> str:
+def _caption(chain: Chain, pose: SketchPose) -> str:
     """One sentence on what is drawn."""
     more = len(chain.robot.links) - MOST_LINKS
     what = f"The first {MOST_LINKS} links of the robot" if more > 0 else "The robot"
@@ -235,7 +235,7 @@ def _caption(chain: Chain, pose: Pose) -> str:
     return rf"{what}{posture}{scale}{bent}; $x$ of each frame $\mathcal{{F}}_i$ runs along its link."
 
 
-def _posture(chain: Chain, pose: Pose) -> str:
+def _posture(chain: Chain, pose: SketchPose) -> str:
     """The coordinates of the joints, in words."""
     balls = {k for part in chain.curved for k in range(part.q.start, part.q.stop)}
     named = zip(chain.axis_places, coordinate_symbols.axes(chain), strict=True)

@@ -14,7 +14,7 @@ from ...topology.chain import Chain
 from ..equations.names import parameter_names
 from . import coordinate_symbols
 from .sketch_pen import Pen, across
-from .sketch_pose import MOST_LINKS, Part, Pose, rotation
+from .sketch_pose import MOST_LINKS, LinkShape, SketchPose, rotation
 
 MASS = 4.5
 """px: the radius of the dot of a body."""
@@ -46,7 +46,7 @@ def masses(chain: Chain) -> dict[tuple[int, int], str]:
     return {(p.link, p.index[0]): names[k].latex for k in used if (p := own[k]).link is not None}
 
 
-def bodies(pen: Pen, chain: Chain, part: Part, letters: dict[tuple[int, int], str]) -> None:
+def bodies(pen: Pen, chain: Chain, part: LinkShape, letters: dict[tuple[int, int], str]) -> None:
     """Bodies as dots; those at one place have one label."""
     segment = chain.segments[part.number]
     places: dict[tuple[float, ...], list[str]] = {}
@@ -64,7 +64,7 @@ def bodies(pen: Pen, chain: Chain, part: Part, letters: dict[tuple[int, int], st
 # -------------------------------------------------------------------------------------------- drives
 
 
-def drives(pen: Pen, chain: Chain, pose: Pose, part: Part) -> None:
+def drives(pen: Pen, chain: Chain, pose: SketchPose, part: LinkShape) -> None:
     """The cylinders and four-bar linkages across a joint."""
     p = [x.value for x in parameters(chain.robot)]
     for link, axis, kind, numbers in chain.travel_numbers(p):
@@ -127,7 +127,7 @@ def _point(way: np.ndarray) -> tuple[float, float]:
 # ------------------------------------------------------------------------------------------- tendons
 
 
-def tendons(pen: Pen, chain: Chain, part: Part, drawn: set[int]) -> None:
+def tendons(pen: Pen, chain: Chain, part: LinkShape, drawn: set[int]) -> None:
     """The pieces of tendons along a link, the first of each with the arrow of its tension; ``drawn`` has those."""
     key, link = chain.keys[part.number], chain.robot.links[chain.segments[part.number].link]
     for piece, tension in zip(key.tendons, chain.tensions[part.number], strict=True):
@@ -149,7 +149,7 @@ def tendons(pen: Pen, chain: Chain, part: Part, drawn: set[int]) -> None:
 # --------------------------------------------------------------------------------------------- loops
 
 
-def loops(pen: Pen, chain: Chain, pose: Pose) -> None:
+def loops(pen: Pen, chain: Chain, pose: SketchPose) -> None:
     """The points that loops join, and the axes that couplings join."""
     axes = coordinate_symbols.axes(chain)
     for junction in chain.closing.junctions:
@@ -181,7 +181,7 @@ def _relation(ratio: Ratio, follows: str, of: str) -> str:
     return f"${follows} = {factor}{of}{shift}$"
 
 
-def _coupling(pen: Pen, pose: Pose, ends: tuple[int, int], text: str) -> None:
+def _coupling(pen: Pen, pose: SketchPose, ends: tuple[int, int], text: str) -> None:
     """An arc between the joints of two coupled axes."""
     parts = [pose.part(end) for end in ends]
     if parts[0] is None or parts[1] is None:
@@ -198,7 +198,7 @@ def _coupling(pen: Pen, pose: Pose, ends: tuple[int, int], text: str) -> None:
 # ---------------------------------------------------------------------------- wrenches and gravity
 
 
-def wrenches(pen: Pen, chain: Chain, pose: Pose) -> None:
+def wrenches(pen: Pen, chain: Chain, pose: SketchPose) -> None:
     """The external wrenches on the tips of links that carry none."""
     held = {end for junction in chain.closing.junctions for end in (junction.first, junction.second)}
     carrying = {*chain.tree.parents, *held} if chain.robot.loops else set(chain.tree.parents)

@@ -11,7 +11,7 @@ from ...topology.chain import Chain
 from ...topology.tree import BASE
 from . import coordinate_symbols
 from .sketch_pen import Pen
-from .sketch_pose import Part
+from .sketch_pose import LinkShape
 
 RADIUS, HALF = 6.0, 9.0
 """px: the radius and half the length of the cylinder of a hinge."""
@@ -33,7 +33,7 @@ def names(chain: Chain) -> list[str]:
     return list(changes(chain.robot))
 
 
-def joint(pen: Pen, chain: Chain, part: Part) -> None:
+def joint(pen: Pen, chain: Chain, part: LinkShape) -> None:
     """A joint with its axes and their coordinates."""
     i, key = part.number, chain.keys[part.number]
     rates = names(chain)[chain.v_offset[i] : chain.v_offset[i + 1]]
@@ -51,7 +51,7 @@ def joint(pen: Pen, chain: Chain, part: Part) -> None:
     pen.wish("q", rf"$\mathbf{{q}}_{{{i + 1}}}$", part.joint, names=tuple(rates), towards=(-1.0, 1.0))
 
 
-def _axes(pen: Pen, chain: Chain, part: Part, rates: Sequence[str]) -> None:
+def _axes(pen: Pen, chain: Chain, part: LinkShape, rates: Sequence[str]) -> None:
     """A joint of hinges, slides and screws, or a weld."""
     screws = chain.keys[part.number].screws
     turning = [axis for screw, axis in zip(screws, part.axes, strict=True) if screw.turn]
@@ -87,7 +87,7 @@ def _turn(pen: Pen, place: np.ndarray, axis: np.ndarray) -> None:
     pen.line("axis", *arc, head=True)
 
 
-def _slide(pen: Pen, part: Part, axis: np.ndarray, turns: bool) -> None:
+def _slide(pen: Pen, part: LinkShape, axis: np.ndarray, turns: bool) -> None:
     """The rail along which a joint slides, and its direction."""
     ends = sorted(float((p - part.mount) @ axis) for p in (part.mount, part.joint))
     rail = [part.mount + s * axis for s in ends]
@@ -99,7 +99,7 @@ def _slide(pen: Pen, part: Part, axis: np.ndarray, turns: bool) -> None:
 # ------------------------------------------------------------------------------------------- the base
 
 
-def foot(pen: Pen, part: Part, hangs: bool, welded: bool) -> None:
+def foot(pen: Pen, part: LinkShape, hangs: bool, welded: bool) -> None:
     """The mark of the ground below a joint on the world, above it where the robot hangs."""
     way = np.array([0.0, 1.0 if hangs else -1.0])
     place = np.array(pen.point(part.mount))
@@ -113,6 +113,6 @@ def foot(pen: Pen, part: Part, hangs: bool, welded: bool) -> None:
         pen.drawn("ground", [top, top + HATCH * (way - 0.8 * side)])
 
 
-def on_world(chain: Chain, part: Part) -> bool:
+def on_world(chain: Chain, part: LinkShape) -> bool:
     """Whether a link's joint stands on the world."""
     return chain.tree.parents[part.number] == BASE and not chain.keys[part.number].floats

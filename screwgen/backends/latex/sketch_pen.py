@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from .drawing import Dot, Drawing, Point, Stroke, framed, hull, outside
 from .label_places import Wish, placed
-from .sketch_pose import View
+from .sketch_pose import SketchView
 
 HEAD, OPEN = 6.5, 0.42
 """Arrow heads: their length, px, and half the angle between their sides, rad."""
@@ -36,7 +36,7 @@ class Line(NamedTuple):
 class Pen:
     """Draws in space by a view at ``scale`` px per m; lengths that are called sizes are in px."""
 
-    def __init__(self, view: View, scale: float):
+    def __init__(self, view: SketchView, scale: float):
         self.view, self.scale = view, scale
         self.lines: list[Line] = []
         self.dots: list[Dot] = []

@@ -48,7 +48,7 @@ ALONG = 0.9
 
 
 @dataclass(frozen=True)
-class Part:
+class LinkShape:
     """A link, or one of its segments, in inertial axes, m."""
 
     number: int
@@ -93,7 +93,7 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Pose:
+class SketchPose:
     """A robot in a posture."""
 
     q: np.ndarray
@@ -101,16 +101,16 @@ class Pose:
     """Whether all joints are at zero."""
     closed: bool
     """Whether all loops are closed, and all linkages reach their links."""
-    parts: tuple[Part, ...]
+    parts: tuple[LinkShape, ...]
     ends: np.ndarray
     """(n, 3): the tip points of all segments, of markers that loops join their places."""
 
-    def part(self, segment: int) -> Part | None:
+    def part(self, segment: int) -> LinkShape | None:
         """The part that is a segment of the chain, if it is drawn."""
         return next((part for part in self.parts if part.number == segment), None)
 
 
-class View(NamedTuple):
+class SketchView(NamedTuple):
     """The directions to the right, upwards and towards the reader, unit vectors in inertial axes."""
 
     right: np.ndarray
@@ -155,7 +155,7 @@ def size(chain: Chain, lengths: dict[int, float]) -> float:
 # ----------------------------------------------------------------------------------------- postures
 
 
-def poses(chain: Chain) -> list[Pose]:
+def poses(chain: Chain) -> list[SketchPose]:
     """The postures that may be drawn, the neutral one first."""
     lengths = drawn_lengths(chain)
     numeric, bent = drawn(chain, lengths), _bent(chain, lengths)
@@ -246,15 +246,15 @@ def _largest(key: LinkClass, mode: int) -> float:
 # ---------------------------------------------------------------------------------------- in space
 
 
-def _pose(numeric: Numeric, q: np.ndarray, lengths: dict[int, float], closed: bool) -> Pose:
+def _pose(numeric: Numeric, q: np.ndarray, lengths: dict[int, float], closed: bool) -> SketchPose:
     R, r = numeric.link_pose(q)
     _, tips = numeric.tip_poses(q)
-    chain, parts = numeric.chain, list[Part]()
+    chain, parts = numeric.chain, list[LinkShape]()
     for i, segment in enumerate(chain.segments):
         if segment.marker is None and segment.link < MOST_LINKS:
             parts.append(_part(chain, q, i, (R[i], r[i], tips[i]), lengths, parts))
     neutral = bool(np.allclose(q[: chain.eta_q], chain.home[: chain.eta_q], atol=1e-6))
-    return Pose(q, neutral, closed, tuple(parts), tips)
+    return SketchPose(q, neutral, closed, tuple(parts), tips)
 
 
 def _part(
@@ -263,8 +263,8 @@ def _part(
     i: int,
     placed: tuple[np.ndarray, np.ndarray, np.ndarray],
     lengths: dict[int, float],
-    before: Sequence[Part],
-) -> Part:
+    before: Sequence[LinkShape],
+) -> LinkShape:
     (R, r, tip), segment, key = placed, chain.segments[i], chain.keys[i]
     link = chain.robot.links[segment.link]
     ahead = np.array([(link.frame_at or 0.0) if segment.first else 0.0, 0.0, 0.0])
@@ -277,7 +277,7 @@ def _part(
     across = {AXIS[direction] for direction, _ in key.directions if direction in AXIS}
     bends = tuple(R[:, k] for k in sorted(across - {0}))
     carrier, straight = _carried(chain, i, mount, before), np.array([base, base + way])
-    return Part(i, R, r, line, straight, mount, carrier, axes, key.slides, bends)
+    return LinkShape(i, R, r, line, straight, mount, carrier, axes, key.slides, bends)
 
 
 def _displaced(chain: Chain, q: np.ndarray, i: int) -> np.ndarray:
@@ -308,7 +308,7 @@ def rotation(axis: np.ndarray, angle: float) -> np.ndarray:
     return np.asarray(np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * K @ K)
 
 
-def _carried(chain: Chain, i: int, mount: np.ndarray, before: Sequence[Part]) -> np.ndarray:
+def _carried(chain: Chain, i: int, mount: np.ndarray, before: Sequence[LinkShape]) -> np.ndarray:
     """The point of its carrier on which a link is mounted; of a link on the world its joint's own place."""
     parent, station = chain.tree.parents[i], chain.tree.at(i)
     carrier = next((part for part in before if part.number == parent), None)

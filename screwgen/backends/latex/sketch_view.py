@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .sketch_pose import Pose, View
+from .sketch_pose import SketchPose, SketchView
 
 AZIMUTHS = (-55.0, -35.0, 35.0, 55.0, -15.0, 15.0, -75.0, 75.0)
 ELEVATIONS = (25.0, 12.0)
@@ -27,14 +27,14 @@ MEETING = 0.35
 NEAR = 1e-6
 
 
-def chosen(poses: Sequence[Pose], gravity: Sequence[float]) -> tuple[Pose, View]:
+def chosen(poses: Sequence[SketchPose], gravity: Sequence[float]) -> tuple[SketchPose, SketchView]:
     """The posture and the view in which links and joints are well apart; equal ones: the first."""
     pairs = [(pose, view, apart) for pose in poses for apart in [spread(pose)] for view in views(gravity)]
     scores = [round(score(*pair) + NEUTRAL * pair[0].neutral, 4) for pair in pairs]
     return pairs[int(np.argmax(scores))][:2]
 
 
-def views(gravity: Sequence[float]) -> list[View]:
+def views(gravity: Sequence[float]) -> list[SketchView]:
     """Views with the direction against gravity upwards."""
     fall = np.array(gravity, float)
     axis = int(np.argmax(np.abs(fall))) if fall.any() else 2
@@ -44,13 +44,13 @@ def views(gravity: Sequence[float]) -> list[View]:
     return [_view(up, level, *np.radians([a, e])) for e in ELEVATIONS for a in AZIMUTHS]
 
 
-def _view(up: np.ndarray, level: np.ndarray, azimuth: float, elevation: float) -> View:
+def _view(up: np.ndarray, level: np.ndarray, azimuth: float, elevation: float) -> SketchView:
     """A view at whose azimuth 0 a level axis, x or y, runs to the right."""
     ahead = np.cos(azimuth) * np.cross(level, up) + np.sin(azimuth) * level
     towards = np.cos(elevation) * ahead + np.sin(elevation) * up
     right = np.cross(up, towards)
     right = right / np.linalg.norm(right)
-    return View(right, np.cross(towards, right), towards)
+    return SketchView(right, np.cross(towards, right), towards)
 
 
 class Spread(NamedTuple):
@@ -64,7 +64,7 @@ class Spread(NamedTuple):
     """(m, m): whether they are joints or tips at different places, or joints that slides can move apart."""
 
 
-def spread(pose: Pose) -> Spread:
+def spread(pose: SketchPose) -> Spread:
     """The pairs of a posture: points of two links that are apart in space, the middle of a link and another link."""
     points = np.concatenate([part.line[list(SAMPLES)] for part in pose.parts])
     count, middle = len(SAMPLES), len(SAMPLES) // 2
@@ -80,13 +80,13 @@ def spread(pose: Pose) -> Spread:
     return Spread(points, others & (far | folded), ends[:, None] & ends[None] & (apart > NEAR) | met)
 
 
-def _carrying(pose: Pose) -> np.ndarray:
+def _carrying(pose: SketchPose) -> np.ndarray:
     """(n, n): whether the first part carries the second."""
     near = lambda a, b: bool(np.min(np.linalg.norm(a.line - b.carrier, axis=1)) <= 0.1 * a.long)  # noqa: E731
     return np.array([[near(a, b) for b in pose.parts] for a in pose.parts])
 
 
-def score(pose: Pose, view: View, apart: Spread) -> float:
+def score(pose: SketchPose, view: SketchView, apart: Spread) -> float:
     """How well a picture shows a robot: long links, links and joints apart, wide rather than tall."""
     points = view.flat(apart.points)
     width, height = np.ptp(np.concatenate([points, [view.flat(part.mount) for part in pose.parts]]), axis=0)
@@ -96,7 +96,7 @@ def score(pose: Pose, view: View, apart: Spread) -> float:
     return _shown(pose, view) + sum(gaps) - tall
 
 
-def _shown(pose: Pose, view: View) -> float:
+def _shown(pose: SketchPose, view: SketchView) -> float:
     """The mean and least length of links over the true one, and how well arrows of axes and deflections show."""
     ways = [(part.straight[1] - part.straight[0]) / part.long for part in pose.parts if part.long > NEAR]
     axes = [axis for part in pose.parts for axis in part.axes]
@@ -107,7 +107,7 @@ def _shown(pose: Pose, view: View) -> float:
     return links + 0.4 * _mean(turns, 2.0) + 0.5 * float(np.min(bends / ARROW, initial=1.0))
 
 
-def _lengths(view: View, ways: Sequence[np.ndarray]) -> np.ndarray:
+def _lengths(view: SketchView, ways: Sequence[np.ndarray]) -> np.ndarray:
     """The lengths of unit vectors as they are seen."""
     return np.asarray(np.linalg.norm(view.flat(np.reshape(ways, (-1, 3))), axis=1))
 

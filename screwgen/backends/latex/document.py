@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,20 @@ from ..templates import render
 from . import algorithm, check_value, coordinates, elements, motion, numbers, tables, text
 from .algorithm import ALGORITHM
 from .blocks import LETTERS
-from .content import CITATION, MODES, PARAMETERS, SYMBOLS, Document, DocumentSection, Heading, Item, Paragraph, parse
+from .content import (
+    CITATION,
+    MODES,
+    PARAMETERS,
+    SYMBOLS,
+    Document,
+    DocumentSection,
+    DocumentTable,
+    Heading,
+    Item,
+    Paragraph,
+    StepEquation,
+    parse,
+)
 from .drawing_writers import picture
 from .joints import joints
 from .layout import one_line
@@ -72,7 +86,26 @@ def chain_of(robot: Robot) -> Chain:
 def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
     """A document in LaTeX, or a fragment of one."""
     template = "latex/fragment.tex.jinja" if style.fragment else "latex/document.tex.jinja"
-    return render(template, document=shown, style=style, text=text.tex, rows=text.tex_rows, picture=picture)
+    printed = replace(shown, sections=tuple(map(partial(_printed, _defined(shown)), shown.sections)))
+    return render(template, document=printed, style=style, text=text.tex, rows=text.tex_rows, picture=picture)
+
+
+def _defined(shown: Document) -> set[str]:
+    """The symbols that steps define, where their meaning, unit and frame stand."""
+    items = (item for section in shown.sections for item in section.items)
+    return {f"${item.step.formula[0][0]}$" for item in items if isinstance(item, StepEquation)}
+
+
+def _printed(defined: Set[str], section: DocumentSection) -> DocumentSection:
+    """A section as it is printed: its table of symbols without those that steps define."""
+    if section.title != SYMBOLS:
+        return section
+    items: list[Item] = [Paragraph("Those that a step defines have their meaning, unit and frame there.")]
+    for item in section.items:
+        if isinstance(item, DocumentTable):
+            item = replace(item, rows=tuple(row for row in item.rows if row[0] not in defined))
+        items.append(item)
+    return replace(section, items=items)
 
 
 def notebook(robot: Robot) -> str:
@@ -99,7 +132,8 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_added)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
-    views = {key: class_views(key, blocks[key]) for key in chain.classes}
+    carrying = {chain.keys[parent] for parent in chain.tree.parents if parent >= 0}
+    views = {key: class_views(key, blocks[key], key in carrying) for key in chain.classes}
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     known += [pair for chapter in chapters for pair in chapter.views]
     named = [
@@ -150,12 +184,16 @@ def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Bl
     return merged("block", derived(key), *(p.blocks(key) for p in plugins))
 
 
-def class_views(key: LinkClass, blocks: Mapping[str, Block]) -> tuple[BlockView, ...]:
-    """The blocks of a class in a reader's order; a step that an earlier block has is not shown again."""
+def class_views(key: LinkClass, blocks: Mapping[str, Block], carrying: bool = True) -> tuple[BlockView, ...]:
+    """The blocks of a class in a reader's order; a step that an earlier block has is not shown again.
+
+    ``carrying``: whether a link of the class carries another.
+    """
     seen: dict[str, Seen] = {}
     letters = [LETTERS[direction] for direction, _ in key.directions if direction in LETTERS]
     parts = tuple(Counter(letters).items())
-    given = (tables.named_axes(key), structure(key, blocks), (key.joints, key.modes), parts)
+    next_joint = {} if carrying else {"X": np.zeros((6, 6), dtype=int), "PX": np.zeros((6, 6), dtype=int)}
+    given = (tables.named_axes(key), structure(key, blocks) | next_joint, (key.joints, key.modes), parts)
     out: list[BlockView] = []
     for name in ordered(blocks):
         out.append(block_view(blocks[name], seen, *given, told=OF_BODIES if name == "tip_body" else ()))

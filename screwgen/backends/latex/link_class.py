@@ -160,7 +160,8 @@ def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
     )
     found = dict(rows)
     count = 2 if all(width(f"{left} = {right}") <= PAGE / 2 - 2.0 for left, right in found.items()) else 1
-    cells = [f"${left} =$ ${TERM.sub('$ $', right)}$" for left, right in found.items()]  # may be broken at terms
+    broken = lambda right: right if r"\left" in right else TERM.sub("$ $", right)  # noqa: E731
+    cells = [f"${left} =$ ${broken(right)}$" for left, right in found.items()]
     cells += [""] * (-len(cells) % count)
     lines = tuple(tuple(cells[k : k + count]) for k in range(0, len(cells), count))
     yield DocumentTable(("entry",) * count, (1.0 / count,) * count, lines)

@@ -153,6 +153,15 @@ def _exact_shapes(key: LinkClass) -> Iterator[tuple[str, str]]:
                 yield rf"\varphi_{{{number}}} = \psi_{{{k + 1}}}(s)", polynomial_latex(form, DIGITS)
 
 
+def _by_terms(formula: str) -> str:
+    """A formula that may be broken before each term, also in brackets."""
+    parts = TERM.split(formula.replace(r"\left(", "(").replace(r"\right)", ")"))
+    out = parts[0]
+    for part in parts[1:]:
+        out += ("$ $" if out.count("{") == out.count("}") else " ") + part
+    return out
+
+
 def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
     """The entries of the constants that have numbers, two in a row of the table if they are short."""
     yield Paragraph(
@@ -160,8 +169,7 @@ def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
     )
     found = dict(rows)
     count = 2 if all(width(f"{left} = {right}") <= PAGE / 2 - 2.0 for left, right in found.items()) else 1
-    broken = lambda right: right if r"\left" in right else TERM.sub("$ $", right)  # noqa: E731
-    cells = [f"${left} =$ ${broken(right)}$" for left, right in found.items()]
+    cells = [f"${left} =$ ${_by_terms(right)}$" for left, right in found.items()]
     cells += [""] * (-len(cells) % count)
     lines = tuple(tuple(cells[k : k + count]) for k in range(0, len(cells), count))
     yield DocumentTable(("entry",) * count, (1.0 / count,) * count, lines)

@@ -11,7 +11,6 @@ from ...elements.cylinder import Cylinder
 from ...joints.constraints import Ratio
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from ..equations.names import parameter_names
 from . import coordinate_symbols
 from .sketch_pen import Pen, across
 from .sketch_pose import MOST_LINKS, LinkShape, SketchPose, rotation
@@ -40,10 +39,8 @@ WEIGHT, AXES = 34.0, 28.0
 
 def masses(chain: Chain) -> dict[tuple[int, int], str]:
     """The letter of the mass of each body, by the numbers of link and body."""
-    own = parameters(chain.robot)
-    used = [k for k, p in enumerate(own) if p.field == "bodies.mass"]
-    names = parameter_names(chain, used)
-    return {(p.link, p.index[0]): names[k].latex for k in used if (p := own[k]).link is not None}
+    bodies = ((i, k) for i, link in enumerate(chain.robot.links) for k in range(len(link.bodies)))
+    return {(i, k): rf"m_{{b{k + 1},{chain.firsts[i] + 1}}}" for i, k in bodies}
 
 
 def bodies(pen: Pen, chain: Chain, part: LinkShape, letters: dict[tuple[int, int], str]) -> None:

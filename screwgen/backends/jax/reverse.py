@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import jax
+import jax.numpy as jnp
 from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
 
@@ -39,9 +40,19 @@ def _transposed(seeds: Sequence[Any], *given: Any, pull: Any, count: int, types:
     return [None] * count + (list(pull(given[:count], used)) if used else [None] * moving)
 
 
+def _batched(given: Sequence[Any], places: Sequence[Any], pull: Any, count: int, types: tuple) -> tuple[list, list]:
+    """Tangents of many at once: along the first axis of all that is given."""
+    (size,) = {x.shape[place] for x, place in zip(given, places, strict=True) if place is not None}
+    ahead = lambda x, place: jnp.broadcast_to(x, (size, *x.shape)) if place is None else jnp.moveaxis(x, place, 0)  # noqa: E731
+    whole = list(map(ahead, given, places))
+    wide = tuple(of.update(shape=(size, *of.shape)) for of in types)
+    found = TANGENTS.bind(*whole, pull=jax.vmap(pull), count=count, types=wide)
+    return found, [0] * len(found)
+
+
 TANGENTS.def_abstract_eval(lambda *_, types, **__: list(types))
 TANGENTS.def_impl(_refuse)
 mlir.register_lowering(TANGENTS, _refuse)
-batching.primitive_batchers[TANGENTS] = _refuse
+batching.primitive_batchers[TANGENTS] = _batched
 ad.primitive_jvps[TANGENTS] = _refuse
 ad.primitive_transposes[TANGENTS] = _transposed

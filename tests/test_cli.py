@@ -302,6 +302,6 @@ def test_latex_writes_the_document(capsys, folder, name):
 def test_latex_writes_equations_in_scalars(capsys, folder, name):
     links = '[[links]]\nname = "rod"\nlength = 1.0\njoint = { axes = ["y"] }\nbodies = [{ at = "tip", mass = 1.0 }]\n'
     Path("swing.toml").write_text(f'name = "swing"\ngravity = [0.0, 0.0, -9.81]\n\n{links}')
-    assert run(capsys, "latex", "swing.toml", "--scalar", "--about", "1.5707963267948966", "-o", name) == f"{name}\n"
+    assert run(capsys, "latex", "swing.toml", "--scalar", "--about", "pi/2", "-o", name) == f"{name}\n"
     text = Path(name).read_text()
     assert "Small motions about rest" in text and "rod.bodies[0].mass" in text.replace(r"\cut{}", "")

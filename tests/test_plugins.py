@@ -37,7 +37,7 @@ def doubled(key) -> dict[str, Block]:
 
 def chapter(chain) -> Chapter:
     named = (r"\mathbf{Q}_q", "a symbol of the text", "m", "3", "-", Binding.STATE)
-    return Chapter((DocumentSection("Of a plug-in", [Paragraph("$x$ is squared.")]),), symbols=(named,))
+    return Chapter((DocumentSection("Of a plug-in", [Paragraph(r"$\mathbf{Q}_q$ is squared.")]),), symbols=(named,))
 
 
 def links(model) -> list[str]:

@@ -24,7 +24,7 @@ class Outside(Case):
         super().__init__({})
         self.expected = [np.asarray(x) for x in (vdot, wrench) if x is not None]
         tolerance = max(1e-10, 50 * EPS * np.linalg.cond(model.numpy().mass_matrix(given[0])))
-        judge = SimpleNamespace(given=given, tolerance=tolerance, errors=self._errors)
+        judge = SimpleNamespace(given=given, tolerance=tolerance, errors=self._errors, vdot=self.expected[0])
         vars(self).update(model=model, judge=judge)
 
     def _errors(self, *found) -> dict[int, float]:

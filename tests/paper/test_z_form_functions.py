@@ -85,8 +85,8 @@ def test_documents_have_the_section(name):
     text = tex(name)
     section = text.split(r"\section{The Z-form}")[1].split(r"\section{")[0]
     for formula in (
-        r"\mathbf{J}(\boldsymbol{\theta}_i) & = \mathbf{I}_{3} - c_2\,\tilde{\boldsymbol{\theta}}_i",
-        r"\kappa & = \tfrac{1}{4}\,c_{1}\left(y_i\right)^{-1}\,\left(c_{2}\left(y_i\right) - c_{3}",
+        r"\mathbf{J}(\boldsymbol{\theta}_i) & = \mathbf{I}_{3} - \mathrm{c}_2\,\tilde{\boldsymbol{\theta}}_i",
+        r"\kappa & = \tfrac{1}{4}\,\mathrm{c}_{1}\left(y_i\right)^{-1}\,\left(\mathrm{c}_{2}\left(y_i\right) - \mathrm{c}_{3}",
         r"\dot{\boldsymbol{\theta}}_i & = \mathbf{J}(\boldsymbol{\theta}_i)^{-1}\,\boldsymbol{\omega}_i",
         r"\mathbf{T}_{\gamma_i} & = \begin{bmatrix} \mathbf{0} & \mathbf{0} \\ -\tilde{\mathbf{r}}_i & \mathbf{0}",
         r"\left(\mathbf{I}_{6} + \mathbf{T}_{\gamma_i}\right)\,\dot{\mathbf{Z}}_i + \boldsymbol{\gamma}_i^{*}",

@@ -143,7 +143,6 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     symbols = entries(known, named)
-    of_chapters = {symbol[0] for chapter in chapters for symbol in chapter.symbols}
     sections = [_robot(robot, chain), _conventions(robot, chain), motion.motion(chain)]
     lines = algorithm.lines(chain)
     parts = {key: algorithm.parted(lines, views[key]) for key in chain.classes}
@@ -159,7 +158,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     if (table := numbers.modes(chain)) is not None:
         sections.append(DocumentSection(MODES, [Paragraph(numbers.ALONE), table]))
     sections += [
-        DocumentSection(SYMBOLS, [tables.symbols(occurring(symbols, sections, of_chapters))]),
+        DocumentSection(SYMBOLS, [tables.symbols(occurring(symbols, sections))]),
         DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),
     ]
     shown = Document(robot.name, __version__, tuple(sections))

@@ -183,7 +183,8 @@ def _plain(view: BlockView) -> Iterator[Item]:
     """What is zero or identity at a section, and is not at the tip."""
     for symbols, what in ((view.zeros, "Zero"), (view.identities, "The identity")):
         if symbols:
-            yield Paragraph(f"{what} at this section: {', '.join(f'${symbol}$' for symbol in symbols)}.")
+            where = "here" if view.name == "tip_body" else "at this section"
+            yield Paragraph(f"{what} {where}: {', '.join(f'${symbol}$' for symbol in symbols)}.")
 
 
 # ------------------------------------------------------------------------------------ kinematic field

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from .content import Display, DocumentSection, DocumentTable, DrawingItem, Heading, Item, Paragraph, StepEquation
 from .layout import Formula
@@ -19,10 +19,10 @@ OTHER = r"(?!\}*(?:_|\^(?!\{?(?:\\top|[-\d]))))"
 SCRIPT = re.compile(r"[_^]")
 
 
-def occurring(entries: Iterable[Entry], sections: Iterable[DocumentSection], kept: Collection[str]) -> list[Entry]:
-    """The entries whose symbols stand in a formula of the sections, and those that are ``kept`` anyway."""
+def occurring(entries: Iterable[Entry], sections: Iterable[DocumentSection]) -> list[Entry]:
+    """The entries whose symbols stand in a formula of the sections."""
     text = " ".join(formula for section in sections for item in section.items for formula in _formulas(item))
-    return [entry for entry in entries if entry.display in kept or pattern(entry.display).search(text)]
+    return [entry for entry in entries if pattern(entry.display).search(text)]
 
 
 def pattern(symbol: str) -> re.Pattern[str]:

@@ -86,7 +86,7 @@ def test_documents_have_the_section(name):
     section = text.split(r"\section{The Z-form}")[1].split(r"\section{")[0]
     for formula in (
         r"\mathbf{J}(\boldsymbol{\theta}_i) & = \mathbf{I}_{3} - \mathrm{c}_2\,\tilde{\boldsymbol{\theta}}_i",
-        r"\kappa & = \tfrac{1}{4}\,\mathrm{c}_{1}\left(y_i\right)^{-1}\,\left(\mathrm{c}_{2}\left(y_i\right) - \mathrm{c}_{3}",
+        r"\kappa & = \tfrac{1}{4}\,\mathrm{c}_{1}\left(y_i\right)^{-1}\,\left(\mathrm{c}_{2}\left(y_i\right) -",
         r"\dot{\boldsymbol{\theta}}_i & = \mathbf{J}(\boldsymbol{\theta}_i)^{-1}\,\boldsymbol{\omega}_i",
         r"\mathbf{T}_{\gamma_i} & = \begin{bmatrix} \mathbf{0} & \mathbf{0} \\ -\tilde{\mathbf{r}}_i & \mathbf{0}",
         r"\left(\mathbf{I}_{6} + \mathbf{T}_{\gamma_i}\right)\,\dot{\mathbf{Z}}_i + \boldsymbol{\gamma}_i^{*}",

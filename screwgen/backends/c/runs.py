@@ -82,8 +82,6 @@ RUNS: dict[str, CFunction] = {
     "motion_of": _run(
         alg.MOTION, "Poses of links and tips, twists of the tips.", "R r tip.R tip.r tip_twist", each_tip=True
     ),
-    "measuring": _run(
-        alg.MEASURING, "How far every link is from the limits of its model.", "measures", apart=True
-    ),
+    "measuring": _run(alg.MEASURING, "How far every link is from the limits of its model.", "measures", apart=True),
     "assembly": _run(alg.ASSEMBLY, "M_sys, H_sys and W_sys.", " ".join([*M_SYS, *H_SYS])),
 }

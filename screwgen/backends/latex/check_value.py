@@ -10,7 +10,7 @@ from ...errors import ScrewgenError
 from ...spec.link_class import EXACT
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from ..numpy.numeric import Numeric
+from ..numpy.reference import accelerations
 from .content import DocumentTable, Heading, Item, Paragraph
 from .tables import exact
 
@@ -35,7 +35,7 @@ def items(chain: Chain) -> Iterator[Item]:
     for nearer in NEARER:
         q, v, u, w_ext = state(chain, nearer)
         try:
-            vdot, wrench = Numeric(chain).forward_dynamics(q, v, u, w_ext)
+            vdot, wrench = map(np.array, accelerations(chain, q, v, u, w_ext))
         except ScrewgenError:
             continue
         if np.all(np.isfinite(vdot)):

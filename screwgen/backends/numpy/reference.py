@@ -21,6 +21,7 @@ from .closing import OpenLoopError, closed
 from .numeric import Numeric
 
 TRIES = 20
+
 Case = dict[str, list[float]]
 """A state, its inputs and its results by name."""
 
@@ -45,6 +46,21 @@ def cases(chain: Chain) -> Iterator[Case]:
             yield case
     if len(refused) == TRIES:
         raise refused[0]
+
+
+def accelerations(
+    chain: Chain, q: Sequence[float], v: Sequence[float], tau: Sequence[float], w_ext: Sequence[Sequence[float]]
+) -> tuple[list[float], list[float]]:
+    """``vdot`` (nv,) and the joint wrenches (6 n,) with many digits, rounded once: the same on every machine.
+
+    Raises :class:`SingularError` as :func:`evaluation` does.
+    """
+    with mpmath.workdps(fused.DIGITS):
+        p, constants = fused.exact(chain)
+        functions = Functions(chain, constants, p[:3], evaluation(chain, _real, 0.0))
+        given = [[mpmath.mpf(float(x)) for x in values] for values in (q, v, tau)]
+        vdot, wrench = functions.forward_dynamics(*given, [mpmath.mpf(float(x)) for row in w_ext for x in row])
+        return [float(x) for x in vdot], [float(x) for x in wrench]
 
 
 def evaluation(chain: Chain, unary: Callable, epsilon: float) -> Apply:

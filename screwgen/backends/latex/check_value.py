@@ -35,7 +35,7 @@ def items(chain: Chain) -> Iterator[Item]:
     for nearer in NEARER:
         q, v, u, w_ext = state(chain, nearer)
         try:
-            vdot, wrench = map(np.array, accelerations(chain, q, v, u, w_ext))
+            vdot, wrench = map(np.array, accelerations(chain, q, v, u, w_ext.tolist()))
         except ScrewgenError:
             continue
         if np.all(np.isfinite(vdot)):

@@ -58,8 +58,9 @@ def accelerations(
     with mpmath.workdps(fused.DIGITS):
         p, constants = fused.exact(chain)
         functions = Functions(chain, constants, p[:3], evaluation(chain, _real, 0.0))
-        given = [[mpmath.mpf(float(x)) for x in values] for values in (q, v, tau)]
-        vdot, wrench = functions.forward_dynamics(*given, [mpmath.mpf(float(x)) for row in w_ext for x in row])
+        exactly = lambda values: [mpmath.mpf(float(x)) for x in values]  # noqa: E731
+        wrenches = exactly(x for row in w_ext for x in row)
+        vdot, wrench = functions.forward_dynamics(exactly(q), exactly(v), exactly(tau), wrenches)
         return [float(x) for x in vdot], [float(x) for x in wrench]
 
 

@@ -24,6 +24,8 @@ MODE, LARGE, MODE_RATE, SLACK = 0.01, 0.3, 1.0, 1e-4
 """Sizes of first modes, also of rods that bend far, and of their rates, further ones a tenth; the twist of gears."""
 NEARER = (1.0, 0.4, 0.1, 0.0)
 """By what the posture is scaled until the robot has accelerations there."""
+PLACES = 12
+"""How many digits results have: those that do not depend on the last digits of constants."""
 ACROSS = 4
 """How many links have their wrenches side by side."""
 MANY = 8
@@ -35,7 +37,8 @@ def items(chain: Chain) -> Iterator[Item]:
     for nearer in NEARER:
         q, v, u, w_ext = state(chain, nearer)
         try:
-            vdot, wrench = map(np.array, accelerations(chain, q, v, u, w_ext.tolist()))
+            found = accelerations(chain, q, v, u, w_ext.tolist())
+            vdot, wrench = (np.array([float(f"{x:.{PLACES}g}") for x in part]) for part in found)
         except ScrewgenError:
             continue
         if np.all(np.isfinite(vdot)):

@@ -53,8 +53,8 @@ from .robot_tables import besides
 from .sketch import figure
 from .steps import KEY_STEPS, BlockView, Seen, block_view
 from .style import DocumentStyle
-from .symbols import SLIDING, entries
-from .theory_symbols import THEORY
+from .symbols import entries
+from .text_symbols import SLIDING, THEORY
 
 PLAIN = DocumentStyle()
 TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"

@@ -10,67 +10,7 @@ from ...algebra.notation import latex
 from ...ir.block import Binding, Block, NamedSignal
 from .content import Named, frame, unit, words
 from .steps import BlockView
-
-CONSTANT, PARAMETER, STATE = Binding
-
-TWIST, WRENCH = "rad/s, m/s", "N*m, N"
-ALL = r"(6 + r_i) × (6 + r_i)"
-SYSTEM: tuple[Named, ...] = (
-    (r"\mathcal{F}_i", "frame of link $i$", "-", "-", "-", STATE),
-    (r"\xi", "place on the centreline, from the origin of F_i", "m", "1", "F_i", None),
-    (r"s", "place on the centreline from base to tip, 0 to 1", "-", "1", "-", None),
-    (r"\mathbf{V}_i", "twist of F_i", TWIST, "6", "F_i", STATE),
-    (r"\boldsymbol{\nu}_i", "twist and modal rates", TWIST, "6 + r_i", "F_i", STATE),
-    (r"\mathbf{w}_i", "wrench of link $i-1$ on link $i$ at the joint point", WRENCH, "6", "F_i", STATE),
-    (r"\boldsymbol{\mathcal{W}}^*_i", "wrench on the link", WRENCH, "6", "F_i", STATE),
-    (r"\mathbf{f}^*_i", "forces on the modes", "N", "r_i", "-", STATE),
-    (r"\mathbf{D}^*_i", "what the deformation's inertia adds to the twist rows", WRENCH, "6", "F_i", STATE),
-    (r"\mathbf{M}_i", "inertia of twist and modes together", "kg, kg*m, kg*m^2", ALL, "F_i", STATE),
-    (r"\mathbf{h}_i", "bias of twist and modal rows together", WRENCH, "6 + r_i", "F_i", STATE),
-    (r"\mathbf{J}_T", "takes twist and modal rates to the tip's twist", "1, m, 1/m", "6 × (6 + r_i)", "tip", STATE),
-    (r"\boldsymbol{\mathcal{W}}_{ext,i}", "external wrench on the tip section", WRENCH, "6", "tip", STATE),
-    (r"\boldsymbol{\tau}_i", "torques of the joint's motors", "N*m", "n_{q,i}", "-", STATE),
-    (r"\mathbf{b}_T", "rate of the tip's twist that the velocities cause", "rad/s^2, m/s^2", "6", "tip", STATE),
-    (r"\mathbf{X}_i", "takes the parent tip's twist to the joint point", "1, m", "6 × 6", "F_i", STATE),
-    (r"\mathbf{J}_B", "takes the twist of F_i to the joint point", "1, m", "6 × 6", "F_i", PARAMETER),
-    (r"\mathbf{r}_B", "joint point", "m", "3", "F_i", PARAMETER),
-    (r"\mathbf{r}_M", "joint point from the parent's tip point", "m", "3", "parent's tip", PARAMETER),
-    (r"\boldsymbol{\beta}_i", "joint's rate of the twist due to velocities", "rad/s^2, m/s^2", "6", "F_i", STATE),
-    (r"\mathbf{P}_i", "projector onto the directions that the joint constrains", "-", "6 × 6", "F_i", STATE),
-    (r"\mathbf{A}_i^{+}", "pseudo-inverse of the joint's axes", "-", "n_{q,i} × 3", "F_i", STATE),
-    (r"m_T", "mass of the bodies at the tip", "kg", "1", "-", PARAMETER),
-    (r"\mathbf{s}_T", "first moment of the bodies at the tip", "kg*m", "3", "tip", PARAMETER),
-    (r"\mathbf{I}_T", "inertia of the bodies at the tip about the tip point", "kg*m^2", "3 × 3", "tip", PARAMETER),
-    (r"\mathbf{h}_{T\tau}", "bias moment of the bodies at the tip", "N*m", "3", "tip", STATE),
-    (r"\mathbf{h}_{TF}", "bias force of the bodies at the tip", "N", "3", "tip", STATE),
-    (
-        r"\boldsymbol{\beta}_{\omega}",
-        "angular part of the joint's rate due to velocities",
-        "rad/s^2",
-        "3",
-        "F_i",
-        STATE,
-    ),
-    (r"\boldsymbol{\beta}_{v}", "linear part of the joint's rate due to velocities", "m/s^2", "3", "F_i", STATE),
-    (r"\mathbf{b}_{\omega}", "angular part of the tip's rate due to velocities", "rad/s^2", "3", "tip", STATE),
-    (r"\mathbf{b}_{v}", "linear part of the tip's rate due to velocities", "m/s^2", "3", "tip", STATE),
-    (r"\mathbf{M}_T", "inertia of the bodies at the tip", "kg, kg*m, kg*m^2", "6 × 6", "tip", PARAMETER),
-    (r"\mathbf{h}_T", "bias of the bodies at the tip", WRENCH, "6", "tip", STATE),
-    (r"\mathbf{J}_m", "armature, rotor inertias seen at the axes", "kg*m^2", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{K}_q", "stiffness of the joint", "N*m/rad", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{g}", "free fall", "m/s^2", "3", "inertial", PARAMETER),
-)
-"""The symbols of the text."""
-
-SLIDING: tuple[Named, ...] = (
-    (r"\boldsymbol{\tau}_i", "torques of the joint's drives, of slides forces", "N*m, N", "n_{q,i}", "-", STATE),
-    (r"\mathbf{S}_i^{+}", "pseudo-inverse of the joint's motion subspace", "-", "n_{q,i} × 6", "F_i", STATE),
-    (r"\mathbf{J}_m", "armature, of the drives at the axes", "kg*m^2, kg", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{D}_q", "damping of the joint", "N*m*s/rad, N*s/m", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-    (r"\mathbf{K}_q", "stiffness of the joint", "N*m/rad, N/m", "n_{q,i} × n_{q,i}", "-", PARAMETER),
-)
-"""Symbols of robots whose joints slide, in place of those above."""
+from .text_symbols import TEXT
 
 TIMES = r"\times"
 COUNTED = ("n_{q,i}", "r_i")
@@ -102,7 +42,7 @@ def entries(blocks: Iterable[tuple[Block, BlockView]], named: Iterable[Named] = 
             found.setdefault(written(signal), []).append((signal, view.counts))
     steps = [_entry(display, known) for display, known in found.items()]
     steps.sort(key=lambda e: Binding.CONSTANT if e.binding is None else e.binding)
-    text = {symbol[0]: symbol for symbol in (*SYSTEM, *named)}
+    text = {symbol[0]: symbol for symbol in (*TEXT, *named)}
     return [*(e for e in _text(text.values()) if e.display not in found), *steps]
 
 

@@ -1,0 +1,72 @@
+"""The search of the page of equations: what readers type leads where they mean."""
+
+import re
+
+import pytest
+from browsers import every_browser, started
+from helpers import arm, link
+from latex_documents import PLUGINS
+from test_latex_links import body, first_class, shown
+
+from screwgen import Robot
+from screwgen.backends.latex import document as latex
+
+SEARCHES = {
+    "third mode": ("mode-upper_arm-3", "mode-forearm-3"),
+    "second link third mode": ("mode-forearm-3",),
+    "inertia of the 2nd link's third mode": ("mode-forearm-3",),
+    "elbow torque": ("torque-forearm",),
+    "equation for the elbow's torque": ("torque-forearm",),
+    "shoulder": ("torque-upper_arm",),
+    "forearm torque": ("torque-forearm",),
+    "tau_3": ("torque-forearm",),
+    "torque of joint 2": ("torque-forearm",),
+    "joint bias": ("{bias upper_arm}", "{bias forearm}"),
+    "bias of joint 2": ("{bias forearm}",),
+    "rudder torque of the forearm": ("torque-forearm",),
+    "M_D": ("{first}-M_D",),
+    "eta": ("{eta}",),
+    "M_12": ("M-1-2",),
+    "joint 3 mode 1 of link 2": ("M-3-7",),
+    "coupling of elbow and first bending in y": ("M-3-5", "M-3-8"),
+    "mass matrix": ("{matrix}",),
+}
+"""What readers type, and where the first hits lead; that the forearm's joint is an elbow no file says."""
+
+
+def test_a_search_knows_joints_of_links_without_telling_names():
+    """The word is looked for and not shown: it is a guess from the row of links."""
+    text = latex.html(Robot(**arm(link("one", axes="z"), link("two", axes="z"), name="plain")), PLUGINS)
+    assert re.findall(r'<tr id="guide-(\w+)" data-find="(\w*)"', text) == [("one", "shoulder"), ("two", "elbow")]
+    assert "elbow:" not in text and ": the elbow" not in text
+
+
+@pytest.mark.examples
+@every_browser
+def test_what_readers_type_is_found(program, tmp_path):
+    """Ordinals, names of links and letters by name are known; a word that is nowhere is said and left out."""
+    file = tmp_path / "page.html"
+    file.write_text(shown("ella"), encoding="utf-8")
+    guide = re.findall(r'<tr id="guide-(\w+)"[^>]*>(.*?)</tr>', body("ella"))
+    links = {name: re.findall(r'href="#([^"]+)"', cells) for name, cells in guide}
+    places = {f"{{bias {name}}}": found[2] for name, found in links.items()}
+    places["{matrix}"] = re.search(r'<h2 id="(s\d+)">\d+\. Mass matrix', body("ella"))[1]
+    places["{first}-M_D"] = f"{first_class()}-M_D"
+    places["{eta}"] = re.search(r'<tr id="(y\d+)"><td><math><msub[^>]*><mi>\U0001d73c<', body("ella"))[1]
+    with started(program, tmp_path) as browser:
+        browser.open(file)
+        for words, expected in SEARCHES.items():
+            browser.run(f"find.value = {words!r}; search()")
+            hits = browser.run("[...document.querySelectorAll('#found a')].map(a => a.getAttribute('href').slice(1))")
+            assert tuple(hits[: len(expected)]) == tuple(places.get(place, place) for place in expected), words
+            said = browser.run("$('#found .none').filter(x => x.offsetHeight).map(x => x.textContent).join()")
+            assert said == ("nowhere: rudder" if "rudder" in words else ""), words
+        browser.run("find.value = 'elbow torque'; search(); document.querySelector('#found a').click()")
+        assert browser.run("byId('torque-forearm').getBoundingClientRect().height") > 5
+        browser.run("tell(document.querySelector('#torque-forearm [data-l]'))")
+        assert "of link forearm" in browser.run("words(card)")
+        browser.run(
+            f"go('{first_class()}-M_D'); tell(document.querySelector('#{first_class()}-M_D .formula [data-s]'))"
+        )
+        told = browser.run("words(card)")
+        assert all(part in told for part in ("unit kg, kg\u00a0m", "frame \u2131i", "shape 6\u00d7")), told

@@ -20,7 +20,7 @@ from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
-from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
+from .functions import CYLINDERS, ENERGY, FORWARD, HOLD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
 from .gauges import strain_names
 from .loop_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
@@ -166,6 +166,15 @@ FUNCTIONS = (
         (POWER,),
         "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
         c_file=OUTPUTS,
+    ),
+    RobotFunction(
+        "held_inputs",
+        "q v tau",
+        {"held": Signal(("NTAU",), AXES, "-", "input of each drive and tendon as a step holds it")},
+        programs.held_inputs,
+        (HOLD,),
+        "What every step makes of its inputs at its beginning: efforts within their limits. No other function does so.",
+        offered=lambda chain: chain.holds,
     ),
     RobotFunction(
         "tip_pose",

@@ -160,6 +160,7 @@ CALL: dict[str, Signal] = {
     "levers": Signal(("a",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
     "cylinder_length": Signal(("a",), "m", "-", "length of the cylinder of each axis, 0 without one"),
     "power": Signal(("a",), "W", "-", "power that each drive gives to the arm"),
+    "held": Signal(("a",), "N*m", "-", "joint torques as a step holds them"),
     "tendon_length": Signal(("c",), "m", "-", "lengths of the pieces of tendons along the link"),
     "tendon_power": Signal(("c",), "W", "-", "power that the tension of each piece gives to the link"),
     "pull": Signal(("c", "r"), "-", "-", "derivatives of the lengths of the pieces with the modes, row by row"),

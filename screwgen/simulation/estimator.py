@@ -17,6 +17,7 @@ from ..algorithms.joint_sensors import PoseSensor, encoders, pose_sensors
 from ..algorithms.tip_acceleration import tip_acceleration
 from ..arguments import Given, Loads, Numbers
 from ..backends.numpy.covariance import corrected, deviations, root
+from ..backends.numpy.held import HeldChain
 from ..backends.numpy.numeric import EPSILON, function_of
 from ..errors import DivergedError, SingularError
 from ..joints.exponential import angular_velocity
@@ -54,6 +55,7 @@ class Estimator:
         chain, self.model = model.chain, model
         self._p = chain.parameters.vector(parameters)
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
+        self._hold, self._chained = self._stepper.hold, HeldChain(chain, self._p)
         self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
         self._strains = self._numeric.strain_slopes()[bending(chain)]
         self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
@@ -102,7 +104,8 @@ class Estimator:
         tau, w_ext = checked_input(self.model.chain, tau, w_ext)
         check_step(dt)
         q, v = self._stepper.step(self._stepper.initial(self._q, self._v), tau, w_ext, dt)
-        Phi, G = self._transition(*self._middle(q, v, dt), tau, w_ext, dt)
+        middle, held = self._middle(q, v, dt), self._hold(self._q, self._v, tau)
+        Phi, G = self._transition(*middle, self._slopes(*middle, tau, held, w_ext), dt)
         n, S = self.model.nv, Phi @ root(self._P)
         kicks = G * np.sqrt(dt * spread(self.noise.density_v, "density_v", n))
         P = S @ S.T + kicks @ kicks.T
@@ -117,11 +120,13 @@ class Estimator:
         return self._moved(self._q, half), rate
 
     def _transition(
-        self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float
+        self, q: np.ndarray, v: np.ndarray, slopes: tuple[np.ndarray, np.ndarray], h: float
     ) -> tuple[np.ndarray, np.ndarray]:
-        """The implicit midpoint rule of the motion linearised in the middle of a step, and its answer to noise."""
-        by_q, by_v, _ = self._numeric.derivatives(q, v, tau, w_ext)
-        n = self.model.nv
+        """The implicit midpoint rule of the motion linearised in the middle of a step, and its answer to noise.
+
+        ``slopes``: the derivatives of the accelerations there with coordinates and rates.
+        """
+        (by_q, by_v), n = slopes, self.model.nv
         one, none = np.eye(n), np.zeros((n, n))
         A = np.block([[none, one], [by_q, by_v]])
         A[:n, :n] = self.model.chain.carried(v)
@@ -131,6 +136,13 @@ class Estimator:
         except np.linalg.LinAlgError:
             raise SingularError(TOO_LONG) from None
         return solved[:, : 2 * n], solved[:, 2 * n :]
+
+    def _slopes(
+        self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, held: np.ndarray, w_ext: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The derivatives of the accelerations with coordinates and rates, under inputs as a step holds them."""
+        found = self._numeric.derivatives(q, v, held, w_ext)
+        return self._chained(q, v, tau, *found)[:2] if self.model.chain.holds else found[:2]
 
     # ------------------------------------------------------------------------------ update
 
@@ -219,8 +231,9 @@ class Estimator:
 
     def _acceleration(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         q, v, numeric = self._q, self._v, self._numeric
-        vdot = numeric.forward_dynamics(q, v, tau, w_ext)[0]
-        by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
+        held = self._hold(q, v, tau)
+        vdot = numeric.forward_dynamics(q, v, held, w_ext)[0]
+        by_q, by_v = self._slopes(q, v, tau, held, w_ext)
         given = {"q": q, "v": v, "vdot": vdot, "p": self._p}
         found = function_of(self._felt)({name: list(given[name]) for name in self._felt.inputs}, EPSILON)[0]
         of_q, of_v, of_vdot = (np.reshape(found[f"a_{x}"], (-1, 3)).T for x in ("q", "v", "vdot"))

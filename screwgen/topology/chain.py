@@ -113,7 +113,7 @@ class Chain(Coordinates):
     @property
     def needs_rates_first(self) -> bool:
         """Whether forces depend on the joint rates, which the DAE form then finds before all else."""
-        return self.has_axis_forces or bool(self.closing.rows)
+        return self.has_axis_forces or bool(self.closing.rows) or self.holds_by_motion
 
     @cached_property
     def parameters(self) -> Parameters:

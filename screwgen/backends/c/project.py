@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
+from ...algorithms.functions import HOLD
 from ...algorithms.robot_functions import OUTPUTS, SENSORS, in_file
 from ...algorithms.schedule import Algorithm, constant_labels, seen_by
 from ...bodies.validity import BOUNDS
@@ -18,7 +19,21 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import batch, check, closing, curved, derivatives, estimator, files, laws, levers, outputs, preparation, steps
+from . import (
+    batch,
+    check,
+    closing,
+    curved,
+    derivatives,
+    estimator,
+    files,
+    held,
+    laws,
+    levers,
+    outputs,
+    preparation,
+    steps,
+)
 from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
@@ -194,6 +209,7 @@ class CProject:
             **self._closing,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
+            "held": held.content(chain, self.baked is not None, fused_place) if chain.holds else None,
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
         }
@@ -286,7 +302,7 @@ class CProject:
     def _run(self) -> tuple[Algorithm, ...]:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *told, *self.further
+        return *(run.algorithm for run in RUNS.values()), *told, *(HOLD,) * self.chain.holds, *self.further
 
     @property
     def seen(self) -> Chain:
@@ -321,7 +337,8 @@ class CProject:
         """The scratch in double precision."""
         parts = node_fields(self._programs), store_fields(self._programs, self.chain)
         states, modular = 1 + len(steps.registers(self.methods)), self.layout == "modular"
-        return scratch(self.chain, *parts, states, modular, self._closing["scratch"])
+        further = Counter(self._closing["scratch"]) + Counter(input=int(self.chain.holds))
+        return scratch(self.chain, *parts, states, modular, further)
 
     @cached_property
     def _closing(self) -> dict:

@@ -173,7 +173,7 @@ FUNCTIONS = (
         {"held": Signal(("NTAU",), AXES, "-", "input of each drive and tendon as a step holds it")},
         programs.held_inputs,
         (HOLD,),
-        "What every step makes of its inputs at its beginning: efforts within their limits. No other function does so.",
+        "What a step that begins here holds of its inputs: efforts within their limits. Steps alone do so.",
         offered=lambda chain: chain.holds,
     ),
     RobotFunction(

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 from ..elements import HeldLaw
 from ..ir.program import Tracer
 
 
-@cache
 def reads_motion(kind: type[HeldLaw]) -> bool:
     """Whether what is held depends on the motion, not on the input alone."""
     tracer = Tracer()

@@ -23,9 +23,9 @@ def rigid_robot(seed: int) -> dict:
     rng = np.random.default_rng([17, seed])
     while True:
         robot, _, _ = rr.draw_regular(rng, 4, sliding=0.3, **RIGID)
-        for link in robot["links"]:
-            link["joint"].pop("stiffness", None)
-        if not any("screw" in axis for link in robot["links"] for axis in link["joint"]["axes"]):
+        for table in robot["links"]:
+            table["joint"].pop("stiffness", None)
+        if not any("screw" in axis for table in robot["links"] for axis in table["joint"]["axes"]):
             return robot
 
 

@@ -94,7 +94,7 @@ class Rollout:
 
     @cached_property
     def tau(self) -> np.ndarray:
-        """(batch, steps + 1, n_tau): the inputs as the steps from the samples on hold them, within limits of efforts."""
+        """(batch, steps + 1, n_tau): the inputs as steps from the samples on hold them, within limits of efforts."""
         return self._source.applied(self.q, self.v)
 
     @cached_property
@@ -148,7 +148,8 @@ def rollout(
     n_tau); (steps, n_tau) for all scenarios; (n_tau,) for all and held; zero by default. `w_ext`: tip
     wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
     `step` seconds, which the integrator, by name or a :class:`~screwgen.integrators.Method`, divides into `substeps`
-    steps, each of which keeps limits of efforts. `steps` is needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or
+    steps, each of which keeps limits of efforts.
+    `steps` is needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or
     (batch, n); or those that differ by name, each a number or (batch,). `threads`: cores; the results do not depend
     on it.
     `single`: in single precision, about half the time. `executor`: any of ``concurrent.futures``, which gets the

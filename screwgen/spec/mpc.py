@@ -134,7 +134,7 @@ class Bounds(Part):
     """
 
     torques: Positive | Between | None = Field(
-        None, description="the largest torques, N·m: either sign, or lower and upper; of the robot's efforts if left out"
+        None, description="the largest torques, N·m: either sign, or lower and upper; without it the limits of efforts"
     )
     torque_rates: Positive | None = Field(None, description="the largest rates of the torques, N·m/s")
     joints: Between | None = Field(None, description="bounds of the joint coordinates, rad")

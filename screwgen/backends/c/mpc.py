@@ -157,7 +157,7 @@ class Fitted:
         lower, upper = ([-inf] * self.n, [inf] * self.n) if stated is None else self.both(key, stated)
         lower, upper = np.maximum(lower, -most).tolist(), np.minimum(upper, most).tolist()
         for i in np.flatnonzero(~np.less(lower, upper)):
-            raise self.refuse(f"{key}[{i}]", f"leaves nothing within the limit of the effort, {most[i]:g}; bring it there")
+            raise self.refuse(f"{key}[{i}]", f"leaves nothing within the limit of the effort, {most[i]:g}")
         return lower, upper
 
     @cached_property

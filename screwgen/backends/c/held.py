@@ -11,6 +11,8 @@ from .code import Place, Writer, entries, trimmed, with_unused
 from .laws import TESTS
 from .pieces import piece_place
 
+TAKEN = frozenset("c state input held g own motion by_q by_v by_tau rows stride i k".split())
+"""The names of parameters and variables of the functions."""
 HELD = ("held",)
 """What held laws write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
 
@@ -25,7 +27,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
     constants = "baked" if baked else "constants"
     program, (slopes, places) = held_inputs(chain, constants), held_slopes(chain, constants)
     of_lanes = {"tau": entries("g->given"), "held": entries("g->u.tau"), "q": entries("g->x.q"), "v": entries("g->x.v")}
-    of_slopes = {"by_tau": entries("by_tau"), "by_motion": entries("by_motion")}
+    of_slopes = {"by_tau": entries("own"), "by_motion": entries("motion")}
     laws = dict.fromkeys(law for own in chain.laws_of_inputs for law in own)
     return {
         "words": ", ".join(law.WORDS for law in laws),
@@ -44,7 +46,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
 def _body(chain: Chain, program: Program, own: dict, place: Place, writer: type[Writer] = Writer) -> list[str]:
     """The statements of a function of constants, state and input."""
     placed = piece_place(chain, "", own, place)
-    lines = trimmed(writer(program, placed, None, {"c", "state", "input", "held", "g", "by_tau", "by_motion"}).lines())
+    lines = trimmed(writer(program, placed, None, {*TAKEN}).lines())
     return with_unused(("c", "state") if writer is Writer else ("c",), lines)
 
 

@@ -103,6 +103,7 @@ class CompiledRuns:
     def __call__(self, task: RunTask, table: SampleTable) -> None:
         """Fill the table."""
         c, self.task, self.table = self.compiled, task, table
+        table.limited.samples = len(table.times)
         number = c.number(self.method)
         arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
         run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)

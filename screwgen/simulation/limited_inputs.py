@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -23,30 +24,40 @@ def held(model: RobotModel, q: np.ndarray, v: np.ndarray, tau: np.ndarray, p: np
     return np.stack(np.broadcast_arrays(*found["held"]), axis=-1)
 
 
+@dataclass
 class LimitedInputs:
-    """Gathers them sample by sample, in Python or, in the arrays ``first`` and ``count`` (n_tau,), in C."""
+    """Of how many samples each input was held otherwise than it was given, (n_tau,), and the ``first`` such time, s.
 
-    def __init__(self, model: RobotModel):
-        self.chain, self.names = model.chain, model.tau_names
-        self.first = np.full(max(model.n_tau, 1), np.nan)
-        self.count = np.zeros(max(model.n_tau, 1), np.int32)
+    In a run of the C, its loop fills the arrays.
+    """
 
-    def __call__(self, t: float, given: np.ndarray, held: np.ndarray) -> None:
-        """Look at a sample: the inputs (n_tau,) as they were given, and as they were held."""
-        if self.chain.holds:
-            self.take(np.array([t]), np.asarray(given)[None] != held[None])
+    first: np.ndarray
+    count: np.ndarray
+    samples: int = 0
 
-    def take(self, t: np.ndarray, other: np.ndarray) -> None:
-        """Look at samples (N,): whether (…, N, n_tau) inputs were held otherwise than they were given."""
-        each = other.reshape(-1, *other.shape[-2:])
-        self.count[: other.shape[-1]] += each.sum(axis=(0, 1))
-        for k in np.flatnonzero(each.any(axis=(0, 1))):
-            self.first[k] = np.fmin(self.first[k], t[each[:, :, k].any(axis=0)].min())
+    @classmethod
+    def none(cls, model: RobotModel) -> LimitedInputs:
+        """Those before the first sample."""
+        return cls(np.full(model.n_tau, np.nan), np.zeros(model.n_tau, np.int32))
 
-    def warn(self, samples: int, stacklevel: int = 3) -> None:
-        """A :class:`LimitWarning` for each axis whose input was held otherwise, of so many samples."""
-        said = [", ".join(dict.fromkeys(law.SAID for law in laws)) for laws in self.chain.laws_of_inputs]
+    def take(self, t: np.ndarray, given: np.ndarray, held: np.ndarray) -> LimitedInputs:
+        """Look at samples at ``t`` (N,): the inputs (…, N, n_tau) as they were given, and as they were held."""
+        other = np.not_equal(given, held).reshape(-1, len(t), len(self.count))
+        self.count += other.sum(axis=(0, 1), dtype=np.int32)
+        for k in np.flatnonzero(other.any(axis=(0, 1))):
+            self.first[k] = np.fmin(self.first[k], t[other[:, :, k].any(axis=0)].min())
+        self.samples += other.shape[0] * other.shape[1]
+        return self
+
+    def joined(self, other: LimitedInputs) -> LimitedInputs:
+        """Those of the samples of both."""
+        first, count = np.fmin(self.first, other.first), self.count + other.count
+        return LimitedInputs(first, count, self.samples + other.samples)
+
+    def warn(self, model: RobotModel, stacklevel: int = 2) -> None:
+        """A :class:`LimitWarning` for each axis whose input was held otherwise; ``stacklevel`` as of a function."""
+        said = [", ".join(dict.fromkeys(law.SAID for law in laws)) for laws in model.chain.laws_of_inputs]
         for k in np.flatnonzero(self.count):
-            share = f"{100 * self.count[k] / samples:.3g} % of the samples, first at t = {self.first[k]:.6g} s"
-            what = f"{self.names[k]} was held {said[k]}: in {share}"
-            warnings.warn(f"{what}; ask for less, or state a stronger drive", LimitWarning, stacklevel=stacklevel)
+            share = f"{100 * self.count[k] / self.samples:.3g} % of the samples, first at t = {self.first[k]:.6g} s"
+            what = f"{model.tau_names[k]} was held {said[k]}: in {share}"
+            warnings.warn(f"{what}; ask for less, or state a stronger drive", LimitWarning, stacklevel=stacklevel + 1)

@@ -112,7 +112,7 @@ class SampleTable:
         self.width = int(ends[-1])
         self.rows, self.count = np.empty((len(times), self.width)), 0
         self.watch, self.hits, self.loops = Watch(model.chain.names), Hits(model, p), LoopWatch(model, p, q0)
-        self.limited = LimitedInputs(model)
+        self.limited = LimitedInputs.none(model)
         self.store: RunFile | None = None
 
     @property

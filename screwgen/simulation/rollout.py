@@ -23,6 +23,7 @@ from ..topology.coordinates import SLACK
 from . import collocated
 from .chunks import How, in_chunks, merged
 from .compiled_runs import added
+from .limited_inputs import LimitedInputs
 from .measured import MEASURED
 from .rollout_loops import opened
 from .rollout_samples import Source
@@ -91,6 +92,11 @@ class Rollout:
             return self._samples[name]
         self.__dict__[name] = self._source.measured(name, self.q, self.v)
         return self.__dict__[name]
+
+    @property
+    def limited(self) -> LimitedInputs:
+        """Which inputs the samples hold otherwise than they were given, from when and how often."""
+        return self._source.limited(self.t, self.q, self.v)
 
     @cached_property
     def tau(self) -> np.ndarray:
@@ -171,7 +177,7 @@ def rollout(
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     warn_refused(run.refused, len(run.refused), "report()")
     run.validity.warn(model, stacklevel=2)
-    run._source.warn_limited(run.t, run.q, run.v)
+    run.limited.warn(model)
     collocated.warn(model, collocated.left_out(model, run.q))
     return run
 

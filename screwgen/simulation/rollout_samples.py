@@ -66,12 +66,10 @@ class Source:
         tau = held(self.model, q, v, self._at_samples("tau", q.shape[1]), self.given["parameters"][:, None])
         return np.broadcast_to(tau, (*q.shape[:2], self.model.n_tau))
 
-    def warn_limited(self, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> None:
-        """Warn of inputs that were held otherwise than they were given, for each axis once."""
-        if self.model.chain.holds:
-            found = LimitedInputs(self.model)
-            found.take(t, self.applied(q, v) != self._at_samples("tau", q.shape[1]))
-            found.warn(q.shape[0] * q.shape[1], stacklevel=4)
+    def limited(self, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> LimitedInputs:
+        """Which inputs the samples hold otherwise than they were given."""
+        given, found = self._at_samples("tau", q.shape[1]), LimitedInputs.none(self.model)
+        return found.take(t, given, self.applied(q, v)) if self.model.chain.holds else found
 
     def measured(self, name: str, q: np.ndarray, v: np.ndarray) -> np.ndarray | tuple[np.ndarray, ...]:
         """What sensors measure at the samples (batch, samples, …); a tuple where a function has several results."""

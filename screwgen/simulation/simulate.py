@@ -113,7 +113,7 @@ def simulate(
             walk(RunTask(steps, step, duration, every, q0, v0, given, law, progress), table)
             run = table.run()
             hits.warn(run.hits)
-            table.limited.warn(len(run.t))
+            table.limited.warn(model)
             table.loops.warn()
             collocated.warn(model, collocated.left_out(model, run.q))
             return run
@@ -176,7 +176,8 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                         raise left(plant.method, table.watch)
                     if task.sampled(k):
                         table.acted(task.rows(k), wrench)
-                        table.limited(t, tau, held)
+                        if model.chain.holds:
+                            table.limited.take(np.array([t]), tau, held)
                         record(task.rows(k), q, v, joints, held)
                 if k < task.steps:
                     before, given = state, (tau, wrench, task.reach(k))

@@ -7,13 +7,14 @@ import pytest
 from fmi_units import Unit
 from helpers import QUICK, arm, link, model_of, quick, quick_batch, relative
 
-from screwgen import LimitWarning, rollout, simulate
+from screwgen import LimitWarning, rollout, simulate, sweep
 from screwgen.backends.fmi.variables import METHOD
 from screwgen.backends.numpy.held import HeldChain
 from screwgen.elements import HeldLaw, key
 from screwgen.integrators import METHODS
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.estimator import Estimator
+from screwgen.simulation.linearised import Linearised
 from screwgen.simulation.simulate import stepper
 
 
@@ -103,10 +104,22 @@ def test_every_step_holds_what_the_motors_give(method, c):
 
 def _lanes(method):
     quick_batch(MODEL)
-    with pytest.warns(LimitWarning, match=r"upper\.torque\[0\] was held at the curve of its motor"):
+    with pytest.warns(LimitWarning) as said:
         found = rollout(MODEL, np.r_[Q, V], TAU, step=H, steps=1, integrator=method)
+    assert str(said[0].message).startswith("upper.torque[0] was held at the curve of its motor: in 100 %")
     assert relative(found.tau[0], within(found.v[0])) < 1e-14
     return found.q[0, 1], found.v[0, 1]
+
+
+def test_sweeps_say_what_was_limited(tmp_path):
+    """Of all scenarios once; half of them ask for nothing."""
+    quick_batch(MODEL)
+    tau = np.repeat([TAU, np.zeros(4)], 2, axis=0)[:, None]
+    draw = lambda rng, n: {"x0": np.r_[Q, V], "tau": tau}  # noqa: E731
+    with pytest.warns(LimitWarning) as said:
+        sweep(MODEL, draw, 8, tmp_path / "sweep.zarr", step=H, steps=3, chunk=4)
+    texts = [str(x.message) for x in said if x.category is LimitWarning]
+    assert len(texts) == 3 and all("in 50 % of the samples, first at t = 0 s" in text for text in texts)
 
 
 def test_jax_holds_them(jax):
@@ -167,3 +180,9 @@ def test_units_hold_them(target):
     unit = Unit(target, "cs", driven).ready(**start | {"solver.step": H})
     unit.step(0.0, H)
     assert relative(unit.get(unit.states), stepped(METHOD)) < 1e-12
+
+
+def test_the_analysis_of_a_step_knows_them(c):
+    """The amplification matrix of a short step is its derivative, but for the square of its length."""
+    found = Linearised(MODEL, Q, V, TAU).step_map("rk4", 1e-6) - np.eye(12)
+    assert relative(found, c.step_derivatives(Q, V, TAU, W_EXT, 1e-6, "rk4")[-2] - np.eye(12)) < 1e-4

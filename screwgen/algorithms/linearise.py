@@ -23,6 +23,7 @@ from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
 from .elastic_travels import GEAR_SLOPES, slope_names
+from .force_functions import acting_tips
 from .functions import Functions
 from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
@@ -65,7 +66,10 @@ def slopes(
     triangle of ``M`` counts.  Without ``own`` the given inertia, the springs, dampers, friction and stops of single
     coordinates are left out: a step takes them elsewhere.
     """
-    return _slopes(f, (q, v, vdot, w_ext, tau), (), own)[0]
+    at = list(dict.fromkeys(acting_tips(f.chain)))
+    found, moved = _slopes(f, (q, v, vdot, f.with_forces(q, v, w_ext), tau), at, own)
+    _take_forces(f, q, v, w_ext, found, moved)
+    return found
 
 
 def closed_slopes(
@@ -73,15 +77,28 @@ def closed_slopes(
 ) -> tuple[list, Slopes, RowChange]:
     """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
     chain = f.chain
-    shut, forces = f.loop_forces(q, v, tau, w_ext)
-    loads = Loads(tau, w_ext).plus(shut.loads(forces))
+    outer = Loads(tau, f.with_forces(q, v, w_ext))
+    shut, forces = f.row_forces(q, v, outer)
+    loads = outer.plus(shut.loads(forces))
     links, places = f.forward(q, v, *loads)
     vdot = chain.join(links, "qddot", "etaddot")
-    found, at = _slopes(f, (q, v, vdot, loads.w_ext, tau), tips(chain), own)
+    acting = list(dict.fromkeys((*tips(chain), *acting_tips(chain))))
+    found, at = _slopes(f, (q, v, vdot, loads.w_ext, tau), acting, own)
+    _take_forces(f, q, v, w_ext, found, at)
     with f.section("loops: their rows, and what their wrenches do as the tips move"):
         rows, bend = loop_changes(chain, shut, shut.accelerations(links, places), forces, at, f.apply)
         found.f_q = found.f_q - bend
     return vdot, found, rows
+
+
+def _take_forces(
+    f: Functions, q: Sequence, v: Sequence, w_ext: Sequence, out: Slopes, at: Mapping[int, TipChange]
+) -> None:
+    """Take what acts on tips, as far as it changes in their frames, from the slopes."""
+    if f.acts:
+        with f.section("forces: what their wrenches do as the tips move"):
+            by_q, by_v = f.force_slopes(q, v, w_ext, at)
+            out.f_q, out.f_v = out.f_q - by_q, out.f_v - by_v
 
 
 def _slopes(

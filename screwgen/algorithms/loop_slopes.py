@@ -159,7 +159,7 @@ def slopes_of_rows(rows: tuple[ClosingRow, ...]) -> Program:
     values = [c.power(acc) + c.drift for c in found]
     units = [np.concatenate([c.wrenches[0], mx.rotate_wrench(R.T, c.wrenches[1])]) for c in found]
     wrenches = sum((unit * force for unit, force in zip(units, forces, strict=True)), mx.zeros(12))
-    by_pose = mx.array([tangents([*values, *wrenches], seed) for seed in _motions(R, d)]).T
+    by_pose = mx.array([tangents([*values, *wrenches], seed) for seed in pose_changes(R, d)]).T
     by_twist = mx.array(columns(values, [*V_A, *V_B])).T
     inputs = {"R": 9, "d": 3, "V_A": 6, "V_B": 6, "acc_A": 6, "acc_B": 6, "forces": len(rows)}
     outputs = {"units": np.array(units), "by_twist": by_twist}
@@ -167,7 +167,7 @@ def slopes_of_rows(rows: tuple[ClosingRow, ...]) -> Program:
     return tracer.program("loop_slopes", inputs, {name: list(x.flat) for name, x in outputs.items()})
 
 
-def _motions(R: Array, d: Array) -> list[dict[Node, Value]]:
+def pose_changes(R: Array, d: Array) -> list[dict[Node, Value]]:
     """The changes of the pose of B in A with turns and shifts of A, and of B, each in its own axes."""
     none, unit = mx.zeros(3, 3), mx.identity(3)
     pairs = [(-mx.multiply(mx.hat(e), R), -mx.cross(e, d)) for e in unit]

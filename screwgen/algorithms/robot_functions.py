@@ -22,7 +22,7 @@ from . import fused, sensors
 from . import robot_programs as programs
 from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
 from .gauges import strain_names
-from .loop_functions import MOTION
+from .force_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .momentum import CENTRED, MOMENTUM
 from .schedule import Algorithm

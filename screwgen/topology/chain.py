@@ -23,6 +23,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from ..spec.tendons import tendon_names
 from .coordinates import Coordinates
+from .forces import PlacedForce, placed_forces
 from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels
@@ -51,6 +52,7 @@ class Chain(Coordinates):
         super().__init__(keys, [own[s.link] for s in self.segments])
         self.classes = list(dict.fromkeys(self.keys))
         self.closing = Closing.of(robot, self.segments)
+        self.forces = placed_forces(robot, self.segments)
 
     @cached_property
     def markers(self) -> tuple[PlacedMarker, ...]:
@@ -104,6 +106,21 @@ class Chain(Coordinates):
         every = tendon_names(self.robot)
         pairs = zip(self.segments, self.keys, strict=True)
         return [[every.index(self.robot.links[s.link].tendons[x.number].name) for x in key.tendons] for s, key in pairs]
+
+    @property
+    def n_force_numbers(self) -> int:
+        """The numbers of all forces between frames, the last parameters."""
+        return sum(force.count for force in self.forces)
+
+    @cached_property
+    def turned_wrenches(self) -> tuple[int, ...]:
+        """The segments whose row of ``w_ext`` is stated in the axes of the world."""
+        return tuple(i for i, segment in enumerate(self.segments) if segment.pushed == "world")
+
+    @property
+    def acts_on_tips(self) -> bool:
+        """Whether forces between frames act on tips, or wrenches in the axes of the world."""
+        return bool(self.forces or self.turned_wrenches)
 
     @property
     def serial(self) -> bool:

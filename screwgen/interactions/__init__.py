@@ -1,0 +1,13 @@
+"""What acts between two frames, one file per kind, each stated once."""
+
+from .interaction import Interaction as Interaction
+from .interaction import InteractionClass as InteractionClass
+from .interaction import Number as Number
+from .interaction import Relative as Relative
+from .interaction import Wrench as Wrench
+from .interaction import choice as choice
+from .interaction import number as number
+from .line import Line
+
+KINDS: dict[str, type[Interaction]] = {one.KIND: one for one in (Line,)}
+"""The interactions that a robot file may state, by its keys."""

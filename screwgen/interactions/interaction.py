@@ -1,0 +1,132 @@
+"""The contract of a force between two frames: its keys in a robot file, its wrench, its energy.
+
+A spring of 400 N/m between the tip of a boom and a hook on the wall pulls both towards each other. What it needs to know
+is how the second frame lies and moves as seen from the first; what it says is the wrench on the second frame. The first
+takes the opposite at the same point. All back ends replay or print that one statement, and the tracer derives its slopes.
+
+An interaction is a frozen dataclass. Its numbers are run-time parameters, its choices (true or false) are structure. A
+number without a default must be stated; one whose default is None is zero by structure where a file omits it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import MISSING, dataclass, field, fields
+from functools import cache
+from typing import Any, ClassVar, NamedTuple
+
+Value = Any
+Vector = Sequence[Any]
+
+
+class Number(NamedTuple):
+    """A number that an interaction states: unit, meaning, letter in its formula, and range.
+
+    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
+    """
+
+    unit: str
+    meaning: str
+    symbol: str
+    sign: str = "any"
+    least: float = 0.0
+    most: float = 1e18
+
+
+def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
+    """A field with a number; the rest as of :class:`Number`."""
+    return field(default=default, metadata={"number": Number(unit, meaning, symbol, **more)})
+
+
+def choice(meaning: str) -> Any:
+    """A field that is true or false, and false where a file omits it."""
+    return field(default=False, metadata={"choice": meaning})
+
+
+class Relative(NamedTuple):
+    """The second frame as seen from the first, in the first's axes.
+
+    ``d`` (3,) m: its origin; ``R`` (3, 3): its rotation; ``v`` (3,) m/s: the rate of ``d`` as the first frame sees it;
+    ``omega`` (3,) rad/s: its angular velocity relative to the first.
+    """
+
+    d: Vector
+    R: Sequence[Vector]
+    v: Vector
+    omega: Vector
+
+
+class Wrench(NamedTuple):
+    """What acts on the second frame at its origin, in the first frame's axes: N·m and N, (3,) each."""
+
+    torque: Vector
+    force: Vector
+
+
+@dataclass(frozen=True)
+class Interaction:
+    """A force between two frames, to be inherited.
+
+    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: its law in LaTeX.
+    """
+
+    KIND: ClassVar[str]
+    WORDS: ClassVar[str]
+    FORMULA: ClassVar[str]
+
+    @staticmethod
+    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+        """The wrench in a state. Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, ``sqrt``, ``sin`` or
+        ``on`` (1 where x > 0, else 0), and ``t.named(name, x)``, which names a value in generated code."""
+        raise NotImplementedError
+
+    @staticmethod
+    def energy(t: Any, x: Relative, **keys: Any) -> Value:
+        """The potential, J; none by default."""
+        return 0.0
+
+    @classmethod
+    @cache
+    def table(cls) -> Mapping[str, Number]:
+        """The numbers by name."""
+        return {one.name: one.metadata["number"] for one in fields(cls) if "number" in one.metadata}
+
+    @classmethod
+    @cache
+    def choices(cls) -> Mapping[str, str]:
+        """The choices by name, with their meanings."""
+        return {one.name: one.metadata["choice"] for one in fields(cls) if "choice" in one.metadata}
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """The numbers that are stated, by name."""
+        found = {name: getattr(self, name) for name in self.table()}
+        return {name: value for name, value in found.items() if value is not None}
+
+    @property
+    def shape(self) -> InteractionClass:
+        """All but its numbers."""
+        chosen = tuple((name, getattr(self, name)) for name in self.choices())
+        return InteractionClass(type(self), tuple(self.numbers), chosen)
+
+
+@dataclass(frozen=True)
+class InteractionClass:
+    """An interaction without its numbers: what its programs are made from."""
+
+    kind: type[Interaction]
+    stated: tuple[str, ...]
+    """The names of the numbers that are stated."""
+    chosen: tuple[tuple[str, bool], ...]
+
+    def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Wrench:
+        """The wrench of the numbers that are stated, in their order."""
+        return self.kind.wrench(t, x, **self._keys(numbers))
+
+    def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
+        """The potential, J."""
+        return self.kind.energy(t, x, **self._keys(numbers))
+
+    def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
+        given = dict.fromkeys(self.kind.table(), 0.0) | dict(zip(self.stated, numbers, strict=True))
+        return given | dict(self.chosen)

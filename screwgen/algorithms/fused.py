@@ -237,6 +237,12 @@ def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
     return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.closing.couplings else {})
 
 
+@program("q v w_ext")
+def acting_wrenches(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence) -> Outputs:
+    """``(q, v, w_ext) -> (acted)``: the wrenches on all tips in their frames, those of forces between frames included."""
+    return {"acted": f.with_forces(q, v, w_ext)}
+
+
 @program("q v")
 def correction(f: Functions, q: Sequence, v: Sequence) -> Outputs:
     """``(q, v) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""

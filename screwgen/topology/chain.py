@@ -130,7 +130,7 @@ class Chain(Coordinates):
     @property
     def needs_rates_first(self) -> bool:
         """Whether forces depend on the joint rates, which the DAE form then finds before all else."""
-        return self.has_axis_forces or bool(self.closing.rows)
+        return self.has_axis_forces or bool(self.closing.rows) or self.acts_on_tips
 
     @cached_property
     def parameters(self) -> Parameters:

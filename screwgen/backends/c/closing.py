@@ -9,6 +9,7 @@ from ...algorithms.loop_functions import ROUNDS
 from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...topology.chain import Chain
 from ..templates import FEATURES
+from . import forces
 from .code import Place, entries, literal, singular
 from .pieces import piece_place, pieces
 from .tendons import TENDONS
@@ -23,7 +24,7 @@ IDLE_ROWS = ("idle_rows",)
 
 def files(chain: Chain) -> tuple[str, ...]:
     """The files that loops add, without the robot's name; their templates have the same names."""
-    return ("loops.c",) if chain.closing.rows else ()
+    return forces.files(chain) + ("loops.c",) * bool(chain.closing.rows)
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
@@ -32,7 +33,8 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
     """
     written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + TENDONS * bool(chain.n_tensions)
-    out: dict[str, object] = {FEATURES: written, "scratch": {}}
+    acting = forces.content(chain, baked, place)
+    out: dict[str, object] = {FEATURES: forces.features(chain) + written, "scratch": forces.scratch(chain, acting)} | acting
     out |= _loops(chain, baked, place) if chain.closing.rows else {}
     return out | ({"idle": _idle_rows(chain, place)} if chain.closing.idle else {})
 

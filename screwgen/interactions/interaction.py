@@ -1,28 +1,32 @@
 """The contract of a force between two frames: its keys in a robot file, its wrench, its energy.
 
-A spring of 400 N/m between the tip of a boom and a hook on the wall pulls both towards each other. What it needs to know
-is how the second frame lies and moves as seen from the first; what it says is the wrench on the second frame. The first
-takes the opposite at the same point. All back ends replay or print that one statement, and the tracer derives its slopes.
+A spring of 400 N/m between the tip of a boom and a hook on the wall pulls both towards each other. What it needs to
+know is how the second frame lies and moves as seen from the first; what it says is the wrench on the second frame. The
+first takes the opposite at the same point. All back ends replay or print that one statement, and the tracer derives its
+slopes.
 
-An interaction is a frozen dataclass. Its numbers are run-time parameters, its choices (true or false) are structure. A
-number without a default must be stated; one whose default is None is zero by structure where a file omits it.
+An interaction is a frozen dataclass. Its numbers are run-time parameters, its choices (true or false) are structure.
+A number without a default must be stated; one whose default is None is zero by structure where a file omits it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
+from math import log10
 from typing import Any, ClassVar, NamedTuple
 
 Value = Any
-Vector = Sequence[Any]
+Vector = Any
+"""Entries in a row, such as a list or an array."""
 
 
 class Number(NamedTuple):
     """A number that an interaction states: unit, meaning, letter in its formula, and range.
 
-    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
+    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``;
+    ``entries``: what the entries of an array of numbers are called.
     """
 
     unit: str
@@ -31,6 +35,7 @@ class Number(NamedTuple):
     sign: str = "any"
     least: float = 0.0
     most: float = 1e18
+    entries: tuple[str, ...] = ()
 
 
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
@@ -51,7 +56,7 @@ class Relative(NamedTuple):
     """
 
     d: Vector
-    R: Sequence[Vector]
+    R: Any
     v: Vector
     omega: Vector
 
@@ -74,6 +79,11 @@ class Quantity(NamedTuple):
     formula: str
     unit: str = "-"
     meaning: str = ""
+
+    @classmethod
+    def smallest(cls, square: float, unit: str, what: str) -> Quantity:
+        """What is added to the square of a size, so that a vector without any has a direction."""
+        return cls(r"\varepsilon", rf"10^{{{round(log10(square))}}}", unit, f"keeps {what} from 0/0")
 
 
 @dataclass(frozen=True)
@@ -98,17 +108,19 @@ class Interaction:
         return 0.0
 
     @staticmethod
-    def equations(**choices: bool) -> tuple[Quantity, ...]:
-        r"""The same law for documents, in the order of evaluation: ``TORQUE``, ``FORCE``, ``POTENTIAL`` and what they need.
+    def equations(has: Collection[str]) -> tuple[Quantity, ...]:
+        r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``.
+
+        What has no equation is zero. ``has``: the numbers that are stated, and the choices that are true.
 
         Of :class:`Relative` the letters are ``\mathbf{d}_{AB}``, ``\mathbf{R}_{AB}``, ``\mathbf{v}_{AB}``,
-        ``\boldsymbol{\omega}_{AB}``; ``\mathrm{H}`` is the function ``on``. What has no equation is zero. With none at
-        all a document prints what :meth:`wrench` and :meth:`energy` compute, entry by entry.
+        ``\boldsymbol{\omega}_{AB}``; ``\mathrm{H}`` is the function ``on``. With no equation at all a document prints
+        what :meth:`wrench` and :meth:`energy` compute, entry by entry.
         """
         return ()
 
     @staticmethod
-    def drawn(**choices: bool) -> str:
+    def drawn(has: Collection[str]) -> str:
         """How a sketch draws it between its ends: as a ``spring`` or as a ``line``."""
         return "line"
 
@@ -125,8 +137,8 @@ class Interaction:
         return {one.name: one.metadata["choice"] for one in fields(cls) if "choice" in one.metadata}
 
     @property
-    def numbers(self) -> dict[str, float]:
-        """The numbers that are stated, by name."""
+    def numbers(self) -> dict[str, Any]:
+        """The numbers that are stated, by name; several are a tuple."""
         found = {name: getattr(self, name) for name in self.table()}
         return {name: value for name, value in found.items() if value is not None}
 
@@ -147,7 +159,7 @@ class InteractionClass:
     chosen: tuple[tuple[str, bool], ...]
 
     def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Wrench:
-        """The wrench of the numbers that are stated, in their order."""
+        """The wrench of the numbers that are stated, entry by entry."""
         return self.kind.wrench(t, x, **self._keys(numbers))
 
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
@@ -155,15 +167,29 @@ class InteractionClass:
         return self.kind.energy(t, x, **self._keys(numbers))
 
     @property
+    def has(self) -> tuple[str, ...]:
+        """The numbers that are stated, and the choices that are true."""
+        return (*self.stated, *(name for name, on in self.chosen if on))
+
+    @property
     def equations(self) -> tuple[Quantity, ...]:
         """The law in LaTeX, if its kind states it."""
-        return self.kind.equations(**dict(self.chosen))
+        return self.kind.equations(self.has)
 
     @property
     def drawn(self) -> str:
         """How a sketch draws it."""
-        return self.kind.drawn(**dict(self.chosen))
+        return self.kind.drawn(self.has)
 
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
-        given = dict.fromkeys(self.kind.table(), 0.0) | dict(zip(self.stated, numbers, strict=True))
+        given: dict[str, Any] = {}
+        rest = iter(numbers)
+        for name, one in self.kind.table().items():
+            of = (lambda: next(rest)) if name in self.stated else (lambda: 0.0)
+            given[name] = tuple(of() for _ in one.entries) if one.entries else of()
         return given | dict(self.chosen)
+
+    @property
+    def count(self) -> int:
+        """How many numbers are stated, entry by entry."""
+        return sum(len(self.kind.table()[name].entries) or 1 for name in self.stated)

@@ -6,11 +6,12 @@ stiffness pulls where it is longer than its rest length, and never pushes.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
-from math import log10
 from typing import Any
 
-from .interaction import FORCE, POTENTIAL, Interaction, Quantity, Relative, Value, Vector, Wrench, choice, number
+from .interaction import FORCE, POTENTIAL, Interaction, Quantity, Relative, Value, Wrench, choice, number
+from .vectors import dot
 
 SHORTEST = 1e-24
 """m²: added to the square of the length, so that the direction of a line between points that coincide is no 0/0."""
@@ -35,7 +36,7 @@ class Line(Interaction):
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
         length = _length(t, x)
-        rate = _dot(x.d, x.v) / length
+        rate = dot(x.d, x.v) / length
         stretch = length - keys["rest"]
         pull = keys["stiffness"] * stretch + keys["damping"] * rate
         if keys["slack"]:
@@ -50,26 +51,27 @@ class Line(Interaction):
         return t.call("on", stretch) * stored if keys["slack"] else stored
 
     @staticmethod
-    def equations(slack: bool = False, **choices: bool) -> tuple[Quantity, ...]:
-        pull, stored = r"k_\ell\,(\ell - \ell_0) + c_\ell\,\dot{\ell}", r"\tfrac{1}{2}\,k_\ell\,"
-        taut = r"\mathrm{H}(\ell - \ell_0)\,"
+    def equations(has: Collection[str]) -> tuple[Quantity, ...]:
+        stretch = r"(\ell - \ell_0)" if "rest" in has else r"\ell"
+        pull = rf"k_\ell\,{stretch}" + r" + c_\ell\,\dot{\ell}" * ("damping" in has)
+        taut = r"\mathrm{H}(\ell - \ell_0)\," * ("rest" in has)
+        pull, taut = (rf"{taut}\max\left( 0,\ {pull} \right)", taut) if "slack" in has else (pull, "")
+        rate = Quantity(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
         return (
-            Quantity(r"\varepsilon", rf"10^{{{round(log10(SHORTEST))}}}", "m^2", "gives a line between points that coincide a direction"),
-            Quantity(r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"),
-            Quantity(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate"),
-            Quantity("T", rf"{taut}\max\left( 0,\ {pull} \right)" if slack else pull, "N", "pull of the line"),
+            Quantity.smallest(SHORTEST, "m^2", "the direction of a line without length"),
+            Quantity(
+                r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"
+            ),
+            *[rate] * ("damping" in has),
+            Quantity("T", pull, "N", "pull of the line"),
             Quantity(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
-            Quantity(POTENTIAL, stored + taut * slack + r"(\ell - \ell_0)^2"),
+            Quantity(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
         )
 
     @staticmethod
-    def drawn(slack: bool = False, **choices: bool) -> str:
-        return "line" if slack else "spring"
+    def drawn(has: Collection[str]) -> str:
+        return "line" if "slack" in has else "spring"
 
 
 def _length(t: Any, x: Relative) -> Value:
-    return t.named("length", t.call("sqrt", _dot(x.d, x.d) + SHORTEST))
-
-
-def _dot(a: Vector, b: Vector) -> Value:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return t.named("length", t.call("sqrt", dot(x.d, x.d) + SHORTEST))

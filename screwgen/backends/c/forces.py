@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ...algorithms import fused
+from ...algorithms import tip_programs
 from ...spec.parameters import Parameter, of_forces
 from ...topology.chain import Chain
 from .code import Place, literal, singular
@@ -40,7 +40,7 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
     if not chain.acts_on_tips:
         return {"forces": None}
     own = {"acted": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]"}
-    program = fused.acting_wrenches(chain, "baked" if baked else "constants")
+    program = tip_programs.acting_wrenches(chain, "baked" if baked else "constants")
     made = pieces(program, piece_place(chain, "work->kept", own, at), ("c", "state", "input", "work"), fail=singular)
     numbers = list(of_forces(chain.robot))
     return {
@@ -73,7 +73,10 @@ def _groups(chain: Chain, numbers: list[Parameter]) -> list[Group]:
     out = []
     for force in chain.robot.forces:
         own = [p for p in numbers if p.name.startswith(f"{force.name}.")]
-        members = [(p.field.rpartition(".")[2], f"{ascii_unit(p.unit)}: {p.description}") for p in own if not p.index]
-        members += [("world[3]", "m: its end in the world, inertial frame")] * bool(force.point)
-        out.append(Group(force.name, members))
+        members: dict[str, tuple[str, str]] = {}
+        for p in own:
+            name, size = p.field.rpartition(".")[2], [x.index[0] for x in own if x.field == p.field and x.index]
+            about = p.description.rpartition(",")[0] if size else p.description
+            members[name] = (f"{name}[{len(size)}]" if size else name, f"{ascii_unit(p.unit)}: {about}")
+        out.append(Group(force.name, list(members.values())))
     return out

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ...interactions import Number
 from ...spec.forces import Push, WorldPoint
 from ...spec.parents import WORLD
@@ -11,13 +13,12 @@ from .tables import exact, plain_unit, vector
 
 ACTING = (
     r"A force acts between the tip frames A and B of two links, of which one may be a point $\mathbf{r}_w$ of the "
-    "world, by the law and the numbers of its row. Numbers that it does not state are zero."
+    "world, by the law and the numbers of its row."
 )
 PUSHED = (
     "A push is a wrench from outside at a marker, its moment about the point there first. It stands among the external "
     "wrenches, with components in axes of the world or of the marker's section."
 )
-
 
 
 def forces(chain: Chain) -> DocumentTable | None:
@@ -38,15 +39,17 @@ def _end(end: str | WorldPoint, segment: int | None) -> str:
     return f"`{end}`, link {segment + 1}"
 
 
-def _number(one: Number, value: float) -> str:
-    return f"${one.symbol} =$ {exact(value)} {plain_unit(one.unit)}".rstrip()
+def _number(one: Number, value: Any) -> str:
+    return f"${one.symbol} =$ {vector(value) if one.entries else exact(value)} {plain_unit(one.unit)}".rstrip()
 
 
 def pushes(chain: Chain) -> DocumentTable | None:
     """Where wrenches act from outside, and in which axes."""
     own = {segment.label: i for i, segment in enumerate(chain.segments) if segment.pushed}
     rows = tuple(_push(push, own[push.name]) for push in chain.robot.pushes)
-    return DocumentTable(("push", "wrench", "at", "components in axes of"), (0.2, 0.2, 0.3, 0.3), rows) if rows else None
+    return (
+        DocumentTable(("push", "wrench", "at", "components in axes of"), (0.2, 0.2, 0.3, 0.3), rows) if rows else None
+    )
 
 
 def _push(push: Push, i: int) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from ...algebra.stumpff import stumpff
-from ...interactions import FORCE, POTENTIAL, TORQUE, InteractionClass, Quantity, Relative
+from ...interactions import FORCE, POTENTIAL, TORQUE, InteractionClass, Number, Quantity, Relative
 from ...ir.block import Binding
 from .scalars import Scalars, subscripted
 from .steps import DIGITS
@@ -27,6 +27,12 @@ VALUE = "x"
 def equations(shape: InteractionClass) -> tuple[Quantity, ...]:
     """The equations in the order of evaluation."""
     return shape.equations or tuple(_Written(shape).quantities())
+
+
+def symbols(one: Number) -> list[str]:
+    """The symbol of a number, or those of its entries."""
+    places = "xyz" if len(one.entries) == len("xyz") else [f"{k}" for k, _ in enumerate(one.entries, 1)]
+    return [subscripted(one.symbol, place) for place in places] or [one.symbol]
 
 
 class _SymbolTracer:
@@ -58,7 +64,7 @@ class _Written:
         self.names: dict[sp.Symbol, str] = {}
         given = Relative(*(self._entries(*of) for of in RELATIVE.values()))
         table = shape.kind.table()
-        numbers = [self._symbol(table[name].symbol) for name in shape.stated]
+        numbers = [self._symbol(latex) for name in shape.stated for latex in symbols(table[name])]
         self.tracer = _SymbolTracer()
         wrench = shape.wrench(self.tracer, given, numbers)
         sides = [*zip((TORQUE,) * 3, "xyz", wrench.torque, strict=True)]

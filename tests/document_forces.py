@@ -53,9 +53,9 @@ class Acting:
         ends = [self._end(cell, letter, known) for cell, letter in zip(cells, "AB", strict=True)]
         cells = re.split(r"(?:^|, )\$(\S+) =\$ ", numbers)[1:]
         stated = {plain(symbol): _number(text) for symbol, text in zip(cells[::2], cells[1::2], strict=True)}
-        listed = [x for own, (_, x) in self.document.parameters.items() if re.match(rf"{name}\.(?!world)", own)]
-        assert listed == [y for x in stated.values() for y in x.ravel()], f"{name}: {numbers}, but {listed}"
-        known |= stated
+        listed = [one for own, one in self.document.parameters.items() if re.match(rf"{name}\.(?!world)", own)]
+        assert [x for _, x in listed] == [y for x in stated.values() for y in x.ravel()], f"{name}: {numbers}, {listed}"
+        known |= stated | {symbol: np.full((1, 1), x) for symbol, x in listed}
         for left in (r"\mathbf{R}_{AB}", r"\mathbf{d}_{AB}", r"\boldsymbol{\omega}_{AB}", r"\mathbf{v}_{AB}"):
             known[left] = self._read(self._formula(left), known)
         known |= {x: np.zeros((3, 1)) for x in WRENCH.values()} | {"U": np.zeros((1, 1))}

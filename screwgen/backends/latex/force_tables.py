@@ -34,8 +34,9 @@ def forces(chain: Chain) -> DocumentTable | None:
 
 
 def _end(end: str | WorldPoint, segment: int | None) -> str:
-    if segment is None or isinstance(end, WorldPoint):
+    if isinstance(end, WorldPoint):
         return rf"`{WORLD}`, $\mathbf{{r}}_w =$ {vector(end)}"
+    assert segment is not None
     return f"`{end}`, link {segment + 1}"
 
 

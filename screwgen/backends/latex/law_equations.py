@@ -35,6 +35,12 @@ def symbols(one: Number) -> list[str]:
     return [subscripted(one.symbol, place) for place in places] or [one.symbol]
 
 
+def digits(e: sp.Expr) -> int:
+    """How many digits the numbers of an expression need, so that none is lost."""
+    floats = [float(x) for x in e.atoms(sp.Float)]
+    return next(k for k in range(1, DIGITS + 1) if all(float(f"{x:.{k}g}") == x for x in floats))
+
+
 class _SymbolTracer:
     """Records what a law names, over symbols; see :class:`...interactions.Interaction`."""
 
@@ -87,7 +93,7 @@ class _Written:
         named = {x: rf"{VALUE}_{{{k}}}" for k, x in enumerate(self.tracer.values.values(), 1)}
         names = self.names | named
         rank = {s: (int(Binding.STATE), 0, (False, k), 0) for k, s in enumerate(names)}
-        write = Scalars(names, rank, DIGITS)
+        write = lambda x: Scalars(names, rank, digits(x))(x)  # noqa: E731
         words = lambda name: f"{name.replace('_', ' ')}, a value of the program"  # noqa: E731
         out = [Quantity(named[s], write(x), "-", words(name)) for (name, x), s in self.tracer.values.items()]
         return out + [Quantity(left, write(x)) for left, x in self.sides if x != 0]

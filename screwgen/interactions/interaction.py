@@ -26,7 +26,7 @@ class Number(NamedTuple):
     """A number that an interaction states: unit, meaning, letter in its formula, and range.
 
     It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``;
-    ``entries``: what the entries of an array of numbers are called.
+    ``entries``: what the entries of an array of numbers are called. Where these have two units, half have each.
     """
 
     unit: str
@@ -36,6 +36,11 @@ class Number(NamedTuple):
     least: float = 0.0
     most: float = 1e18
     entries: tuple[str, ...] = ()
+
+    def unit_of(self, entry: int) -> str:
+        """The unit of an entry of the array."""
+        units = self.unit.split(", ")
+        return units[entry * len(units) // len(self.entries)]
 
 
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:

@@ -183,7 +183,9 @@ class Link(Part):
 GRAVITY = Stated("gravity", "acceleration of free fall, inertial frame", ", as [0.0, 0.0, -9.81]", components=XYZ)
 CLOSING = ("loops", "couplings")
 """The tables of a robot file that close the tree of its links."""
-TABLES = ("links", *CLOSING, "forces", "pushes")
+OF_SEVERAL = (*CLOSING, "forces", "pushes")
+"""The tables of what several links have in common."""
+TABLES = ("links", *OF_SEVERAL)
 """All of which a file may state several; so they come last in it."""
 
 

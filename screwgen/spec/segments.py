@@ -88,6 +88,11 @@ def owner(name: str) -> str:
     return name.partition(".")[0].partition("[")[0]
 
 
+def is_marker(name: str) -> bool:
+    """Whether a segment's name is that of a marker at which something acts, `boom.hook`."""
+    return "." in name
+
+
 def distinct_names(robot: "Robot") -> None:
     """Refuse a link with the name that a segment or a marker has in generated code."""
     taken = {s.identifier.upper(): s for s in segments(robot) if s.identifier != s.owner}

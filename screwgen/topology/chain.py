@@ -23,7 +23,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from ..spec.tendons import tendon_names
 from .coordinates import Coordinates
-from .forces import PlacedForce, placed_forces
+from .forces import placed_forces
 from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels

@@ -1,5 +1,8 @@
 """What acts between two frames, one file per kind, each stated once."""
 
+from .bushing import Bushing
+from .contact import Contact
+from .drag import Drag
 from .interaction import Interaction as Interaction
 from .interaction import InteractionClass as InteractionClass
 from .interaction import Number as Number
@@ -9,5 +12,5 @@ from .interaction import choice as choice
 from .interaction import number as number
 from .line import Line
 
-KINDS: dict[str, type[Interaction]] = {one.KIND: one for one in (Line,)}
+KINDS: dict[str, type[Interaction]] = {one.KIND: one for one in (Line, Bushing, Contact, Drag)}
 """The interactions that a robot file may state, by its keys."""

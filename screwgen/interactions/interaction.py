@@ -24,7 +24,8 @@ Vector = Any
 class Number(NamedTuple):
     """A number that an interaction states: unit, meaning, letter in its formula, and range.
 
-    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
+    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``;
+    ``entries``: what the entries of an array of numbers are called.
     """
 
     unit: str
@@ -33,6 +34,7 @@ class Number(NamedTuple):
     sign: str = "any"
     least: float = 0.0
     most: float = 1e18
+    entries: tuple[str, ...] = ()
 
 
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
@@ -100,8 +102,8 @@ class Interaction:
         return {one.name: one.metadata["choice"] for one in fields(cls) if "choice" in one.metadata}
 
     @property
-    def numbers(self) -> dict[str, float]:
-        """The numbers that are stated, by name."""
+    def numbers(self) -> dict[str, Any]:
+        """The numbers that are stated, by name; several are a tuple."""
         found = {name: getattr(self, name) for name in self.table()}
         return {name: value for name, value in found.items() if value is not None}
 
@@ -122,7 +124,7 @@ class InteractionClass:
     chosen: tuple[tuple[str, bool], ...]
 
     def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Wrench:
-        """The wrench of the numbers that are stated, in their order."""
+        """The wrench of the numbers that are stated, entry by entry."""
         return self.kind.wrench(t, x, **self._keys(numbers))
 
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
@@ -130,5 +132,14 @@ class InteractionClass:
         return self.kind.energy(t, x, **self._keys(numbers))
 
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
-        given = dict.fromkeys(self.kind.table(), 0.0) | dict(zip(self.stated, numbers, strict=True))
+        given: dict[str, Any] = {}
+        rest = iter(numbers)
+        for name, one in self.kind.table().items():
+            of = (lambda: next(rest)) if name in self.stated else (lambda: 0.0)
+            given[name] = tuple(of() for _ in one.entries) if one.entries else of()
         return given | dict(self.chosen)
+
+    @property
+    def count(self) -> int:
+        """How many numbers are stated, entry by entry."""
+        return sum(len(self.kind.table()[name].entries) or 1 for name in self.stated)

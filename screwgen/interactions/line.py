@@ -9,7 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from .interaction import Interaction, Relative, Value, Vector, Wrench, choice, number
+from .interaction import Interaction, Relative, Value, Wrench, choice, number
+from .vectors import dot
 
 SHORTEST = 1e-24
 """m²: added to the square of the length, so that the direction of a line between points that coincide is no 0/0."""
@@ -35,7 +36,7 @@ class Line(Interaction):
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
         length = _length(t, x)
-        rate = _dot(x.d, x.v) / length
+        rate = dot(x.d, x.v) / length
         stretch = length - keys["rest"]
         pull = keys["stiffness"] * stretch + keys["damping"] * rate
         if keys["slack"]:
@@ -51,8 +52,4 @@ class Line(Interaction):
 
 
 def _length(t: Any, x: Relative) -> Value:
-    return t.named("length", t.call("sqrt", _dot(x.d, x.d) + SHORTEST))
-
-
-def _dot(a: Vector, b: Vector) -> Value:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return t.named("length", t.call("sqrt", dot(x.d, x.d) + SHORTEST))

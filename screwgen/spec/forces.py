@@ -94,7 +94,7 @@ def _checked(kind: type[Interaction], given: dict[str, Any], at: Path) -> Intera
     found: dict[str, Any] = {}
     for name, one in kind.table().items():
         if name in given:
-            found[name] = range_of(one).check(given[name], at=(*at, name))
+            found[name] = _number(one, given[name], (*at, name))
         elif not hasattr(kind, name):
             raise refuse(f"is missing; state the {one.meaning}, {one.unit}", (*at, name))
     for name in kind.choices():
@@ -103,6 +103,14 @@ def _checked(kind: type[Interaction], given: dict[str, Any], at: Path) -> Intera
                 raise refuse(f"is {shown(given[name])}; it must be true or false", (*at, name))
             found[name] = boolean(given[name])
     return kind(**found)
+
+
+def _number(one: Number, value: Any, at: Path) -> Any:
+    """A number in its range, or as many as it has entries."""
+    check = range_of(one).check
+    if not one.entries:
+        return check(value, at=at)
+    return tuple(check(x, at=(*at, k)) for k, x in enumerate(numbers(value, len(one.entries), at=at)))
 
 
 def range_of(one: Number) -> Range:
@@ -157,7 +165,11 @@ class Force(Part):
         """Its numbers in order: field, value, unit, meaning, sign, index; the point of the world last."""
         for name, value in self.law.numbers.items():
             one = self.law.table()[name]
-            yield f"force.{self.law.KIND}.{name}", value, one.unit, one.meaning, one.sign, ()
+            stated = f"force.{self.law.KIND}.{name}"
+            if not one.entries:
+                yield stated, value, one.unit, one.meaning, one.sign, ()
+            for k, entry in enumerate(one.entries):
+                yield stated, value[k], one.unit, f"{one.meaning}, {entry}", one.sign, (k,)
         for k, value in enumerate(self.point or ()):
             yield POINT, value, "m", f"end in the world, {'xyz'[k]}, inertial frame", "any", (k,)
 

@@ -47,7 +47,7 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
         "forces": made
         | {
             "count": len(numbers),
-            "values": [literal(p.value) for p in numbers],
+            "numbers": [literal(p.value) for p in numbers],
             "places": [place(p) for p in numbers],
             "refused": [_refused(p) for p in numbers if p.sign != "any"],
             "groups": _groups(chain, numbers),

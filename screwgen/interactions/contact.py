@@ -29,7 +29,6 @@ class Contact(Interaction):
 
     KIND = "contact"
     WORDS = "contact of spheres"
-    FORMULA = r"f = k\,p\,(1 + c\,\dot{p})_+,\quad F_t = -\mu\,f\,u/\sqrt{u^2 + v_s^2}"
 
     radius: float = number("m", "radius of the sphere", "r", sign="non-negative", least=1e-9, most=1e6)
     stiffness: float = number("N/m", "stiffness of the contact", "k", sign="positive", least=1e-9, most=1e18)

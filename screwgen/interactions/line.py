@@ -7,9 +7,10 @@ stiffness pulls where it is longer than its rest length, and never pushes.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import log10
 from typing import Any
 
-from .interaction import Interaction, Relative, Value, Wrench, choice, number
+from .interaction import FORCE, POTENTIAL, Interaction, Quantity, Relative, Value, Wrench, choice, number
 from .vectors import dot
 
 SHORTEST = 1e-24
@@ -22,14 +23,13 @@ class Line(Interaction):
 
     KIND = "line"
     WORDS = "springs and dampers along lines"
-    FORMULA = r"T = k\,(\ell - \ell_0) + c\,\dot{\ell}"
 
-    stiffness: float = number("N/m", "stiffness of the line", "k", sign="positive", least=1e-9, most=1e18)
+    stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
     rest: float | None = number(
         "m", "length at which it is relaxed", r"\ell_0", default=None, sign="non-negative", least=1e-9, most=1e6
     )
     damping: float | None = number(
-        "N·s/m", "damping along the line", "c", default=None, sign="non-negative", least=1e-12, most=1e18
+        "N·s/m", "damping along the line", r"c_\ell", default=None, sign="non-negative", least=1e-12, most=1e18
     )
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
 
@@ -49,6 +49,23 @@ class Line(Interaction):
         stretch = _length(t, x) - keys["rest"]
         stored = 0.5 * keys["stiffness"] * (stretch * stretch)
         return t.call("on", stretch) * stored if keys["slack"] else stored
+
+    @staticmethod
+    def equations(slack: bool = False, **choices: bool) -> tuple[Quantity, ...]:
+        pull, stored = r"k_\ell\,(\ell - \ell_0) + c_\ell\,\dot{\ell}", r"\tfrac{1}{2}\,k_\ell\,"
+        taut = r"\mathrm{H}(\ell - \ell_0)\,"
+        return (
+            Quantity(r"\varepsilon", rf"10^{{{round(log10(SHORTEST))}}}", "m^2", "gives a line between points that coincide a direction"),
+            Quantity(r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"),
+            Quantity(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate"),
+            Quantity("T", rf"{taut}\max\left( 0,\ {pull} \right)" if slack else pull, "N", "pull of the line"),
+            Quantity(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
+            Quantity(POTENTIAL, stored + taut * slack + r"(\ell - \ell_0)^2"),
+        )
+
+    @staticmethod
+    def drawn(slack: bool = False, **choices: bool) -> str:
+        return "line" if slack else "spring"
 
 
 def _length(t: Any, x: Relative) -> Value:

@@ -3,6 +3,7 @@
 from .interaction import Interaction as Interaction
 from .interaction import InteractionClass as InteractionClass
 from .interaction import Number as Number
+from .interaction import Quantity as Quantity
 from .interaction import Relative as Relative
 from .interaction import Wrench as Wrench
 from .interaction import choice as choice

@@ -33,6 +33,13 @@ class Number(NamedTuple):
     most: float = 1e18
 
 
+class Quantity(NamedTuple):
+    """A number that runs report of an interaction: unit and meaning."""
+
+    unit: str
+    meaning: str
+
+
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
     """A field with a number; the rest as of :class:`Number`."""
     return field(default=default, metadata={"number": Number(unit, meaning, symbol, **more)})
@@ -67,12 +74,14 @@ class Wrench(NamedTuple):
 class Interaction:
     """A force between two frames, to be inherited.
 
-    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: its law in LaTeX.
+    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: its law in LaTeX;
+    ``QUANTITIES``: what runs report of it, by names that none of its numbers has.
     """
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
     FORMULA: ClassVar[str]
+    QUANTITIES: ClassVar[Mapping[str, Quantity]] = {}
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
@@ -84,6 +93,11 @@ class Interaction:
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
         """The potential, J; none by default."""
         return 0.0
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        """The values of ``QUANTITIES`` in a state."""
+        return {}
 
     @classmethod
     @cache
@@ -126,6 +140,11 @@ class InteractionClass:
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
         """The potential, J."""
         return self.kind.energy(t, x, **self._keys(numbers))
+
+    def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
+        """What runs report, in the order of its kind's ``QUANTITIES``."""
+        found = self.kind.outputs(t, x, **self._keys(numbers))
+        return [found[name] for name in self.kind.QUANTITIES]
 
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
         given = dict.fromkeys(self.kind.table(), 0.0) | dict(zip(self.stated, numbers, strict=True))

@@ -6,10 +6,11 @@ stiffness pulls where it is longer than its rest length, and never pushes.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
-from .interaction import Interaction, Relative, Value, Vector, Wrench, choice, number
+from .interaction import Interaction, Quantity, Relative, Value, Vector, Wrench, choice, number
 
 SHORTEST = 1e-24
 """m²: added to the square of the length, so that the direction of a line between points that coincide is no 0/0."""
@@ -22,6 +23,10 @@ class Line(Interaction):
     KIND = "line"
     WORDS = "springs and dampers along lines"
     FORMULA = r"T = k\,(\ell - \ell_0) + c\,\dot{\ell}"
+    QUANTITIES: ClassVar = {
+        "length": Quantity("m", "distance of the ends"),
+        "pull": Quantity("N", "force that pulls the ends together"),
+    }
 
     stiffness: float = number("N/m", "stiffness of the line", "k", sign="positive", least=1e-9, most=1e18)
     rest: float | None = number(
@@ -34,12 +39,7 @@ class Line(Interaction):
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
-        length = _length(t, x)
-        rate = _dot(x.d, x.v) / length
-        stretch = length - keys["rest"]
-        pull = keys["stiffness"] * stretch + keys["damping"] * rate
-        if keys["slack"]:
-            pull = t.call("on", stretch) * t.call("on", pull) * pull
+        length, pull = _pulled(t, x, keys)
         share = t.named("pull_over_length", pull / length)
         return Wrench((0.0, 0.0, 0.0), tuple(-(share * y) for y in x.d))
 
@@ -48,6 +48,19 @@ class Line(Interaction):
         stretch = _length(t, x) - keys["rest"]
         stored = 0.5 * keys["stiffness"] * (stretch * stretch)
         return t.call("on", stretch) * stored if keys["slack"] else stored
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        return dict(zip(("length", "pull"), _pulled(t, x, keys), strict=True))
+
+
+def _pulled(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Value, Value]:
+    """The length, and the force that pulls both ends together."""
+    length = _length(t, x)
+    rate = _dot(x.d, x.v) / length
+    stretch = length - keys["rest"]
+    pull = keys["stiffness"] * stretch + keys["damping"] * rate
+    return length, t.call("on", stretch) * t.call("on", pull) * pull if keys["slack"] else pull
 
 
 def _length(t: Any, x: Relative) -> Value:

@@ -76,33 +76,43 @@ class ForceFunctions:
             out += self._applied(force, tips, programs.quantities(force.shape), twists=True)["quantity"]
         return out
 
-    def force_slopes(self, q: Sequence, v: Sequence, w_ext: Sequence, at: Mapping[int, TipChange]) -> tuple[Any, Any]:
-        """The derivatives (nv, nv) with q and v of the generalised forces of what acts on tips.
-
-        As far as the wrenches change in tip-frame components: that of wrenches held in these is part of the inverse
-        dynamics' derivatives. ``at``: the changes of the tips.
-        """
+    def force_slopes(
+        self, q: Sequence, v: Sequence, w_ext: Sequence, at: Mapping[int, TipChange]
+    ) -> tuple[Array, Array]:
+        """The derivatives (nv, nv) with q and v of the generalised forces of :meth:`force_changes`."""
         by_q, by_v = mx.zeros(self.chain.nv, self.chain.nv), mx.zeros(self.chain.nv, self.chain.nv)
-        tips = self._tips(q, v)
+        for i, D_q, D_v in self.force_changes(q, v, w_ext, at):
+            by_q, by_v = by_q + mx.multiply(at[i].J.T, D_q), by_v + mx.multiply(at[i].J.T, D_v)
+        return by_q, by_v
+
+    def force_changes(
+        self, q: Sequence, v: Sequence, w_ext: Sequence, at: Mapping[int, TipChange]
+    ) -> Iterator[tuple[int, Array, Array]]:
+        """The derivatives (6, nv) with q and v of the wrench on each tip on which something acts, in its frame.
+
+        A tip may come several times. ``at``: the changes of the tips.
+        """
+        tips, none = self._tips(q, v), mx.zeros(6, self.chain.nv)
         for i in self.chain.turned_wrenches:
             w = mx.rotate_wrench(tips[i].R.T, mx.array(list(w_ext[6 * i : 6 * i + 6])))
-            turning = np.vstack([mx.hat(w[:3]), mx.hat(w[3:])])  # of Rᵀ w by a turn of the tip in its own axes
-            by_q = by_q + mx.chain(at[i].J.T, turning, at[i].J[:3])
+            turning = np.vstack([mx.hat(w[:3]), mx.hat(w[3:])])  # of Rᵀ w, by a turn of the tip in its own axes
+            yield i, mx.multiply(turning, at[i].J[:3]), none
         for force in self.chain.forces:
             found = self._applied(force, tips, programs.slopes(force.shape), twists=True)
-            rows = [(i, slice(6 * n, 6 * n + 6)) for n, i in enumerate(force.ends) if i is not None]
-            J = np.vstack([at[i].J for i, _ in rows])
-            own = np.r_[tuple(row for _, row in rows)]
-            by_pose, by_twist = (mx.array(found[x], (12, 12))[np.ix_(own, own)] for x in ("by_pose", "by_twist"))
-            V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:]) for i, _ in rows])
-            by_q = by_q + mx.multiply(J.T, mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q))
-            by_v = by_v + mx.chain(J.T, by_twist, J)
-        return by_q, by_v
+            ends = [(i, slice(6 * n, 6 * n + 6)) for n, i in enumerate(force.ends) if i is not None]
+            own = np.r_[tuple(row for _, row in ends)]
+            J = np.vstack([at[i].J for i, _ in ends])
+            V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:]) for i, _ in ends])
+            for i, row in ends:
+                by_pose, by_twist = (mx.array(found[x], (12, 12))[row, own] for x in ("by_pose", "by_twist"))
+                D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)
+                yield i, D_q, mx.multiply(by_twist, J)
 
     def _applied(self, force: PlacedForce, tips: Sequence[Tip], program: Any, twists: bool) -> Mapping[str, list]:
         """What a program of a force gives in a state of all tips."""
         first, second = (self._end(force, i, tips) for i in force.ends)
-        given = {"R": list(mx.multiply(first.R.T, second.R).flat), "d": list(mx.multiply(first.R.T, second.r - first.r))}
+        R, d = mx.multiply(first.R.T, second.R), mx.multiply(first.R.T, second.r - first.r)
+        given: dict[str, list] = {"R": list(R.flat), "d": list(d)}
         given |= {"V_A": list(self._twist(first)), "V_B": list(self._twist(second))} if twists else {}
         given |= {"numbers": list(self.world[3:][force.numbers])}
         return self.apply(force.tips[-1], -1, program, given)

@@ -16,10 +16,10 @@ from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .axis_terms import drive_power, rotor_accelerations
-from .joint_moves import rates
-from .law_programs import forces
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
+from .joint_moves import rates
+from .law_programs import forces
 from .loop_functions import LoopFunctions
 from .marker_functions import MarkerFunctions
 from .momentum import MomentumFunctions
@@ -73,9 +73,9 @@ class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunction
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    ``COLUMNS``; ``world`` has gravity, three entries, then the numbers of the forces between frames.  ``given``, if set, holds inertia (``chain.n_inertia`` entries) and
-    force of the last ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give
-    their own.
+    ``COLUMNS``; ``world`` has gravity, three entries, then the numbers of the forces between frames.  ``given``, if
+    set, holds inertia (``chain.n_inertia`` entries) and force of the last ``chain.n_given`` coordinates in place of
+    ``M`` and ``K x + D xdot``: implicit integrators give their own.
     """
 
     given: tuple[Sequence, Sequence] | None = None

@@ -67,7 +67,7 @@ def slopes(
     coordinates are left out: a step takes them elsewhere.
     """
     at = list(dict.fromkeys(acting_tips(f.chain)))
-    found, moved = _slopes(f, (q, v, vdot, f.with_forces(q, v, w_ext), tau), at, own)
+    found, moved = moving_slopes(f, (q, v, vdot, f.with_forces(q, v, w_ext), tau), at, own)
     _take_forces(f, q, v, w_ext, found, moved)
     return found
 
@@ -83,7 +83,7 @@ def closed_slopes(
     links, places = f.forward(q, v, *loads)
     vdot = chain.join(links, "qddot", "etaddot")
     acting = list(dict.fromkeys((*tips(chain), *acting_tips(chain))))
-    found, at = _slopes(f, (q, v, vdot, loads.w_ext, tau), acting, own)
+    found, at = moving_slopes(f, (q, v, vdot, loads.w_ext, tau), acting, own)
     _take_forces(f, q, v, w_ext, found, at)
     with f.section("loops: their rows, and what their wrenches do as the tips move"):
         rows, bend = loop_changes(chain, shut, shut.accelerations(links, places), forces, at, f.apply)
@@ -101,7 +101,7 @@ def _take_forces(
             out.f_q, out.f_v = out.f_q - by_q, out.f_v - by_v
 
 
-def _slopes(
+def moving_slopes(
     f: Functions, state: Sequence[Sequence], at: Sequence[int], own: bool
 ) -> tuple[Slopes, dict[int, TipChange]]:
     """The slopes, and how the tips of some links move; their motions stand below the rows of f."""

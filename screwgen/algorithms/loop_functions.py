@@ -25,7 +25,6 @@ class LoopFunctions:
 
     chain: Chain
     constants: Sequence[dict[str, list]]
-    gravity: Sequence
     apply: Apply
     given: tuple[Sequence, Sequence] | None
     section: Callable[[str], AbstractContextManager]

@@ -20,9 +20,9 @@ from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
+from .force_functions import MOTION
 from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
 from .gauges import strain_names
-from .force_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .momentum import CENTRED, MOMENTUM
 from .schedule import Algorithm

@@ -1,11 +1,12 @@
 """The contract of a force between two frames: its keys in a robot file, its wrench, its energy.
 
-A spring of 400 N/m between the tip of a boom and a hook on the wall pulls both towards each other. What it needs to know
-is how the second frame lies and moves as seen from the first; what it says is the wrench on the second frame. The first
-takes the opposite at the same point. All back ends replay or print that one statement, and the tracer derives its slopes.
+A spring of 400 N/m between the tip of a boom and a hook on the wall pulls both towards each other. What it needs to
+know is how the second frame lies and moves as seen from the first; what it says is the wrench on the second frame. The
+first takes the opposite at the same point. All back ends replay or print that one statement, and the tracer derives its
+slopes.
 
-An interaction is a frozen dataclass. Its numbers are run-time parameters, its choices (true or false) are structure. A
-number without a default must be stated; one whose default is None is zero by structure where a file omits it.
+An interaction is a frozen dataclass. Its numbers are run-time parameters, its choices (true or false) are structure.
+A number without a default must be stated; one whose default is None is zero by structure where a file omits it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ from functools import cache
 from typing import Any, ClassVar, NamedTuple
 
 Value = Any
-Vector = Sequence[Any]
+Vector = Any
+"""Entries in a row, such as a list or an array."""
 
 
 class Number(NamedTuple):
@@ -58,7 +60,7 @@ class Relative(NamedTuple):
     """
 
     d: Vector
-    R: Sequence[Vector]
+    R: Any
     v: Vector
     omega: Vector
 

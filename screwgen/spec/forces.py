@@ -11,7 +11,7 @@ A spring of 400 N/m between the tip of a boom and a hook 2 m above the base:
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NamedTuple, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NamedTuple
 
 from pydantic import Field, PlainSerializer, PlainValidator, model_serializer, model_validator
 

@@ -28,8 +28,8 @@ class Parameter:
     """One number that a robot's user may change without generating anew.
 
     `name`: as in `upper_arm.bodies[0].mass`; `value` in `unit`; `link`: the link's place in `robot.links`,
-    None for gravity and forces; `field`: a key of `FIELDS`, or of an element of an axis or a force; `index`: what the name's brackets hold,
-    left to right; `sign`: which values are allowed, ``positive``, ``non-negative`` or ``any``.
+    None for gravity and forces; `field`: a key of `FIELDS`, or of an element of an axis or a force; `index`: what the
+    name's brackets hold, left to right; `sign`: which values are allowed, ``positive``, ``non-negative`` or ``any``.
     """
 
     name: str

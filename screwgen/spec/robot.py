@@ -221,9 +221,7 @@ class Robot(Part):
     forces: tuple[Force, ...] = Field(
         (), description="forces between two markers, or a marker and the world, [[forces]] tables"
     )
-    pushes: tuple[Push, ...] = Field(
-        (), description="markers at which wrenches act from outside, [[pushes]] tables"
-    )
+    pushes: tuple[Push, ...] = Field((), description="markers at which wrenches act from outside, [[pushes]] tables")
 
     @property
     def floating(self) -> bool:

@@ -1,8 +1,8 @@
 """The segments of a robot's links: the equal pieces, welded to each other, that a link with `segments = k` consists of.
 
 A link that is not split is one segment. Segments are what kinematics and dynamics see as links; parameters, joints
-and bodies are the link's. A place between base and tip at which a loop joins a link, or a force acts on it, is one of them too: it
-has neither mass nor length, follows the link's own segments, and is welded to the section there.
+and bodies are the link's. A place between base and tip at which a loop joins a link, or a force acts on it, is one of
+them too: it has neither mass nor length, follows the link's own segments, and is welded to the section there.
 """
 
 from dataclasses import dataclass

@@ -5,6 +5,7 @@ A link that is split into segments stands here as so many links; see :mod:`..spe
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -12,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import Numbers, Parameters, array
+from ..arguments import Numbers, Parameters, array, choice
 from ..errors import SingularError, UsageError
 from ..interactions import Quantity
 from ..spec.assumptions import assumptions
@@ -24,7 +25,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from ..spec.tendons import tendon_names
 from .coordinates import Coordinates
-from .forces import PlacedForce, placed_forces
+from .forces import placed_forces
 from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels
@@ -238,8 +239,20 @@ class Chain(Coordinates):
         """The names of the links in code; of segments `boom_2`."""
         return [s.identifier for s in self.segments]
 
+    @cached_property
+    def wrench_rows(self) -> dict[str, int]:
+        """The rows of ``w_ext`` by the names of what a wrench acts on: the tips of links, then pushes."""
+        rows = dict(zip((link.name for link in self.robot.links), self.lasts, strict=True))
+        return rows | {s.label: i for i, s in enumerate(self.segments) if s.pushed}
+
     def tip_wrenches(self, given: Any, name: str) -> np.ndarray:
-        """Wrenches on the tips (n, 6) from those given, of all segments or on the tips of the robot's links alone."""
+        """Wrenches on the tips (n, 6) from those given: of all segments, on the tips of links alone, or by names."""
+        if isinstance(given, Mapping):
+            out = np.zeros((self.n, 6))
+            for key, wrench in given.items():
+                row = self.wrench_rows[choice(key, self.wrench_rows, f"{name} there is no link or push")]
+                out[row] = array(wrench, f"{name} {key}", (6,))
+            return out
         links = len(self.robot.links)
         if links == self.n or not (hasattr(given, "__len__") and len(given) == links):
             return array(given, name, (self.n, 6))

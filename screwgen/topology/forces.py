@@ -1,4 +1,4 @@
-"""Where forces between frames act in the tree: the segments at whose tips their ends are, and where their numbers stand."""
+"""Where forces between frames act in the tree: the segments of their ends, and where their numbers stand."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ...algorithms import fused
+from ...algorithms import tip_programs
 from ...spec.parameters import Parameter, of_forces
 from ...topology.chain import Chain
 from .code import Place, literal, singular
@@ -40,7 +40,7 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
     if not chain.acts_on_tips:
         return {"forces": None}
     own = {"acted": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]"}
-    program = fused.acting_wrenches(chain, "baked" if baked else "constants")
+    program = tip_programs.acting_wrenches(chain, "baked" if baked else "constants")
     made = pieces(program, piece_place(chain, "work->kept", own, at), ("c", "state", "input", "work"), fail=singular)
     numbers = list(of_forces(chain.robot))
     return {

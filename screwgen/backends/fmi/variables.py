@@ -127,7 +127,8 @@ def _inputs(chain: Chain) -> Iterator[Variable]:
     for segment in chain.segments:
         for part, unit in WRENCH_UNITS.items():
             name = f"{segment.tipped}.w_ext.{part}"
-            yield Variable("w_ext", name, unit, "external wrench on the tip section, tip frame", "input", start=0.0)
+            axes = "inertial frame" if segment.pushed == "world" else "tip frame"
+            yield Variable("w_ext", name, unit, f"external wrench on the tip section, {axes}", "input", start=0.0)
 
 
 def _rates(states: Sequence[Variable], first: int, nq: int) -> Iterator[Variable]:

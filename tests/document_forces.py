@@ -11,7 +11,12 @@ from latex_formula import Value, value
 PART = "What acts on the tips"
 W = r"\boldsymbol{\mathcal{W}}_{ext,"
 ENTRY = re.compile(r"(?P<letter>.*)_\{AB,(?P<place>[xyz]+)\}")
-BOLD = {"d": r"\mathbf{d}_{AB}", "R": r"\mathbf{R}_{AB}", "v": r"\mathbf{v}_{AB}", r"\omega": r"\boldsymbol{\omega}_{AB}"}
+BOLD = {
+    "d": r"\mathbf{d}_{AB}",
+    "R": r"\mathbf{R}_{AB}",
+    "v": r"\mathbf{v}_{AB}",
+    r"\omega": r"\boldsymbol{\omega}_{AB}",
+}
 WRENCH = {r"\tau": r"\boldsymbol{\tau}_{AB}", "F": r"\mathbf{F}_{AB}"}
 
 

@@ -19,7 +19,6 @@ PUSHED = (
 )
 
 
-
 def forces(chain: Chain) -> DocumentTable | None:
     """Which frames the forces join, by which laws."""
     rows = []
@@ -46,7 +45,9 @@ def pushes(chain: Chain) -> DocumentTable | None:
     """Where wrenches act from outside, and in which axes."""
     own = {segment.label: i for i, segment in enumerate(chain.segments) if segment.pushed}
     rows = tuple(_push(push, own[push.name]) for push in chain.robot.pushes)
-    return DocumentTable(("push", "wrench", "at", "components in axes of"), (0.2, 0.2, 0.3, 0.3), rows) if rows else None
+    return (
+        DocumentTable(("push", "wrench", "at", "components in axes of"), (0.2, 0.2, 0.3, 0.3), rows) if rows else None
+    )
 
 
 def _push(push: Push, i: int) -> tuple[str, ...]:

@@ -17,8 +17,8 @@ from ...topology.chain import Chain
 from ..templates import render
 from .breaking import terms
 from .content import Named
-from .layout import equation
 from .law_equations import equations
+from .layout import equation
 
 STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
 TURNED = r" Those of pushes in axes of the world have inertial components instead."

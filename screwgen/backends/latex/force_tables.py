@@ -32,13 +32,15 @@ def forces(chain: Chain) -> DocumentTable | None:
 
 
 def _end(end: str | WorldPoint, segment: int | None) -> str:
-    if segment is None or isinstance(end, WorldPoint):
+    if isinstance(end, WorldPoint):
         return rf"`{WORLD}`, $\mathbf{{r}}_w =$ {vector(end)}"
+    assert segment is not None
     return f"`{end}`, link {segment + 1}"
 
 
-def _number(one: Number, value: float) -> str:
-    return f"${one.symbol} =$ {exact(value)} {plain_unit(one.unit)}".rstrip()
+def _number(one: Number, value: float | tuple[float, ...]) -> str:
+    shown = vector(value) if isinstance(value, tuple) else exact(value)
+    return f"${one.symbol} =$ {shown} {plain_unit(one.unit)}".rstrip()
 
 
 def pushes(chain: Chain) -> DocumentTable | None:

@@ -1,4 +1,4 @@
-"""What a robot has beside its links, with all numbers: inputs, transmissions, tendons, forces, and what closes the tree."""
+"""What a robot has beside its links, with all numbers: inputs, transmissions, tendons, forces, what closes it."""
 
 from __future__ import annotations
 

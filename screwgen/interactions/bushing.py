@@ -11,7 +11,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
-from .interaction import FORCE, POTENTIAL, TORQUE, Interaction, Quantity, Relative, Value, Vector, Wrench, number
+from .interaction import FORCE, POTENTIAL, TORQUE, Equation, Interaction, Relative, Value, Vector, Wrench, number
 from .vectors import cross
 
 AXES = ("along x", "along y", "along z", "about x", "about y", "about z")
@@ -55,14 +55,14 @@ class Bushing(Interaction):
         return 0.5 * along + 2.0 * sum(K[3 + k] * (e[k] * e[k]) for k in range(3))
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Quantity, ...]:
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
         damped = "damping" in has
         return (
-            Quantity(
+            Equation(
                 r"[\mathbf{k}_{b,F};\ \mathbf{k}_{b,\tau}]", r"\mathbf{k}_b", "N/m, N*m/rad", "stiffness by axes of A"
             ),
             *[
-                Quantity(
+                Equation(
                     r"[\mathbf{c}_{b,F};\ \mathbf{c}_{b,\tau}]",
                     r"\mathbf{c}_b",
                     "N*s/m, N*m*s/rad",
@@ -70,17 +70,17 @@ class Bushing(Interaction):
                 )
             ]
             * damped,
-            Quantity("h", _COSINE, "-", "cosine of half the turn of B relative to A"),
-            Quantity(r"\mathbf{e}_{AB}", _SINES, "-", "axis of that turn times the sine of its half"),
-            Quantity(
+            Equation("h", _COSINE, "-", "cosine of half the turn of B relative to A"),
+            Equation(r"\mathbf{e}_{AB}", _SINES, "-", "axis of that turn times the sine of its half"),
+            Equation(
                 r"\mathbf{m}_{AB}",
                 r"\mathrm{diag}(\mathbf{k}_{b,\tau})\,\mathbf{e}_{AB}",
                 "N*m",
                 "stiffness about the axes times $\\mathbf{e}_{AB}$",
             ),
-            Quantity(TORQUE, _MOMENT + r" - \mathrm{diag}(\mathbf{c}_{b,\tau})\,\boldsymbol{\omega}_{AB}" * damped),
-            Quantity(FORCE, _LOAD + r" - \mathrm{diag}(\mathbf{c}_{b,F})\,\mathbf{v}_{AB}" * damped),
-            Quantity(POTENTIAL, _STORED),
+            Equation(TORQUE, _MOMENT + r" - \mathrm{diag}(\mathbf{c}_{b,\tau})\,\boldsymbol{\omega}_{AB}" * damped),
+            Equation(FORCE, _LOAD + r" - \mathrm{diag}(\mathbf{c}_{b,F})\,\mathbf{v}_{AB}" * damped),
+            Equation(POTENTIAL, _STORED),
         )
 
 

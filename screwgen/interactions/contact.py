@@ -8,12 +8,24 @@ to its slope by a parabola. Friction is Coulomb's, over a small velocity.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from math import log10
-from typing import Any
+from typing import Any, ClassVar
 
-from .interaction import FORCE, POTENTIAL, TORQUE, Interaction, Quantity, Relative, Value, Vector, Wrench, number
+from .interaction import (
+    FORCE,
+    POTENTIAL,
+    TORQUE,
+    Equation,
+    Interaction,
+    Quantity,
+    Relative,
+    Value,
+    Vector,
+    Wrench,
+    number,
+)
 from .vectors import cross, dot
 
 SHORTEST = 1e-24
@@ -31,6 +43,10 @@ class Contact(Interaction):
 
     KIND = "contact"
     WORDS = "contact of spheres"
+    QUANTITIES: ClassVar = {
+        "depth": Quantity("m", "how far the sphere is beyond the surface"),
+        "press": Quantity("N", "force along the normal"),
+    }
 
     radius: float = number("m", "radius of the sphere", "r_c", sign="non-negative", least=1e-9, most=1e6)
     stiffness: float = number("N/m", "stiffness of the contact", "k_c", sign="positive", least=1e-9, most=1e18)
@@ -54,18 +70,16 @@ class Contact(Interaction):
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
-        n, depth = _touching(t, x, keys)
-        at = [-keys["radius"] * n[k] for k in range(3)]
-        arm = [at[k] - x.d[k] for k in range(3)]
-        u = [a + b for a, b in zip(x.v, cross(x.omega, arm), strict=True)]
-        rate = dot(n, u)
-        push = 1.0 + keys["damping"] * rate
-        press = t.named("press", keys["stiffness"] * _softened(t, depth, keys["width"]) * t.call("on", push) * push)
-        slip = [u[k] - rate * n[k] for k in range(3)]
+        n, _, press, arm, slip = _pressed(t, x, keys)
         small = keys["velocity"] if keys["velocity"] != 0.0 else SLOW
         grip = keys["friction"] * press / t.call("sqrt", dot(slip, slip) + small * small)
         force = [-(press * n[k] + grip * slip[k]) for k in range(3)]
         return Wrench(cross(arm, force), force)
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        _, depth, press, *_ = _pressed(t, x, keys)
+        return {"depth": depth, "press": press}
 
     @staticmethod
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
@@ -73,7 +87,7 @@ class Contact(Interaction):
         return keys["stiffness"] * (low * low * low - high * high * high) / (12.0 * keys["width"])
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Quantity, ...]:
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
         press = rf"k_c\,\frac{{{_softened_latex(2)}}}{{4\,w_c}}"
         press += r"\,\max\left( 0,\ 1 + c_c\,\dot{p}_c \right)" * ("damping" in has)
         force, contact = r"-f_c\,\mathbf{n}_{AB}", (_PLANE if "normal" in has else _SPHERES)
@@ -84,46 +98,57 @@ class Contact(Interaction):
             *contact,
             _ARM,
             *[_TOUCHING, _RATE] * ("damping" in has or bool(rubs)),
-            Quantity("f_c", press, "N", "pressing force of the contact"),
+            Equation("f_c", press, "N", "pressing force of the contact"),
             *rubs,
-            Quantity(FORCE, force),
-            Quantity(TORQUE, r"\mathbf{a}_{AB} \times \mathbf{F}_{AB}"),
-            Quantity(POTENTIAL, rf"k_c\,\frac{{{_softened_latex(3)}}}{{12\,w_c}}"),
+            Equation(FORCE, force),
+            Equation(TORQUE, r"\mathbf{a}_{AB} \times \mathbf{F}_{AB}"),
+            Equation(POTENTIAL, rf"k_c\,\frac{{{_softened_latex(3)}}}{{12\,w_c}}"),
         )
 
 
 _PLANE = (
-    Quantity(
+    Equation(
         r"\mathbf{n}_{AB}",
         r"\frac{1}{\sqrt{\mathbf{n}_c^{\top}\,\mathbf{n}_c}}\,\mathbf{R}_{AB}\,\mathbf{n}_c",
         "-",
         "normal of the contact towards A",
     ),
-    Quantity("p_c", r"r_c + \mathbf{n}_{AB}^{\top}\,\mathbf{d}_{AB}", "m", "depth of the contact"),
+    Equation("p_c", r"r_c + \mathbf{n}_{AB}^{\top}\,\mathbf{d}_{AB}", "m", "depth of the contact"),
 )
 _SPHERES = (
-    Quantity.smallest(SHORTEST, "m^2", "the direction between centres that coincide"),
-    Quantity("d_c", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "distance of the centres"),
-    Quantity(r"\mathbf{n}_{AB}", r"-\frac{1}{d_c}\,\mathbf{d}_{AB}", "-", "normal of the contact towards A"),
-    Quantity("p_c", "r_c - d_c", "m", "depth of the contact"),
+    Equation.smallest(SHORTEST, "m^2", "the direction between centres that coincide"),
+    Equation("d_c", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "distance of the centres"),
+    Equation(r"\mathbf{n}_{AB}", r"-\frac{1}{d_c}\,\mathbf{d}_{AB}", "-", "normal of the contact towards A"),
+    Equation("p_c", "r_c - d_c", "m", "depth of the contact"),
 )
-_ARM = Quantity(r"\mathbf{a}_{AB}", r"-r_c\,\mathbf{n}_{AB} - \mathbf{d}_{AB}", "m", "point of contact from point B")
-_TOUCHING = Quantity(
+_ARM = Equation(r"\mathbf{a}_{AB}", r"-r_c\,\mathbf{n}_{AB} - \mathbf{d}_{AB}", "m", "point of contact from point B")
+_TOUCHING = Equation(
     r"\mathbf{u}_{AB}",
     r"\mathbf{v}_{AB} + \boldsymbol{\omega}_{AB} \times \mathbf{a}_{AB}",
     "m/s",
     "velocity of B at the point of contact, as seen from A",
 )
-_RATE = Quantity(r"\dot{p}_c", r"\mathbf{n}_{AB}^{\top}\,\mathbf{u}_{AB}", "m/s", "rate of the depth")
-_SLIP = Quantity(r"\mathbf{s}_{AB}", r"\mathbf{u}_{AB} - \dot{p}_c\,\mathbf{n}_{AB}", "m/s", "its part along the plane")
-_SLOW = Quantity("v_c", rf"10^{{{round(log10(SLOW))}}}", "m/s", "sliding velocity over which friction sets in")
+_RATE = Equation(r"\dot{p}_c", r"\mathbf{n}_{AB}^{\top}\,\mathbf{u}_{AB}", "m/s", "rate of the depth")
+_SLIP = Equation(r"\mathbf{s}_{AB}", r"\mathbf{u}_{AB} - \dot{p}_c\,\mathbf{n}_{AB}", "m/s", "its part along the plane")
+_SLOW = Equation("v_c", rf"10^{{{round(log10(SLOW))}}}", "m/s", "sliding velocity over which friction sets in")
 
 
 def _softened_latex(power: int) -> str:
     return " - ".join(rf"\max\left( 0,\ p_c {sign} w_c \right)^{power}" for sign in "+-")
 
 
-def _touching(t: Any, x: Relative, keys: dict[str, Any]) -> tuple[Vector, Value]:
+def _pressed(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Vector, Value, Value, Vector, Vector]:
+    """The normal, the depth, the force along the normal, where it acts as seen from the second origin, and the slip."""
+    n, depth = _touching(t, x, keys)
+    arm = [-(keys["radius"] * n[k]) - x.d[k] for k in range(3)]
+    u = [a + b for a, b in zip(x.v, cross(x.omega, arm), strict=True)]
+    rate = dot(n, u)
+    push = 1.0 + keys["damping"] * rate
+    press = t.named("press", keys["stiffness"] * _softened(t, depth, keys["width"]) * t.call("on", push) * push)
+    return n, depth, press, arm, [u[k] - rate * n[k] for k in range(3)]
+
+
+def _touching(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Vector, Value]:
     """The normal towards the first frame's sphere, in that frame's axes, and how far the sphere is beyond."""
     normal = keys["normal"]
     if normal == (0.0, 0.0, 0.0):

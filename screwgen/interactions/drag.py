@@ -10,7 +10,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
-from .interaction import FORCE, TORQUE, Interaction, Quantity, Relative, Wrench, number
+from .interaction import FORCE, TORQUE, Equation, Interaction, Relative, Wrench, number
 from .vectors import cross, dot
 
 SLOWEST = 1e-24
@@ -45,19 +45,19 @@ class Drag(Interaction):
         return Wrench(cross(force, x.d), force)
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Quantity, ...]:
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
         u, force = r"\mathbf{u}_{AB}", []
         force += [rf"\mathrm{{diag}}(\mathbf{{c}}_d)\,{u}"] * ("linear" in has)
         force += [rf"b_d\,u_d\,{u}"] * ("quadratic" in has)
-        speed = Quantity("u_d", rf"\sqrt{{{u}^{{\top}}\,{u} + \varepsilon}}", "m/s", "its size")
+        speed = Equation("u_d", rf"\sqrt{{{u}^{{\top}}\,{u} + \varepsilon}}", "m/s", "its size")
         return (
-            Quantity(
+            Equation(
                 u,
                 r"\boldsymbol{\omega}_{AB} \times \mathbf{d}_{AB} - \mathbf{v}_{AB}",
                 "m/s",
                 "velocity of point A in the fluid that rests in B, in axes of A",
             ),
-            *[Quantity.smallest(SLOWEST, "m^2/s^2", "the slope of the speed at rest"), speed] * ("quadratic" in has),
-            Quantity(FORCE, " + ".join(force) or r"\mathbf{0}"),
-            Quantity(TORQUE, r"\mathbf{F}_{AB} \times \mathbf{d}_{AB}"),
+            *[Equation.smallest(SLOWEST, "m^2/s^2", "the slope of the speed at rest"), speed] * ("quadratic" in has),
+            Equation(FORCE, " + ".join(force) or r"\mathbf{0}"),
+            Equation(TORQUE, r"\mathbf{F}_{AB} \times \mathbf{d}_{AB}"),
         )

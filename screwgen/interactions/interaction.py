@@ -43,6 +43,13 @@ class Number(NamedTuple):
         return units[entry * len(units) // len(self.entries)]
 
 
+class Quantity(NamedTuple):
+    """A number that runs report of an interaction: unit and meaning."""
+
+    unit: str
+    meaning: str
+
+
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
     """A field with a number; the rest as of :class:`Number`."""
     return field(default=default, metadata={"number": Number(unit, meaning, symbol, **more)})
@@ -77,7 +84,7 @@ TORQUE, FORCE, POTENTIAL = r"\boldsymbol{\tau}_{AB}", r"\mathbf{F}_{AB}", "U"
 """The LaTeX of the parts of a wrench, and of the potential."""
 
 
-class Quantity(NamedTuple):
+class Equation(NamedTuple):
     """An equation of a law in LaTeX: symbol and right side; of a symbol of the law's own also unit and meaning."""
 
     symbol: str
@@ -86,7 +93,7 @@ class Quantity(NamedTuple):
     meaning: str = ""
 
     @classmethod
-    def smallest(cls, square: float, unit: str, what: str) -> Quantity:
+    def smallest(cls, square: float, unit: str, what: str) -> Equation:
         """What is added to the square of a size, so that a vector without any has a direction."""
         return cls(r"\varepsilon", rf"10^{{{round(log10(square))}}}", unit, f"keeps {what} from 0/0")
 
@@ -95,11 +102,13 @@ class Quantity(NamedTuple):
 class Interaction:
     """A force between two frames, to be inherited.
 
-    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments and documents.
+    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments and documents;
+    ``QUANTITIES``: what runs report of it, by names that none of its numbers has.
     """
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
+    QUANTITIES: ClassVar[Mapping[str, Quantity]] = {}
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
@@ -113,7 +122,7 @@ class Interaction:
         return 0.0
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Quantity, ...]:
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
         r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``.
 
         What has no equation is zero. ``has``: the numbers that are stated, and the choices that are true.
@@ -128,6 +137,11 @@ class Interaction:
     def drawn(has: Collection[str]) -> str:
         """How a sketch draws it between its ends: as a ``spring`` or as a ``line``."""
         return "line"
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        """The values of ``QUANTITIES`` in a state."""
+        return {}
 
     @classmethod
     @cache
@@ -177,7 +191,7 @@ class InteractionClass:
         return (*self.stated, *(name for name, on in self.chosen if on))
 
     @property
-    def equations(self) -> tuple[Quantity, ...]:
+    def equations(self) -> tuple[Equation, ...]:
         """The law in LaTeX, if its kind states it."""
         return self.kind.equations(self.has)
 
@@ -185,6 +199,11 @@ class InteractionClass:
     def drawn(self) -> str:
         """How a sketch draws it."""
         return self.kind.drawn(self.has)
+
+    def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
+        """What runs report, in the order of its kind's ``QUANTITIES``."""
+        found = self.kind.outputs(t, x, **self._keys(numbers))
+        return [found[name] for name in self.kind.QUANTITIES]
 
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
         given: dict[str, Any] = {}

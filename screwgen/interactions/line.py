@@ -6,11 +6,22 @@ stiffness pulls where it is longer than its rest length, and never pushes.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
-from .interaction import FORCE, POTENTIAL, Interaction, Quantity, Relative, Value, Wrench, choice, number
+from .interaction import (
+    FORCE,
+    POTENTIAL,
+    Equation,
+    Interaction,
+    Quantity,
+    Relative,
+    Value,
+    Wrench,
+    choice,
+    number,
+)
 from .vectors import dot
 
 SHORTEST = 1e-24
@@ -23,6 +34,10 @@ class Line(Interaction):
 
     KIND = "line"
     WORDS = "springs and dampers along lines"
+    QUANTITIES: ClassVar = {
+        "length": Quantity("m", "distance of the ends"),
+        "pull": Quantity("N", "force that pulls the ends together"),
+    }
 
     stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
     rest: float | None = number(
@@ -35,12 +50,7 @@ class Line(Interaction):
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
-        length = _length(t, x)
-        rate = dot(x.d, x.v) / length
-        stretch = length - keys["rest"]
-        pull = keys["stiffness"] * stretch + keys["damping"] * rate
-        if keys["slack"]:
-            pull = t.call("on", stretch) * t.call("on", pull) * pull
+        length, pull = _pulled(t, x, keys)
         share = t.named("pull_over_length", pull / length)
         return Wrench((0.0, 0.0, 0.0), tuple(-(share * y) for y in x.d))
 
@@ -51,26 +61,39 @@ class Line(Interaction):
         return t.call("on", stretch) * stored if keys["slack"] else stored
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Quantity, ...]:
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
         stretch = r"(\ell - \ell_0)" if "rest" in has else r"\ell"
         pull = rf"k_\ell\,{stretch}" + r" + c_\ell\,\dot{\ell}" * ("damping" in has)
         taut = r"\mathrm{H}(\ell - \ell_0)\," * ("rest" in has)
         pull, taut = (rf"{taut}\max\left( 0,\ {pull} \right)", taut) if "slack" in has else (pull, "")
-        rate = Quantity(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
+        rate = Equation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
         return (
-            Quantity.smallest(SHORTEST, "m^2", "the direction of a line without length"),
-            Quantity(
+            Equation.smallest(SHORTEST, "m^2", "the direction of a line without length"),
+            Equation(
                 r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"
             ),
             *[rate] * ("damping" in has),
-            Quantity("T", pull, "N", "pull of the line"),
-            Quantity(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
-            Quantity(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
+            Equation("T", pull, "N", "pull of the line"),
+            Equation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
+            Equation(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
         )
 
     @staticmethod
     def drawn(has: Collection[str]) -> str:
         return "line" if "slack" in has else "spring"
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        return dict(zip(("length", "pull"), _pulled(t, x, keys), strict=True))
+
+
+def _pulled(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Value, Value]:
+    """The length, and the force that pulls both ends together."""
+    length = _length(t, x)
+    rate = dot(x.d, x.v) / length
+    stretch = length - keys["rest"]
+    pull = keys["stiffness"] * stretch + keys["damping"] * rate
+    return length, t.call("on", stretch) * t.call("on", pull) * pull if keys["slack"] else pull
 
 
 def _length(t: Any, x: Relative) -> Value:

@@ -17,6 +17,7 @@ from pydantic import Field, PlainSerializer, PlainValidator, model_serializer, m
 
 from ..interactions import KINDS, Interaction, Number
 from .loops import marked
+from .markers import ENDS
 from .messages import unknown
 from .names import link_name
 from .parents import WORLD
@@ -143,7 +144,7 @@ class Force(Part):
             said = f"states {' and '.join(kinds)}" if kinds else "does not state what acts"
             raise refuse(f"{said}; state one of {', '.join(f'{kind} = {{ … }}' for kind in KINDS)}")
         rest = {key: value for key, value in data.items() if key != kinds[0]}
-        return rest | {"law": {kinds[0]: data[kinds[0]]}}
+        return rest | {"law": interaction({kinds[0]: data[kinds[0]]})}
 
     @model_serializer(mode="wrap")
     def _with_law(self, handler: Any) -> dict[str, Any]:
@@ -203,11 +204,18 @@ def refuse_forces(robot: Robot) -> None:
                 raise refuse(f"is {quoted(one.name)}, {said}; choose another name", (*at, "name"))
             taken[one.name.upper()] = "the name of an earlier one"
             if isinstance(one, Push):
-                marked(robot.links, one.at, (*at, "at"))
+                _refuse_push(robot.links[marked(robot.links, one.at, (*at, "at"))[0]], one, at)
                 continue
             places = [marked(robot.links, x, (*at, "between", n)) for n, x in _markers(one)]
             if len(places) == 2 and places[0] == places[1]:
                 raise refuse("joins a place with itself; name two places", (*at, "between"))
+
+
+def _refuse_push(link: Link, push: Push, at: Path) -> None:
+    """Refuse a push with the name of a marker of its link, which stands beside that name in code and tables."""
+    taken = {name.upper() for name in (*ENDS, *(marker.name for marker in link.markers))}
+    if push.name.upper() in taken:
+        raise refuse(f"is {quoted(push.name)}, a marker of {link.name}; choose another name", (*at, "name"))
 
 
 def _markers(force: Force) -> Iterator[tuple[int, str]]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from ...interactions import Number
 from ...spec.forces import Push, WorldPoint
 from ...spec.parents import WORLD
@@ -12,8 +10,8 @@ from .content import DocumentTable
 from .tables import exact, plain_unit, vector
 
 ACTING = (
-    r"A force acts between two frames A and B, the tips of two links or one tip and a point $\mathbf{r}_w$ of the world. "
-    "Its law and its numbers are those of its row."
+    r"A force acts between two frames A and B, the tips of two links or one tip and a point $\mathbf{r}_w$ of the "
+    "world. Its law and its numbers are those of its row."
 )
 PUSHED = (
     "A push is a wrench from outside at a marker, its moment about the point there first. It stands among the external "
@@ -40,8 +38,9 @@ def _end(end: str | WorldPoint, segment: int | None) -> str:
     return f"`{end}`, link {segment + 1}"
 
 
-def _number(one: Number, value: Any) -> str:
-    return f"${one.symbol} =$ {vector(value) if one.entries else exact(value)} {plain_unit(one.unit)}".rstrip()
+def _number(one: Number, value: float | tuple[float, ...]) -> str:
+    shown = vector(value) if isinstance(value, tuple) else exact(value)
+    return f"${one.symbol} =$ {shown} {plain_unit(one.unit)}".rstrip()
 
 
 def pushes(chain: Chain) -> DocumentTable | None:

@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from ...algebra.stumpff import stumpff
-from ...interactions import FORCE, POTENTIAL, TORQUE, InteractionClass, Number, Quantity, Relative
+from ...interactions import FORCE, POTENTIAL, TORQUE, Equation, InteractionClass, Number, Relative
 from ...ir.block import Binding
 from .scalars import Scalars, subscripted
 from .steps import DIGITS
@@ -24,7 +24,7 @@ VALUE = "x"
 """The letter of values that a program names."""
 
 
-def equations(shape: InteractionClass) -> tuple[Quantity, ...]:
+def equations(shape: InteractionClass) -> tuple[Equation, ...]:
     """The equations in the order of evaluation."""
     return shape.equations or tuple(_Written(shape).quantities())
 
@@ -88,12 +88,12 @@ class _Written:
         symbols = [self._symbol(subscripted(letter, place)) for place in places]
         return np.array(symbols, dtype=object).reshape(size)
 
-    def quantities(self) -> list[Quantity]:
+    def quantities(self) -> list[Equation]:
         """The values that the law names, then the entries of the wrench and the potential that are not zero."""
         named = {x: rf"{VALUE}_{{{k}}}" for k, x in enumerate(self.tracer.values.values(), 1)}
         names = self.names | named
         rank = {s: (int(Binding.STATE), 0, (False, k), 0) for k, s in enumerate(names)}
         write = lambda x: Scalars(names, rank, digits(x))(x)  # noqa: E731
         words = lambda name: f"{name.replace('_', ' ')}, a value of the program"  # noqa: E731
-        out = [Quantity(named[s], write(x), "-", words(name)) for (name, x), s in self.tracer.values.items()]
-        return out + [Quantity(left, write(x)) for left, x in self.sides if x != 0]
+        out = [Equation(named[s], write(x), "-", words(name)) for (name, x), s in self.tracer.values.items()]
+        return out + [Equation(left, write(x)) for left, x in self.sides if x != 0]

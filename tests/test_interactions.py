@@ -22,7 +22,9 @@ LAWS = {
 }
 DAMPED = {
     "damper": KINDS["line"](stiffness=300.0, rest=0.4, damping=8.0),
-    "damped bushing": KINDS["bushing"](stiffness=(3.0, 5.0, 2.0, 7.0, 9.0, 4.0), damping=(1.0, 2.0, 3.0, 0.4, 0.5, 0.6)),
+    "damped bushing": KINDS["bushing"](
+        stiffness=(3.0, 5.0, 2.0, 7.0, 9.0, 4.0), damping=(1.0, 2.0, 3.0, 0.4, 0.5, 0.6)
+    ),
     "friction": KINDS["contact"](1.1, 400.0, 0.02, (0.3, -1.0, 0.8), damping=0.3, friction=0.7, velocity=0.2),
     "drag": KINDS["drag"](linear=(1.0, 2.0, 3.0), quadratic=4.0),
 }

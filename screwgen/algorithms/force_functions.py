@@ -75,6 +75,13 @@ class ForceFunctions:
             total = total + self._applied(force, tips, programs.energy(force.shape), twists=False)["energy"][0]
         return total
 
+    def force_quantities(self, q: Sequence, v: Sequence) -> list[Value]:
+        """What runs report of the forces between frames, force by force."""
+        tips, out = self._tips(q, v), []
+        for force in self.chain.forces:
+            out += self._applied(force, tips, programs.quantities(force.shape), twists=True)["quantity"]
+        return out
+
     def force_slopes(
         self, q: Sequence, v: Sequence, w_ext: Sequence, at: Mapping[int, TipChange]
     ) -> tuple[Array, Array]:

@@ -34,6 +34,14 @@ def energy(shape: InteractionClass) -> Program:
 
 
 @cache
+def quantities(shape: InteractionClass) -> Program:
+    """``(R, d, V_A, V_B, numbers) -> (quantity)``: what runs report of it."""
+    tracer, inputs = _inputs(shape, "R d V_A V_B")
+    found = shape.outputs(tracer, _relative(inputs), list(inputs["numbers"]))
+    return _program(tracer, shape, "R d V_A V_B", quantity=mx.array(found))
+
+
+@cache
 def slopes(shape: InteractionClass) -> Program:
     """``(R, d, V_A, V_B, numbers) -> (by_pose, by_twist)``: the derivatives of both wrenches, (12, 12) row by row.
 
@@ -48,13 +56,19 @@ def slopes(shape: InteractionClass) -> Program:
 
 
 def _wrenches(tracer: Tracer, shape: InteractionClass, inputs: dict[str, Array]) -> dict[str, Array]:
+    x = _relative(inputs)
+    found = shape.wrench(tracer, x, list(inputs["numbers"]))
+    torque, force = mx.array(list(found.torque)), mx.array(list(found.force))
+    first = -np.concatenate([torque + mx.cross(x.d, force), force])
+    return {"first": first, "second": mx.rotate_wrench(x.R.T, np.concatenate([torque, force]))}
+
+
+def _relative(inputs: dict[str, Array]) -> Relative:
+    """How the second tip lies and moves as seen from the first."""
     R, d, (V_A, V_B) = inputs["R"].reshape(3, 3), inputs["d"], (inputs["V_A"], inputs["V_B"])
     at_second = mx.rotate_wrench(R, V_B)
     v = at_second[3:] - V_A[3:] - mx.cross(V_A[:3], d)
-    found = shape.wrench(tracer, Relative(d, R, v, at_second[:3] - V_A[:3]), list(inputs["numbers"]))
-    torque, force = mx.array(list(found.torque)), mx.array(list(found.force))
-    first = -np.concatenate([torque + mx.cross(d, force), force])
-    return {"first": first, "second": mx.rotate_wrench(R.T, np.concatenate([torque, force]))}
+    return Relative(d, R, v, at_second[:3] - V_A[:3])
 
 
 SIZES = {"R": 9, "d": 3, "V_A": 6, "V_B": 6}

@@ -22,7 +22,6 @@ class Bushing(Interaction):
 
     KIND = "bushing"
     WORDS = "bushings"
-    FORMULA = r"F = -K\,d - C\,\dot{d},\quad T = -2\,(h\,K_t\,e + e \times K_t\,e) - C_t\,\omega"
 
     stiffness: tuple[float, ...] = number(
         "N/m, N·m/rad", "stiffness", "K", sign="non-negative", least=1e-9, most=1e18, entries=AXES

@@ -8,10 +8,11 @@ to its slope by a parabola. Friction is Coulomb's, over a small velocity.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
-from .interaction import Interaction, Relative, Value, Vector, Wrench, number
+from .interaction import Interaction, Quantity, Relative, Value, Vector, Wrench, number
 from .vectors import cross, dot
 
 SHORTEST = 1e-24
@@ -29,7 +30,10 @@ class Contact(Interaction):
 
     KIND = "contact"
     WORDS = "contact of spheres"
-    FORMULA = r"f = k\,p\,(1 + c\,\dot{p})_+,\quad F_t = -\mu\,f\,u/\sqrt{u^2 + v_s^2}"
+    QUANTITIES: ClassVar = {
+        "depth": Quantity("m", "how far the sphere is beyond the surface"),
+        "press": Quantity("N", "force along the normal"),
+    }
 
     radius: float = number("m", "radius of the sphere", "r", sign="non-negative", least=1e-9, most=1e6)
     stiffness: float = number("N/m", "stiffness of the contact", "k", sign="positive", least=1e-9, most=1e18)
@@ -53,18 +57,16 @@ class Contact(Interaction):
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
-        n, depth = _touching(t, x, keys)
-        at = [-keys["radius"] * n[k] for k in range(3)]
-        arm = [at[k] - x.d[k] for k in range(3)]
-        u = [a + b for a, b in zip(x.v, cross(x.omega, arm), strict=True)]
-        rate = dot(n, u)
-        push = 1.0 + keys["damping"] * rate
-        press = t.named("press", keys["stiffness"] * _softened(t, depth, keys["width"]) * t.call("on", push) * push)
-        slip = [u[k] - rate * n[k] for k in range(3)]
+        n, _, press, arm, slip = _pressed(t, x, keys)
         small = keys["velocity"] if keys["velocity"] != 0.0 else SLOW
         grip = keys["friction"] * press / t.call("sqrt", dot(slip, slip) + small * small)
         force = [-(press * n[k] + grip * slip[k]) for k in range(3)]
         return Wrench(cross(arm, force), force)
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        _, depth, press, *_ = _pressed(t, x, keys)
+        return {"depth": depth, "press": press}
 
     @staticmethod
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
@@ -72,7 +74,18 @@ class Contact(Interaction):
         return keys["stiffness"] * (low * low * low - high * high * high) / (12.0 * keys["width"])
 
 
-def _touching(t: Any, x: Relative, keys: dict[str, Any]) -> tuple[Vector, Value]:
+def _pressed(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Vector, Value, Value, Vector, Vector]:
+    """The normal, the depth, the force along the normal, where it acts as seen from the second origin, and the slip."""
+    n, depth = _touching(t, x, keys)
+    arm = [-(keys["radius"] * n[k]) - x.d[k] for k in range(3)]
+    u = [a + b for a, b in zip(x.v, cross(x.omega, arm), strict=True)]
+    rate = dot(n, u)
+    push = 1.0 + keys["damping"] * rate
+    press = t.named("press", keys["stiffness"] * _softened(t, depth, keys["width"]) * t.call("on", push) * push)
+    return n, depth, press, arm, [u[k] - rate * n[k] for k in range(3)]
+
+
+def _touching(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Vector, Value]:
     """The normal towards the first frame's sphere, in that frame's axes, and how far the sphere is beyond."""
     normal = keys["normal"]
     if normal == (0.0, 0.0, 0.0):

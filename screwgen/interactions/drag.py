@@ -22,7 +22,6 @@ class Drag(Interaction):
 
     KIND = "drag"
     WORDS = "drag"
-    FORMULA = r"F_k = -c_k\,u_k - b\,|u|\,u_k"
 
     linear: tuple[float, ...] | None = number(
         *("N·s/m", "linear drag", "c"),

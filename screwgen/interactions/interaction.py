@@ -37,6 +37,13 @@ class Number(NamedTuple):
     entries: tuple[str, ...] = ()
 
 
+class Quantity(NamedTuple):
+    """A number that runs report of an interaction: unit and meaning."""
+
+    unit: str
+    meaning: str
+
+
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
     """A field with a number; the rest as of :class:`Number`."""
     return field(default=default, metadata={"number": Number(unit, meaning, symbol, **more)})
@@ -67,16 +74,30 @@ class Wrench(NamedTuple):
     force: Vector
 
 
+TORQUE, FORCE, POTENTIAL = r"\boldsymbol{\tau}_{AB}", r"\mathbf{F}_{AB}", "U"
+"""The LaTeX of the parts of a wrench, and of the potential."""
+
+
+class Equation(NamedTuple):
+    """An equation of a law in LaTeX: symbol and right side; of a symbol of the law's own also unit and meaning."""
+
+    symbol: str
+    formula: str
+    unit: str = "-"
+    meaning: str = ""
+
+
 @dataclass(frozen=True)
 class Interaction:
     """A force between two frames, to be inherited.
 
-    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: its law in LaTeX.
+    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments and documents;
+    ``QUANTITIES``: what runs report of it, by names that none of its numbers has.
     """
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
-    FORMULA: ClassVar[str]
+    QUANTITIES: ClassVar[Mapping[str, Quantity]] = {}
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
@@ -88,6 +109,26 @@ class Interaction:
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
         """The potential, J; none by default."""
         return 0.0
+
+    @staticmethod
+    def equations(**choices: bool) -> tuple[Equation, ...]:
+        r"""The law for documents, in the order of evaluation: ``TORQUE``, ``FORCE``, ``POTENTIAL`` and what they need.
+
+        Of :class:`Relative` the letters are ``\mathbf{d}_{AB}``, ``\mathbf{R}_{AB}``, ``\mathbf{v}_{AB}``,
+        ``\boldsymbol{\omega}_{AB}``; ``\mathrm{H}`` is the function ``on``. What has no equation is zero. With none at
+        all a document prints what :meth:`wrench` and :meth:`energy` compute, entry by entry.
+        """
+        return ()
+
+    @staticmethod
+    def drawn(**choices: bool) -> str:
+        """How a sketch draws it between its ends: as a ``spring`` or as a ``line``."""
+        return "line"
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        """The values of ``QUANTITIES`` in a state."""
+        return {}
 
     @classmethod
     @cache
@@ -130,6 +171,21 @@ class InteractionClass:
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
         """The potential, J."""
         return self.kind.energy(t, x, **self._keys(numbers))
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        """The law in LaTeX, if its kind states it."""
+        return self.kind.equations(**dict(self.chosen))
+
+    @property
+    def drawn(self) -> str:
+        """How a sketch draws it."""
+        return self.kind.drawn(**dict(self.chosen))
+
+    def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
+        """What runs report, in the order of its kind's ``QUANTITIES``."""
+        found = self.kind.outputs(t, x, **self._keys(numbers))
+        return [found[name] for name in self.kind.QUANTITIES]
 
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
         given: dict[str, Any] = {}

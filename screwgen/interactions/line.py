@@ -6,10 +6,23 @@ stiffness pulls where it is longer than its rest length, and never pushes.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from math import log10
+from typing import Any, ClassVar
 
-from .interaction import Interaction, Relative, Value, Wrench, choice, number
+from .interaction import (
+    FORCE,
+    POTENTIAL,
+    Equation,
+    Interaction,
+    Quantity,
+    Relative,
+    Value,
+    Wrench,
+    choice,
+    number,
+)
 from .vectors import dot
 
 SHORTEST = 1e-24
@@ -22,25 +35,23 @@ class Line(Interaction):
 
     KIND = "line"
     WORDS = "springs and dampers along lines"
-    FORMULA = r"T = k\,(\ell - \ell_0) + c\,\dot{\ell}"
+    QUANTITIES: ClassVar = {
+        "length": Quantity("m", "distance of the ends"),
+        "pull": Quantity("N", "force that pulls the ends together"),
+    }
 
-    stiffness: float = number("N/m", "stiffness of the line", "k", sign="positive", least=1e-9, most=1e18)
+    stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
     rest: float | None = number(
         "m", "length at which it is relaxed", r"\ell_0", default=None, sign="non-negative", least=1e-9, most=1e6
     )
     damping: float | None = number(
-        "N·s/m", "damping along the line", "c", default=None, sign="non-negative", least=1e-12, most=1e18
+        "N·s/m", "damping along the line", r"c_\ell", default=None, sign="non-negative", least=1e-12, most=1e18
     )
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
-        length = _length(t, x)
-        rate = dot(x.d, x.v) / length
-        stretch = length - keys["rest"]
-        pull = keys["stiffness"] * stretch + keys["damping"] * rate
-        if keys["slack"]:
-            pull = t.call("on", stretch) * t.call("on", pull) * pull
+        length, pull = _pulled(t, x, keys)
         share = t.named("pull_over_length", pull / length)
         return Wrench((0.0, 0.0, 0.0), tuple(-(share * y) for y in x.d))
 
@@ -49,6 +60,38 @@ class Line(Interaction):
         stretch = _length(t, x) - keys["rest"]
         stored = 0.5 * keys["stiffness"] * (stretch * stretch)
         return t.call("on", stretch) * stored if keys["slack"] else stored
+
+    @staticmethod
+    def equations(slack: bool = False, **choices: bool) -> tuple[Equation, ...]:
+        pull, stored = r"k_\ell\,(\ell - \ell_0) + c_\ell\,\dot{\ell}", r"\tfrac{1}{2}\,k_\ell\,"
+        about = "gives a line between points that coincide a direction"
+        length = r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}"
+        taut = r"\mathrm{H}(\ell - \ell_0)\,"
+        return (
+            Equation(r"\varepsilon", rf"10^{{{round(log10(SHORTEST))}}}", "m^2", about),
+            Equation(r"\ell", length, "m", "length of the line"),
+            Equation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate"),
+            Equation("T", rf"{taut}\max\left( 0,\ {pull} \right)" if slack else pull, "N", "pull of the line"),
+            Equation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
+            Equation(POTENTIAL, stored + taut * slack + r"(\ell - \ell_0)^2"),
+        )
+
+    @staticmethod
+    def drawn(slack: bool = False, **choices: bool) -> str:
+        return "line" if slack else "spring"
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        return dict(zip(("length", "pull"), _pulled(t, x, keys), strict=True))
+
+
+def _pulled(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Value, Value]:
+    """The length, and the force that pulls both ends together."""
+    length = _length(t, x)
+    rate = dot(x.d, x.v) / length
+    stretch = length - keys["rest"]
+    pull = keys["stiffness"] * stretch + keys["damping"] * rate
+    return length, t.call("on", stretch) * t.call("on", pull) * pull if keys["slack"] else pull
 
 
 def _length(t: Any, x: Relative) -> Value:

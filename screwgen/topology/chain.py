@@ -15,6 +15,7 @@ import numpy as np
 
 from ..arguments import Numbers, Parameters, array, choice
 from ..errors import SingularError, UsageError
+from ..interactions import Quantity
 from ..spec.assumptions import assumptions
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
@@ -112,6 +113,12 @@ class Chain(Coordinates):
     def n_force_numbers(self) -> int:
         """The numbers of all forces between frames, the last parameters."""
         return sum(force.count for force in self.forces)
+
+    @property
+    def force_quantities(self) -> dict[str, Quantity]:
+        """What runs report of the forces between frames, by the names of its entries, `spring.length`."""
+        kinds = [(force.name, force.shape.kind.QUANTITIES) for force in self.forces]
+        return {f"{name}.{own}": quantity for name, of in kinds for own, quantity in of.items()}
 
     @cached_property
     def turned_wrenches(self) -> tuple[int, ...]:

@@ -102,6 +102,9 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
         text = "".join(stored.texts("robot")) if "robot" in stored else None
         more: dict[str, Any] = {name: stored.numbers(name) for name in ("parameters", "w_ext") if name in stored}
+        if "quantity_units" in stored:
+            pairs = zip(stored.texts("quantity_names"), stored.texts("quantity_units"), strict=False)
+            more["quantity_units"] = dict(pairs)
     if robot is None and text is not None:
         try:
             robot = loads(text, shown, os.path.dirname(os.fspath(path)))

@@ -50,6 +50,7 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
             "numbers": [literal(p.value) for p in numbers],
             "places": [place(p) for p in numbers],
             "refused": [_refused(p) for p in numbers if p.sign != "any"],
+            "quantities": [f"{name} ({ascii_unit(x.unit)})" for name, x in chain.force_quantities.items()],
             "groups": _groups(chain, numbers),
             "switches": any(node.op == "on" for node in program.nodes),
             "turned_links": list(chain.turned_wrenches),

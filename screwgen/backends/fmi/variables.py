@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import prod
 
 import numpy as np
 
-from ...algorithms.entry_names import entry_names, entry_units
+from ...algorithms.entry_names import entry_meanings, entry_names, entry_units
 from ...algorithms.gauges import strain_names
 from ...algorithms.response import OWN, REPORTED, Response
-from ...algorithms.robot_functions import SENSED, shape
+from ...algorithms.robot_functions import SENSED
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
@@ -170,9 +169,8 @@ def _outputs(answers: Response) -> Iterator[Variable]:
     efforts, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
     pieces = [segment.name for segment in chain.segments]
     for told in answers.rows.values():
-        meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        names = entry_names(told, efforts, markers, pieces, chain.cylinders)
-        for entry in zip(names, entry_units(told, chain), meanings, strict=True):
+        names = entry_names(told, efforts, markers, pieces, chain.cylinders, chain.force_quantities)
+        for entry in zip(names, entry_units(told, chain), entry_meanings(told, chain), strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

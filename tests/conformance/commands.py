@@ -23,8 +23,12 @@ def written(case: Case) -> Path:
     folder = case.folder
     (folder / "robot.toml").write_text(to_toml(case.robot), encoding="utf-8")
     q, v, tau, w_ext = case.given
-    state = {"q": q, "v": v, "tau": tau, "w_ext": w_ext[case.model.chain.lasts]}
-    (folder / "state.json").write_text(json.dumps({k: np.asarray(x).tolist() for k, x in state.items()}))
+    chain, state = case.model.chain, {"q": q, "v": v, "tau": tau}
+    wrenches = w_ext[chain.lasts].tolist()
+    if case.robot.get("pushes"):
+        wrenches = {name: w_ext[row].tolist() for name, row in chain.wrench_rows.items()}
+    stated = {k: np.asarray(x).tolist() for k, x in state.items()} | {"w_ext": wrenches}
+    (folder / "state.json").write_text(json.dumps(stated))
     (folder / "rest.json").write_text(json.dumps({"q": closed(case)[0].tolist()}))
     return folder
 

@@ -114,6 +114,11 @@ class Interaction:
         return {one.name: one.metadata["choice"] for one in fields(cls) if "choice" in one.metadata}
 
     @property
+    def drawn(self) -> str:
+        """How pictures show it: a ``coil``, a ``rope``, which hangs where it is longer than its way, or a ``line``."""
+        return "line"
+
+    @property
     def numbers(self) -> dict[str, float]:
         """The numbers that are stated, by name."""
         found = {name: getattr(self, name) for name in self.table()}

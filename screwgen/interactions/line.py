@@ -37,6 +37,10 @@ class Line(Interaction):
     )
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
 
+    @property
+    def drawn(self) -> str:
+        return "rope" if self.slack else "coil"
+
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
         length, pull = _pulled(t, x, keys)

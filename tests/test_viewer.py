@@ -231,7 +231,7 @@ def test_springs_and_ropes_are_drawn_from_end_to_end_and_ropes_as_long_as_they_a
         assert found[[0, -1]] == pytest.approx(np.array([magnified[a][0], magnified[b][0]]), abs=1e-12)
         way, long = np.linalg.norm(found[-1] - found[0]), np.linalg.norm(np.diff(found, axis=0), axis=1).sum()
         aside = np.linalg.norm(np.cross(found - found[0], (found[-1] - found[0]) / way), axis=1).max()
-        if line["drawn"] == "coil":
+        if line["drawn"] == "spring":
             assert aside == pytest.approx(line["wide"], rel=0.01)
         else:
             assert long == pytest.approx(way + max(spare, 0.0), rel=1e-9) and (spare > 0.5) == (rest == 3.0)

@@ -40,8 +40,14 @@ class ForceFunctions:
 
     def alone(self) -> Self:
         """The functions of the same robot without weight, and without what acts on its tips."""
+        out = self.without_forces()
+        out.world = [0.0] * 3
+        return out
+
+    def without_forces(self) -> Self:
+        """The functions of the same robot whose tips bear nothing but the wrenches that are given in their frames."""
         out = copy(self)
-        out.world, out.acts = [0.0] * 3, False
+        out.acts = False
         return out
 
     def with_forces(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Sequence:

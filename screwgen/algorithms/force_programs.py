@@ -75,10 +75,10 @@ SIZES = {"R": 9, "d": 3, "V_A": 6, "V_B": 6}
 
 
 def _inputs(shape: InteractionClass, names: str) -> tuple[Tracer, dict[str, Array]]:
-    tracer, sizes = Tracer(), {name: SIZES[name] for name in names.split()} | {"numbers": len(shape.stated)}
+    tracer, sizes = Tracer(), {name: SIZES[name] for name in names.split()} | {"numbers": shape.count}
     return tracer, {name: mx.array(tracer.input(name, size), (size,)) for name, size in sizes.items()}
 
 
 def _program(tracer: Tracer, shape: InteractionClass, names: str, **outputs: Array) -> Program:
-    sizes = {name: SIZES[name] for name in names.split()} | {"numbers": len(shape.stated)}
+    sizes = {name: SIZES[name] for name in names.split()} | {"numbers": shape.count}
     return tracer.program(shape.kind.KIND, sizes, {name: list(x.flat) for name, x in outputs.items()})

@@ -24,7 +24,8 @@ Vector = Any
 class Number(NamedTuple):
     """A number that an interaction states: unit, meaning, letter in its formula, and range.
 
-    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``.
+    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``;
+    ``entries``: what the entries of an array of numbers are called.
     """
 
     unit: str
@@ -33,6 +34,7 @@ class Number(NamedTuple):
     sign: str = "any"
     least: float = 0.0
     most: float = 1e18
+    entries: tuple[str, ...] = ()
 
 
 class Quantity(NamedTuple):
@@ -72,17 +74,29 @@ class Wrench(NamedTuple):
     force: Vector
 
 
+TORQUE, FORCE, POTENTIAL = r"\boldsymbol{\tau}_{AB}", r"\mathbf{F}_{AB}", "U"
+"""The LaTeX of the parts of a wrench, and of the potential."""
+
+
+class Equation(NamedTuple):
+    """An equation of a law in LaTeX: symbol and right side; of a symbol of the law's own also unit and meaning."""
+
+    symbol: str
+    formula: str
+    unit: str = "-"
+    meaning: str = ""
+
+
 @dataclass(frozen=True)
 class Interaction:
     """A force between two frames, to be inherited.
 
-    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: its law in LaTeX;
+    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments and documents;
     ``QUANTITIES``: what runs report of it, by names that none of its numbers has.
     """
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
-    FORMULA: ClassVar[str]
     QUANTITIES: ClassVar[Mapping[str, Quantity]] = {}
 
     @staticmethod
@@ -95,6 +109,22 @@ class Interaction:
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
         """The potential, J; none by default."""
         return 0.0
+
+    @staticmethod
+    def equations(**choices: bool) -> tuple[Equation, ...]:
+        r"""The law for documents, in the order of evaluation: ``TORQUE``, ``FORCE``, ``POTENTIAL`` and what they need.
+
+        Of :class:`Relative` the letters are ``\mathbf{d}_{AB}``, ``\mathbf{R}_{AB}``, ``\mathbf{v}_{AB}``,
+        ``\boldsymbol{\omega}_{AB}``; ``\mathrm{H}`` is the function ``on``. What has no equation is zero. With none at
+        all a document prints what :meth:`wrench` and :meth:`energy` compute, entry by entry.
+        """
+        return ()
+
+    @staticmethod
+    def drawn(**choices: bool) -> str:
+        """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than its
+        way, or as a ``line``; with ``none`` sketches alone join the ends."""
+        return "line"
 
     @staticmethod
     def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
@@ -114,13 +144,8 @@ class Interaction:
         return {one.name: one.metadata["choice"] for one in fields(cls) if "choice" in one.metadata}
 
     @property
-    def drawn(self) -> str:
-        """How pictures show it: a ``coil``, a ``rope``, which hangs where it is longer than its way, or a ``line``."""
-        return "line"
-
-    @property
-    def numbers(self) -> dict[str, float]:
-        """The numbers that are stated, by name."""
+    def numbers(self) -> dict[str, Any]:
+        """The numbers that are stated, by name; several are a tuple."""
         found = {name: getattr(self, name) for name in self.table()}
         return {name: value for name, value in found.items() if value is not None}
 
@@ -141,12 +166,22 @@ class InteractionClass:
     chosen: tuple[tuple[str, bool], ...]
 
     def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Wrench:
-        """The wrench of the numbers that are stated, in their order."""
+        """The wrench of the numbers that are stated, entry by entry."""
         return self.kind.wrench(t, x, **self._keys(numbers))
 
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
         """The potential, J."""
         return self.kind.energy(t, x, **self._keys(numbers))
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        """The law in LaTeX, if its kind states it."""
+        return self.kind.equations(**dict(self.chosen))
+
+    @property
+    def drawn(self) -> str:
+        """How pictures draw it."""
+        return self.kind.drawn(**dict(self.chosen))
 
     def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
         """What runs report, in the order of its kind's ``QUANTITIES``."""
@@ -154,5 +189,14 @@ class InteractionClass:
         return [found[name] for name in self.kind.QUANTITIES]
 
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
-        given = dict.fromkeys(self.kind.table(), 0.0) | dict(zip(self.stated, numbers, strict=True))
+        given: dict[str, Any] = {}
+        rest = iter(numbers)
+        for name, one in self.kind.table().items():
+            of = (lambda: next(rest)) if name in self.stated else (lambda: 0.0)
+            given[name] = tuple(of() for _ in one.entries) if one.entries else of()
         return given | dict(self.chosen)
+
+    @property
+    def count(self) -> int:
+        """How many numbers are stated, entry by entry."""
+        return sum(len(self.kind.table()[name].entries) or 1 for name in self.stated)

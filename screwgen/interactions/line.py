@@ -8,9 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import log10
 from typing import Any, ClassVar
 
-from .interaction import Interaction, Quantity, Relative, Value, Vector, Wrench, choice, number
+from .interaction import (
+    FORCE,
+    POTENTIAL,
+    Equation,
+    Interaction,
+    Quantity,
+    Relative,
+    Value,
+    Wrench,
+    choice,
+    number,
+)
+from .vectors import dot
 
 SHORTEST = 1e-24
 """m²: added to the square of the length, so that the direction of a line between points that coincide is no 0/0."""
@@ -22,24 +35,19 @@ class Line(Interaction):
 
     KIND = "line"
     WORDS = "springs and dampers along lines"
-    FORMULA = r"T = k\,(\ell - \ell_0) + c\,\dot{\ell}"
     QUANTITIES: ClassVar = {
         "length": Quantity("m", "distance of the ends"),
         "pull": Quantity("N", "force that pulls the ends together"),
     }
 
-    stiffness: float = number("N/m", "stiffness of the line", "k", sign="positive", least=1e-9, most=1e18)
+    stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
     rest: float | None = number(
         "m", "length at which it is relaxed", r"\ell_0", default=None, sign="non-negative", least=1e-9, most=1e6
     )
     damping: float | None = number(
-        "N·s/m", "damping along the line", "c", default=None, sign="non-negative", least=1e-12, most=1e18
+        "N·s/m", "damping along the line", r"c_\ell", default=None, sign="non-negative", least=1e-12, most=1e18
     )
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
-
-    @property
-    def drawn(self) -> str:
-        return "rope" if self.slack else "coil"
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
@@ -54,6 +62,25 @@ class Line(Interaction):
         return t.call("on", stretch) * stored if keys["slack"] else stored
 
     @staticmethod
+    def equations(slack: bool = False, **choices: bool) -> tuple[Equation, ...]:
+        pull, stored = r"k_\ell\,(\ell - \ell_0) + c_\ell\,\dot{\ell}", r"\tfrac{1}{2}\,k_\ell\,"
+        about = "gives a line between points that coincide a direction"
+        length = r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}"
+        taut = r"\mathrm{H}(\ell - \ell_0)\,"
+        return (
+            Equation(r"\varepsilon", rf"10^{{{round(log10(SHORTEST))}}}", "m^2", about),
+            Equation(r"\ell", length, "m", "length of the line"),
+            Equation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate"),
+            Equation("T", rf"{taut}\max\left( 0,\ {pull} \right)" if slack else pull, "N", "pull of the line"),
+            Equation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
+            Equation(POTENTIAL, stored + taut * slack + r"(\ell - \ell_0)^2"),
+        )
+
+    @staticmethod
+    def drawn(slack: bool = False, **choices: bool) -> str:
+        return "rope" if slack else "spring"
+
+    @staticmethod
     def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
         return dict(zip(("length", "pull"), _pulled(t, x, keys), strict=True))
 
@@ -61,15 +88,11 @@ class Line(Interaction):
 def _pulled(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Value, Value]:
     """The length, and the force that pulls both ends together."""
     length = _length(t, x)
-    rate = _dot(x.d, x.v) / length
+    rate = dot(x.d, x.v) / length
     stretch = length - keys["rest"]
     pull = keys["stiffness"] * stretch + keys["damping"] * rate
     return length, t.call("on", stretch) * t.call("on", pull) * pull if keys["slack"] else pull
 
 
 def _length(t: Any, x: Relative) -> Value:
-    return t.named("length", t.call("sqrt", _dot(x.d, x.d) + SHORTEST))
-
-
-def _dot(a: Vector, b: Vector) -> Value:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return t.named("length", t.call("sqrt", dot(x.d, x.d) + SHORTEST))

@@ -17,6 +17,7 @@ from pydantic import Field, PlainSerializer, PlainValidator, model_serializer, m
 
 from ..interactions import KINDS, Interaction, Number
 from .loops import marked
+from .markers import ENDS
 from .messages import unknown
 from .names import link_name
 from .parents import WORLD
@@ -94,7 +95,7 @@ def _checked(kind: type[Interaction], given: dict[str, Any], at: Path) -> Intera
     found: dict[str, Any] = {}
     for name, one in kind.table().items():
         if name in given:
-            found[name] = range_of(one).check(given[name], at=(*at, name))
+            found[name] = _number(one, given[name], (*at, name))
         elif not hasattr(kind, name):
             raise refuse(f"is missing; state the {one.meaning}, {one.unit}", (*at, name))
     for name in kind.choices():
@@ -103,6 +104,14 @@ def _checked(kind: type[Interaction], given: dict[str, Any], at: Path) -> Intera
                 raise refuse(f"is {shown(given[name])}; it must be true or false", (*at, name))
             found[name] = boolean(given[name])
     return kind(**found)
+
+
+def _number(one: Number, value: Any, at: Path) -> Any:
+    """A number in its range, or as many as it has entries."""
+    check = range_of(one).check
+    if not one.entries:
+        return check(value, at=at)
+    return tuple(check(x, at=(*at, k)) for k, x in enumerate(numbers(value, len(one.entries), at=at)))
 
 
 def range_of(one: Number) -> Range:
@@ -135,7 +144,7 @@ class Force(Part):
             said = f"states {' and '.join(kinds)}" if kinds else "does not state what acts"
             raise refuse(f"{said}; state one of {', '.join(f'{kind} = {{ … }}' for kind in KINDS)}")
         rest = {key: value for key, value in data.items() if key != kinds[0]}
-        return rest | {"law": {kinds[0]: data[kinds[0]]}}
+        return rest | {"law": interaction({kinds[0]: data[kinds[0]]})}
 
     @model_serializer(mode="wrap")
     def _with_law(self, handler: Any) -> dict[str, Any]:
@@ -157,7 +166,11 @@ class Force(Part):
         """Its numbers in order: field, value, unit, meaning, sign, index; the point of the world last."""
         for name, value in self.law.numbers.items():
             one = self.law.table()[name]
-            yield f"force.{self.law.KIND}.{name}", value, one.unit, one.meaning, one.sign, ()
+            stated = f"force.{self.law.KIND}.{name}"
+            if not one.entries:
+                yield stated, value, one.unit, one.meaning, one.sign, ()
+            for k, entry in enumerate(one.entries):
+                yield stated, value[k], one.unit, f"{one.meaning}, {entry}", one.sign, (k,)
         for k, value in enumerate(self.point or ()):
             yield POINT, value, "m", f"end in the world, {'xyz'[k]}, inertial frame", "any", (k,)
 
@@ -191,11 +204,18 @@ def refuse_forces(robot: Robot) -> None:
                 raise refuse(f"is {quoted(one.name)}, {said}; choose another name", (*at, "name"))
             taken[one.name.upper()] = "the name of an earlier one"
             if isinstance(one, Push):
-                marked(robot.links, one.at, (*at, "at"))
+                _refuse_push(robot.links[marked(robot.links, one.at, (*at, "at"))[0]], one, at)
                 continue
             places = [marked(robot.links, x, (*at, "between", n)) for n, x in _markers(one)]
             if len(places) == 2 and places[0] == places[1]:
                 raise refuse("joins a place with itself; name two places", (*at, "between"))
+
+
+def _refuse_push(link: Link, push: Push, at: Path) -> None:
+    """Refuse a push with the name of a marker of its link, which stands beside that name in code and tables."""
+    taken = {name.upper() for name in (*ENDS, *(marker.name for marker in link.markers))}
+    if push.name.upper() in taken:
+        raise refuse(f"is {quoted(push.name)}, a marker of {link.name}; choose another name", (*at, "name"))
 
 
 def _markers(force: Force) -> Iterator[tuple[int, str]]:

@@ -101,7 +101,7 @@ def mode_shapes(
     if not len(moving):
         nothing = Watch(model.chain.names).validity()
         return ModeShapes(np.zeros(0), np.zeros((model.nv, 0)), 0, nothing, np.zeros(0))
-    if loaded or rates is not None or model.chain.forces:
+    if under_loads(model, rates, loaded):
         about = loaded_motion(model, q, rates, loaded, p, moving)
         free = len(moving) == model.nv
         T = np.eye(model.nv) if free else from_travels(model, about.q, p)
@@ -183,6 +183,11 @@ def changed_by_gravity(
     return None
 
 
+def under_loads(model: RobotModel, rates: Numbers | None, loaded: bool) -> bool:
+    """Whether vibrations are about a deflection; forces between frames are loads that always act."""
+    return loaded or rates is not None or bool(model.chain.forces)
+
+
 def loaded_motion(
     model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
@@ -194,7 +199,7 @@ def loaded_motion(
     if rates is not None:
         what = f"robot '{model.robot.name}' has loops, for which there is no table of modes at rates"
         raise UsageError(f"{what}; leave the rates out, or simulate it")
-    return hanging(model, q, p)
+    return hanging(model, q, p if loaded else np.append(np.zeros(3), p[3:]))
 
 
 def loaded_shapes(model: RobotModel, about: Steady, basis: np.ndarray, free: bool) -> tuple[Oscillations, np.ndarray]:

@@ -132,8 +132,8 @@ class Chain(Coordinates):
 
     @property
     def serial(self) -> bool:
-        """Whether every link carries at most one other, on a fixed base and without loops."""
-        return self.tree.is_chain and not self.closing.rows and not self.floating
+        """Whether every link carries at most one other, on a fixed base, and nothing else joins or pushes them."""
+        return self.tree.is_chain and not self.closing.rows and not self.floating and not self.acts_on_tips
 
     @property
     def needs_rates_first(self) -> bool:

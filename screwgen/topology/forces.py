@@ -33,12 +33,12 @@ class PlacedForce:
     @property
     def numbers(self) -> slice:
         """Those of its law among the numbers of all forces."""
-        return slice(self.first, self.first + len(self.shape.stated))
+        return slice(self.first, self.first + self.shape.count)
 
     @property
     def point(self) -> slice:
         """Those of its point of the world."""
-        return slice(self.first + len(self.shape.stated), self.first + self.count)
+        return slice(self.first + self.shape.count, self.first + self.count)
 
 
 def placed_forces(robot: Robot, segments: Sequence[Segment]) -> tuple[PlacedForce, ...]:

@@ -11,7 +11,7 @@ import numpy as np
 from ..model import Model
 from .solids import DARK_METAL, METAL, THREAD, strut
 
-PLACES = {"coil": 112, "rope": 25, "line": 2}
+PLACES = {"spring": 112, "rope": 25, "line": 2}
 """Points of a line, by how it is drawn."""
 TURNS, LEAD, RAMP = 7, 0.12, 0.05
 """Turns of a coil, its straight part at either end over its length, and the part over which it widens there."""
@@ -27,6 +27,8 @@ def lines(model: Model, values: Mapping[str, float], tips: np.ndarray, thin: flo
     `values`: the parameters by name; `tips` (n, 3): those of all links at first, m; `thin`: the least radius of a tube.
     """
     for force, placed in zip(model.robot.forces, model.chain.forces, strict=True):
+        if placed.shape.drawn == "none":
+            continue
         point = [values[f"{force.name}.world[{k}]"] for k in range(3)] if force.point else []
         own = [{"link": -1, "at": point} if i is None else {"link": i} for i in placed.ends]
         first, second = (np.array(point) if i is None else tips[i] for i in placed.ends)
@@ -34,7 +36,7 @@ def lines(model: Model, values: Mapping[str, float], tips: np.ndarray, thin: flo
         wide = min(2.6 * thin, 0.12 * (rest or float(np.linalg.norm(second - first)) or thin))
         yield {
             "ends": own,
-            "drawn": force.law.drawn,
+            "drawn": placed.shape.drawn,
             "rest": rest,
             "wide": wide,
             "thick": min(0.3 * thin, 0.3 * wide),
@@ -48,7 +50,7 @@ def path(line: dict[str, Any], near: np.ndarray, far: np.ndarray, down: np.ndarr
     """
     s = np.linspace(0.0, 1.0, PLACES[line["drawn"]])[:, None]
     straight = near + s * (far - near)
-    if line["drawn"] == "coil":
+    if line["drawn"] == "spring":
         wide = line["wide"] * _smooth((s - LEAD) / RAMP) * _smooth((1 - LEAD - s) / RAMP)
         angle = 2 * np.pi * TURNS * (s - LEAD) / (1 - 2 * LEAD)
         y, z = _across(far - near)
@@ -63,7 +65,7 @@ def faces(
 ) -> tuple[np.ndarray, list[str]]:
     """The faces (F, 4, 3) of a line and of the rings at points of the world, and their colours; always as many."""
     wire = _swept(path(line, near, far, down, spare), line["thick"])
-    out, colors = [wire], [METAL if line["drawn"] == "coil" else THREAD] * len(wire)
+    out, colors = [wire], [METAL if line["drawn"] == "spring" else THREAD] * len(wire)
     for end, at, way in zip(line["ends"], (near, far), (far - near, near - far), strict=True):
         if end["link"] < 0:
             ring = _ring(at, way, line)

@@ -65,7 +65,7 @@ class Cylinder {
 }
 
 /** Points of the line of a force, by how it is drawn; turns of a coil, its straight ends, and where it widens. */
-const POINTS = { coil: 112, rope: 25, line: 2 };
+const POINTS = { spring: 112, rope: 25, line: 2 };
 const [TURNS, LEAD, RAMP] = [7, 0.12, 0.05];
 
 /** The points between two ends, as in screwgen/viewer/lines.py; `down`: a unit vector to where things fall, `spare`: how
@@ -75,7 +75,7 @@ function linePath(line, near, far, down, spare) {
   const at = (s) => plus(near, times(s, way));
   const share = (k) => k / (POINTS[line.drawn] - 1);
   const every = (make) => Array.from({ length: POINTS[line.drawn] }, (_, k) => make(share(k)));
-  if (line.drawn === "coil") {
+  if (line.drawn === "spring") {
     const smooth = (x) => { const y = Math.min(Math.max(x, 0), 1); return y * y * (3 - 2 * y); };
     const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 0, 1), vector(times(1 / Math.max(norm(way), 1e-9), way)));
     const [y, z] = [[1, 0, 0], [0, 1, 0]].map((e) => vector(e).applyQuaternion(turn).toArray());
@@ -140,7 +140,7 @@ class Line {
   constructor(line, gravity, paint) {
     [this.line, this.group] = [line, new THREE.Group()];
     this.down = norm(gravity) > 1e-9 ? times(1 / norm(gravity), gravity) : [0, 0, -1];
-    this.wire = new Wire(POINTS[line.drawn], line.thick, paint(line.drawn === "coil" ? "--metal" : "--thread"));
+    this.wire = new Wire(POINTS[line.drawn], line.thick, paint(line.drawn === "spring" ? "--metal" : "--thread"));
     this.rings = line.ends.map((end) => end.link < 0 && new Wire(RING, 1.4 * line.thick, paint("--dark-metal")));
     this.group.add(...[this.wire, ...this.rings].filter(Boolean).map((wire) => wire.mesh));
   }

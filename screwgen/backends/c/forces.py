@@ -47,7 +47,7 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
         "forces": made
         | {
             "count": len(numbers),
-            "values": [literal(p.value) for p in numbers],
+            "numbers": [literal(p.value) for p in numbers],
             "places": [place(p) for p in numbers],
             "refused": [_refused(p) for p in numbers if p.sign != "any"],
             "quantities": [f"{name} ({ascii_unit(x.unit)})" for name, x in chain.force_quantities.items()],
@@ -74,7 +74,10 @@ def _groups(chain: Chain, numbers: list[Parameter]) -> list[Group]:
     out = []
     for force in chain.robot.forces:
         own = [p for p in numbers if p.name.startswith(f"{force.name}.")]
-        members = [(p.field.rpartition(".")[2], f"{ascii_unit(p.unit)}: {p.description}") for p in own if not p.index]
-        members += [("world[3]", "m: its end in the world, inertial frame")] * bool(force.point)
-        out.append(Group(force.name, members))
+        members: dict[str, tuple[str, str]] = {}
+        for p in own:
+            name, size = p.field.rpartition(".")[2], [x.index[0] for x in own if x.field == p.field and x.index]
+            about = p.description.rpartition(",")[0] if size else p.description
+            members[name] = (f"{name}[{len(size)}]" if size else name, f"{ascii_unit(p.unit)}: {about}")
+        out.append(Group(force.name, list(members.values())))
     return out

@@ -125,7 +125,7 @@ def rounded_dynamics(
     """Forward dynamics, the pose of the last tip, and the ``inverse`` dynamics' wrenches at accelerations ``vdot``."""
     found, wrench = f.forward_dynamics(q, v, tau, w_ext)
     R, position = f.poses(q)[1][f.chain.last]
-    inverse = f.loads(q, v, vdot, f.with_loops(q, v, tau, w_ext).w_ext)[1]
+    inverse = f.without_forces().loads(q, v, vdot, f.with_loops(q, v, tau, w_ext).w_ext)[1]
     return {"found": found, "wrench": wrench, "R": R, "position": position, "inverse": inverse}
 
 

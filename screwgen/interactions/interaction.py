@@ -122,8 +122,8 @@ class Interaction:
 
     @staticmethod
     def drawn(**choices: bool) -> str:
-        """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than its
-        way, or as a ``line``; with ``none`` sketches alone join the ends."""
+        """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than
+        its way, or as a ``line``; with ``none`` sketches alone join the ends."""
         return "line"
 
     @staticmethod

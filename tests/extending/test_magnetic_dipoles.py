@@ -37,7 +37,6 @@ class Dipole(Interaction):
 
     KIND = "dipole"
     WORDS = "magnets"
-    FORMULA = r"U = \frac{\mu_0}{4\pi r^3}\,(m_1 \cdot m_2 - 3\,(m_1 \cdot e)(m_2 \cdot e))"
     QUANTITIES = {"distance": Quantity("m", "distance of the magnets")}  # noqa: RUF012
 
     first: float = number("A·m²", "moment of the first magnet", "m_1")
@@ -136,10 +135,10 @@ def test_a_run_keeps_its_energy_to_the_order_of_its_steps():
     """Half the step, a sixteenth of the error."""
     q, v, *_ = state()
     lost = []
-    for h in (1e-3, 5e-4):
-        run = simulate(MODEL, 0.2, h, q0=q, v0=v, integrator="rk4")
+    for h in (1e-4, 5e-5):
+        run = simulate(MODEL, 0.05, h, q0=q, v0=v, integrator="rk4")
         lost.append(np.ptp(run.energy.sum(axis=1)))
-    assert lost[0] < 1e-5 and lost[0] / lost[1] > 12
+    assert lost[0] < 1e-3 and lost[0] / lost[1] > 15
 
 
 def test_a_mock_up_unit_has_them():
@@ -159,5 +158,5 @@ def test_a_file_cannot_state_one_and_bad_numbers_are_refused():
         Robot(**given | {"forces": [{"name": "m", "between": ["upper.eye", "fore.tip"], "dipole": {"first": 1.0}}]})
     with pytest.raises(RobotFileError, match=r"first: is .*inf; it must be"):
         Force(name="m", between=("upper.eye", "fore.tip"), law=Dipole(np.inf, 1.0))
-    with pytest.raises(UsageError, match=r"forces\[0\].* made in Python"):
+    with pytest.raises(UsageError, match=r"forces\[0\]: law is an object made in Python; a robot file"):
         dump(MODEL.robot)

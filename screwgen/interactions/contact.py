@@ -77,6 +77,10 @@ class Contact(Interaction):
         return Wrench(cross(arm, force), force)
 
     @staticmethod
+    def drawn(has: Collection[str]) -> str:
+        return "none"
+
+    @staticmethod
     def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
         _, depth, press, *_ = _pressed(t, x, keys)
         return {"depth": depth, "press": press}

@@ -37,6 +37,10 @@ class Drag(Interaction):
     )
 
     @staticmethod
+    def drawn(has: Collection[str]) -> str:
+        return "none"
+
+    @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
         u = [a - b for a, b in zip(cross(x.omega, x.d), x.v, strict=True)]
         speed = t.call("sqrt", dot(u, u) + SLOWEST)

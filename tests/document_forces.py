@@ -51,15 +51,15 @@ class Acting:
         name, *cells, _, numbers = row
         name, known = name.strip("`"), {}
         ends = [self._end(cell, letter, known) for cell, letter in zip(cells, "AB", strict=True)]
-        for symbol, text in re.findall(r"\$(\S+) =\$ (\$[^$]*\$)", numbers):
-            known[plain(symbol)] = np.full((1, 1), number(text))
-        stated = {s: x for own, (s, x) in self.document.parameters.items() if re.match(rf"{name}\.(?!world)", own)}
-        assert stated == {s: x.item() for s, x in known.items() if s in stated}, f"{name}: {numbers}, but {stated}"
+        cells = re.split(r"(?:^|, )\$(\S+) =\$ ", numbers)[1:]
+        stated = {plain(symbol): _number(text) for symbol, text in zip(cells[::2], cells[1::2], strict=True)}
+        listed = [one for own, one in self.document.parameters.items() if re.match(rf"{name}\.(?!world)", own)]
+        assert [x for _, x in listed] == [y for x in stated.values() for y in x.ravel()], f"{name}: {numbers}, {listed}"
+        known |= stated | {symbol: np.full((1, 1), x) for symbol, x in listed}
         for left in (r"\mathbf{R}_{AB}", r"\mathbf{d}_{AB}", r"\boldsymbol{\omega}_{AB}", r"\mathbf{v}_{AB}"):
             known[left] = self._read(self._formula(left), known)
         known |= {x: np.zeros((3, 1)) for x in WRENCH.values()} | {"U": np.zeros((1, 1))}
-        for left, sign, right in self.laws[name]:
-            assert sign == "=", left
+        for left, _, right in self.laws[name]:
             self._assign(left, self._read(right, known), known)
         self.energy += known["U"].item()
         for letter, i in zip("AB", ends, strict=True):
@@ -86,8 +86,7 @@ class Acting:
             if (match := ENTRY.fullmatch(name)) and match["letter"] in BOLD:
                 place = tuple("xyz".index(x) for x in match["place"])
                 return np.full((1, 1), known[BOLD[match["letter"]]][place if len(place) > 1 else (*place, 0)])
-            assert name in self.document.symbols, f"{name}: nothing in the document defines it"
-            return np.zeros((1, 1))  # a number that the force does not state
+            raise AssertionError(f"{name}: nothing in the document defines it")
 
         return value(text, symbol)
 
@@ -95,11 +94,19 @@ class Acting:
     def _assign(left: str, found: Value, known: dict[str, Value]) -> None:
         if match := ENTRY.fullmatch(left):
             known[WRENCH[match["letter"]]]["xyz".index(match["place"])] = found.item()
+        elif left.startswith("["):
+            for name, part in zip(left.strip("[]").split(";"), np.split(found, 2), strict=True):
+                known[plain(name.removeprefix("\\ "))] = part
         else:
             known[left] = found
 
 
 SIZES = {r"\mathbf{R}_{oT}": (3, 3), r"\mathbf{r}_{oT}": (3, 1), r"\mathbf{V}_T": (6, 1)}
+
+
+def _number(text: str) -> np.ndarray:
+    """A number of a table, or several in brackets, as a column."""
+    return vector(text) if "[" in text or r"\mathbf" in text else np.full((1, 1), number(text.split("$")[1]))
 
 
 def at_rest(place: np.ndarray) -> dict[str, np.ndarray]:

@@ -116,6 +116,8 @@ class Reader:
                 value = value if isinstance(value, Zero) else value.T
             elif self.take("^{2}", "^2"):
                 value = times(value, value)
+            elif self.take("^{3}", "^3"):
+                value = times(times(value, value), value)
             elif self.take("^{-1}"):
                 value = np.linalg.inv(value)
             elif self.take(r"^{-\top}"):

@@ -16,7 +16,7 @@ from screwgen.backends.latex import document as latex
 ROBOTS = {
     "transmissions": ("order 2", "four-bar", "stops", "time", "hinge loop"),
     "tendons": ("one exact", "tendons", "elastic cylinder", "spring", "ratio"),
-    "forces": ("forces", "slide"),
+    "forces": ("forces", "slide", "mounted"),
     "couplings": ("varying", "mounted", "rigid", "passive", "skew", "coupling"),
 }
 OTHERS = {"open": "crossed", "crossed": "open", "fore.tip": "hand.tip", "stay.tip": "cart.tip", "left": "middle"}

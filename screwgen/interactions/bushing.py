@@ -7,10 +7,11 @@ rotation vector. It is meant for turns well below half of one.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
-from .interaction import Interaction, Relative, Value, Vector, Wrench, number
+from .interaction import FORCE, POTENTIAL, TORQUE, Equation, Interaction, Relative, Value, Vector, Wrench, number
 from .vectors import cross
 
 AXES = ("along x", "along y", "along z", "about x", "about y", "about z")
@@ -24,10 +25,17 @@ class Bushing(Interaction):
     WORDS = "bushings"
 
     stiffness: tuple[float, ...] = number(
-        "N/m, N·m/rad", "stiffness", "K", sign="non-negative", least=1e-9, most=1e18, entries=AXES
+        "N/m, N·m/rad", "stiffness", r"\mathbf{k}_b", sign="non-negative", least=1e-9, most=1e18, entries=AXES
     )
     damping: tuple[float, ...] | None = number(
-        "N·s/m, N·m·s/rad", "damping", "C", default=None, sign="non-negative", least=1e-12, most=1e18, entries=AXES
+        "N·s/m, N·m·s/rad",
+        "damping",
+        r"\mathbf{c}_b",
+        default=None,
+        sign="non-negative",
+        least=1e-12,
+        most=1e18,
+        entries=AXES,
     )
 
     @staticmethod
@@ -45,6 +53,48 @@ class Bushing(Interaction):
         K, (_, e) = keys["stiffness"], _quaternion(t, x)
         along = sum(K[k] * (x.d[k] * x.d[k]) for k in range(3))
         return 0.5 * along + 2.0 * sum(K[3 + k] * (e[k] * e[k]) for k in range(3))
+
+    @staticmethod
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+        damped = "damping" in has
+        return (
+            Equation(
+                r"[\mathbf{k}_{b,F};\ \mathbf{k}_{b,\tau}]", r"\mathbf{k}_b", "N/m, N*m/rad", "stiffness by axes of A"
+            ),
+            *[
+                Equation(
+                    r"[\mathbf{c}_{b,F};\ \mathbf{c}_{b,\tau}]",
+                    r"\mathbf{c}_b",
+                    "N*s/m, N*m*s/rad",
+                    "damping by axes of A",
+                )
+            ]
+            * damped,
+            Equation("h", _COSINE, "-", "cosine of half the turn of B relative to A"),
+            Equation(r"\mathbf{e}_{AB}", _SINES, "-", "axis of that turn times the sine of its half"),
+            Equation(
+                r"\mathbf{m}_{AB}",
+                r"\mathrm{diag}(\mathbf{k}_{b,\tau})\,\mathbf{e}_{AB}",
+                "N*m",
+                "stiffness about the axes times $\\mathbf{e}_{AB}$",
+            ),
+            Equation(TORQUE, _MOMENT + r" - \mathrm{diag}(\mathbf{c}_{b,\tau})\,\boldsymbol{\omega}_{AB}" * damped),
+            Equation(FORCE, _LOAD + r" - \mathrm{diag}(\mathbf{c}_{b,F})\,\mathbf{v}_{AB}" * damped),
+            Equation(POTENTIAL, _STORED),
+        )
+
+
+_COSINE = r"\tfrac{1}{2}\,\sqrt{1 + \operatorname{tr}(\mathbf{R}_{AB})}"
+_SINES = (
+    r"\frac{1}{4\,h}\,\begin{bmatrix} R_{AB,zy} - R_{AB,yz} \\ R_{AB,xz} - R_{AB,zx} \\ R_{AB,yx} - R_{AB,xy}"
+    r" \end{bmatrix}"
+)
+_MOMENT = r"-2\,\left( h\,\mathbf{m}_{AB} + \mathbf{e}_{AB} \times \mathbf{m}_{AB} \right)"
+_LOAD = r"-\mathrm{diag}(\mathbf{k}_{b,F})\,\mathbf{d}_{AB}"
+_STORED = (
+    r"\tfrac{1}{2}\,\mathbf{d}_{AB}^{\top}\,\mathrm{diag}(\mathbf{k}_{b,F})\,\mathbf{d}_{AB}"
+    r" + 2\,\mathbf{e}_{AB}^{\top}\,\mathbf{m}_{AB}"
+)
 
 
 def _quaternion(t: Any, x: Relative) -> tuple[Value, Vector]:

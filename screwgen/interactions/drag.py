@@ -6,10 +6,11 @@ At the velocity ``u`` of the first origin relative to the second frame, in the f
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
-from .interaction import Interaction, Relative, Wrench, number
+from .interaction import FORCE, TORQUE, Equation, Interaction, Relative, Wrench, number
 from .vectors import cross, dot
 
 SLOWEST = 1e-24
@@ -24,7 +25,7 @@ class Drag(Interaction):
     WORDS = "drag"
 
     linear: tuple[float, ...] | None = number(
-        *("N·s/m", "linear drag", "c"),
+        *("N·s/m", "linear drag", r"\mathbf{c}_d"),
         default=None,
         sign="non-negative",
         least=1e-12,
@@ -32,7 +33,7 @@ class Drag(Interaction):
         entries=("along x", "along y", "along z"),
     )
     quadratic: float | None = number(
-        "N·s²/m²", "quadratic drag", "b", default=None, sign="non-negative", least=1e-12, most=1e18
+        "N·s²/m²", "quadratic drag", "b_d", default=None, sign="non-negative", least=1e-12, most=1e18
     )
 
     @property
@@ -40,7 +41,7 @@ class Drag(Interaction):
         return ("", "states no drag; state linear or quadratic") if not self.numbers else None
 
     @staticmethod
-    def drawn(**choices: bool) -> str:
+    def drawn(has: Collection[str]) -> str:
         return "none"
 
     @staticmethod
@@ -50,3 +51,21 @@ class Drag(Interaction):
         force = [(keys["linear"][k] + keys["quadratic"] * speed) * u[k] for k in range(3)]
         # the opposite acts on the first frame at its origin, which is -d from the second
         return Wrench(cross(force, x.d), force)
+
+    @staticmethod
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+        u, force = r"\mathbf{u}_{AB}", []
+        force += [rf"\mathrm{{diag}}(\mathbf{{c}}_d)\,{u}"] * ("linear" in has)
+        force += [rf"b_d\,u_d\,{u}"] * ("quadratic" in has)
+        speed = Equation("u_d", rf"\sqrt{{{u}^{{\top}}\,{u} + \varepsilon}}", "m/s", "its size")
+        return (
+            Equation(
+                u,
+                r"\boldsymbol{\omega}_{AB} \times \mathbf{d}_{AB} - \mathbf{v}_{AB}",
+                "m/s",
+                "velocity of point A in the fluid that rests in B, in axes of A",
+            ),
+            *[Equation.smallest(SLOWEST, "m^2/s^2", "the slope of the speed at rest"), speed] * ("quadratic" in has),
+            Equation(FORCE, " + ".join(force) or r"\mathbf{0}"),
+            Equation(TORQUE, r"\mathbf{F}_{AB} \times \mathbf{d}_{AB}"),
+        )

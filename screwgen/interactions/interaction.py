@@ -11,9 +11,10 @@ A number without a default must be stated; one whose default is None is zero by 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
+from math import log10
 from typing import Any, ClassVar, NamedTuple
 
 Value = Any
@@ -25,7 +26,7 @@ class Number(NamedTuple):
     """A number that an interaction states: unit, meaning, letter in its formula, and range.
 
     It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``;
-    ``entries``: what the entries of an array of numbers are called.
+    ``entries``: what the entries of an array of numbers are called. Where these have two units, half have each.
     """
 
     unit: str
@@ -35,6 +36,11 @@ class Number(NamedTuple):
     least: float = 0.0
     most: float = 1e18
     entries: tuple[str, ...] = ()
+
+    def unit_of(self, entry: int) -> str:
+        """The unit of an entry of the array."""
+        units = self.unit.split(", ")
+        return units[entry * len(units) // len(self.entries)]
 
 
 class Quantity(NamedTuple):
@@ -86,6 +92,11 @@ class Equation(NamedTuple):
     unit: str = "-"
     meaning: str = ""
 
+    @classmethod
+    def smallest(cls, square: float, unit: str, what: str) -> Equation:
+        """What is added to the square of a size, so that a vector without any has a direction."""
+        return cls(r"\varepsilon", rf"10^{{{round(log10(square))}}}", unit, f"keeps {what} from 0/0")
+
 
 @dataclass(frozen=True)
 class Interaction:
@@ -111,12 +122,14 @@ class Interaction:
         return 0.0
 
     @staticmethod
-    def equations(**choices: bool) -> tuple[Equation, ...]:
-        r"""The law for documents, in the order of evaluation: ``TORQUE``, ``FORCE``, ``POTENTIAL`` and what they need.
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+        r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``.
+
+        What has no equation is zero. ``has``: the numbers that are stated, and the choices that are true.
 
         Of :class:`Relative` the letters are ``\mathbf{d}_{AB}``, ``\mathbf{R}_{AB}``, ``\mathbf{v}_{AB}``,
-        ``\boldsymbol{\omega}_{AB}``; ``\mathrm{H}`` is the function ``on``. What has no equation is zero. With none at
-        all a document prints what :meth:`wrench` and :meth:`energy` compute, entry by entry.
+        ``\boldsymbol{\omega}_{AB}``; ``\mathrm{H}`` is the function ``on``. With no equation at all a document prints
+        what :meth:`wrench` and :meth:`energy` compute, entry by entry.
         """
         return ()
 
@@ -126,7 +139,7 @@ class Interaction:
         return None
 
     @staticmethod
-    def drawn(**choices: bool) -> str:
+    def drawn(has: Collection[str]) -> str:
         """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than
         its way, or as a ``line``; with ``none`` sketches alone join the ends."""
         return "line"
@@ -179,14 +192,19 @@ class InteractionClass:
         return self.kind.energy(t, x, **self._keys(numbers))
 
     @property
+    def has(self) -> tuple[str, ...]:
+        """The numbers that are stated, and the choices that are true."""
+        return (*self.stated, *(name for name, on in self.chosen if on))
+
+    @property
     def equations(self) -> tuple[Equation, ...]:
         """The law in LaTeX, if its kind states it."""
-        return self.kind.equations(**dict(self.chosen))
+        return self.kind.equations(self.has)
 
     @property
     def drawn(self) -> str:
         """How pictures draw it."""
-        return self.kind.drawn(**dict(self.chosen))
+        return self.kind.drawn(self.has)
 
     def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
         """What runs report, in the order of its kind's ``QUANTITIES``."""

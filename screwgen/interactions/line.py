@@ -6,9 +6,8 @@ stiffness pulls where it is longer than its rest length, and never pushes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from math import log10
 from typing import Any, ClassVar
 
 from .interaction import (
@@ -62,23 +61,26 @@ class Line(Interaction):
         return t.call("on", stretch) * stored if keys["slack"] else stored
 
     @staticmethod
-    def equations(slack: bool = False, **choices: bool) -> tuple[Equation, ...]:
-        pull, stored = r"k_\ell\,(\ell - \ell_0) + c_\ell\,\dot{\ell}", r"\tfrac{1}{2}\,k_\ell\,"
-        about = "gives a line between points that coincide a direction"
-        length = r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}"
-        taut = r"\mathrm{H}(\ell - \ell_0)\,"
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+        stretch = r"(\ell - \ell_0)" if "rest" in has else r"\ell"
+        pull = rf"k_\ell\,{stretch}" + r" + c_\ell\,\dot{\ell}" * ("damping" in has)
+        taut = r"\mathrm{H}(\ell - \ell_0)\," * ("rest" in has)
+        pull, taut = (rf"{taut}\max\left( 0,\ {pull} \right)", taut) if "slack" in has else (pull, "")
+        rate = Equation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
         return (
-            Equation(r"\varepsilon", rf"10^{{{round(log10(SHORTEST))}}}", "m^2", about),
-            Equation(r"\ell", length, "m", "length of the line"),
-            Equation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate"),
-            Equation("T", rf"{taut}\max\left( 0,\ {pull} \right)" if slack else pull, "N", "pull of the line"),
+            Equation.smallest(SHORTEST, "m^2", "the direction of a line without length"),
+            Equation(
+                r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"
+            ),
+            *[rate] * ("damping" in has),
+            Equation("T", pull, "N", "pull of the line"),
             Equation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
-            Equation(POTENTIAL, stored + taut * slack + r"(\ell - \ell_0)^2"),
+            Equation(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
         )
 
     @staticmethod
-    def drawn(slack: bool = False, **choices: bool) -> str:
-        return "rope" if slack else "spring"
+    def drawn(has: Collection[str]) -> str:
+        return "rope" if "slack" in has else "spring"
 
     @staticmethod
     def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:

@@ -185,7 +185,7 @@ class Force(Part):
             if not one.entries:
                 yield stated, value, one.unit, one.meaning, one.sign, ()
             for k, entry in enumerate(one.entries):
-                yield stated, value[k], one.unit, f"{one.meaning}, {entry}", one.sign, (k,)
+                yield stated, value[k], one.unit_of(k), f"{one.meaning}, {entry}", one.sign, (k,)
         for k, value in enumerate(self.point or ()):
             yield POINT, value, "m", f"end in the world, {'xyz'[k]}, inertial frame", "any", (k,)
 

@@ -10,8 +10,8 @@ from .content import DocumentTable
 from .tables import exact, plain_unit, vector
 
 ACTING = (
-    r"A force acts between the tip frames A and B of two links, of which one may be a point $\mathbf{r}_w$ of the "
-    "world, by the law and the numbers of its row. Numbers that it does not state are zero."
+    r"A force acts between two frames A and B, the tips of two links or one tip and a point $\mathbf{r}_w$ of the "
+    "world. Its law and its numbers are those of its row."
 )
 PUSHED = (
     "A push is a wrench from outside at a marker, its moment about the point there first. It stands among the external "

@@ -18,6 +18,7 @@ from ..templates import render
 from .breaking import terms
 from .content import Named
 from .law_equations import equations
+from .law_equations import symbols as number_symbols
 from .layout import equation
 
 STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
@@ -77,11 +78,17 @@ def symbols(chain: Chain) -> Iterator[Named]:
     yield from SYMBOLS
     for kind in dict.fromkeys(force.shape.kind for force in chain.forces):
         for one in kind.table().values():
-            yield one.symbol, one.meaning, _asterisks(one.unit), "1", "-", PARAMETER
+            yield one.symbol, one.meaning, _asterisks(one.unit), f"{len(one.entries) or 1}", "-", PARAMETER
     for shape in dict.fromkeys(force.shape for force in chain.forces):
         for own in equations(shape):
             if own.meaning:
-                yield own.symbol, own.meaning, own.unit, "1", "-", STATE
+                size = "3" if r"\mathbf" in own.symbol else "1"
+                yield from ((symbol, own.meaning, own.unit, size, "-", STATE) for symbol in _split(own.symbol))
+
+
+def _split(left: str) -> list[str]:
+    """The symbols of a left side, which may stack several."""
+    return left.strip("[]").split(r";\ ")
 
 
 def _asterisks(unit: str) -> str:
@@ -94,7 +101,8 @@ def parameter_symbol(robot: Robot, p: Parameter) -> str:
     if p.field == POINT:
         return f"r_{{w,{'xyz'[p.index[0]]}}}"
     force = next(force for force in robot.forces if force.name == p.name.partition(".")[0])
-    return force.law.table()[p.field.rpartition(".")[2]].symbol
+    own = number_symbols(force.law.table()[p.field.rpartition(".")[2]])
+    return own[p.index[0] if p.index else 0]
 
 
 # ---------------------------------------------------------------------------------------- the lines

@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from ...algebra.stumpff import stumpff
-from ...interactions import FORCE, POTENTIAL, TORQUE, Equation, InteractionClass, Relative
+from ...interactions import FORCE, POTENTIAL, TORQUE, Equation, InteractionClass, Number, Relative
 from ...ir.block import Binding
 from .scalars import Scalars, subscripted
 from .steps import DIGITS
@@ -27,6 +27,18 @@ VALUE = "x"
 def equations(shape: InteractionClass) -> tuple[Equation, ...]:
     """The equations in the order of evaluation."""
     return shape.equations or tuple(_Written(shape).quantities())
+
+
+def symbols(one: Number) -> list[str]:
+    """The symbol of a number, or those of its entries."""
+    places = "xyz" if len(one.entries) == len("xyz") else [f"{k}" for k, _ in enumerate(one.entries, 1)]
+    return [subscripted(one.symbol, place) for place in places] or [one.symbol]
+
+
+def digits(e: sp.Expr) -> int:
+    """How many digits the numbers of an expression need, so that none is lost."""
+    floats = [float(x) for x in e.atoms(sp.Float)]
+    return next(k for k in range(1, DIGITS + 1) if all(float(f"{x:.{k}g}") == x for x in floats))
 
 
 class _SymbolTracer:
@@ -58,11 +70,7 @@ class _Written:
         self.names: dict[sp.Symbol, str] = {}
         given = Relative(*(self._entries(*of) for of in RELATIVE.values()))
         table = shape.kind.table()
-        numbers = [
-            self._symbol(subscripted(table[name].symbol, place))
-            for name in shape.stated
-            for place in ([str(k + 1) for k in range(len(table[name].entries))] or [""])
-        ]
+        numbers = [self._symbol(latex) for name in shape.stated for latex in symbols(table[name])]
         self.tracer = _SymbolTracer()
         wrench = shape.wrench(self.tracer, given, numbers)
         sides = [*zip((TORQUE,) * 3, "xyz", wrench.torque, strict=True)]
@@ -85,7 +93,7 @@ class _Written:
         named = {x: rf"{VALUE}_{{{k}}}" for k, x in enumerate(self.tracer.values.values(), 1)}
         names = self.names | named
         rank = {s: (int(Binding.STATE), 0, (False, k), 0) for k, s in enumerate(names)}
-        write = Scalars(names, rank, DIGITS)
+        write = lambda x: Scalars(names, rank, digits(x))(x)  # noqa: E731
         words = lambda name: f"{name.replace('_', ' ')}, a value of the program"  # noqa: E731
         out = [Equation(named[s], write(x), "-", words(name)) for (name, x), s in self.tracer.values.items()]
         return out + [Equation(left, write(x)) for left, x in self.sides if x != 0]

@@ -1,4 +1,4 @@
-"""What a robot has beside its links, with all numbers: inputs, transmissions, tendons, forces, what closes it."""
+"""What a robot has beside its links, with all numbers: transmissions, tendons, forces, and what closes the tree."""
 
 from __future__ import annotations
 

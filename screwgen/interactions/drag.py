@@ -36,6 +36,10 @@ class Drag(Interaction):
         "N·s²/m²", "quadratic drag", "b_d", default=None, sign="non-negative", least=1e-12, most=1e18
     )
 
+    @property
+    def fault(self) -> tuple[str, str] | None:
+        return ("", "states no drag; state linear or quadratic") if not self.numbers else None
+
     @staticmethod
     def drawn(has: Collection[str]) -> str:
         return "none"

@@ -133,6 +133,11 @@ class Interaction:
         """
         return ()
 
+    @property
+    def fault(self) -> tuple[str, str] | None:
+        """A key, or an empty text, and what is wrong with numbers that are each in their range, with the remedy."""
+        return None
+
     @staticmethod
     def drawn(has: Collection[str]) -> str:
         """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than

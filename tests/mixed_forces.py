@@ -11,10 +11,12 @@ FORCED = 0.6
 """Of the robots."""
 SHORTEST = 0.05
 """m: the length of a line below which its direction turns too fast to be judged."""
+TURNED = -0.3
+"""The least cosine of the turn between the ends of a bushing."""
 
 
 def with_forces(seed: list[int], robot: dict, judged: dict, q: np.ndarray) -> dict:
-    """The robot, perhaps with one to three springs or ropes along lines, and up to two pushes.
+    """The robot, perhaps with one to three springs, ropes or bushings, and up to two pushes.
 
     They are drawn from a stream of their own. `judged`: the oracle's robot; its coordinates are `q`.
     """
@@ -27,8 +29,10 @@ def with_forces(seed: list[int], robot: dict, judged: dict, q: np.ndarray) -> di
         ends = [_marker(rng, robot, f"eye{number}{k}") for k in range(2)]
         if rng.random() < 0.3:
             ends[rng.integers(2)] = {"world": rng.uniform(-2.0, 2.0, 3).tolist()}
-        if _length(robot, judged, oracle, ends, q) > SHORTEST:
-            forces.append({"name": f"force{number}", "between": ends, "line": _line(rng)})
+        length, cosine = _apart(Outer(robot, judged, oracle), ends, q)
+        if length > SHORTEST:
+            law = {"bushing": _bushing(rng)} if cosine > TURNED and rng.random() < 0.5 else {"line": _line(rng)}
+            forces.append({"name": f"force{number}", "between": ends} | law)
     for number in range(int(rng.integers(0, 3))):
         push = {"name": f"push{number}", "at": _marker(rng, robot, f"hand{number}")}
         pushes.append(push | ({"axes": "marker"} if rng.random() < 0.4 else {}))
@@ -52,12 +56,19 @@ def _marker(rng, robot: dict, name: str) -> str:
     return f"{link['name']}.{name}"
 
 
-def _length(robot: dict, judged: dict, oracle: Oracle, ends: list, q: np.ndarray) -> float:
-    outer = Outer(robot, judged, oracle)
-    points = [x["world"] if isinstance(x, dict) else oracle.section_pose(*_of(outer, q, x))[1] for x in ends]
-    return float(np.linalg.norm(np.subtract(*points)))
+def _bushing(rng) -> dict:
+    bushing = {"stiffness": [log_uniform(rng, 3.0, 100.0) for _ in range(6)]}
+    return bushing | ({"damping": [log_uniform(rng, 0.05, 3.0) for _ in range(6)]} if rng.random() < 0.6 else {})
 
 
-def _of(outer: Outer, q: np.ndarray, marker: str) -> tuple:
-    place = outer.place(marker)
-    return place.link, q, place.s
+def _apart(outer: Outer, ends: list, q: np.ndarray) -> tuple[float, float]:
+    """How far the ends are from each other, and the cosine of the turn between them."""
+    frames = []
+    for end in ends:
+        if isinstance(end, dict):
+            frames.append((np.eye(3), np.array(end["world"])))
+        else:
+            place = outer.place(end)
+            frames.append(outer.oracle.section_pose(place.link, q, place.s))
+    (R_a, a), (R_b, b) = frames
+    return float(np.linalg.norm(b - a)), float((np.trace(R_a.T @ R_b) - 1) / 2)

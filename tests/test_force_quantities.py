@@ -67,3 +67,13 @@ def test_a_unit_has_them_as_outputs():
     told = {x.name: x for x in unit.description.modelVariables}
     assert [told[name].unit for name in NAMES[:2]] == ["m", "N"]
     assert told["spring.pull"].description == "force that pulls the ends together"
+
+
+def test_a_file_whose_names_were_lost_is_refused(tmp_path):
+    model = sprung_model()
+    screwgen.simulate(model, 0.002, 1e-3, q0=state(model)[0]).save(tmp_path / "run.npz")
+    with np.load(tmp_path / "run.npz") as stored:
+        kept = {name: stored[name] for name in stored.files if name != "quantity_names"}
+    np.savez(tmp_path / "lost.npz", **kept)
+    with pytest.raises(screwgen.UsageError, match=r"lost.npz: force_quantities has the shape \(3, 4\), and its names"):
+        read_run(tmp_path / "lost.npz")

@@ -108,7 +108,7 @@ class ForceFunctions:
             ends = [(i, slice(6 * n, 6 * n + 6)) for n, i in enumerate(force.ends) if i is not None]
             own = np.r_[tuple(row for _, row in ends)]
             J = np.vstack([at[i].J for i, _ in ends])
-            V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:]) for i, _ in ends])
+            V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i, _ in ends])
             for i, row in ends:
                 by_pose, by_twist = (mx.array(found[x], (12, 12))[row, own] for x in ("by_pose", "by_twist"))
                 D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)

@@ -39,14 +39,19 @@ class TipChange:
     by_q: Array
     by_v: Array
 
-    def twist_by_q(self, chain: Chain, v: Array) -> Array:
-        """The derivative (6, nv) of the tip's twist with q, at the velocity ``v`` of its point.
+    def twist_by_q(self, chain: Chain, v: Array, rates: Sequence = ()) -> Array:
+        """The derivative (6, nv) of the tip's twist with q at held ``rates`` (nv,), at the velocity ``v`` of its point.
 
         A column of the Jacobian has the rate ``Jdot = dV/dq - ad_V J``, and ``d(Vdot)/dv = Jdot + dV/dq``, so
-        ``d(vdot + omega x v)/dv = 2 (dv/dq - v x J_omega)``. A floating base moves with its twist held.
+        ``d(vdot + omega x v)/dv = 2 (dv/dq - v x J_omega)``. A floating base moves with its twist held. The turn of a
+        ball joint has its angular velocity w in axes that turn with it: there ``Jdot`` has ``J hat(w)`` besides. Only
+        robots with such joints need the rates.
         """
         moved = 0.5 * self.by_v[6:] + cross_columns(v, self.J[:3])
         moved[:, : chain.base_v] = 0.0
+        for part in (part for part in chain.curved if part.v.start >= chain.base_v):
+            turning = mx.hat(mx.array(list(rates[part.v])))
+            moved[:, part.v] = moved[:, part.v] - 0.5 * mx.multiply(self.J[3:, part.v], turning)
         return np.vstack([self.by_q[:3], moved])
 
 

@@ -76,6 +76,14 @@ class Contact(Interaction):
         force = [-(press * n[k] + grip * slip[k]) for k in range(3)]
         return Wrench(cross(arm, force), force)
 
+    @property
+    def fault(self) -> tuple[str, str] | None:
+        return ("normal", "has no direction; state one that is not zero") if self.normal == (0.0,) * 3 else None
+
+    @staticmethod
+    def drawn(has: Collection[str]) -> str:
+        return "none"
+
     @staticmethod
     def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
         _, depth, press, *_ = _pressed(t, x, keys)

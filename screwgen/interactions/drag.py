@@ -36,6 +36,14 @@ class Drag(Interaction):
         "N·s²/m²", "quadratic drag", "b_d", default=None, sign="non-negative", least=1e-12, most=1e18
     )
 
+    @property
+    def fault(self) -> tuple[str, str] | None:
+        return ("", "states no drag; state linear or quadratic") if not self.numbers else None
+
+    @staticmethod
+    def drawn(has: Collection[str]) -> str:
+        return "none"
+
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
         u = [a - b for a, b in zip(cross(x.omega, x.d), x.v, strict=True)]

@@ -133,9 +133,15 @@ class Interaction:
         """
         return ()
 
+    @property
+    def fault(self) -> tuple[str, str] | None:
+        """A key, or an empty text, and what is wrong with numbers that are each in their range, with the remedy."""
+        return None
+
     @staticmethod
     def drawn(has: Collection[str]) -> str:
-        """How a sketch draws it between its ends: as a ``spring`` or as a ``line``."""
+        """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than
+        its way, or as a ``line``; with ``none`` sketches alone join the ends."""
         return "line"
 
     @staticmethod
@@ -197,7 +203,7 @@ class InteractionClass:
 
     @property
     def drawn(self) -> str:
-        """How a sketch draws it."""
+        """How pictures draw it."""
         return self.kind.drawn(self.has)
 
     def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:

@@ -80,7 +80,7 @@ class Line(Interaction):
 
     @staticmethod
     def drawn(has: Collection[str]) -> str:
-        return "line" if "slack" in has else "spring"
+        return "rope" if "slack" in has else "spring"
 
     @staticmethod
     def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:

@@ -28,7 +28,8 @@ from .values import SIGNS, Path, array, boolean, choice, numbers, quoted, refuse
 if TYPE_CHECKING:
     from .robot import Link, Robot
 
-END = 'the name of a link with that of its marker, as "boom.tip", or a point as { world = [0.0, 0.0, 2.0] }'
+MARKER = 'the name of a link with that of its marker, as "boom.tip"'
+END = f"{MARKER}, or a point as {{ world = [0.0, 0.0, 2.0] }}"
 AXES = ("world", "marker")
 """The axes in which a wrench from outside is meant."""
 POINT = "force.world"
@@ -54,9 +55,11 @@ def end(value: Any, at: Path = ()) -> str | WorldPoint:
             raise refuse(f"has the keys {', '.join(map(quoted, value)) or 'of no place'}; it must be {END}", at)
         point = numbers(value[WORLD], 3, at=(*at, WORLD))
         return WorldPoint(*(within("position")(x, at=(*at, WORLD, k)) for k, x in enumerate(point)))
-    if not isinstance(value, str) or value.count(".") != 1 or not all(value.split(".")):
+    if not _is_marker(value):
         raise refuse(f"is {shown(value)}; it must be {END}", at)
-    return value
+    if value.partition(".")[0] == WORLD:
+        raise refuse(f"is {shown(value)}; state a point of the world as {{ world = [0.0, 0.0, 2.0] }}", at)
+    return str(value)
 
 
 def ends(value: Any) -> tuple[str | WorldPoint, str | WorldPoint]:
@@ -80,7 +83,7 @@ def interaction(value: Any) -> Interaction:
     if isinstance(value, Interaction):
         found = {name: getattr(value, name) for name in (*value.table(), *value.choices())}
         return _checked(type(value), {name: x for name, x in found.items() if x is not None}, (value.KIND,))
-    (kind, table), *_ = value.items()
+    ((kind, table),) = value.items()
     keys = (*KINDS[kind].table(), *KINDS[kind].choices())
     if not isinstance(table, dict):
         raise refuse(f"is {shown(table)}; it must be a table of {', '.join(keys)}", (kind,))
@@ -103,7 +106,13 @@ def _checked(kind: type[Interaction], given: dict[str, Any], at: Path) -> Intera
             if not isinstance(given[name], bool):
                 raise refuse(f"is {shown(given[name])}; it must be true or false", (*at, name))
             found[name] = boolean(given[name])
-    return kind(**found)
+    if shared := kind.QUANTITIES.keys() & {*kind.table(), *kind.choices()}:
+        raise refuse(f"reports {min(shared)}, which is one of its numbers too; choose another name", at)
+    out = kind(**found)
+    if out.fault is not None:
+        key, said = out.fault
+        raise refuse(said, (*at, key) if key else at)
+    return out
 
 
 def _number(one: Number, value: Any, at: Path) -> Any:
@@ -137,12 +146,18 @@ class Force(Part):
     @model_validator(mode="before")
     @classmethod
     def _law_under_its_name(cls, data: Any) -> Any:
-        if not isinstance(data, dict) or "law" in data:
+        if not isinstance(data, dict) or isinstance(data.get("law"), Interaction):
             return data
-        kinds = [kind for kind in KINDS if kind in data]
+        known, kinds = ("name", "between", *KINDS), [kind for kind in KINDS if kind in data]
+        one_of = f"state one of {', '.join(f'{kind} = {{ … }}' for kind in KINDS)}"
+        if "law" in data:
+            raise refuse(f"is {shown(data['law'])}; it must be an object made in Python; in a file {one_of}", ("law",))
+        for key in data:
+            if key not in known:
+                raise refuse(unknown(key, known), (key,))
         if len(kinds) != 1:
             said = f"states {' and '.join(kinds)}" if kinds else "does not state what acts"
-            raise refuse(f"{said}; state one of {', '.join(f'{kind} = {{ … }}' for kind in KINDS)}")
+            raise refuse(f"{said}; {one_of}")
         rest = {key: value for key, value in data.items() if key != kinds[0]}
         return rest | {"law": interaction({kinds[0]: data[kinds[0]]})}
 
@@ -188,10 +203,16 @@ class Push(Part):
 
 
 def _marker(value: Any) -> str:
-    found = end(value)
-    if isinstance(found, WorldPoint):
+    if value == WORLD or isinstance(value, dict | WorldPoint) or (_is_marker(value) and value.startswith(f"{WORLD}.")):
         raise refuse('is a place of the world; name a marker of a link, as "boom.tip"')
-    return found
+    if not _is_marker(value):
+        raise refuse(f"is {shown(value)}; it must be {MARKER}")
+    return str(value)
+
+
+def _is_marker(value: Any) -> bool:
+    """Whether a value reads as the name of a link with that of its marker."""
+    return isinstance(value, str) and value.count(".") == 1 and all(value.split("."))
 
 
 def refuse_forces(robot: Robot) -> None:

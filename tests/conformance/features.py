@@ -82,6 +82,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "none": "",
         "line spring": "a spring and damper between a place along a link and a tip",
         "rope": "a rope from a point of the world to a tip",
+        "bushing": "a bushing between a place along a link and a tip",
         "push": "a wrench from outside in world axes, at a place along a link",
         "marker push": "a wrench from outside in the axes of a tip, beside that of the link",
     },

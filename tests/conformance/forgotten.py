@@ -192,6 +192,8 @@ TABLE: list[Mutant] = [
     M("rope", "judge", ALGORITHMS + "functions.py", ' + self.energy_of_forces(q)', ""),
     M("line spring", "judge", ALGORITHMS + "force_functions.py",
       "                    if end is not None:\n", '                    if end is not None and name == "second":\n'),
+    M("bushing", "judge", ALGORITHMS + "force_programs.py",
+      "first = -np.concatenate([torque + mx.cross(x.d, force), force])", "first = -np.concatenate([torque, force])"),
     M("push", "judge", ALGORITHMS + "force_functions.py",
       "total[i] = mx.rotate_wrench(tips[i].R.T, total[i])", "total[i] = total[i] * 1"),
     M("marker push", "judge", "screwgen/topology/chain.py", 'segment.pushed == "world")', "segment.pushed)"),

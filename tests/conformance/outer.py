@@ -1,7 +1,7 @@
-"""What acts on sections from outside the tree, on the oracle's coordinates: springs along lines, ropes, pushes.
+"""What acts on sections from outside the tree, on the oracle's coordinates: springs, ropes, bushings, pushes.
 
-Springs act by the slopes of their energy, dampers by those of the length, pushes by their virtual work. For the balance
-of momentum of a link, what acts at one of its sections is equivalent to a wrench at its tip.
+Springs act by the slopes of their energy, dampers by those of what they measure, pushes by their virtual work. For the
+balance of momentum of a link, what acts at one of its sections is equivalent to a wrench at its tip.
 """
 
 from __future__ import annotations
@@ -31,6 +31,19 @@ class Row(NamedTuple):
     axes: str
     own: bool
     """Whether it is a push's alone, so that forces between frames act beside it."""
+
+
+class Acting(NamedTuple):
+    """A force between frames: generalised forces (nv,), energy, and the wrench on the second end in inertial axes."""
+
+    force: ca.SX
+    energy: ca.SX
+    torque: ca.SX
+    load: ca.SX
+
+
+Frame = tuple[ca.SX, ca.SX]
+"""Rotation and place in the inertial frame."""
 
 
 class Outer:
@@ -76,35 +89,28 @@ class Outer:
         force, energy = ca.SX.zeros(self.oracle.nv), ca.SX(0)
         on_tips, on_rows = ca.SX.zeros(6, self.oracle.n), ca.SX.zeros(6, len(self.rows))
         for stated in self.robot.get("forces", []):
-            law, ends = stated["line"], [self._end(x) for x in stated["between"]]
-            line = ends[1][1] - ends[0][1]
-            length = ca.norm_2(line)
-            stretch, rate = length - law.get("rest", 0.0), rates([length], q, v)[0]
-            pull, damped = law["stiffness"] * stretch + law.get("damping", 0.0) * rate, law.get("damping", 0.0) * rate
-            taut = ca.logic_and(stretch > 0, pull > 0) if law.get("slack") else ca.SX(1)
-            stored = law["stiffness"] * stretch**2 / 2 * ((stretch > 0) if law.get("slack") else 1)
-            force -= taut * (ca.gradient(stored, q) + damped * ca.gradient(length, q))
-            energy += stored
-            for end, sign in zip(stated["between"], (1, -1), strict=True):
+            ends = [self._end(x) for x in stated["between"]]
+            own = self._line(stated["line"], *ends) if "line" in stated else self._bushing(stated["bushing"], *ends)
+            force, energy, point = force + own.force, energy + own.energy, ends[1][1]
+            for end, sign in zip(stated["between"], (-1, 1), strict=True):
                 if isinstance(end, str):
-                    load, place = sign * taut * pull * line / length, self.place(end)
-                    on_tips += self._on_tip(place, ca.SX.zeros(3), load)
-                    on_rows += self._on_row(place, load)
+                    on_tips += self._on_tip(self.place(end), sign * own.torque, sign * own.load, point)
+                    on_rows += self._on_row(self.place(end), sign * own.torque, sign * own.load, point)
         for k, row in enumerate(self.rows):
             R, r = self._section(row.place)
             spin, speed = self._spin(R), rates([r], q, v)[0]
             axes = R if row.axes == "marker" else ca.SX.eye(3)
             torque, load = axes @ W[:3, k], axes @ W[3:, k]
             force += ca.gradient(ca.dot(torque, spin) + ca.dot(load, speed), v)
-            on_tips += self._on_tip(row.place, torque, load)
+            on_tips += self._on_tip(row.place, torque, load, r)
             on_rows[:, k] += ca.vertcat(R.T @ torque, R.T @ load)
         found = [force, energy, on_tips, -on_rows]
         return ca.Function("outer", [q, v, W], [ca.densify(x) for x in found])
 
-    def _section(self, place: Place) -> tuple[ca.SX, ca.SX]:
+    def _section(self, place: Place) -> Frame:
         return self.oracle.section(place.link, self.oracle.clouds[place.link], place.s)
 
-    def _end(self, end: str | dict) -> tuple[ca.SX, ca.SX]:
+    def _end(self, end: str | dict) -> Frame:
         if isinstance(end, dict):
             return ca.SX.eye(3), ca.SX(end["world"])
         return self._section(self.place(end))
@@ -114,17 +120,47 @@ class Outer:
         turn = rates([R], self.oracle.q, self.oracle.v)[0] @ R.T
         return ca.vertcat(turn[2, 1], turn[0, 2], turn[1, 0])
 
-    def _on_tip(self, place: Place, torque: ca.SX, load: ca.SX) -> ca.SX:
-        """(6, n): the equivalent on the tip of the link."""
+    def _line(self, law: dict, first: Frame, second: Frame) -> Acting:
+        """A spring and a damper along a line, or a rope."""
+        q, line, slack = self.oracle.q, second[1] - first[1], law.get("slack", False)
+        length = ca.norm_2(line)
+        stretch = length - law.get("rest", 0.0)
+        damped = law.get("damping", 0.0) * rates([length], q, self.oracle.v)[0]
+        pull = law["stiffness"] * stretch + damped
+        taut = ca.logic_and(stretch > 0, pull > 0) if slack else 1
+        energy = law["stiffness"] * stretch**2 / 2 * ((stretch > 0) if slack else 1)
+        force = -taut * (ca.gradient(energy, q) + damped * ca.gradient(length, q))
+        return Acting(force, energy, ca.SX.zeros(3), -taut * pull * line / length)
+
+    def _bushing(self, law: dict, first: Frame, second: Frame) -> Acting:
+        """Springs and dampers along and about the axes of the first frame; the torque by the slope of the energy."""
+        q, v, (R_a, a), (R_b, b) = self.oracle.q, self.oracle.v, first, second
+        R, d, turn = R_a.T @ R_b, R_a.T @ (b - a), ca.SX.sym("turn", 3)
+        K, C = ca.DM(law["stiffness"]), ca.DM(law.get("damping", [0.0] * 6))
+
+        def wound(R: ca.SX) -> ca.SX:
+            e = ca.vertcat(R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]) / (2 * ca.sqrt(1 + ca.trace(R)))
+            return 2 * ca.dot(K[3:], e**2)
+
+        energy = ca.dot(K[:3], d**2) / 2 + wound(R)
+        rate = ca.vertcat(rates([d], q, v)[0], self._spin(R))
+        force = -ca.gradient(energy, q) - ca.jtimes(rate, v, C * rate, True)
+        slope = ca.gradient(wound((ca.SX.eye(3) + ca.skew(turn)) @ R), turn)
+        torque = -ca.substitute(slope, turn, ca.SX.zeros(3)) - C[3:] * rate[3:]
+        return Acting(force, energy, R_a @ torque, -R_a @ (K[:3] * d + C[:3] * rate[:3]))
+
+    def _on_tip(self, place: Place, torque: ca.SX, load: ca.SX, point: ca.SX) -> ca.SX:
+        """(6, n): the equivalent on the tip of the link of what acts at a point of the section."""
         cloud, out = self.oracle.clouds[place.link], ca.SX.zeros(6, self.oracle.n)
-        moment = torque + ca.cross(self._section(place)[1] - cloud.tip_point, load)
+        moment = torque + ca.cross(point - cloud.tip_point, load)
         out[:, place.link] = ca.vertcat(cloud.tip_R.T @ moment, cloud.tip_R.T @ load)
         return out
 
-    def _on_row(self, place: Place, load: ca.SX) -> ca.SX:
-        """(6, rows): the force of a spring on the row at its end, if one is there."""
+    def _on_row(self, place: Place, torque: ca.SX, load: ca.SX, point: ca.SX) -> ca.SX:
+        """(6, rows): the wrench of a spring on the row at its end, if one is there."""
         out = ca.SX.zeros(6, len(self.rows))
         for k, row in enumerate(self.rows):
             if row.place == place and not row.own:
-                out[3:, k] = self._section(place)[0].T @ load
+                R, r = self._section(place)
+                out[:, k] = ca.vertcat(R.T @ (torque + ca.cross(point - r, load)), R.T @ load)
         return out

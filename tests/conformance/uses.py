@@ -81,7 +81,7 @@ def energy(case: Case) -> None:
     scale = abs(power) + sum(map(abs, f.energy(q, v))) + 1.0
     assert lost >= -1e-5 * scale, f"gains {-lost:.3g} W from nothing"
     lossy = {"passive", "friction", "geared friction", "ratio", "time", "stops", "cylinder", "four-bar", "line spring"}
-    if not (lossy | {"rope"}) & set(case.features) and not any(
+    if not (lossy | {"rope", "bushing"}) & set(case.features) and not any(
         "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])
     ):
         assert abs(lost) <= 1e-5 * scale, f"{lost:.3g} W vanish"

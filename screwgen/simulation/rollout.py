@@ -23,7 +23,6 @@ from ..topology.coordinates import SLACK
 from . import collocated
 from .chunks import How, in_chunks, merged
 from .compiled_runs import added
-from .limited_inputs import LimitedInputs
 from .measured import MEASURED
 from .rollout_loops import opened
 from .rollout_samples import Source
@@ -93,11 +92,6 @@ class Rollout:
         self.__dict__[name] = self._source.measured(name, self.q, self.v)
         return self.__dict__[name]
 
-    @property
-    def limited(self) -> LimitedInputs:
-        """Which inputs the samples hold otherwise than they were given, from when and how often."""
-        return self._source.limited(self.t, self.q, self.v)
-
     @cached_property
     def tau(self) -> np.ndarray:
         """(batch, steps + 1, n_tau): the inputs as steps from the samples on hold them, within limits of efforts."""
@@ -149,23 +143,21 @@ def rollout(
 ) -> Rollout:
     """Roll out a batch of scenarios in the compiled C, as many at a time as a vector register has lanes.
 
-    `x0`: initial states [q; v], (batch, nq + nv), or (nq + nv,) for all; the quaternion of a floating base has length
-    1 to a thousandth and is scaled to it. `tau`: joint torques in N·m, (batch, steps,
-    n_tau); (steps, n_tau) for all scenarios; (n_tau,) for all and held; zero by default. `w_ext`: tip
-    wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
-    `step` seconds, which the integrator, by name or a :class:`~screwgen.integrators.Method`, divides into `substeps`
-    steps, each of which keeps limits of efforts.
-    `steps` is needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or
-    (batch, n); or those that differ by name, each a number or (batch,). `threads`: cores; the results do not depend
-    on it.
-    `single`: in single precision, about half the time. `executor`: any of ``concurrent.futures``, which gets the
-    scenarios in chunks and does those of lost workers again; :func:`screwgen.sweep` keeps more than memory holds.
+    `x0`: initial states [q; v], (batch, nq + nv), or (nq + nv,) for all; the quaternion of a floating base has length 1
+    to a thousandth and is scaled to it. `tau`: joint torques in N·m, (batch, steps, n_tau); (steps, n_tau) for all
+    scenarios; (n_tau,) for all and held; zero by default. `w_ext`: tip wrenches [τ; F] likewise, (batch, steps, n, 6),
+    (steps, n, 6) or (n, 6). An input is held over a sample of `step` seconds, which the integrator, by name or a
+    :class:`~screwgen.integrators.Method`, divides into `substeps` steps, which keep limits of efforts. `steps` is
+    needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or (batch, n); or those that
+    differ by name, each a number or (batch,). `threads`: cores, on which no result depends. `single`: in single
+    precision, about half the time. `executor`: any of ``concurrent.futures``, which gets the scenarios in chunks and
+    does those of lost workers again; :func:`screwgen.sweep` keeps more than memory holds.
 
-    The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
-    Where a link is past the bounds of the model a :class:`ModelValidityWarning` says so; see `Rollout.validity`.
-    So it does where the points of a link of order "exact" are too few for the states in which it bends most.
-    A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
-    on arguments that make no sense, ScrewgenError where the C cannot be compiled.
+    The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size. Where a
+    link is past the bounds of the model a :class:`ModelValidityWarning` says so (`Rollout.validity`), also where the
+    points of a link of order "exact" are too few for the states in which it bends most.
+    A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError on
+    arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
     how = How(step, substeps, method_of(integrator, missing=NO_METHOD), threads, single)
     given, count, how = checked(model, {"x0": x0, "tau": tau, "w_ext": w_ext, "parameters": parameters}, steps, how)
@@ -177,7 +169,7 @@ def rollout(
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     warn_refused(run.refused, len(run.refused), "report()")
     run.validity.warn(model, stacklevel=2)
-    run.limited.warn(model)
+    run._source.limited(run.t, run.q, run.v).warn(model)
     collocated.warn(model, collocated.left_out(model, run.q))
     return run
 

@@ -227,7 +227,7 @@ def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Limits]:
         values.astype(values.dtype.char, copy=False),
         run.status.astype(np.uint8),
         Limits(
-            *(run.validity, left_out(model, run.q), run.limited),
+            *(run.validity, left_out(model, run.q), run._source.limited(run.t, run.q, run.v)),
             *(_first(run.refused, k * task.chunk), len(run.refused)),
         ),
     )

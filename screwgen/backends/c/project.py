@@ -19,21 +19,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import (
-    batch,
-    check,
-    closing,
-    curved,
-    derivatives,
-    estimator,
-    files,
-    held,
-    laws,
-    levers,
-    outputs,
-    preparation,
-    steps,
-)
+from . import batch, check, closing, curved, derivatives, estimator, files, laws, levers, outputs, preparation, steps
 from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
@@ -209,7 +195,6 @@ class CProject:
             **self._closing,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
-            "held": held.content(chain, self.baked is not None, fused_place) if chain.holds else None,
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
         }
@@ -337,8 +322,7 @@ class CProject:
         """The scratch in double precision."""
         parts = node_fields(self._programs), store_fields(self._programs, self.chain)
         states, modular = 1 + len(steps.registers(self.methods)), self.layout == "modular"
-        further = Counter(self._closing["scratch"]) + Counter(input=int(self.chain.holds))
-        return scratch(self.chain, *parts, states, modular, further)
+        return scratch(self.chain, *parts, states, modular, self._closing["scratch"])
 
     @cached_property
     def _closing(self) -> dict:

@@ -40,17 +40,17 @@ REFUSED, OPEN = 3, 4
 class Rollout:
     """The motions of a batch of scenarios; SI units, radians.
 
-    ``t`` (steps + 1,): sample times; ``q`` (batch, steps + 1, nq), ``v`` (.., nv): coordinates in their order and
-    their rates, views of arrays that hold the scenarios side by side.  ``status`` (batch,): 0 for a scenario that
-    completed, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
-    joint or mode could not be solved for, 3 where its parameters are those of no robot, 4 where a loop is open; that
-    scenario keeps its last good state from there on.
+    ``t`` (steps + 1,): sample times; ``q`` (batch, steps + 1, nq), ``v`` (.., nv): coordinates in their order and their
+    rates, views of arrays that hold the scenarios side by side. ``status`` (batch,): 0 for a scenario that completed, 1
+    where the state or a result is not finite (a bad input, or the motion diverged), 2 where a joint or mode could not
+    be solved for, 3 where its parameters are those of no robot, 4 where a loop is open; that scenario keeps its last
+    good state from there on.
     ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
 
     Computed when first asked for, at every sample, NaN where there is no dynamics, the last input held on at the end:
     ``wrench`` (batch, steps + 1, n, 6), joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components;
-    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; what functions report, as ``energy``
-    (.., 2), kinetic, potential, J, and ``drive_power`` (.., n_tau), W; what sensors measure at markers, as of
+    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; what functions report, as ``energy`` (..,
+    2), kinetic, potential, J, and ``drive_power`` (.., n_tau), W; what sensors measure at markers, see
     :class:`.runs.Run`.
     """
 
@@ -149,9 +149,9 @@ def rollout(
     (steps, n, 6) or (n, 6). An input is held over a sample of `step` seconds, which the integrator, by name or a
     :class:`~screwgen.integrators.Method`, divides into `substeps` steps, which keep limits of efforts. `steps` is
     needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or (batch, n); or those that
-    differ by name, each a number or (batch,). `threads`: cores, on which no result depends. `single`: in single
-    precision, about half the time. `executor`: any of ``concurrent.futures``, which gets the scenarios in chunks and
-    does those of lost workers again; :func:`screwgen.sweep` keeps more than memory holds.
+    differ by name, each a number or (batch,). `threads`: cores. `single`: in single precision, in half the time.
+    `executor`: any of ``concurrent.futures``, which gets chunks of scenarios, those of lost workers again;
+    :func:`screwgen.sweep` keeps more than memory holds.
 
     The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size. Where a
     link is past the bounds of the model a :class:`ModelValidityWarning` says so (`Rollout.validity`), also where the

@@ -111,6 +111,17 @@ def test_wrenches_and_potentials_follow_from_the_lines_and_tables_alone(kind):
     assert acting(model, state(model)).energy == pytest.approx(potential(stated, state(model)), rel=1e-12)
 
 
+def pendulum(**more) -> dict:
+    """A single link with a spring from its tip to the base."""
+    link = {"name": "rod", "length": 1.0, "section": {"rhoA": 0.5, "rhoIp": 1e-3}, "joint": {"axes": ["y"]}}
+    spring = {"name": "spring", "between": ["rod.tip", "world"], "line": {"stiffness": 12.0, "rest": 0.3}}
+    return {"name": "pendulum", "gravity": [0.0, 0.0, -9.81], "links": [link], "forces": [spring]} | more
+
+
+def test_a_single_link_has_the_lines_that_a_force_at_its_tip_needs():
+    assert judged(model_of(pendulum())) < TOLERANCE
+
+
 def test_a_rope_that_hangs_slack_does_nothing_in_its_document():
     stated = rigid() | {"forces": [dict(x) for x in rigid()["forces"]]}
     stated["forces"][1]["line"] = stated["forces"][1]["line"] | {"rest": 9.0}
@@ -172,10 +183,7 @@ def test_a_sketch_has_springs_lines_and_pushes_with_their_names():
 
 
 def test_no_equations_in_scalars_of_springs_between_frames():
-    link = {"name": "rod", "length": 1.0, "section": {"rhoA": 0.5, "rhoIp": 1e-3}, "joint": {"axes": ["y"]}}
-    spring = {"name": "spring", "between": ["rod.tip", "world"], "line": {"stiffness": 12.0}}
-    robot = {"name": "pendulum", "gravity": [0.0, 0.0, -9.81], "links": [link], "forces": [spring]}
     with pytest.raises(UsageError, match=re.escape("forces act between its frames, whose distances are roots")):
-        equations(chain_of(Robot.model_validate(robot)))
-    robot |= {"forces": [], "pushes": [{"name": "hand", "at": "rod.tip"}]}
-    assert equations(chain_of(Robot.model_validate(robot)))
+        equations(chain_of(Robot.model_validate(pendulum())))
+    pushed = pendulum(forces=[], pushes=[{"name": "hand", "at": "rod.tip"}])
+    assert equations(chain_of(Robot.model_validate(pushed)))

@@ -22,7 +22,7 @@ from .law_equations import symbols as number_symbols
 from .layout import equation
 
 STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
-TURNED = r" Those of pushes in axes of the world have inertial components instead."
+TURNED = " External wrenches of pushes in axes of the world have inertial components instead."
 BORNE = " External wrenches hold those of forces between frames."
 SYMBOLS: tuple[Named, ...] = (
     (r"\mathbf{R}_{AB}", "takes components in axes of B to those of A", "-", "3 × 3", "-", STATE),

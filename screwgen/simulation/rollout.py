@@ -221,10 +221,7 @@ def rolled(model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: 
 
 
 def _constants(model: RobotModel, batch: CompiledBatch, p: np.ndarray) -> tuple[np.ndarray, np.ndarray, dict[int, str]]:
-    """Parameters (batch or 1, n), their constants, and what is wrong with those of scenarios that cannot be.
-
-    These have the parameters of the file.
-    """
+    """Parameters (batch or 1, n), constants, and what is wrong with those of scenarios that have the file's instead."""
     own = model.chain.parameters
     refused = own.refused(p)
     p = np.where(np.isin(np.arange(len(p)), list(refused))[:, None], own.values, p)

@@ -88,6 +88,14 @@ def generate(
             help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
         ),
     ] = False,
+    measure: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME",
+            help="Of the filter: a measurement, such as encoder or gyro@boom.tip, in place of the usual ones; may be "
+            "given again. Brings --estimator.",
+        ),
+    ] = None,
     outputs: Annotated[
         bool, typer.Option("--outputs", help="Also C of what runs report, such as energies, and sensors measure.")
     ] = False,
@@ -109,7 +117,7 @@ def generate(
     """
     from .commands import run_generate
 
-    more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "outputs": outputs}
+    more = {"batch": batch, "derivatives": derivatives, "estimator": measure or estimator, "outputs": outputs}
     said = {"mpc": mpc, "functions": functions or None}
     run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)
 

@@ -10,8 +10,8 @@ from helpers import QUICK, G, arm, example, link, model_of
 from varying_robots import tapered_arm
 
 from screwgen import SingularError, UsageError
-from screwgen.errors import ScrewgenError
 from screwgen.algorithms.gauges import gauges
+from screwgen.errors import ScrewgenError
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.integrate import JointStepper
 

@@ -1,7 +1,7 @@
 """The measurements of filters: a row for each, and how a caller chooses them by name.
 
-A new sensor is a row here, in ``ROWS`` if filters know it unless they are told otherwise, in ``AT_MARKERS`` if it sits at
-markers, else in ``FURTHER``. Functions of the robot whose results are no longer than a list are rows by themselves.
+A new sensor is a row here, in ``ROWS`` if filters know it unless they are told otherwise, in ``AT_MARKERS`` if it sits
+at markers, else in ``FURTHER``. Functions of the robot with an entry for each of something are rows by themselves.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from . import sensors
 from .functions import Functions
 from .gauges import Gauge, gauges
 from .marker_functions import ACCELERATING, GIVEN_MOTION, MOVING, PLACED
-from .measurement import Attitude, Labels, Measurement, SensorNumber
+from .measurement import Attitude, Measurement, SensorNumber
 from .robot_functions import BY_NAME, entries
 from .signals import Signal
 
@@ -116,7 +116,12 @@ def strain_row(name: str, found: Callable[[Chain], list[Gauge]], where: str) -> 
     ending = name.removeprefix("strain")
     numbers = (
         SensorNumber(
-            f"fibre{ending}", lambda chain: len(found(chain)), "m: of the gauge from the centreline", 0.0, CENTRED, "fibre"
+            f"fibre{ending}",
+            lambda chain: len(found(chain)),
+            "m: of the gauge from the centreline",
+            0.0,
+            CENTRED,
+            "fibre",
         ),
         SensorNumber(
             f"curvature{ending}",
@@ -169,7 +174,9 @@ def _strain_at(chain: Chain, marker: PlacedMarker) -> Measurement:
 # ------------------------------------------------------------------------------ markers
 
 
-def _marked(name: str, inputs: str, value: Callable[..., Sequence[Value]], parts: Sequence[str], **more: Any) -> Measurement:
+def _marked(
+    name: str, inputs: str, value: Callable[..., Sequence[Value]], parts: Sequence[str], **more: Any
+) -> Measurement:
     """A row of what is measured at all markers, one after the other."""
     labels = lambda chain: [f"{m.name}{part}" for m in chain.markers for part in parts]  # noqa: E731
     return Measurement(name, inputs, value, labels, **more)
@@ -231,16 +238,15 @@ def _at(row: _Row, chain: Chain, marker: PlacedMarker) -> _Row:
     """The row at one marker alone."""
     number, count = chain.markers.index(marker), len(chain.markers)
 
-    def own(value: Callable[..., Sequence[Value]], *given: Any, **more: Any) -> Sequence[Value]:
+    def own(value: Callable[..., Sequence[Any]], *given: Any, **more: Any) -> Sequence[Any]:
         found = value(*given, **more)
         size = len(found) // count
         return found[number * size : (number + 1) * size]
 
-    def labels(chain: Chain) -> Sequence[str]:
-        return own(lambda: row.labels(chain))
-
     more: dict[str, Any] = {"turning": partial(own, row.turning)} if isinstance(row, Attitude) else {}
-    return replace(row, name=_at_name(row.name, marker), value=partial(own, row.value), labels=labels, **more)
+    return replace(
+        row, name=_at_name(row.name, marker), value=partial(own, row.value), labels=partial(own, row.labels), **more
+    )
 
 
 def _at_name(name: str, marker: PlacedMarker) -> str:
@@ -290,7 +296,9 @@ def function_row(name: str) -> Measurement:
 def measurable() -> list[str]:
     """The functions of the robot that are measurements, too."""
     named = {row.name for row in (*ROWS, *AT_MARKERS, *FURTHER)}
-    plain = (row for row in BY_NAME.values() if row.c_file and len(row.results) == 1 and {"q", "v", "tau"} >= {*row.names})
+    plain = (
+        row for row in BY_NAME.values() if row.c_file and len(row.results) == 1 and {"q", "v", "tau"} >= {*row.names}
+    )
     return [row.name for row in plain if row.name not in named and _is_list(*row.results.values())]
 
 
@@ -305,6 +313,8 @@ def measurement(chain: Chain, said: str) -> Measurement:
     Behind a name stand the marker, and whether the sensor has a scale and an offset, and a gate of its own (``gated``).
     Raises UsageError for what is none.
     """
+    if not said.strip():
+        raise UsageError("a measurement has no name; name one, such as 'encoder'")
     (name, at, place), *options = said.split()[0].partition("@"), *said.split()[1:]
     row = _at_marker(chain, name, place) if at else _of_robot(chain, name)
     for option in options:

@@ -71,7 +71,7 @@ def test_its_row_is_the_difference_of_what_it_measures(model):
 
 def test_both_filters_take_it(model):
     """NumPy and C to 1e-12; the estimate goes to where the beacon sees the tip."""
-    noise = Noise(1e-3, 1e-6, encoder=1e-2, tip_range=1e-5, beacon=BEACON, gate=50.0)
+    noise = Noise(1e-3, 1e-6, encoder=1e-2, tip_range=1e-3, beacon=BEACON, gate=50.0)
     filters, still = [begun(kind, model, noise) for kind in FILTERS], np.zeros((model.n_links, 6))
     told = np.linalg.norm(model.numpy().tip_pose(filters[1].state[0])[1] - BEACON) + 0.01
     for _ in range(3):

@@ -6,10 +6,11 @@ What it measures are rows of :mod:`...algorithms.measurements`: of each the prog
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from ...algorithms.joint_moves import midpoint_carry
 from ...algorithms.measurement import Comparison, Measurement, SensorNumber, comparison
-from ...ir.program import Program, Tracer
+from ...ir.program import Tracer
 from ...joints.kind import JointKind
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
@@ -87,31 +88,29 @@ def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Rou
 def _number(number: SensorNumber, chain: Chain, baked: bool) -> dict:
     """Numbers of a sensor, and the lines that set what they start at."""
     size, to = number.size(chain), entries(f"e->{number.name}")
-    found = number.start(chain, [x.value for x in parameters(chain.robot)]) if callable(number.start) else ()
-    lines = [f"{to(k)} = {literal(float(x))};" for k, x in enumerate(found)]
-    if callable(number.start) and not baked:
-        lines = trimmed(Writer(_start(number, chain), lambda name, k: _start_place(chain, to, name, k)).lines())
-    elif number.start and not callable(number.start):
+    lines = _derived(number, chain, baked) if callable(number.start) else []
+    if number.start and not callable(number.start):
         lines = [f"{to(k)} = {literal(number.start)};" for k in range(size)]
-    return {"name": number.name, "about": number.about, "size": size, "lines": lines, "derived": bool(found)}
+    return {"name": number.name, "about": number.about, "size": size, "lines": lines, "derived": callable(number.start)}
 
 
-def _start(number: SensorNumber, chain: Chain) -> Program:
-    """How numbers of a sensor follow from the parameters."""
+def _derived(number: SensorNumber, chain: Chain, baked: bool) -> list[str]:
+    """The lines that set numbers as they follow from the robot's parameters."""
     assert callable(number.start)
-    tracer, size = Tracer(), len(parameters(chain.robot))
-    return tracer.program(number.name, {"p": size}, {"out": list(number.start(chain, tracer.input("p", size)))})
-
-
-def _start_place(chain: Chain, to: Place, name: str, k: int) -> str | None:
-    return f"p->{structs.place(parameters(chain.robot)[k])}" if name == "p" else to(k)
+    own, tracer = parameters(chain.robot), Tracer()
+    p: list[Any] = [x.value for x in own] if baked else tracer.input("p", len(own))
+    program = tracer.program(number.name, {"p": len(own)}, {"out": list(number.start(chain, p))})
+    places = {"p": lambda k: f"p->{structs.place(own[k])}", "out": entries(f"e->{number.name}")}
+    return trimmed(Writer(program, lambda name, k: places[name](k)).lines())
 
 
 def _curved(chain: Chain) -> dict[str, object]:
     """How changes of joints whose coordinates do not add up are carried over a step."""
     widest = max((part.joint.nv for part in chain.curved), default=0)
     balls = [part for part in chain.curved if not part.joint.in_space]
-    posed = "the base's pose" if not balls else "ball joints" if len(balls) == len(chain.curved) else "base and ball joints"
+    posed = (
+        "the base's pose" if not balls else "ball joints" if len(balls) == len(chain.curved) else "base and ball joints"
+    )
     return {
         "posed": posed,
         "Posed": posed[0].upper() + posed[1:],

@@ -19,7 +19,7 @@ from test_linear_loops import BALL, GEAR, linkage
 from test_loops import angles
 
 from screwgen import SingularError, UsageError, equilibrium
-from screwgen.algorithms.measurements import measurement
+from screwgen.algorithms.measurement_names import measurement
 from screwgen.plotting.mode_plot import displaced
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.runtime.lean import RuntimeProject

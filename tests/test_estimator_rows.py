@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from sensors import strains
 
 from screwgen import UsageError
-from screwgen.algorithms.measurements import measurement
+from screwgen.algorithms.measurement_names import measurement
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.cli.main import main
 from screwgen.runtime.estimator import CompiledEstimator, Noise
@@ -162,7 +162,7 @@ def test_the_normalised_innovation_squared_is_the_textbooks(kind):
 
 @pytest.mark.parametrize("kind", FILTERS)
 def test_it_shows_a_payload_that_nobody_told(kind):
-    """A beam that carries 100 kg more than its model: the number grows to hundreds of times its mean; else it is one."""
+    """A beam that carries 100 kg more than its model knows: hundreds of times the mean of the right model, one."""
     payload = lambda mass: [{"at": "tip", "mass": mass}]  # noqa: E731
     light, heavy = (model_of(arm(link("a", 1.0, "z", bodies=payload(m)))) for m in (1.0, 101.0))
     still, rng, means = np.zeros((1, 6)), np.random.default_rng(0), []

@@ -3,7 +3,8 @@
 An example: a sensor says how far a marker is from a beacon. Its row states that it measures one number, in m, and how
 this follows from the coordinates. From the row come the innovation, what was measured less what the state says, and
 its derivatives along v, both traced; the keyword of an update and that of a noise model; members of structs in C. The
-filters in Python and in C loop over rows and know no sensor by name. `measurements` has the rows.
+filters in Python and in C loop over rows and know no sensor by name. `measurements` has the rows, `measurement_names`
+says which a caller means.
 """
 
 from __future__ import annotations

@@ -82,19 +82,11 @@ def generate(
         bool, typer.Option("--derivatives", help="Also C of derivatives: of accelerations, steps and joint wrenches.")
     ] = False,
     estimator: Annotated[
-        bool,
-        typer.Option(
-            "--estimator",
-            help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
-        ),
+        bool, typer.Option("--estimator", help="Also C of a Kalman filter. Brings --derivatives.")
     ] = False,
     measure: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="NAME",
-            help="Of the filter: a measurement, such as encoder or gyro@boom.tip, in place of the usual ones; may be "
-            "given again. Brings --estimator.",
-        ),
+        typer.Option(metavar="NAME", help="What the filter is told, as gyro@boom.tip; may be given again."),
     ] = None,
     outputs: Annotated[
         bool, typer.Option("--outputs", help="Also C of what runs report, such as energies, and sensors measure.")

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..algorithms.measurement import Measurement
-from ..algorithms.measurements import chosen, measurement
+from ..algorithms.measurement_names import chosen, measurement
 from ..arguments import Given, Loads, Numbers
 from ..robot_model import RobotModel
 from .measurements import (
@@ -115,4 +115,4 @@ def _rows(model: RobotModel, asked: Sequence[str | Measurement] | None) -> tuple
     def row(one: str | Measurement) -> Measurement:
         return model.once(("measurement", one), lambda: measurement(chain, one)) if isinstance(one, str) else one
 
-    return chosen(chain, None if asked is None else [row(one) for one in asked])
+    return chosen(chain, True if asked is None else [row(one) for one in asked])

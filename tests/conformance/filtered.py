@@ -10,7 +10,8 @@ from conformance.cases import Case
 from conformance.numbers import near
 from screwgen.algorithms.gauges import gauges
 from screwgen.algorithms.measurement import Measurement
-from screwgen.algorithms.measurements import AT_MARKERS, chosen, measurable
+from screwgen.algorithms.measurement_names import chosen, measurable
+from screwgen.algorithms.measurements import AT_MARKERS
 from screwgen.algorithms.robot_functions import BY_NAME
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.estimator import CompiledEstimator, Noise

@@ -16,7 +16,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ...algorithms import fused
+from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
@@ -129,7 +129,7 @@ class Own:
             ("coordinate_rates", "q v p", self._coordinate_rates),
         ]
         if self.chain.closing.rows:
-            own.append(("correct", "q v p", lambda x: tuple(self.run(fused.correction, "new_q new_v", x))))
+            own.append(("correct", "q v p", lambda x: tuple(self.run(tip_programs.correction, "new_q new_v", x))))
         own += [(row.name, f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)]
         return {name: partial(self.function, inputs, body) for name, inputs, body in own}
 

@@ -9,6 +9,8 @@ from functools import cached_property
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
 from ...algorithms.functions import HOLD
+from ...algorithms.measurement import Measurement
+from ...algorithms.measurement_names import chosen
 from ...algorithms.robot_functions import OUTPUTS, SENSORS, in_file
 from ...algorithms.schedule import Algorithm, constant_labels, seen_by
 from ...bodies.validity import BOUNDS
@@ -75,12 +77,13 @@ class CProject:
         layout: str = "auto",
         batch: bool = False,
         derivatives: bool = False,
-        estimator: bool = False,
+        estimator: bool | Sequence[str | Measurement] = False,
         methods: Sequence[Method] = (),
         outputs: bool | Collection[str] = False,
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
-        self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
+        self.with_estimator, self.measurements = estimator is not False, chosen(chain, estimator)
+        self.with_derivatives = derivatives or self.with_estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
@@ -123,15 +126,14 @@ class CProject:
     @cached_property
     def context(self) -> dict:
         """The templates' context."""
-        chain, robot = self.chain, self.chain.robot
+        chain, robot, baked = self.chain, self.chain.robot, self.baked is not None
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
-            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
-            "derivatives": self.with_derivatives
-            and derivatives.content(self.chain, bool(self.baked), fused_place, self.methods),
+            "estimator": self.with_estimator and estimator.content(chain, self.measurements, baked, fused_place),
+            "derivatives": self.with_derivatives and derivatives.content(chain, baked, fused_place, self.methods),
             "sources": [file for file in self.library if file.endswith(".c")],
             "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,
@@ -195,7 +197,7 @@ class CProject:
             **self._closing,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
-            "levers": levers.content(chain, self.baked is not None, fused_place),
+            "levers": levers.content(chain, baked, fused_place),
             "batch": self._batch if self.with_batch else None,
         }
 
@@ -287,8 +289,9 @@ class CProject:
     @cached_property
     def _run(self) -> tuple[Algorithm, ...]:
         """The algorithms that the C runs."""
-        told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *told, *(HOLD,) * self.chain.holds, *self.further
+        told = (row for part in self.reports for row in in_file(part, self.chain))
+        own = (a for row in (*told, *self.measurements) for a in row.algorithms)
+        return *(run.algorithm for run in RUNS.values()), *own, *(HOLD,) * self.chain.holds, *self.further
 
     @property
     def seen(self) -> Chain:

@@ -6,9 +6,8 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from functools import cached_property
 
-from ...algorithms import fused
+from ...algorithms import functions, fused
 from ...algorithms.dae_functions import state_size, unknown_size
-from ...algorithms.functions import HOLD
 from ...algorithms.measurement import Measurement
 from ...algorithms.measurement_names import chosen
 from ...algorithms.robot_functions import OUTPUTS, SENSORS, in_file
@@ -289,9 +288,9 @@ class CProject:
     @cached_property
     def _run(self) -> tuple[Algorithm, ...]:
         """The algorithms that the C runs."""
-        told = (row for part in self.reports for row in in_file(part, self.chain))
-        own = (a for row in (*told, *self.measurements) for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *own, *(HOLD,) * self.chain.holds, *self.further
+        told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
+        measured = (a for row in self.measurements for a in row.algorithms)
+        return *(run.algorithm for run in RUNS.values()), *told, *measured, functions.HOLD, *self.further
 
     @property
     def seen(self) -> Chain:

@@ -193,7 +193,7 @@ class Force(Part):
             for k, entry in enumerate(one.entries):
                 yield stated, value[k], one.unit_of(k), f"{one.meaning}, {entry}", one.sign, (k,)
         for k, value in enumerate(self.point or ()):
-            yield POINT, value, "m", f"end in the world, {'xyz'[k]}, inertial frame", "any", (k,)
+            yield POINT, value, "m", f"end in the world, inertial frame, {'xyz'[k]}", "any", (k,)
 
 
 class Push(Part):

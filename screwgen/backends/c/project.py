@@ -234,7 +234,8 @@ class CProject:
         asked = {name: f"wanted & $$_{part}" for name, part in ASKED.items()}
         within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
         lines = Writer(self.fused, fused_place, self._fused_guard, taken, True, asked, within).lines()
-        used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
+        own = ("gravity", fused.OF_FORCES)
+        used = {name.partition(":")[2][:1] == "c" or name.startswith(own) for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
 

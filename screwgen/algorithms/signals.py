@@ -4,8 +4,7 @@ The signals of a node are shared by a link and the links that it carries. Those 
 phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
 a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``t`` that of its rotors, ``r`` that of its modes,
 ``b`` that of its coupled pairs of modes, ``c`` that of its pieces of tendons, ``g`` that of the directions in which it
-has modes, ``p`` that of the points of an exact rod. Angular parts come first.
-Accelerations are those of material points in the inertial frame, less free fall.
+has modes, ``p`` that of the points of an exact rod. Angular parts come first. Accelerations are less free fall.
 """
 
 from __future__ import annotations

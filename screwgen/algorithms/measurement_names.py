@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -16,6 +17,8 @@ from .measurement import Attitude, Measurement
 from .measurements import AT_MARKERS, FURTHER, ROWS, strain_row
 
 _Row = TypeVar("_Row", bound=Measurement)
+TAKEN = "tau w_ext sensors density_q density_v gate doubt patience state P innovations squared taken refused".split()
+"""Names that arguments and members of filters have."""
 
 
 def measurement(chain: Chain, said: str) -> Measurement:
@@ -55,9 +58,12 @@ def chosen(chain: Chain, asked: bool | Sequence[str | Measurement] = True) -> tu
     if isinstance(asked, bool):
         return tuple(row for row in ROWS if asked and row.offered(chain))
     rows = tuple(measurement(chain, one) if isinstance(one, str) else one for one in asked)
-    for k, row in enumerate(rows):
-        if row.name in {other.name for other in rows[:k]}:
-            raise UsageError(f"measurements: '{row.name}' is there twice; leave one of them out")
+    names = [name for row in rows for name in (row.name, *(number.name for number in row.numbers))]
+    for k, name in enumerate(names):
+        if name in names[:k]:
+            raise UsageError(f"measurements: '{name}' is there twice; leave one of them out")
+        if not re.fullmatch("[a-z][a-z0-9_]*", name, re.IGNORECASE) or name in TAKEN:
+            raise UsageError(f"measurements: '{name}' cannot be a name; take another of letters, digits and '_'")
     return rows
 
 

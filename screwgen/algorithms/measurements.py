@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from ..ir.program import Value
-from ..spec.parameters import coordinate_names, parameters
+from ..spec.parameters import coordinate_names
 from ..topology.chain import Chain
 from ..topology.joint_coordinates import JointPlace
 from . import sensors
 from .functions import Functions
-from .gauges import Gauge, gauges
+from .gauges import Gauge, curvatures, gauges
 from .marker_functions import ACCELERATING, GIVEN_MOTION, MOVING, PLACED
 from .measurement import Attitude, Labels, Measurement, SensorNumber
 from .robot_functions import BY_NAME, entries
@@ -95,7 +95,7 @@ def strain_row(name: str, found: Callable[[Chain], list[Gauge]], where: str) -> 
             f"curvature{ending}",
             lambda chain: chain.n_modes,
             "1/m^2: of the centreline per unit of each mode, where gauges are",
-            lambda chain, p: _curvatures(chain, p, found(chain)),
+            lambda chain, p: curvatures(chain, p, found(chain)),
             role="curvature",
         ),
     )
@@ -119,17 +119,6 @@ def strain_row(name: str, found: Callable[[Chain], list[Gauge]], where: str) -> 
         numbers=numbers,
         count="" if ending else "NGAUGES",
     )
-
-
-def _curvatures(chain: Chain, p: Sequence[Value], found: Sequence[Gauge]) -> list[Value]:
-    """The second derivative of every mode's shape where a gauge measures it, over the square of the link's length."""
-    out: list[Value] = [0.0] * chain.n_modes
-    names = [x.name for x in parameters(chain.robot)]
-    for gauge in found:
-        length = p[names.index(f"{chain.robot.links[gauge.link].name}.length")]
-        for k, curvature in enumerate(gauge.curvatures, gauge.first):
-            out[k] = curvature / (length * length)
-    return out
 
 
 # ------------------------------------------------------------------------------ markers and functions

@@ -113,7 +113,8 @@ def scaling(chain: Chain) -> ca.Function:
     inertia = ca.substitute(M, inputs["q"], ca.vertcat(ca.SX(0, 1), *chain.home))
     stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
-    modes = ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given])
+    springs = stiffness[chain.n_given - chain.n_modes : chain.n_given] if chain.n_modes else ca.SX(0, 1)
+    modes = ca.sqrt(twice / springs)
     ratios, tau = ca.vertcat(ca.SX(0, 1), *chain.ratios(given["p"])), twice * ca.SX.ones(m)
     for k, (ratio, joint) in enumerate(zip(chain.ratios(given["p"]), chain.added_joints, strict=True)):
         if joint in chain.elastic_travels:

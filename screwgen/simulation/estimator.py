@@ -22,7 +22,7 @@ from ..errors import DivergedError, SingularError
 from ..ir.program import Program
 from ..robot_model import RobotModel
 from ..runtime.estimator import NOT_FINITE, OPEN, TOO_LONG
-from ..runtime.filtering import KalmanFilter
+from ..runtime.filtering import Judged, KalmanFilter
 from ..runtime.measurements import Consistency, Innovation, Measured, deviations, gate_of, numbers, spread
 from .integrate import JointStepper
 from .mobility import closing
@@ -53,7 +53,6 @@ class Estimator(KalmanFilter):
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
         self._space = self._stepper.space
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
-        self._innovations, self._consistency = dict[str, Innovation](), Consistency()
         self._judgements = self._none_yet()
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
@@ -61,22 +60,12 @@ class Estimator(KalmanFilter):
         q, v, T = self._shut(q, v)  # the projection is that at closed rates
         S = T @ self._conditioned(np.diag(np.concatenate([deviation_q, deviation_v])))
         P = S @ S.T
-        self._innovations, self._consistency, self._judgements = {}, Consistency(), self._none_yet()
+        self._judgements = self._none_yet()
         self.put(q, v, P)
 
     def put(self, q: Numbers, v: Numbers, P: Any) -> None:
         """Set mean and covariance."""
         self._q, self._v, self._P = np.array(q, float), np.array(v, float), np.array(P, float)
-
-    @property
-    def innovations(self) -> dict[str, Innovation]:
-        """What the last update made of each measurement; empty before one."""
-        return self._innovations
-
-    @property
-    def consistency(self) -> Consistency:
-        """The normalised innovation squared of the last update."""
-        return self._consistency
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
@@ -124,8 +113,8 @@ class Estimator(KalmanFilter):
 
     # ------------------------------------------------------------------------------ update
 
-    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> None:
-        chain, S, nothing = self.model.chain, root(self._P), Consistency()
+    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> Judged:
+        chain, S, consistency = self.model.chain, root(self._P), Consistency()
         found, judgements, used = {}, {}, []
         for row in self.measurements:
             values, made = measured[row.name]
@@ -142,9 +131,10 @@ class Estimator(KalmanFilter):
             found[row.name] = Innovation(rest, normalised, ~np.isnan(normalised) & (weight == 0), weight)
         if used:
             dx, S, squared = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
-            n, nothing = self.model.nv, Consistency(squared, sum(len(left) for _, left, _ in used))
+            n, consistency = self.model.nv, Consistency(squared, sum(len(left) for _, left, _ in used))
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
-        self._innovations, self._judgements, self._consistency = found, self._judgements | judgements, nothing
+        self._judgements |= judgements
+        return found, consistency
 
     def _none_yet(self) -> dict[str, np.ndarray]:
         """Of each measurement (2, entries): how often in a row beyond the gate, by how much the patience is less."""

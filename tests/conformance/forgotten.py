@@ -233,6 +233,8 @@ TABLE: list[Mutant] = [
     M("afloat", "estimator", "screwgen/simulation/estimator.py",
       "        A[:n, :n] = self.model.chain.carried(v)\n", ""),
     M("ball", "estimator", C + "estimator_prediction.jinja", "    turn_slopes(work);\n", "    (void)turn_slopes;\n"),
+    M("markers", "estimator", C + "estimator_update.jinja",
+      "    through_accelerations({{ row.n }}, work);\n", "    (void)through_accelerations;\n"),
     M("tendon", "equilibrium", "screwgen/studies/statics.py", "if self.tensions.any():", "if False:"),
     M("four-bar", "equilibrium", "screwgen/studies/equilibrium.py",
       "at_joints, held = tau / chain.at_efforts(np.ones(chain.n_tau), p),", "at_joints, held = tau,"),

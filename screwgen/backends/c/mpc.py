@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...algorithms.gauges import Gauge, gauges
+from ...algorithms.gauges import Gauge, curvatures, gauges
 from ...algorithms.tip_terms import tip_terms
 from ...arguments import Numbers
 from ...errors import UsageError
@@ -217,7 +217,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
         "bounded": bounded,
         "rate_rows": bounded["torque_rates"],
         "gauges": [{"first": g.first, "count": len(g.curvatures)} for g in found],
-        "curvatures": _curvatures(chain, found),
+        "curvatures": [literal(x) for x in _curvatures(chain, found)],
         "wrenches": fitted.wrenches,
         "terminal": said.cost.terminal.riccati,
         "terminal_factor": literal(said.cost.terminal.factor),
@@ -262,14 +262,9 @@ def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
     return out | {"tip": written, "slopes_of_stumpff": slopes([program])}
 
 
-def _curvatures(chain: Chain, found: Sequence[Gauge]) -> list[str]:
-    """The curvature at the base of a link per unit of each mode that strains a gauge, 1/m², else 0."""
-    out = [0.0] * max(chain.n_modes, 1)
-    for gauge in found:
-        length = chain.robot.links[gauge.link].length
-        assert length is not None, "a link that bends has a length"
-        out[gauge.first : gauge.first + len(gauge.curvatures)] = [x / length**2 for x in gauge.curvatures]
-    return [literal(x) for x in out]
+def _curvatures(chain: Chain, found: Sequence[Gauge]) -> list[float]:
+    """Those of the file's lengths; at least one, as C has no array of none."""
+    return np.array(curvatures(chain, chain.parameters.vector().tolist(), found) or [0.0], float).tolist()
 
 
 def _tables(fitted: Fitted) -> dict[str, Any]:

@@ -113,7 +113,9 @@ def scaling(chain: Chain) -> ca.Function:
     inertia = ca.substitute(M, inputs["q"], ca.vertcat(ca.SX(0, 1), *chain.home))
     stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
-    modes = ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given])
+    # Not a slice: an empty one of a single entry is a row, which makes the sizes of one sprung axis two.
+    modal = ca.vertsplit(stiffness[: chain.n_given], [0, chain.n_given - chain.n_modes, chain.n_given])[1]
+    modes = ca.sqrt(twice / modal)
     ratios, tau = ca.vertcat(ca.SX(0, 1), *chain.ratios(given["p"])), twice * ca.SX.ones(m)
     for k, (ratio, joint) in enumerate(zip(chain.ratios(given["p"]), chain.added_joints, strict=True)):
         if joint in chain.elastic_travels:

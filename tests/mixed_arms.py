@@ -13,6 +13,7 @@ import copy
 import sys
 import time
 from collections import Counter
+from functools import cached_property
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -50,6 +51,8 @@ LINKS = 8
 CONDITION = 1e8
 EVERY = 8
 """One robot in so many is compiled."""
+STEPS, LEAP = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7), 3.0
+"""Steps, s, and how much more than at their beginning rates may change in one."""
 LAYOUTS = ("auto", "modular")
 STATE = ("q", "v", "tau", "w_ext")
 
@@ -72,6 +75,14 @@ class Mixed(Case):
     @property
     def floating(self) -> bool:
         return "base" in self.judge.robot
+
+    @cached_property
+    def step(self) -> float:
+        """A millisecond, or the longest of its tenths in which Runge–Kutta's method does not begin to diverge."""
+        q, v, tau, w_ext = self.given
+        step, most = self.model.casadi()["step_rk4"], LEAP * np.max(np.abs(self.judge.vdot), initial=0.0)
+        at = lambda h: step(q, v, tau, w_ext.T, self.model.parameter_values, h)[1].full()[:, 0]  # noqa: E731
+        return next(h for h in STEPS if np.max(np.abs(at(h) - v), initial=0.0) <= max(h * most, 1.0))
 
 
 def case_of(robot: dict, state: dict, folder: Path = Path()) -> Mixed:

@@ -56,12 +56,16 @@ class Judge:
         definite = np.linalg.eigvalsh(M / np.outer(sizes, sizes))[0] > DEFINITE and np.linalg.cond(M) < CONDITION
         return bool(definite and (self.rows is None or self.rows.condition(q) < CONDITION))
 
+    @cached_property
+    def condition(self) -> float:
+        """Of the equations that are solved for the accelerations: the mass matrix, and that with the loops' rows."""
+        q = self.state["q"]
+        return max(self.oracle.condition(q), 0.0 if self.rows is None else self.rows.condition(q))
+
     @property
     def tolerance(self) -> float:
         """The larger of 1e-10 and 50 eps cond."""
-        q = self.state["q"]
-        rows = 0.0 if self.rows is None else 50 * np.finfo(float).eps * self.rows.condition(q)
-        return max(self.oracle.tolerance(q), rows)
+        return max(1e-10, 50 * np.finfo(float).eps * self.condition)
 
     # ------------------------------------------------------------------------------------ what the oracle lacks
 
@@ -109,12 +113,22 @@ class Judge:
         if self.rows is not None:
             self.rows.oracle = oracle
             return self.rows.forward_dynamics(q, v, tau, w_ext)
-        vdot, factors = np.zeros(oracle.nv), scipy.linalg.lu_factor(oracle.mass_matrix(q))
+        return self.open_motion, np.zeros_like(w_ext)
+
+    @cached_property
+    def open_motion(self) -> np.ndarray:
+        """(nv,): the oracle's accelerations without the forces of loops and couplings."""
+        q, v, tau, w_ext = (self.state[name] for name in ("q", "v", "tau", "w_ext"))
+        vdot, factors = np.zeros(self.oracle.nv), scipy.linalg.lu_factor(self.oracle.mass_matrix(q))
         for _ in range(3):
-            vdot = vdot + scipy.linalg.lu_solve(
-                factors, self._forces(q, tau) - oracle.inverse_dynamics(q, v, vdot, w_ext)
-            )
-        return vdot, np.zeros_like(w_ext)
+            left = self._forces(q, tau) - self.oracle.inverse_dynamics(q, v, vdot, w_ext)
+            vdot = vdot + scipy.linalg.lu_solve(factors, left)
+        return vdot
+
+    @cached_property
+    def taken(self) -> np.ndarray:
+        """(nv,): the accelerations of the open tree that the forces of loops and couplings take away."""
+        return np.zeros(self.oracle.nv) if self.rows is None else self.map @ (self.open_motion - self.motion[0])
 
     # ------------------------------------------------------------------------------------ mapped to the product's
 
@@ -208,12 +222,17 @@ class Judge:
         return back.T @ self.oracle.mass_matrix(self.state["q"]) @ back
 
     def errors(self, vdot, wrench=None) -> dict[str, float]:
-        """Errors of base, joints, rotors, modes, moments and forces, each over the largest entry of its kind."""
+        """Errors of base, joints, rotors, modes, moments and forces, each over the largest entry of its kind.
+
+        Where loops take away accelerations of the open tree, entries of these count: in a robot that its loops lock,
+        nothing but rounding of them is left.
+        """
         n, free = self.oracle.n_joint, 6 * ("base" in self.robot)
         ends = np.cumsum([free, n - free, self.oracle.n_rotor])
         cut = lambda x: dict(zip(PARTS, np.split(np.ravel(x), ends), strict=True))  # noqa: E731
         expected, found = cut(self.vdot), cut(vdot)
-        out = {k: part_error(expected[k], found[k], self.vdot) for k in PARTS if len(expected[k])}
+        taken = cut(self.taken)
+        out = {k: part_error(expected[k], found[k], self.vdot, taken[k]) for k in PARTS if len(expected[k])}
         if wrench is not None:
             W, given = self.wrench, np.reshape(wrench, (-1, 6))
             out |= {k: part_error(W[:, s], given[:, s], W) for k, s in (("tau", np.s_[:3]), ("F", np.s_[3:]))}

@@ -1,10 +1,10 @@
-"""Random robots with everything at once, held against the oracle: `python tests/mixed_arms.py 0 300`.
+"""Random robots with everything at once, held against the oracle: `python tests/mixed_arms.py 0 300 [--dress]`.
 
 Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, four-bar
 linkages, rigid and elastic drives with friction, modes of all orders, sections that vary, shear, bodies from files,
-segments, damping of the material, fixed and floating bases, couplings, up to two loops. What the robot file refuses is
-counted and drawn without. Where loops or couplings close the tree, the judge is the oracle's mass matrix and bias with
-Lagrange multipliers.
+segments, damping of the material, fixed and floating bases, couplings, up to two loops; those that are dressed have
+ball joints, springs, tendons and markers besides. What the robot file refuses is counted and drawn without. Where
+loops or couplings close the tree, the judge is the oracle's mass matrix and bias with Lagrange multipliers.
 """
 
 from __future__ import annotations
@@ -23,11 +23,12 @@ import random_robots as rr
 from conformance import numbers
 from conformance.cases import Case
 from conformance.judge import Judge
-from conformance.twin import as_turns
+from conformance.twin import as_turns, first_piece
 from mixed_loops import JOINTS, Loops, bridged, coupled, names
 from oracle import Oracle
 from oracle_floating import ANGLE, floating
 from pydantic import ValidationError
+from random_features import dressed
 
 from screwgen.elements import CYLINDER, STOP, FourBarLinkage
 
@@ -121,8 +122,8 @@ def with_coupling(rng, base: dict, judged: dict, state: dict) -> dict:
     return coupled(rng, judged, state, among=free) if len(free) > 1 and rng.random() < COUPLED else judged
 
 
-def drawn(seed: int, folder: Path, most: int = LINKS, **limits) -> Mixed:
-    """A robot of `most` links or fewer whose equations are regular in its state.
+def drawn(seed: int, folder: Path, most: int = LINKS, dress: bool = False, **limits) -> Mixed:
+    """A robot of `most` links or fewer whose equations are regular in its state; `dress`: it is dressed.
 
     What the file refuses is left out and kept as `refused`.
     """
@@ -136,6 +137,8 @@ def drawn(seed: int, folder: Path, most: int = LINKS, **limits) -> Mixed:
         tree = max(count - wanted, 1)
         base = fr.random_arm(rng, tree, **limits) if files else rr.random_robot(rng, tree, **limits)
         base = with_places(rng, with_segments(rng, floating(base) if free else base))
+        if dress:
+            base = dressed([seed, attempt], base)
         case = _case(rng, base, wanted, folder, refused)
         if case is not None:
             return case
@@ -148,6 +151,7 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str]) -> Mix
     state = fr.random_state(rng, judged) if any("cloud" in x for x in judged["links"]) else rr.random_state(rng, judged)
     if free:
         state["q"][3:6], state["tau"][:6] = rr.numbers(rng.uniform(-ANGLE, ANGLE, 3)), [0.0] * 6
+    _turn_balls(rng, base, judged, state)
     among = [x["name"] for x in base["links"]]
     for number in range(wanted):
         oracle = Oracle(judged)
@@ -160,6 +164,7 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str]) -> Mix
     judged = with_coupling(rng, base, judged, state)
     base |= {key: judged[key] for key in ("loops", "couplings") if key in judged}
     judge = Judge(base, judged, Oracle(judged), state)
+    judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths)) if judge.tendon_lengths else judge.tensions
     M = judge.oracle.mass_matrix(judge.state["q"])
     if np.linalg.cond(M) > CONDITION or np.linalg.eigvalsh(M)[0] <= 0:
         return None
@@ -172,6 +177,16 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str]) -> Mix
         refused.append(message(error))
         return None
     return case
+
+
+def _turn_balls(rng, robot: dict, judged: dict, state: dict) -> None:
+    """Euler angles of ball joints that stay away from the singular ones."""
+    balls, first = {first_piece(x) for x in robot["links"] if x["joint"]["axes"] == "ball"}, 0
+    for link in judged["links"]:
+        count = len(link["joint"]["axes"])
+        if link["name"] in balls:
+            state["q"][first : first + count] = rr.numbers(rng.uniform(-ANGLE, ANGLE, count))
+        first += count
 
 
 def message(error: ValidationError) -> str:
@@ -201,6 +216,10 @@ def described(case: Mixed) -> str:
         "stops": len(chain.acted(STOP)),
         "cylinders": sum(x == CYLINDER for x in chain.travels.values()),
         "linkages": sum(isinstance(x, FourBarLinkage) for x in chain.travels.values()),
+        "balls": sum(x["joint"]["axes"] == "ball" for x in case.robot["links"]),
+        "springs": sum("spring" in x for y in case.robot["links"] for x in y["joint"].get("elements", [])),
+        "tendons": chain.n_tensions,
+        "markers": sum(len(x.get("markers", [])) for x in case.robot["links"]),
         "places": sum(map(len, (k.stations_at for k in keys))),
     }
     return " ".join(f"{k} {n}" for k, n in parts.items() if n)
@@ -215,13 +234,13 @@ def judged(case: Mixed, layout: str | None = None) -> None:
 
 
 def main() -> int:
-    first, last = int(sys.argv[1]), int(sys.argv[2])
+    first, last, dress = int(sys.argv[1]), int(sys.argv[2]), "--dress" in sys.argv
     counts, refused = Counter(), Counter()
     for seed in range(first, last):
         start, text = time.time(), ""
         try:
             with TemporaryDirectory() as folder:
-                case = drawn(seed, Path(folder))
+                case = drawn(seed, Path(folder), dress=dress)
             layout = LAYOUTS[seed // EVERY % 2] if seed % EVERY == 0 else None
             refused.update(set(case.refused))
             said, text = "holds", described(case)

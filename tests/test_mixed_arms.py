@@ -17,6 +17,11 @@ def test_a_random_robot_equals_the_oracle_in_every_back_end(seed, tmp_path):
     judged(drawn(seed, tmp_path), layout)
 
 
+@pytest.mark.parametrize("seed", swept(range(93001, 93013), 93003, 93010))
+def test_a_random_robot_with_ball_joints_springs_tendons_and_markers_equals_the_oracle(seed, tmp_path):
+    judged(drawn(seed, tmp_path, dress=True))
+
+
 def test_rows_of_a_loop_that_stays_open_are_kept():
     """Where the gap is smallest, rows depend on each other: that is no place to judge them."""
     slider = link(

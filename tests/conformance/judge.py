@@ -75,7 +75,7 @@ class Judge:
         out: dict[str, ca.SX] = {}
         for link, table, modal in zip(self.oracle.links, self.twin["links"], self.oracle.modal_slices, strict=True):
             for tendon in table.get("tendons", []):
-                length = _tendon_length(link, table, tendon, self.oracle.q[modal])
+                length = _tendon_length(link, self.twin | table, tendon, self.oracle.q[modal])
                 out[tendon["name"]] = out.get(tendon["name"], 0) + length
         return out
 

@@ -126,7 +126,7 @@ def casadi(case: Case) -> None:
     sizes = [x.full().ravel() for x in functions["scaling"](p)]
     assert [len(x) for x in sizes] == [len(q), len(v), len(tau)] and np.all(np.concatenate(sizes) > 0)
     for found, wanted, what in zip(rows, case.model.numpy().assemble(x, tau, w_ext), "MHW", strict=True):
-        near(found.ravel(), np.ravel(wanted), case.agreement, f"{what} of the assembled rows")
+        near(found.ravel(), np.ravel(wanted), case.solved, f"{what} of the assembled rows")
 
 
 def acados(case: Case) -> None:
@@ -242,22 +242,22 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
     near(x, case.model.numpy().dae_state(q, v), case.agreement, "state of the DAE form")
     for method in METHODS:
         near(np.concatenate(c.step(q, v, tau, w_ext, case.step, method)), np.concatenate(stepped(case, method)),
-             case.agreement, method)  # fmt: skip
+             case.solved, method)  # fmt: skip
         there = stepper(case.model, method, "dae").step(x, tau, w_ext, case.step)
-        near(c.dae_step(x, tau, w_ext, case.step, method), there, 10 * case.agreement, f"{method} of the DAE form")
+        near(c.dae_step(x, tau, w_ext, case.step, method), there, 10 * case.solved, f"{method} of the DAE form")
 
 
 def by_elimination(case: Case, c: Compiled) -> None:
     """What the C has of the dynamics besides: accelerations alone, wrenches of inverse dynamics, M, assembled rows."""
     (q, v, tau, w_ext), f = case.given, case.model.numpy()
     vdot, wrench = f.forward_dynamics(q, v, tau, w_ext)
-    near(c.accelerations(q, v, tau, w_ext), vdot, case.agreement, "accelerations alone")
+    near(c.accelerations(q, v, tau, w_ext), vdot, case.solved, "accelerations alone")
     loads = w_ext + f.loop_wrenches(q, v, tau, w_ext) if case.model.chain.closing.rows else w_ext
     near(c.inverse_dynamics(q, v, vdot, loads)[1], wrench, case.tolerance, "wrenches of inverse dynamics")
     near(c.mass_matrix(q), f.mass_matrix(q), case.agreement, "mass matrix")
     x = f.dae_state(q, v)
     for found, wanted, what in zip(c.assemble(x, tau, w_ext), f.assemble(x, tau, w_ext), "MHW", strict=True):
-        near(found, wanted, case.agreement, f"{what} of the assembled rows")
+        near(found, wanted, case.solved, f"{what} of the assembled rows")
 
 
 def postures(case: Case, c: Compiled) -> None:

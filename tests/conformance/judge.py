@@ -2,7 +2,8 @@
 
 The oracle knows chains and trees of links whose joints turn and slide. What it does not know is brought to that: a
 segment is a link, a ball joint three turns, a floating base three slides and three turns; couplings and loops are rows
-with multipliers, springs and tendons potentials. The states and forces of both are mapped by the kinematics of these.
+with multipliers, springs and tendons potentials; for what acts on sections see `conformance.outer`. The states and
+forces of both are mapped by the kinematics of these.
 """
 
 from __future__ import annotations
@@ -18,12 +19,13 @@ import random_robots as rr
 import scipy.linalg
 from mixed_loops import Loops, bridge_of
 from oracle import Oracle, part_error
-from oracle_exact import ExactLink, gauss
 from oracle_floating import ANGLE, column_rates, columns
 from scipy.spatial.transform import Rotation
 
-from conformance.arms import LOOPS
+from conformance.arms import EFFORT, LOOPS
 from conformance.features import Row
+from conformance.outer import Outer
+from conformance.tendons import tendon_length
 from conformance.twin import as_turns, first_piece
 
 CONDITION = 1e8
@@ -44,7 +46,8 @@ class Judge:
         self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
         if self.rows is not None:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
-        self.tensions = np.zeros(len(self.tendon_lengths))
+        self.tensions, self.outer = np.zeros(len(self.tendon_lengths)), Outer(robot, twin, oracle)
+        self.pushes = np.zeros((len(self.outer.rows), 6))
 
     # ------------------------------------------------------------------------------------ regularity, tolerance
 
@@ -75,7 +78,7 @@ class Judge:
         out: dict[str, ca.SX] = {}
         for link, table, modal in zip(self.oracle.links, self.twin["links"], self.oracle.modal_slices, strict=True):
             for tendon in table.get("tendons", []):
-                length = _tendon_length(link, self.twin | table, tendon, self.oracle.q[modal])
+                length = tendon_length(link, self.twin | table, tendon, self.oracle.q[modal])
                 out[tendon["name"]] = out.get(tendon["name"], 0) + length
         return out
 
@@ -94,9 +97,14 @@ class Judge:
         force -= ca.jtimes(lengths, q, tension, True)
         return ca.Function("acting", [q, tension], [ca.densify(force), energy, lengths, ca.jacobian(lengths, q)])
 
+    @cached_property
+    def acted(self) -> tuple[np.ndarray, ...]:
+        """What acts on sections in the state, as `Outer.acting` has it."""
+        return tuple(x.full() for x in self.outer.acting(self.state["q"], self.state["v"], self.pushes.T))
+
     def _forces(self, q, tau) -> np.ndarray:
-        """Those of drives, springs on axes and tendons."""
-        return self.oracle._force(tau, q) + self.acting(q, self.tensions)[0].full()[:, 0]
+        """Those of drives, springs on axes, tendons, and of what acts on sections."""
+        return self.oracle._force(tau, q) + self.acting(q, self.tensions)[0].full()[:, 0] + self.acted[0][:, 0]
 
     # ------------------------------------------------------------------------------------ results, of the oracle
 
@@ -176,7 +184,7 @@ class Judge:
                 Q.append(q[own])
                 tau_out.append(tau[own])
         q_out = np.concatenate([*Q, q[self.oracle.n_joint :]])
-        return q_out, self.map @ v, np.concatenate([*tau_out, self.tensions]), w_ext
+        return q_out, self.map @ v, np.concatenate([*tau_out, self.tensions]), self.outer.laid(w_ext, self.pushes)
 
     @cached_property
     def vdot(self) -> np.ndarray:
@@ -192,28 +200,33 @@ class Judge:
 
     @cached_property
     def forces(self) -> np.ndarray:
-        """(nv,): the generalised forces of the motion in the open tree, springs on axes among them."""
+        """(nv,): the generalised forces of the motion in the open tree, springs on axes and on sections among them."""
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
-        own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0]
+        own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0] + self.acted[0][:, 0]
         found = self.oracle.inverse_dynamics(q, v, self.motion[0], w_ext) - own
         return np.linalg.solve(self.map.T, found)
 
     @cached_property
     def wrench(self) -> np.ndarray:
-        """(n, 6): the joint wrenches."""
+        """(n, 6): the joint wrenches, and those of the welds of rows that are no link's."""
         vdot, loads = self.motion
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
-        out = self.oracle.wrenches(q, v, vdot, w_ext + loads)
+        out = self.oracle.wrenches(q, v, vdot, w_ext + loads + self.acted[2].T)
         for kind, _, i in self._kinds:
             if kind == "free":
                 out[i] = 0.0
-        return out
+        return self.outer.laid(out, self.acted[3].T)
+
+    @property
+    def loop_wrenches(self) -> np.ndarray:
+        """(n, 6): those of loops on the product's rows."""
+        return self.outer.laid(self.motion[1], 0 * self.pushes)
 
     @cached_property
     def energy(self) -> tuple[float, float]:
         """Kinetic and potential, J, up to the constant of gravity."""
         kinetic, potential = self.oracle.energy(self.state["q"], self.state["v"])
-        return kinetic, potential + float(self.acting(self.state["q"], self.tensions)[1])
+        return kinetic, potential + float(self.acting(self.state["q"], self.tensions)[1]) + self.acted[1].item()
 
     @cached_property
     def mass_matrix(self) -> np.ndarray:
@@ -267,6 +280,7 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
         oracle = Oracle(twin)
     judge = Judge(robot, twin, oracle, state)
     judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
+    judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)
     return judge
 
 
@@ -288,6 +302,8 @@ def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
             before = q[own].copy()
             q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
             _geared(oracle, state, own, before)
+            if row["axis"] == "limited":
+                tau[own] = rng.choice([-1, 1]) * rng.uniform(1.5, 3.0, 1) * EFFORT
     if row["closing"] == "coupling":
         coupling, places = robot["couplings"][0], _axes(oracle.robot)
         q[places[coupling["axis"]]] = coupling["ratio"] * q[places[coupling["of"]]] + coupling["offset"]
@@ -320,35 +336,3 @@ def _axes(robot: dict) -> dict[str, int]:
             places[f"{name}.{kind}[{n}]"] = k
             k += 1
     return places
-
-
-def rod_of(link, table: dict) -> SimpleNamespace:
-    """What the shapes of a link of any order need, by the names of those that are exact."""
-    rod = SimpleNamespace(counts=link.counts, basis=table["modes"].get("basis", "polynomial"), length=link.length)
-    rod._tables = lambda s: ExactLink._tables(rod, s)
-    return rod
-
-
-def tables(link, table: dict, s: float) -> dict[str, np.ndarray]:
-    """Of each direction (3, r): the shapes at a section, their slopes and second derivatives with s."""
-    return rod_of(link, table)._tables(s) if table.get("modes") else {}
-
-
-def _tendon_length(link, table: dict, tendon: dict, eta: ca.SX) -> ca.SX:
-    """The length of a piece of a tendon along a link: ``∫ |e_x + gamma + kappa x d + d'| ds``, at Gauss points."""
-    most, rod = max(link.counts.values()), rod_of(link, table)
-    count = table["modes"].get("points", most + 2 if rod.basis == "polynomial" else 2 * most + 4)
-    a, b = tendon.get("from", 0.0), tendon.get("to", 1.0)
-    begin, end = (np.array(x) for x in tendon["at"])
-    slope, total = (end - begin) / ((b - a) * link.length), ca.SX(0)
-    x, w = gauss(count)
-    for s, weight in zip(x, w * (b - a) * link.length, strict=True):
-        _, kappa, gamma = ExactLink.strains(rod, a + (b - a) * s)
-        offset = begin + s * (end - begin)
-        direction = ca.SX([1.0, 0, 0]) + ca.DM(gamma) @ eta + ca.cross(ca.DM(kappa) @ eta, ca.DM(offset)) + slope
-        total += weight * ca.norm_2(direction)
-    if table.get("order", 1) != 1:
-        return total
-    start = ca.substitute(total, eta, ca.SX.zeros(eta.numel()))
-    pull = ca.substitute(ca.gradient(total, eta), eta, ca.SX.zeros(eta.numel()))
-    return start + ca.dot(pull, eta)

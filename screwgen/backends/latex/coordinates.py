@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from ...spec.parameters import coordinate_names, coordinate_units, force_units
 from ...topology.chain import Chain
 from .content import DocumentTable, Heading, Item, Paragraph
+from .forces import TURNED
 from .tables import DIRECTION, axis_text, plain_unit
 
 ROWS = 60
@@ -30,7 +31,7 @@ def tables(chain: Chain) -> Iterator[Item]:
     yield Heading("Coordinates and inputs")
     yield Paragraph(ABOUT, essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
-    yield Paragraph(INPUTS, essential=True)
+    yield Paragraph(INPUTS + TURNED * bool(chain.turned_wrenches), essential=True)
     rows = inputs(chain)
     if rows:
         yield DocumentTable(

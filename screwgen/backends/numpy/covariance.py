@@ -45,14 +45,15 @@ def corrected(
     variances: np.ndarray,
     slips: np.ndarray | float = 0.0,
     factors: np.ndarray | float = 1.0,
-) -> tuple[np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray, float]:
     """The correction (n,) of the mean by measurements, and the root after it, of the root ``S`` before it.
 
     Carlson's update by one row of ``H`` after the other, which subtracts no variance from another. Before a row counts,
     what it measures moves by its slip (rows,), each part in proportion to its variance and nothing else, and all
-    deviations become larger by its factor (rows,), or by what is more than rows before have made of them.
+    deviations become larger by its factor (rows,), or by what is more than rows before have made of them. The third
+    result is the normalised innovation squared of all rows: the sum of squares of what each adds to those before it.
     """
-    dx, wider, variance = np.zeros(len(S)), 1.0, np.sum(S * S, axis=1)
+    dx, squared, wider, variance = np.zeros(len(S)), 0.0, 1.0, np.sum(S * S, axis=1)
     extra = (np.broadcast_to(x, len(H)) for x in (slips, factors))
     for row, rest, R, slip, factor in zip(H, innovations, variances, *extra, strict=True):
         if slip:
@@ -62,11 +63,12 @@ def corrected(
         total = R + np.cumsum(f[::-1] ** 2)[::-1]
         shrink = np.sqrt(np.append(total[1:], R)[: len(f)] / total)
         sums = np.cumsum((S * f)[:, ::-1], axis=1)[:, ::-1]
+        squared += float((rest - row @ dx) ** 2 / (total[0] if len(f) else R))
         if len(f):
             dx = dx + sums[:, 0] / total[0] * (rest - row @ dx)
         later = np.hstack([sums[:, 1:], np.zeros((len(S), min(len(f), 1)))])
         S = shrink * S - f / (shrink * total) * later
-    return dx, S
+    return dx, S, squared
 
 
 def deviations(S: np.ndarray, H: np.ndarray, variances: np.ndarray) -> np.ndarray:

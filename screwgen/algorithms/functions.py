@@ -16,10 +16,12 @@ from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .axis_terms import drive_power, rotor_accelerations
+from .force_functions import MOTION as MOTION
+from .force_functions import POSES, ForceFunctions
+from .held import hold
 from .joint_moves import rates
 from .law_programs import forces
-from .loop_functions import MOTION as MOTION
-from .loop_functions import POSES, LoopFunctions
+from .loop_functions import LoopFunctions
 from .marker_functions import MarkerFunctions
 from .momentum import MomentumFunctions
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by
@@ -38,6 +40,7 @@ SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers,
 LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
 CYLINDERS: Algorithm = (Phase(travels.cylinders, OUTWARD),)
 POWER: Algorithm = (Phase(drive_power, OUTWARD), Phase(tendons.power, OUTWARD))
+HOLD: Algorithm = (Phase(hold, OUTWARD),)
 LENGTHS: Algorithm = (Phase(tendons.lengths, OUTWARD),)
 PULLS: Algorithm = (Phase(tendons.write_pulls, OUTWARD),)
 
@@ -68,13 +71,13 @@ def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     return out
 
 
-class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
+class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    ``COLUMNS``; ``gravity`` has three entries.  ``given``, if set, holds inertia (``chain.n_inertia`` entries) and
-    force of the last ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give
-    their own.
+    ``COLUMNS``; ``world`` has gravity, three entries, then the numbers of the forces between frames.  ``given``, if
+    set, holds inertia (``chain.n_inertia`` entries) and force of the last ``chain.n_given`` coordinates in place of
+    ``M`` and ``K x + D xdot``: implicit integrators give their own.
     """
 
     given: tuple[Sequence, Sequence] | None = None
@@ -82,8 +85,14 @@ class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
     section: Callable[[str], AbstractContextManager] = nullcontext
     """Opens a titled section of the program that is being recorded, if one is."""
 
-    def __init__(self, chain: Chain, constants: Sequence[dict[str, list]], gravity: Sequence, apply: Apply):
-        self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
+    def __init__(self, chain: Chain, constants: Sequence[dict[str, list]], world: Sequence, apply: Apply):
+        self.chain, self.constants, self.world, self.apply = chain, constants, world, apply
+        self.acts = chain.acts_on_tips
+
+    @property
+    def gravity(self) -> Sequence:
+        """The acceleration of free fall (3,)."""
+        return self.world[:3]
 
     def _nodes(self, chain: Chain) -> list[dict[str, list]]:
         return nodes(chain, self.gravity)
@@ -203,7 +212,8 @@ class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
         """The measures at rest in a held posture."""
         rest = [0.0] * self.chain.nv
         still = self.chain.split(rest, "qddot", "etaddot")
-        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
+        wrenches = self._wrenches(self.with_forces(q, rest, w_ext))
+        links, _ = self._run(INVERSE, self._state(q, rest), still, wrenches)
         return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
 
     def inverse_dynamics(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> list:
@@ -213,7 +223,8 @@ class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
     def loads(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The generalised forces of a given motion, and the joint wrenches, link by link."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
-        links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
+        wrenches = self._wrenches(self.with_forces(q, v, w_ext))
+        links, _ = self._run(INVERSE, self._state(q, v), motion, wrenches)
         return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
 
     def statics(self, q: Sequence, w_ext: Sequence) -> tuple[list, list]:
@@ -230,6 +241,11 @@ class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
         links = self._run(POWER, self._motion(q, v), self._torques(tau))[0]
         of_tendons = self._of_tendons(links, "tendon_power")
         return [x for link in links for x in link["power"]] + of_tendons
+
+    def held(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
+        """What a step that begins here holds of its inputs; tensions are held as they are."""
+        links = self._run(HOLD, self._motion(q, v), self._torques(tau))[0]
+        return [x for link in links for x in link["held"]] + list(tau[self.chain.n_joints :])
 
     def cylinder_lengths(self, q: Sequence) -> list:
         """The lengths of all cylinders."""
@@ -282,7 +298,7 @@ class Functions(LoopFunctions, MarkerFunctions, MomentumFunctions):
         """Kinetic and potential energy."""
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
-        return sum_of(links, "kinetic"), sum_of(links, "potential")
+        return sum_of(links, "kinetic"), sum_of(links, "potential") + self.energy_of_forces(q)
 
 
 def stretched(key: LinkClass, x: Mapping[str, list], part: str) -> Sequence[Value]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from . import fused
-from .functions import Functions
+from .functions import HOLD, Functions
 
 
 @fused.program("q")
@@ -34,6 +34,12 @@ def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
     return {"power": f.drive_power(q, v, tau)}
 
 
+@fused.program("q v tau", algorithms=(HOLD,))
+def held_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
+    """``(q, v, tau) -> (held)``: what a step that begins at the state holds."""
+    return {"held": f.held(q, v, tau)}
+
+
 @fused.program("q")
 def tendon_length(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (length)`` of every tendon."""
@@ -44,6 +50,12 @@ def tendon_length(f: Functions, q: Sequence) -> fused.Outputs:
 def cylinder_length(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (cylinder_length)`` of every cylinder."""
     return {"cylinder_length": f.cylinder_lengths(q)}
+
+
+@fused.program("q v")
+def force_quantities(f: Functions, q: Sequence, v: Sequence) -> fused.Outputs:
+    """``(q, v) -> (force_quantities)`` of the forces between frames."""
+    return {"force_quantities": f.force_quantities(q, v)}
 
 
 @fused.program("q")

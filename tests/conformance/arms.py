@@ -47,11 +47,23 @@ DRIVES: dict[str, dict] = {
     | {"transmission": TRANSMISSIONS["cylinder"]},
     "elastic four-bar": ROTOR | GEAR | {"transmission": TRANSMISSIONS["other branch"]},
 }
+EFFORT, ENOUGH = 6.0, 500.0
+"""Limits of efforts: that of the fore's axis, which the judge's state is beyond, and one that nothing reaches."""
 LOOPS: dict[str, list] = {
     "ball loop": ["x", "y", "z"],
     "hinge loop": ["y"],
     "slide loop": [{"slide": "x"}],
     "welded loop": [],
+}
+STRUT = {"stiffness": 60.0, "rest": 0.2, "damping": 3.0}
+ROPE = {"stiffness": 9.0, "rest": 0.4, "damping": 1.5, "slack": True}
+BUSHING = {"stiffness": [40.0, 55.0, 30.0, 6.0, 9.0, 4.0], "damping": [2.0, 1.5, 3.0, 0.2, 0.3, 0.15]}
+FORCES: dict[str, dict] = {
+    "line spring": {"forces": [{"name": "strut", "between": ["boom.eye", "fore.tip"], "line": STRUT}]},
+    "rope": {"forces": [{"name": "rope", "between": [{"world": [0.3, -0.4, 2.6]}, "fore.tip"], "line": ROPE}]},
+    "bushing": {"forces": [{"name": "mount", "between": ["boom.eye", "fore.tip"], "bushing": BUSHING}]},
+    "push": {"pushes": [{"name": "shove", "at": "boom.eye"}]},
+    "marker push": {"pushes": [{"name": "tool", "at": "fore.tip", "axes": "marker"}]},
 }
 
 
@@ -75,7 +87,7 @@ def arm_of(row: Row) -> dict:
         robot["couplings"] = [{"axis": "hand.joint[1]", "of": _leader(row), "ratio": -0.7, "offset": 0.2}]
     if row["closing"] in LOOPS:
         robot["links"].append(_post(row))
-    return robot
+    return robot | copy.deepcopy(FORCES.get(row["force"], {}))
 
 
 PLACES = ("at", "from", "to", "axes", "length", "frame_at", "mount", "transmission", "couplings", "loops")
@@ -138,8 +150,12 @@ def _boom(row: Row) -> dict:
         boom["frame_at"] = 0.3
     if row["more"] == "bodies":
         boom["bodies"] = [{"at": "base", "mass": 0.7, "com": [0.02, 0.05, -0.03]}, copy.deepcopy(PAYLOAD)]
+    if row["axis"] == "limited" and row["base"] != "afloat":
+        boom["joint"]["limits"] = [{"effort": ENOUGH} for _ in boom["joint"]["axes"]]
     if row["more"] == "markers":
         boom["markers"] = [{"name": "lug", "at": 0.45}]
+    if "boom.eye" in str(FORCES.get(row["force"])):
+        boom["markers"] = [*boom.get("markers", []), {"name": "eye", "at": 0.6}]
     return boom
 
 
@@ -167,6 +183,8 @@ def _fore(row: Row) -> dict:
             joint["elements"] = [{"spring": {"stiffness": 25.0, "rest": 0.3}}]
         case "stops":
             joint["limits"] = [{"lower": -0.1, "upper": 0.15, "stiffness": 90.0, "damping": 3.0}]
+        case "limited":
+            joint["limits"] = [{"effort": EFFORT}]
         case "passive":
             joint |= {"damping": [0.3], "stiffness": [12.0]}
             joint |= {} if drive and "rotor_inertia" in drive else {"armature": [0.06]}

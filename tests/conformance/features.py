@@ -68,6 +68,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "free": "",
         "spring": "a preloaded spring, an element of an axis",
         "stops": "stops at limits",
+        "limited": "limits of efforts, which steps keep",
         "passive": "armature, damping and stiffness of an axis",
     },
     "closing": {
@@ -77,6 +78,14 @@ FACTORS: dict[str, dict[str, str]] = {
         "hinge loop": "a loop closed by a hinge",
         "slide loop": "a loop closed by a slide",
         "welded loop": "a loop closed by a weld",
+    },
+    "force": {
+        "none": "",
+        "line spring": "a spring and damper between a place along a link and a tip",
+        "rope": "a rope from a point of the world to a tip",
+        "bushing": "a bushing between a place along a link and a tip",
+        "push": "a wrench from outside in world axes, at a place along a link",
+        "marker push": "a wrench from outside in the axes of a tip, beside that of the link",
     },
     "more": {
         "nothing": "",
@@ -105,7 +114,7 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     ("profile", "frequencies"): "measured frequencies take the place of stiffness, which a profile states",
     **{("afloat", turn): NO_JOINT for turn in list(FACTORS["turn"])[1:]},
     **{("ball", drive): BESIDE_BALLS for drive in list(FACTORS["drive"])[1:]},
-    **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops")},
+    **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
     **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:]},
 }
 """Pairs that a robot file cannot state, with the reason; a test states each and is refused."""

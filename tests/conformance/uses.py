@@ -1,22 +1,20 @@
-"""Checks of what users do with a model: runs, rollouts, filters, rest, mock-up units, files, documents."""
+"""Checks of what users do with a model: runs, rollouts, rest, mock-up units, files, documents."""
 
 from __future__ import annotations
 
 import numpy as np
-from helpers import QUICK, quick_batch, relative
+from helpers import quick_batch, relative
 from scipy.linalg import eigvalsh, null_space
+from scipy.optimize import root
 
 import screwgen
 from conformance.cases import STEP, Case
 from conformance.numbers import flat, near
 from screwgen.algorithms.robot_functions import reported
 from screwgen.backends.numpy.closing import moving
-from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.simulation.estimator import Estimator
 from screwgen.studies.modes import movable
 
 COUNT = 6
-PERIOD = 2e-3
 
 
 def held(case: Case) -> dict:
@@ -41,6 +39,8 @@ def runs(case: Case) -> None:
     for name in ("wrench", "tip_position", *rows):
         near(getattr(rolled, name)[0], getattr(run, name), 1e3 * case.agreement, name)
         near(getattr(other, name), getattr(run, name), 1e3 * case.agreement, name)
+    near(run.tau, np.tile(case.acting, (COUNT + 1, 1)), case.agreement, "inputs that acted")
+    near(other.tau, run.tau, case.agreement, "inputs that acted, by CasADi")
     last = {name: x[-1] for name, x in run.arrays.items()} | {"w_ext": w_ext}
     for name, row in rows.items():
         expected = flat(getattr(model.numpy(), name)(*(last[x] for x in row.names)))
@@ -75,43 +75,15 @@ def energy(case: Case) -> None:
         there, rates = c.step(q, v, tau, loads, h, "rk4") if sign > 0 else (q, v)
         ends.append(sum(f.energy(there, rates)))
     middle, rates = c.step(q, v, tau, loads, h / 2, "rk4")
-    power = float(np.sum(f.drive_power(middle, rates, tau)))
+    power = float(np.sum(f.drive_power(middle, rates, case.acting)))
     lost = power - (ends[1] - ends[0]) / h
     scale = abs(power) + sum(map(abs, f.energy(q, v))) + 1.0
     assert lost >= -1e-5 * scale, f"gains {-lost:.3g} W from nothing"
-    if not {"passive", "friction", "geared friction", "ratio", "time", "stops", "cylinder", "four-bar"} & set(
-        case.features
-    ) and not any("damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])):
+    lossy = {"passive", "friction", "geared friction", "ratio", "time", "stops", "cylinder", "four-bar", "line spring"}
+    if not (lossy | {"rope", "bushing"}) & set(case.features) and not any(
+        "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])
+    ):
         assert abs(lost) <= 1e-5 * scale, f"{lost:.3g} W vanish"
-
-
-def noise_of(case: Case) -> tuple[Noise, np.ndarray]:
-    """The noise of a filter's sensors, and the deviation at its start."""
-    rigid = np.arange(case.model.nv) < case.model.chain.eta_v
-    poses = {f"base_{name}": x for name, x in (("position", 2e-3), ("attitude", 2e-3), ("rate", 5e-3))}
-    speeds = dict(joint_attitude=2e-3, joint_rate=5e-3)
-    noise = Noise(np.where(rigid, 0.02, 1e-4), 1e-10, 1e-3, 1e-5, 0.05, 0.02, **poses, **speeds)
-    return noise, np.where(rigid, 1e-2, 1e-4)
-
-
-def estimator(case: Case) -> None:
-    """The filter in Python is that in C; both carry the inputs, all of them, as the model does."""
-    q, v, tau, w_ext = case.given
-    noise, deviation = noise_of(case)
-    filters = (CompiledEstimator(case.model, flags=QUICK), Estimator(case.model))
-    for e in filters:
-        e.start(q, v, deviation, 10 * deviation, noise)
-    started = filters[1].state
-    for e in filters:
-        e.predict(tau, w_ext, PERIOD)
-    (a, b), (c, d) = filters[0].state, filters[1].state
-    near(np.concatenate([a, b]), np.concatenate([c, d]), case.agreement, "a prediction")
-    after = case.c().step(*started, tau, w_ext, PERIOD, "modal_midpoint")
-    if not case.model.chain.closing.rows:
-        near(np.concatenate([c, d]), np.concatenate(after), case.agreement, "the prediction beside a step")
-    P, other = (e.covariance for e in filters)
-    sd = np.sqrt(np.diag(other))
-    assert np.max(np.abs(P - other) / np.outer(sd, sd)) < 1e-6
 
 
 def equilibrium(case: Case) -> None:
@@ -140,6 +112,8 @@ def closed(case: Case) -> tuple[np.ndarray, np.ndarray]:
 
 def modes(case: Case) -> None:
     """Vibrations are those of mass matrix and springs in the motions that loops leave, joints locked and free."""
+    if case.robot.get("forces"):
+        return modes_beside_forces(case)
     model, q = case.model, closed(case)[0]
     chain, f = model.chain, model.numpy(np.append(np.zeros(3), model.parameter_values[3:]))
     T, M = np.eye(model.nv), f.mass_matrix(q)
@@ -162,6 +136,34 @@ def modes(case: Case) -> None:
         S = np.linalg.solve(T, found.shapes)
         near(S.T @ M @ S, np.eye(len(expected)), 1e-8, "modal masses")
         near(S.T @ K @ S, np.diag((2 * np.pi * expected) ** 2), 1e-6, "modal stiffness")
+
+
+def modes_beside_forces(case: Case) -> None:
+    """The same about the deflection under forces between frames, which the balance of modes and gears finds anew.
+
+    Of robots with loops or transmissions that elastic gears drive, that they are found.
+    """
+    model, chain = case.model, case.model.chain
+    f, rest, h = model.numpy(np.append(np.zeros(3), model.parameter_values[3:])), np.zeros(model.nv), 1e-6
+    found = {joints: screwgen.mode_shapes(model, closed(case)[0], joints) for joints in ("locked", "free")}
+    if chain.closing.rows or chain.travels:
+        assert all(np.isfinite(x.frequencies).all() for x in found.values())
+        return
+    gears = [chain.base_v + k for k in chain.added_joints]
+    bent, balanced = np.r_[chain.eta_v - len(gears) : model.nv], [*gears, *range(chain.eta_v, model.nv)]
+    start = chain.with_added(closed(case)[0][: model.n_joints], model.parameter_values)
+    start = np.append(start, closed(case)[0][chain.eta_q :])
+    force = lambda x: np.asarray(f.inverse_dynamics(case.moved(start, x), rest, rest, None))  # noqa: E731
+    place = lambda x: np.bincount(bent, x, model.nv)  # noqa: E731
+    solved = root(lambda x: force(place(x))[balanced], np.zeros(len(bent)), tol=1e-13)
+    q = place(solved.x)
+    K = np.array([(force(q + h * x) - force(q - h * x)) / (2 * h) for x in np.eye(model.nv)]).T
+    M = f.mass_matrix(case.moved(start, q))
+    for joints, shapes in found.items():
+        moving = movable(model, joints, start, model.parameter_values)
+        squares = eigvalsh(*(((x + x.T) / 2)[np.ix_(moving, moving)] for x in (K, M)))
+        expected = np.sqrt(np.maximum(squares, 0.0))[shapes.rigid :] / (2 * np.pi)
+        near(np.sort(shapes.frequencies), expected, 1e-5, f"frequencies, {joints}")
 
 
 def toml(case: Case) -> None:

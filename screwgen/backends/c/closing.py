@@ -1,14 +1,18 @@
-"""What closes the loops of a robot in generated C: files, programs, scratch; all empty for a robot without loops."""
+"""What closes the loops of a robot in generated C, and what other features of some robots write: files, programs,
+scratch; all empty for a robot without any."""
 
 from __future__ import annotations
 
+from collections import Counter
 from functools import partial
+from typing import Any
 
-from ...algorithms import fused
+from ...algorithms import tip_programs
 from ...algorithms.loop_functions import ROUNDS
 from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...topology.chain import Chain
 from ..templates import FEATURES
+from . import forces, held
 from .code import Place, entries, literal, singular
 from .pieces import piece_place, pieces
 from .tendons import TENDONS
@@ -23,7 +27,7 @@ IDLE_ROWS = ("idle_rows",)
 
 def files(chain: Chain) -> tuple[str, ...]:
     """The files that loops add, without the robot's name; their templates have the same names."""
-    return ("loops.c",) if chain.closing.rows else ()
+    return forces.files(chain) + ("loops.c",) * bool(chain.closing.rows)
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
@@ -32,12 +36,19 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
     """
     written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + TENDONS * bool(chain.n_tensions)
-    out: dict[str, object] = {FEATURES: written, "scratch": {}}
-    out |= _loops(chain, baked, place) if chain.closing.rows else {}
+    written += held.HELD * chain.holds
+    acting = forces.content(chain, baked, place)
+    out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
+    kept = forces.scratch(chain, acting)
+    if chain.closing.rows:
+        loops = _loops(chain, baked, place)
+        kept, out = {"input": 1, "state": 2, "": 1 + loops["kept"]}, out | {"loops": loops}
+    out |= {"held": held.content(chain, baked, place) if chain.holds else None}
+    out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))
     return out | ({"idle": _idle_rows(chain, place)} if chain.closing.idle else {})
 
 
-def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
+def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, Any]:
     """Their wrenches on the tips, the correction of an open state, and how far they are open, as programs."""
     own = {
         "m_eta": lambda k: f"m_eta[{k}]",
@@ -52,13 +63,13 @@ def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     made = {
         name: pieces(make(chain, constants), placed, ("c", "state", *more), fail=singular)
         for name, make, more in (
-            ("wrenches", fused.loop_wrenches, ("input", "m_eta", "f_eta", "work")),
-            ("correction", fused.correction, ("input", "m_eta", "f_eta", "work")),
-            ("openings", fused.openings, ("work", "mismatch")),
+            ("wrenches", tip_programs.loop_wrenches, ("input", "m_eta", "f_eta", "work")),
+            ("correction", tip_programs.correction, ("input", "m_eta", "f_eta", "work")),
+            ("openings", tip_programs.openings, ("work", "mismatch")),
         )
     }
     kept = max(part["kept"] for part in made.values())
-    loops = made | {
+    return made | {
         "kept": kept,
         "rounds": ROUNDS,
         "count": len(chain.closing.junctions),
@@ -69,7 +80,6 @@ def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
         "stabilisations": [literal(row.stabilisation) for row in chain.closing.rows],
         "gaps": partial(_gaps, chain, constants, place),
     }
-    return {"loops": loops, "scratch": {"input": 1, "state": 2, "": 1 + kept}}
 
 
 def _sharing() -> dict:
@@ -80,12 +90,12 @@ def _sharing() -> dict:
 def _gaps(chain: Chain, constants: str, place: Place) -> list[list[str]]:
     """The functions of an estimator that find the gaps of the rows, in one piece as they are short."""
     placed = piece_place(chain, "work->kept", {"gap": entries("work->gap")}, place)
-    program = fused.gaps(chain, constants)
+    program = tip_programs.gaps(chain, constants)
     return pieces(program, placed, ("c", "state", "work"), program.operation_count, fail=singular)["pieces"]
 
 
 def _idle_rows(chain: Chain, place: Place) -> dict[str, object]:
     """The statements that find their gaps in ``gap``."""
     placed = piece_place(chain, "kept", {"gaps": lambda k: f"gap[{k}]"}, place)
-    (lines,) = pieces(fused.idle_gaps(chain, "constants"), placed, ("c",))["pieces"]
+    (lines,) = pieces(tip_programs.idle_gaps(chain, "constants"), placed, ("c",))["pieces"]
     return {"count": len(chain.closing.idle), "lines": lines, "limit": literal(OPEN**2)}

@@ -6,8 +6,10 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from functools import cached_property
 
-from ...algorithms import fused
+from ...algorithms import functions, fused
 from ...algorithms.dae_functions import state_size, unknown_size
+from ...algorithms.measurement import Measurement
+from ...algorithms.measurement_names import chosen
 from ...algorithms.robot_functions import OUTPUTS, SENSORS, in_file
 from ...algorithms.schedule import Algorithm, constant_labels, seen_by
 from ...bodies.validity import BOUNDS
@@ -74,12 +76,13 @@ class CProject:
         layout: str = "auto",
         batch: bool = False,
         derivatives: bool = False,
-        estimator: bool = False,
+        estimator: bool | Sequence[str | Measurement] = False,
         methods: Sequence[Method] = (),
         outputs: bool | Collection[str] = False,
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
-        self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
+        self.with_estimator, self.measurements = estimator is not False, chosen(chain, estimator)
+        self.with_derivatives = derivatives or self.with_estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
         self.name, self.methods = chain.robot.name, with_built_in(methods)
         self.baked = fused.baked(chain) if binding == "baked" else None
@@ -122,15 +125,14 @@ class CProject:
     @cached_property
     def context(self) -> dict:
         """The templates' context."""
-        chain, robot = self.chain, self.chain.robot
+        chain, robot, baked = self.chain, self.chain.robot, self.baked is not None
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
-            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
-            "derivatives": self.with_derivatives
-            and derivatives.content(self.chain, bool(self.baked), fused_place, self.methods),
+            "estimator": self.with_estimator and estimator.content(chain, self.measurements, baked, fused_place),
+            "derivatives": self.with_derivatives and derivatives.content(chain, baked, fused_place, self.methods),
             "sources": [file for file in self.library if file.endswith(".c")],
             "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,
@@ -194,7 +196,7 @@ class CProject:
             **self._closing,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
-            "levers": levers.content(chain, self.baked is not None, fused_place),
+            "levers": levers.content(chain, baked, fused_place),
             "batch": self._batch if self.with_batch else None,
         }
 
@@ -234,7 +236,8 @@ class CProject:
         asked = {name: f"wanted & $$_{part}" for name, part in ASKED.items()}
         within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
         lines = Writer(self.fused, fused_place, self._fused_guard, taken, True, asked, within).lines()
-        used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
+        own = ("gravity", fused.OF_FORCES)
+        used = {name.partition(":")[2][:1] == "c" or name.startswith(own) for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
 
@@ -286,7 +289,8 @@ class CProject:
     def _run(self) -> tuple[Algorithm, ...]:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *told, *self.further
+        measured = (a for row in self.measurements for a in row.algorithms)
+        return *(run.algorithm for run in RUNS.values()), *told, *measured, functions.HOLD, *self.further
 
     @property
     def seen(self) -> Chain:

@@ -16,10 +16,11 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ...algorithms import fused
+from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
+from ...algorithms.robot_programs import held_inputs
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...errors import UsageError
@@ -129,7 +130,7 @@ class Own:
             ("coordinate_rates", "q v p", self._coordinate_rates),
         ]
         if self.chain.closing.rows:
-            own.append(("correct", "q v p", lambda x: tuple(self.run(fused.correction, "new_q new_v", x))))
+            own.append(("correct", "q v p", lambda x: tuple(self.run(tip_programs.correction, "new_q new_v", x))))
         own += [(row.name, f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)]
         return {name: partial(self.function, inputs, body) for name, inputs, body in own}
 
@@ -157,10 +158,12 @@ class Own:
         return jnp.concatenate([jnp.stack([spin[2, 1], spin[0, 2], spin[1, 0]]), moving @ rates])
 
     def step(self, method: Method) -> Callable:
-        """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds."""
+        """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds, efforts within their limits."""
 
         def body(x: Values) -> tuple[jax.Array, jax.Array]:
             moves = space.replayed(self.chain, self.replay)
+            if self.chain.holds:
+                x = {**x, "tau": self.run(held_inputs, "held", x)[0]}
             q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], moves)
             return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 

@@ -14,7 +14,7 @@ from ...algebra.rewrite import symbols
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from ..templates import render
-from . import elements
+from . import elements, forces
 from .content import Display, DocumentTable, Item, Paragraph, parse
 from .layout import Row
 from .link_class import pointwise
@@ -138,7 +138,7 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
     keys, loops, several = chain.keys, bool(chain.closing.rows), chain.n > 1
     return {
         "several": several,
-        "carrying": several or loops or chain.floating,
+        "carrying": several or loops or chain.floating or forces.acting(chain),
         "floating": chain.floating,
         "jointed": any(not key.floats for key in keys),
         "welded": any(not key.floats and not key.joints for key in keys),
@@ -151,6 +151,7 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "effort": elements.effort(chain),
         "acting": elements.acting(chain),
         "elements": elements.equations(chain),
+        "forces": forces.lines(chain),
         "inputs": _inputs(chain),
         "loops": loops,
         "joined": bool(chain.robot.loops),

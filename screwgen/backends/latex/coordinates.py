@@ -9,6 +9,7 @@ import numpy as np
 from ...spec.parameters import coordinate_names, coordinate_units, force_units
 from ...topology.chain import Chain
 from .content import DocumentTable, Heading, Item, Paragraph
+from .forces import TURNED
 from .tables import DIRECTION, axis_text, plain_unit
 
 ROWS = 60
@@ -36,7 +37,7 @@ def tables(chain: Chain) -> Iterator[Item]:
     balls = any(nq != nv and not key.floats for nq, nv, key in sizes)
     yield Paragraph(ABOUT + BALL * balls, essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
-    yield Paragraph(INPUTS, essential=True)
+    yield Paragraph(INPUTS + TURNED * bool(chain.turned_wrenches), essential=True)
     rows = inputs(chain)
     if rows:
         yield DocumentTable(

@@ -9,6 +9,7 @@ from ...topology.chain import Chain
 from ..templates import render
 from .algorithm import joint_terms
 from .content import DocumentSection, parse
+from .forces import BORNE
 from .layout import PAGE, matrix, width
 
 MOTION, MASS = "Equation of motion", "Mass matrix"
@@ -111,6 +112,7 @@ def motion(chain: Chain) -> DocumentSection:
         "modal": modal * any(k.modes for k in chain.keys),
         "payload": payload * bodies,
         "besides": besides,
+        "borne": BORNE * bool(chain.forces),
     }
     return DocumentSection(MOTION, parse(render("latex/motion.tex.jinja", **values)))
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from functools import cache
 
 from ...algorithms.scope import derived
-from ...elements import KINDS, TRAVELS, friction, gear, stop
+from ...elements import KINDS, TRAVELS, EffortLimit, friction, gear, stop
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
 from ...topology.parameters import label
+from . import forces
 from .scalars import entry
 
 BLOCKS = ("link", "tip", "tip_body", "joint", "joint_rows")
@@ -24,6 +25,8 @@ def with_symbols(chain: Chain) -> list[tuple[Parameter, str]]:
 
 
 def _symbol(chain: Chain, p: Parameter) -> str:
+    if p.field.startswith("force."):
+        return forces.parameter_symbol(chain.robot, p)
     if p.link is None:
         return rf"g_{'xyz'[p.index[0]]}"
     if p.field in OF_AXES:
@@ -40,7 +43,7 @@ def _of_axis(p: Parameter) -> str:
     """That of what acts on an axis."""
     *_, table, name = ("", *p.field.split("."))
     if p.field.startswith("joint.limits."):
-        return stop.LETTERS.get(name, "")
+        return (stop.LETTERS | {"effort": EffortLimit.table()["most"].symbol}).get(name, "")
     if p.field.startswith("joint.elements."):
         return KINDS[table].table()[name].symbol if table in KINDS else ""
     if ".transmission." in p.field:

@@ -66,6 +66,7 @@ LAWS: dict[str, list[dict]] = {
     "contact": [
         PLANE,
         {"radius": 1.6, "stiffness": 400.0, "width": 0.8},
+        {"radius": 1.0, "other": 0.6, "stiffness": 400.0, "width": 0.8, "friction": 0.4},
         PLANE | {"damping": 0.3, "friction": 0.7},
         PLANE | {"normal": (0.0, 0.0, 1.0), "friction": 0.7, "velocity": 0.2},
     ],

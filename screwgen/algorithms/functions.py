@@ -18,6 +18,7 @@ from .axis_laws import Place, of_link
 from .axis_terms import drive_power, rotor_accelerations
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
+from .held import hold
 from .joint_moves import rates
 from .law_programs import forces
 from .loop_functions import LoopFunctions
@@ -39,6 +40,7 @@ SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers,
 LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
 CYLINDERS: Algorithm = (Phase(travels.cylinders, OUTWARD),)
 POWER: Algorithm = (Phase(drive_power, OUTWARD), Phase(tendons.power, OUTWARD))
+HOLD: Algorithm = (Phase(hold, OUTWARD),)
 LENGTHS: Algorithm = (Phase(tendons.lengths, OUTWARD),)
 PULLS: Algorithm = (Phase(tendons.write_pulls, OUTWARD),)
 
@@ -239,6 +241,11 @@ class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunction
         links = self._run(POWER, self._motion(q, v), self._torques(tau))[0]
         of_tendons = self._of_tendons(links, "tendon_power")
         return [x for link in links for x in link["power"]] + of_tendons
+
+    def held(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
+        """What a step that begins here holds of its inputs; tensions are held as they are."""
+        links = self._run(HOLD, self._motion(q, v), self._torques(tau))[0]
+        return [x for link in links for x in link["held"]] + list(tau[self.chain.n_joints :])
 
     def cylinder_lengths(self, q: Sequence) -> list:
         """The lengths of all cylinders."""

@@ -27,6 +27,11 @@ class Outside(Case):
         judge = SimpleNamespace(given=given, tolerance=tolerance, errors=self._errors, vdot=self.expected[0])
         vars(self).update(model=model, judge=judge)
 
+    @property
+    def acting(self) -> np.ndarray:
+        """The inputs, which nothing limits."""
+        return self.given[2]
+
     def _errors(self, *found) -> dict[int, float]:
         pairs = zip(found, self.expected, strict=False)
         return {k: relative(np.reshape(x, expected.shape), expected) for k, (x, expected) in enumerate(pairs)}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from math import inf
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +14,7 @@ from ...algorithms.tip_terms import tip_terms
 from ...arguments import Numbers
 from ...errors import UsageError
 from ...spec.mpc import VARIABLES, Between, Mpc
+from ...spec.parameters import coordinate_names
 from ...topology.chain import Chain
 from ..templates import folder
 from .code import entries, literal
@@ -76,6 +78,7 @@ class Fitted:
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
             (bool(chain.n_tensions), "tendons"),
+            (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
         ):
             if asked:
                 raise UsageError(
@@ -129,7 +132,7 @@ class Fitted:
     def _bounds(self) -> dict[str, Sequence[float]]:
         """The members of the options with the bounds that the file states."""
         bounds, n, count = self.said.bounds, self.n, len(self.gauges)
-        lower, upper = self.both("bounds.torques", bounds.torques)
+        lower, upper = self._torques()
         out: dict[str, Sequence[float]] = {"torque_lower": lower, "torque_upper": upper}
         if bounds.torque_rates is not None:
             out["torque_rate"] = self.entries("bounds.torque_rates", bounds.torque_rates, n)
@@ -143,6 +146,19 @@ class Fitted:
             for name, values in (("strain", bounds.strains.limit), ("fibre", bounds.strains.fibre)):
                 out[name] = self.entries(f"bounds.strains.{'limit' if name == 'strain' else name}", values, count)
         return out | ({"wrench": [w.limit for w in bounds.wrenches]} if bounds.wrenches else {})
+
+    def _torques(self) -> tuple[list[float], list[float]]:
+        """The bounds of the torques: those of the file, the limits of efforts where these are tighter."""
+        stated, key = self.said.bounds.torques, "bounds.torques"
+        most = self.chain.efforts
+        if stated is None and not np.isfinite(most).all():
+            free = coordinate_names(self.chain.robot).tau[int(np.flatnonzero(~np.isfinite(most))[0])]
+            raise self.refuse(key, f"is missing; state it, or limits of effort of all axes: {free} has none")
+        lower, upper = ([-inf] * self.n, [inf] * self.n) if stated is None else self.both(key, stated)
+        lower, upper = np.maximum(lower, -most).tolist(), np.minimum(upper, most).tolist()
+        for i in np.flatnonzero(~np.less(lower, upper)):
+            raise self.refuse(f"{key}[{i}]", f"leaves nothing within the limit of the effort, {most[i]:g}")
+        return lower, upper
 
     @cached_property
     def wrenches(self) -> list[dict[str, Any]]:

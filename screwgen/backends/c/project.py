@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from functools import cached_property
 
-from ...algorithms import fused
+from ...algorithms import functions, fused
 from ...algorithms.dae_functions import state_size, unknown_size
 from ...algorithms.measurement import Measurement
 from ...algorithms.measurement_names import chosen
@@ -290,7 +290,7 @@ class CProject:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
         measured = (a for row in self.measurements for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *told, *measured, *self.further
+        return *(run.algorithm for run in RUNS.values()), *told, *measured, functions.HOLD, *self.further
 
     @property
     def seen(self) -> Chain:

@@ -63,12 +63,13 @@ class CasadiAccelerations:
 
 
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
-    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds.
+    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds, efforts within their limits.
 
     Quaternions are multiplied by unit quaternions and not scaled.
     """
     given = symbols(chain, "q v tau w_ext p dt")
-    held = CasadiAccelerations(chain, given["tau"], given["w_ext"], given["p"])
+    tau = expressions(programs.held_inputs(chain), given)["held"] if chain.holds else given["tau"]
+    held = CasadiAccelerations(chain, tau, given["w_ext"], given["p"])
     q, v = method.step(held, given["q"], given["v"], given["dt"], replayed(chain, expressions))
     return function(name, given, q_next=q, v_next=v)
 

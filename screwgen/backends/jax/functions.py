@@ -20,6 +20,7 @@ from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
+from ...algorithms.robot_programs import held_inputs
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...errors import UsageError
@@ -157,10 +158,12 @@ class Own:
         return jnp.concatenate([jnp.stack([spin[2, 1], spin[0, 2], spin[1, 0]]), moving @ rates])
 
     def step(self, method: Method) -> Callable:
-        """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds."""
+        """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds, efforts within their limits."""
 
         def body(x: Values) -> tuple[jax.Array, jax.Array]:
             moves = space.replayed(self.chain, self.replay)
+            if self.chain.holds:
+                x = {**x, "tau": self.run(held_inputs, "held", x)[0]}
             q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], moves)
             return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 

@@ -38,9 +38,11 @@ class Noise:
     ``calibrated`` has ``<name>_scale`` and ``<name>_offset``: it reads scale × value + offset.
 
     ``gate``: an update refuses an entry whose innovation exceeds so many of its standard deviations; 0: none is
-    refused. ``patience``: so often in a row, then it is taken until it is within the gate again; after refusals as
-    often as it was within the gate since then, if that is less. ``doubt``: between so many standard deviations and the
-    gate an entry counts less, with the weight (doubt / normalised innovation)²; 0: all within the gate count in full.
+    refused. ``patience``: so often in a row, then it is believed until it is within the gate again; after refusals as
+    often as it was within the gate since then, if that is less. What is believed beyond the gate makes all deviations
+    larger, and the first in a row moves what it measures, and nothing else. ``doubt``: between so many standard
+    deviations and the gate an entry counts less, with the weight (doubt / normalised innovation)²; 0: all within the
+    gate count in full.
     A measurement that is ``gated`` has ``<name>_gate``, which counts in place of ``gate`` unless it is 0.
     """
 

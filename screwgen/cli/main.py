@@ -96,7 +96,7 @@ def generate(
     ] = None,
     functions: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="A CasADi function, or all; may be given again. Else dynamics, energy, poses."),
+        typer.Option(metavar="NAME", help="A CasADi function, or all; may be given again. Else: dynamics and poses."),
     ] = None,
     quiet: Quiet = False,
 ) -> None:

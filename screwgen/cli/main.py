@@ -81,9 +81,7 @@ def generate(
     derivatives: Annotated[
         bool, typer.Option("--derivatives", help="Also C of derivatives: of accelerations, steps and joint wrenches.")
     ] = False,
-    estimator: Annotated[
-        bool, typer.Option("--estimator", help="Also C of a Kalman filter. Brings --derivatives.")
-    ] = False,
+    estimator: Annotated[bool, typer.Option("--estimator", help="Also C of a Kalman filter, and --derivatives.")] = False,
     measure: Annotated[
         list[str] | None,
         typer.Option(metavar="NAME", help="What the filter is told, as gyro@boom.tip; may be given again."),
@@ -96,7 +94,10 @@ def generate(
     ] = None,
     functions: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="A CasADi function, or all; may be given again. Else: dynamics and poses."),
+        typer.Option(
+            metavar="NAME",
+            help="A CasADi function to save, or all; may be given again. Without: dynamics, energy and poses.",
+        ),
     ] = None,
     quiet: Quiet = False,
 ) -> None:

@@ -305,12 +305,15 @@ def latex(
         str | None, typer.Option(metavar="NAME|FILE", help="Letters: paper, featherstone, or a TOML table of your own.")
     ] = None,
     at: Annotated[str | None, typer.Option(metavar="FILE", help="Of a page: a state, for its mass matrix.")] = None,
+    whole: Annotated[
+        bool, typer.Option("--all", help="Of .tex and .pdf: also the derivation and further forms of the equations.")
+    ] = False,
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
     from .typesetting import run_latex
 
-    run_latex(robot, output, scalar, about, documentclass, fragment, notation, at, quiet=quiet or context.obj)
+    run_latex(robot, output, scalar, about, documentclass, fragment, notation, at, whole, quiet=quiet or context.obj)
 
 
 exchange.register(app, EPILOG)

@@ -185,7 +185,7 @@ class RobotModel:
 
     @cached_property
     def tendon_work(self) -> Callable[..., Any]:
-        """The CasADi function ``(q, tension, p) -> (work, force, slope)`` of tendons."""
+        """The CasADi function ``(q, others, p) -> (work, force, slope)`` of tendons."""
         from .backends.casadi.linear import tendon_work
 
         return tendon_work(self.chain)

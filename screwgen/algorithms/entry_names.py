@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 
-from ..spec.tendons import TENSION
+from ..spec.inputs import KIND, places
+from ..spec.tendons import TENSIONS
 from ..topology.chain import Chain
 from .robot_functions import RobotFunction, shape
 
@@ -17,8 +17,6 @@ PARTS: dict[tuple, list[str]] = {
     (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
 }
 """The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
-EFFORT = re.compile(r"\.(torque|force|tension)(?=\[|$)")
-"""The kind of an input in its name."""
 SIGNS = str.maketrans("-*23", "1·²³")
 """Signs of units in comments of C, and what stands for them elsewhere."""
 
@@ -38,18 +36,24 @@ def entry_names(
     ``cylinders``: which of the drives are some, `arm.cylinder_length[0]` is that of `arm.force[0]`.
     """
     out: list[str] = []
-    of_drives = {"NTAU": drives, "NTENDONS": [drive for drive in drives if drive.endswith(TENSION)]}
+    of_drives = {"NTAU": drives, "NTENDONS": [drives[k] for k in places(drives, TENSIONS)]}
     of_drives["NCYLINDERS"] = [drives[k] for k in cylinders]
     for name, signal in function.results.items():
         what = f"{function.name}.{name}"
         if len(signal.shape) == 1 and signal.shape[0] in of_drives:
-            out += [EFFORT.sub(f".{name}", drive) for drive in of_drives[str(signal.shape[0])]]
+            out += [of_input(drive, name) for drive in of_drives[str(signal.shape[0])]]
         elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
             owners = markers if signal.shape[0] == "NMARKERS" else links
             out += [f"{owner}.{what}{part}" for owner in owners for part in PARTS[signal.shape[1:]]]
         else:
             out += [what + part for part in PARTS[signal.shape]]
     return tuple(out)
+
+
+def of_input(name: str, what: str) -> str:
+    """The name of what belongs to an input: `arm.power[0]` of `arm.torque[0]`, `base.yaw.power` of `base.yaw`."""
+    told, count = KIND.subn(f".{what}", name)
+    return told if count else f"{name}.{what}"
 
 
 def unit_text(unit: str) -> str:

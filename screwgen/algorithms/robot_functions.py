@@ -20,8 +20,9 @@ from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
-from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
+from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES
 from .gauges import strain_names
+from .input_functions import LENGTHS, POWER
 from .loop_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .momentum import CENTRED, MOMENTUM

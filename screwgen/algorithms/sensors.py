@@ -45,7 +45,7 @@ def gyro(f: Functions, q: Sequence, v: Sequence) -> Outputs:
 @program("q v tau w_ext", algorithms=ALL)
 def accelerometer(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> Outputs:
     """``(q, v, tau, w_ext) -> (a)``: of the motion by forward dynamics."""
-    found = f.marker_accelerations(q, v, f.forward_dynamics(q, v, tau, w_ext)[0])
+    found = f.falling(tau).marker_accelerations(q, v, f.forward_dynamics(q, v, tau, w_ext)[0])
     return {"a": [x for k in range(3, len(found), 6) for x in found[k : k + 3]]}
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from ..ir.derivative import columns, tangents
 from ..ir.program import Node, Value
+from ..spec.tendons import TENSIONS
 from .functions import Functions
 from .fused import Outputs, program
 
@@ -16,6 +17,8 @@ def tip_acceleration(f: Functions, **x: Sequence) -> Outputs:
 
     Those with joints whose coordinates do not add up are along :meth:`.JointKind.integrate`.
     """
+    if f.chain.falls:
+        f.chain.refuse_inputs("filter, whose accelerometer does not know them", "leave them out", TENSIONS)
     a = f.tip_acceleration(**x)
     slopes = {n: columns(a, values) for n, values in x.items() if n != "q"}
     slopes["q"] = along_changes(f, x["q"], a)

@@ -10,8 +10,8 @@ from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...topology.chain import Chain
 from ..templates import FEATURES
 from .code import Place, entries, literal, singular
+from .inputs import features
 from .pieces import piece_place, pieces
-from .tendons import TENDONS
 
 OPEN = 1e-5
 """m, or of cosines: the gap of such a row from which parameters count as those of another robot."""
@@ -31,7 +31,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
 
     ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
     """
-    written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + TENDONS * bool(chain.n_tensions)
+    written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + features(chain)
     out: dict[str, object] = {FEATURES: written, "scratch": {}}
     out |= _loops(chain, baked, place) if chain.closing.rows else {}
     return out | ({"idle": _idle_rows(chain, place)} if chain.closing.idle else {})

@@ -22,11 +22,11 @@ from ...algorithms.functions import (
     PLACEMENT,
     PLACES,
     PROJECTION,
-    PULLS,
     SENSITIVITY,
     Functions,
 )
 from ...algorithms.gauges import strain_names
+from ...algorithms.input_functions import PULLS
 from ...algorithms.linearise import closed_slopes, slopes
 from ...algorithms.marker_functions import STRAINED
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, results
@@ -118,6 +118,11 @@ class Numeric:
         """The algorithms that loops need besides."""
         return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if self.chain.closing.rows else ()
 
+    @property
+    def _exerting(self) -> tuple[Algorithm, ...]:
+        """The algorithms that the forces of inputs need."""
+        return (PULLS, INVERSE) if self.chain.falls else (PULLS,)
+
     def __getattr__(self, name: str) -> Callable:
         """The functions of :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`, by name."""
         if name not in BY_NAME:
@@ -133,8 +138,8 @@ class Numeric:
         values = dict(zip(row.names, self._rows(**{x: arguments.pop(x, None) for x in row.names}), strict=True))
         if arguments or len(given) > len(row.names):
             raise TypeError(f"the arguments of {row.name} are ({', '.join(row.names)})")
-        closing = self._closing if "tau" in values else ()
-        found = row.program.body(self._functions(*row.algorithms, *closing), **values)
+        acted = (*self._closing, *self._exerting) if "tau" in values else ()
+        found = row.program.body(self._functions(*row.algorithms, *acted), **values)
         return results(row, self.chain, np.array([x for name in row.results for x in found[name]], float))
 
     def strain_slopes(self) -> np.ndarray:
@@ -204,13 +209,13 @@ class Numeric:
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
     def _by_inputs(self, q: Numbers) -> np.ndarray:
-        """(nv, n_tau): the generalised forces per unit of each torque and tension."""
+        """(nv, n_tau): the generalised forces per unit of each input."""
         chain = self.chain
         out = np.zeros((chain.nv, chain.n_tau))
         out[:, : chain.n_joints] = np.eye(chain.nv)[:, chain.effort_places] * self.levers(q)
         out[list(chain.elastic_travels.values()), list(chain.elastic_travels)] = 1.0
-        pulls = np.reshape(self._functions(PULLS).pulls(*self._rows(q=q)), (chain.n_tensions, chain.n_modes))
-        out[chain.eta_v :, chain.n_joints :] = -pulls.T
+        exerted = self._functions(*self._exerting).exerted(*self._rows(q=q))
+        out[:, chain.n_joints :] = np.array(exerted, float).reshape(-1, chain.nv).T
         return out
 
     def _closed_derivatives(

@@ -83,14 +83,14 @@ def generate(
     ] = False,
     estimator: Annotated[
         bool,
-        typer.Option(
-            "--estimator",
-            help="Also C of a Kalman filter: encoders, base strain, tip acceleration. Brings --derivatives.",
-        ),
+        typer.Option("--estimator", help="Also C of a Kalman filter: encoders, strain, acceleration, --derivatives."),
     ] = False,
     outputs: Annotated[
         bool, typer.Option("--outputs", help="Also C of what runs report, such as energies, and sensors measure.")
     ] = False,
+    by_p: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="Also C of derivatives by a parameter, or by arm.*; again.")
+    ] = None,
     mpc: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.")
     ] = None,
@@ -110,7 +110,7 @@ def generate(
     from .commands import run_generate
 
     more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "outputs": outputs}
-    said = {"mpc": mpc, "functions": functions or None}
+    said = {"mpc": mpc, "functions": functions or None, "by_p": by_p or ()}
     run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)
 
 

@@ -19,6 +19,8 @@ from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
 from . import batch, check, closing, curved, derivatives, estimator, files, laws, levers, outputs, preparation, steps
+from .by_p import algorithms as differentiated
+from .by_p import content as by_parameters
 from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
@@ -77,11 +79,12 @@ class CProject:
         estimator: bool = False,
         methods: Sequence[Method] = (),
         outputs: bool | Collection[str] = False,
+        by_p: str | Sequence[str] = (),
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
-        self.name, self.methods = chain.robot.name, with_built_in(methods)
+        self.name, self.methods, self.chosen = chain.robot.name, with_built_in(methods), chain.parameters.chosen(by_p)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
         self.layout = self._layout(layout)
@@ -112,8 +115,8 @@ class CProject:
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        options = self.with_derivatives, self.with_estimator, self.with_batch
-        return files.library(self.name, closing.files(self.chain), *options, self.reports)
+        options = self.with_derivatives, self.with_estimator, self.with_batch, bool(self.chosen)
+        return files.library(self.name, closing.files(self.chain), options, self.reports)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -196,6 +199,7 @@ class CProject:
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": levers.content(chain, self.baked is not None, fused_place),
             "batch": self._batch if self.with_batch else None,
+            "by_p": by_parameters(chain, self.chosen, self.baked is not None, fused_place, self.methods),
         }
 
     @cached_property
@@ -286,7 +290,7 @@ class CProject:
     def _run(self) -> tuple[Algorithm, ...]:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *told, *self.further
+        return *(run.algorithm for run in RUNS.values()), *told, *differentiated(self.chain, self.chosen), *self.further
 
     @property
     def seen(self) -> Chain:

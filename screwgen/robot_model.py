@@ -49,6 +49,7 @@ class RobotModel:
         self.q_names, self.v_names = list(names.q), list(names.v)
         self.tau_names, self.wrench_names = list(names.tau), list(names.wrench)
         self.marker_names, self.strain_names = [m.name for m in self.chain.markers], list(strain_names(self.chain))
+        self.force_quantities = {name: x.unit for name, x in self.chain.force_quantities.items()}
         self.parameter_names = [p.name for p in parameters(robot)]
         self.parameter_values = [p.value for p in parameters(robot)]
         self._kept: dict[Hashable, object] = {}

@@ -33,6 +33,24 @@ section = { density = 7800.0, area = 1e-4, E = 2e11, Iy = 1e-8, Iz = 1e-8, G = 8
 joint = { axes = ["z"] }
 """
 
+FORCES = """
+[[forces]]
+name = "spring"
+between = ["upper.tip", "fore.tip"]
+line = { stiffness = 40.0, rest = 0.3 }
+
+[[forces]]
+name = "finger"
+between = ["fore.tip", "world"]
+contact = { radius = 0.1, stiffness = 1e4, width = 1e-4, normal = [0.0, 0.0, 1.0] }
+
+[[pushes]]
+name = "hand"
+at = "fore.tip"
+axes = "marker"
+"""
+"""What may stand behind it: forces between frames."""
+
 MATERIAL = "{ density = 7800.0, area = 1e-4, E = 2e11, Iy = 1e-8, Iz = 1e-8, G = 8e10, J = 2e-8 }"
 LINE = "{ rhoA = 1.0, EA = 1e7, EIy = 1e3, EIz = 1e3, GJ = 1e3, rhoIp = 1e-3 }"
 MODES = '{ basis = "clamped_free", axial = 1, bending_y = 2, bending_z = 2, torsion = 1 }'

@@ -37,7 +37,7 @@ PATIENCE = 60.0
 """Seconds until a process is taken to hang."""
 GOOD, BAD = ("refused", "accepted"), ("traceback", "signal", "over memory", "too slow")
 
-EXAMPLES = ("bucket", "crane_loop", "elastic_joint", "gantry", "space_arm")
+EXAMPLES = ("balanced_arm", "bucket", "crane_loop", "elastic_joint", "gantry", "space_arm")
 
 ROBOT = """
 name = "bot"

@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Mapping
 
 import numpy as np
+from document_forces import Acting
 from document_loops import Loops
 from document_points import pull
 from document_state import Link, Reading, State
@@ -54,6 +55,7 @@ class Run:
             axis.prepare()
         self.efforts = {(axis.name, axis.number): axis.effort() for axis in self.axes}
         self.loops = Loops(self.document, state.scopes, self.axes)
+        self.acting = Acting(self.document, state.scopes, state.w_ext)
         self.pulls = [self._pulls(link) for link in self.links]
 
     def solved(self) -> tuple[np.ndarray, np.ndarray]:
@@ -102,7 +104,7 @@ class Run:
     def _given(self, link: Link, loads: list[np.ndarray], torques: Mapping) -> Env:
         """The external wrench, the bias of the link with tensions, and what acts on its axes."""
         scope = self.state.scopes[link.number]
-        env = {plain(r"\boldsymbol{\mathcal{W}}_{ext,i}"): self.state.w_ext[link.number][:, None] + loads[link.number]}
+        env = {plain(r"\boldsymbol{\mathcal{W}}_{ext,i}"): self.acting.wrenches[link.number] + loads[link.number]}
         right = next(right for left, _, right in self.lines[INWARD] if left == plain(r"\mathbf{h}^A_i"))
         tensions = right.partition(TENSION)[2].partition(CARRIED)[0].partition(" = ")[0]
         h = sized(scope(r"\mathbf{h}_i"), (6 + link.sizes[2], 1))

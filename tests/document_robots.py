@@ -76,6 +76,19 @@ def looped(end: str, *axes) -> Change:
     return change
 
 
+def forced(robot: dict) -> None:
+    """A spring between two links, a rope from the world, and pushes in both kinds of axes."""
+    marked = [*robot["links"][UPPER].get("markers", []), {"name": "lug", "at": 0.4}]
+    robot["links"][UPPER]["markers"] = marked
+    spring = {"name": "spring", "between": ["upper.lug", "hand.tip"]}
+    rope = {"name": "rope", "between": [{"world": [0.1, 0.2, 2.0]}, "fore.tip"]}
+    robot["forces"] = [
+        spring | {"line": {"stiffness": 12.0, "rest": 0.5, "damping": 0.5}},
+        rope | {"line": {"stiffness": 4.0, "rest": 0.3, "damping": 0.2, "slack": True}},
+    ]
+    robot["pushes"] = [{"name": "wind", "at": "upper.lug"}, {"name": "grip", "at": "hand.tip", "axes": "marker"}]
+
+
 def branched(robot: dict) -> None:
     robot["links"][HAND]["parent"] = "upper"
     robot["links"][HAND]["at"] = {"s": 0.45}
@@ -125,6 +138,7 @@ SLOTS: dict[str, dict[str, Change]] = {
         "weld loop": looped("fore.eye"),
         "sliding loop": looped("fore.eye", {"slide": "x"}, "x", "y"),
     },
+    "acting": {"forces": forced},
 }
 """What can be chosen, one of each kind."""
 
@@ -132,7 +146,7 @@ SLOTS: dict[str, dict[str, Change]] = {
 def robot_with(*names: str) -> dict:
     """The arm with these features."""
     out = arm()
-    for slot in ("order", "upper", "fore", "damping", "tendons", "drive", "axis", "hand", "closing", "base"):
+    for slot in ("order", "upper", "fore", "damping", "tendons", "drive", "axis", "hand", "closing", "base", "acting"):
         for name in names:
             if name in SLOTS[slot]:
                 SLOTS[slot][name](out)

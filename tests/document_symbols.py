@@ -125,10 +125,10 @@ class Printed:
         self.inline = dict(reversed(inline))
 
     def _steps_of_others(self, own: list[Part]) -> None:
-        """Steps that a class only names, where an earlier one has them."""
+        """Steps that a part only names, where an earlier one has them, of an earlier class or of its own."""
         for part in own:
-            for title, number, names in re.findall(r"As under “(.*)” of class (\d+): (.*)\.\n", part.text):
-                other = next(p for p in self.classes[int(number)] if p.title == title)
+            for title, number, names in re.findall(r"As under “(.*)”(?: of class (\d+))?: (.*)\.\n", part.text):
+                other = next(p for p in (self.classes[int(number)] if number else own) if p.title == title)
                 for name in map(plain, re.findall(r"\$([^$]*)\$", names)):
                     part.steps.setdefault(name, other.steps[name])
 

@@ -18,7 +18,7 @@ SCRIPT = r"(?:\{[^{}]*\}|\\[a-zA-Z]+|[a-zA-Z0-9])"
 SYMBOL = re.compile(
     rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^[*APc])?(?:_{SCRIPT})?"
 )
-NUMBER = re.compile(r"\d+(?:\.\d+)?")
+NUMBER = re.compile(r"(?:(\d+(?:\.\d+)?)\\times )?10\^\{(-?\d+)\}|\d+(?:\.\d+)?")
 SKIP = re.compile(r"(?:\\,|\\;|\\ |\\quad|~|\s)+")
 ENDS = ("+", "-", r"\right", r"\end", ")", "]", "}", "&", r"\\", ",", ";", "=")
 AXES = {rf"\mathbf{{e}}_{x}": np.eye(3)[:, [k]] for k, x in enumerate("xyz")}
@@ -116,6 +116,8 @@ class Reader:
                 value = value if isinstance(value, Zero) else value.T
             elif self.take("^{2}", "^2"):
                 value = times(value, value)
+            elif self.take("^{3}", "^3"):
+                value = times(times(value, value), value)
             elif self.take("^{-1}"):
                 value = np.linalg.inv(value)
             elif self.take(r"^{-\top}"):
@@ -149,6 +151,8 @@ class Reader:
             second = self.sum()
             self.need(r"\right)")
             return np.maximum(first, second)
+        if self.take(r"\mathrm{H}"):
+            return (self.factor() > 0).astype(float)
         if self.take(r"\operatorname{tr}"):
             return np.full((1, 1), np.trace(self.atom()))
         if self.take(r"\mathrm{diag}("):
@@ -184,7 +188,7 @@ class Reader:
     def plain(self) -> Value:
         if match := NUMBER.match(self.text):
             self.text = self.text[match.end() :]
-            return np.full((1, 1), float(match[0]))
+            return np.full((1, 1), float(f"{match[1] or 1}e{match[2]}" if match[2] else match[0]))
         if match := re.match(r"\\mathbf\{I\}_(?:\{(\d)\}|(\d))", self.text):
             self.text = self.text[match.end() :]
             return np.eye(int(match[1] or match[2]))

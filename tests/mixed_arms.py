@@ -2,9 +2,9 @@
 
 Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, four-bar
 linkages, rigid and elastic drives with friction, modes of all orders, sections that vary, shear, bodies from files,
-segments, damping of the material, fixed and floating bases, couplings, up to two loops. What the robot file refuses is
-counted and drawn without. Where loops or couplings close the tree, the judge is the oracle's mass matrix and bias with
-Lagrange multipliers.
+segments, damping of the material, fixed and floating bases, couplings, up to two loops, springs and ropes between
+frames, pushes. What the robot file refuses is counted and drawn without. Where loops or couplings close the tree, the
+judge is the oracle's mass matrix and bias with Lagrange multipliers.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from conformance import numbers
 from conformance.cases import Case
 from conformance.judge import Judge
 from conformance.twin import as_turns
+from mixed_forces import with_forces
 from mixed_loops import JOINTS, Loops, bridged, coupled, names
 from oracle import Oracle
 from oracle_floating import ANGLE, floating
@@ -125,14 +126,14 @@ def drawn(seed: int, folder: Path, most: int = LINKS, **limits) -> Mixed:
         tree = max(count - wanted, 1)
         base = fr.random_arm(rng, tree, **limits) if files else rr.random_robot(rng, tree, **limits)
         base = with_places(rng, with_segments(rng, floating(base) if free else base))
-        case = _case(rng, base, wanted, folder, refused)
+        case = _case(rng, base, wanted, folder, refused, [40, seed, attempt])
         if case is not None:
             return case
         free = free and not any("floating" in x for x in refused)
     raise RuntimeError("no regular robot in 200 draws")
 
 
-def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str]) -> Mixed | None:
+def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str], forces: list[int]) -> Mixed | None:
     free, judged = "base" in base, as_turns(base)
     state = fr.random_state(rng, judged) if any("cloud" in x for x in judged["links"]) else rr.random_state(rng, judged)
     if free:
@@ -148,7 +149,9 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str]) -> Mix
     base = base | {"links": [*base["links"], *(x for x in judged["links"] if x["name"].startswith("bridge"))]}
     judged = with_coupling(rng, base, judged, state)
     base |= {key: judged[key] for key in ("loops", "couplings") if key in judged}
+    base = with_forces(forces, base, judged, np.array(state["q"]))
     judge = Judge(base, judged, Oracle(judged), state)
+    judge.pushes = np.random.default_rng(forces).normal(size=judge.pushes.shape)
     M = judge.oracle.mass_matrix(judge.state["q"])
     if np.linalg.cond(M) > CONDITION or np.linalg.eigvalsh(M)[0] <= 0:
         return None
@@ -184,6 +187,8 @@ def described(case: Mixed) -> str:
         "files": sum(k.elastic is not None for k in keys),
         "loops": len(case.robot.get("loops", [])),
         "couplings": len(case.robot.get("couplings", [])),
+        "forces": len(case.robot.get("forces", [])),
+        "pushes": len(case.robot.get("pushes", [])),
         "rows": len(chain.closing.rows),
         "floating": int(case.floating),
         "tree": int(not chain.tree.is_chain),

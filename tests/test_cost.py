@@ -11,7 +11,7 @@ from helpers import ROOT, arm, equal_links, link, model_of
 from screwgen import load
 from screwgen.algorithms import fused, scope
 from screwgen.algorithms import schedule as chain_module
-from screwgen.algorithms.linearise import linearisation
+from screwgen.algorithms.linearisation import linearisation
 from screwgen.topology.chain import Chain
 
 

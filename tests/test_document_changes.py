@@ -16,10 +16,12 @@ from screwgen.backends.latex import document as latex
 ROBOTS = {
     "transmissions": ("order 2", "four-bar", "stops", "time", "hinge loop"),
     "tendons": ("one exact", "tendons", "elastic cylinder", "spring", "ratio"),
+    "forces": ("forces", "slide", "mounted"),
     "couplings": ("varying", "mounted", "rigid", "passive", "skew", "coupling"),
 }
 OTHERS = {"open": "crossed", "crossed": "open", "fore.tip": "hand.tip", "stay.tip": "cart.tip", "left": "middle"}
 OTHERS |= {"hand.joint[0]": "upper.joint[0]", "fore.joint[0]": "upper.joint[0]", "right": "middle"}
+OTHERS |= {"upper.lug": "upper.tip", "hand.tip": "fore.tip", "marker": "world"}
 OTHERS |= {"tip": "base", "base": "tip", "exact": 2, "world": "upper"}
 OTHERS |= {"x": [0.6, 0.8, 0.0], "y": [0.0, 0.6, 0.8], "z": [0.8, 0.0, 0.6]}
 """What stands for a word of a file instead."""

@@ -18,8 +18,11 @@ BEYOND = (
     ("exact", "weld loop", "tendons"),
     ("coupling", "carried", "tendons"),
     ("branched", "floating", "slide"),
+    ("forces", "order 2", "hinge loop"),
+    ("forces", "exact", "floating"),
+    ("forces", "branched", "coupling"),
 )
-"""Loops at markers, several tendons on a link, couplings along the arm, trees of three flexible links."""
+"""Loops at markers, several tendons on a link, couplings along the arm, trees of three flexible links, forces."""
 
 
 def state(model, seed=3):

@@ -6,7 +6,7 @@ import json
 import tomllib
 
 import pytest
-from bad_robot_files import GOOD, refusal
+from bad_robot_files import FORCES, GOOD, refusal
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -73,7 +73,7 @@ def mutate(data, draw):
 @st.composite
 def mutants(draw):
     """The good file, wrong in one to three places."""
-    data = tomllib.loads(GOOD)
+    data = tomllib.loads(GOOD + FORCES)
     for _ in range(draw(st.integers(1, 3))):
         if data:
             mutate(data, draw)

@@ -6,6 +6,8 @@ from base64 import b64decode
 
 import numpy as np
 import pytest
+from dressed_arm import still
+from force_robots import ends, sprung_model, state
 from helpers import ROOT, arm, link, model_of
 from scipy.spatial.transform import Rotation
 
@@ -13,8 +15,9 @@ import screwgen
 from screwgen.cli.main import main
 from screwgen.plotting.demands import set_points
 from screwgen.simulation.controllers import PD
-from screwgen.viewer import pack
+from screwgen.viewer import lines, pack
 from screwgen.viewer.actuators import eyes
+from screwgen.viewer.film import Actor
 from screwgen.viewer.meshes import packed
 from screwgen.viewer.panels import panels
 from screwgen.viewer.scene import scene
@@ -211,6 +214,28 @@ def test_a_cylinder_is_drawn_as_long_as_the_law_of_cosines_has_it(axes):
     still[1 + k :] = 0.0
     unmoved, _ = eyes(drawn, found, *(x[1] for x in model.numpy().link_pose(still)), still)
     assert unmoved == pytest.approx(near, abs=1e-12)
+
+
+@pytest.mark.parametrize("rest", [0.3, 3.0], ids=["taut", "slack"])
+def test_springs_and_ropes_are_drawn_from_end_to_end_and_ropes_as_long_as_they_are(rest):
+    """With the modes magnified: the ends follow these, and what a rope is longer than its way does not."""
+    model = sprung_model(rest)
+    q, v = state(model)
+    actor = Actor(still(model, q), model, "", 10.0)
+    seen = actor.at(np.zeros(1))[0]
+    at, magnified = ends(model, q, v), ends(model, seen, v)
+    _, r = model.numpy().tip_poses(seen)
+    for line, (a, b) in zip(actor.scene["lines"], (("upper.eye", "lower.tip"), ("world", "lower.tip")), strict=True):
+        spare = line["rest"] - np.linalg.norm(at[b][0] - at[a][0])
+        found = lines.path(line, *lines.ends(line, r), actor.down, spare)
+        assert found[[0, -1]] == pytest.approx(np.array([magnified[a][0], magnified[b][0]]), abs=1e-12)
+        way, long = np.linalg.norm(found[-1] - found[0]), np.linalg.norm(np.diff(found, axis=0), axis=1).sum()
+        aside = np.linalg.norm(np.cross(found - found[0], (found[-1] - found[0]) / way), axis=1).max()
+        if line["drawn"] == "spring":
+            assert aside == pytest.approx(line["wide"], rel=0.01)
+        else:
+            assert long == pytest.approx(way + max(spare, 0.0), rel=1e-9) and (spare > 0.5) == (rest == 3.0)
+    assert len(actor.faces(seen)) == len(actor.colors)
 
 
 @pytest.mark.parametrize(("q", "hangs"), [(0.0, False), (1.3, True), (-1.3, False)])

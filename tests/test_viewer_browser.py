@@ -8,11 +8,14 @@ import pytest
 from browser import Browser
 from conftest import package, require_tool
 from dressed_arm import corners, dressed, posture, still
+from force_robots import sprung_model, state
 from helpers import ROOT, arm, link, model_of
 from scipy.spatial.transform import Rotation
 
 import screwgen
 from screwgen.simulation.controllers import PD
+from screwgen.viewer import lines
+from screwgen.viewer.film import Actor
 from screwgen.viewer.view import view
 
 pytestmark = pytest.mark.examples
@@ -237,4 +240,26 @@ def test_cylinders_are_as_long_as_in_the_model_and_small_bending_is_magnified(br
     closed = screwgen.derive(screwgen.load(ROOT / "examples" / "parallelogram.toml"))
     opened(browser, tmp_path, view(still(closed, np.array(closed.chain.home, float))))
     assert browser.run("screwgen.state.magnified") == 1
+    quiet(browser)
+
+
+@pytest.mark.parametrize("factor", [1, 10])
+def test_lines_of_forces_are_those_of_films(browser, tmp_path, factor):
+    """A coil, whose turn about its axis is free, and a rope that hangs."""
+    model = sprung_model(3.0)
+    q, _ = state(model)
+    opened(browser, tmp_path, view(still(model, q)))
+    browser.run(f"screwgen.magnify({factor}), screwgen.seek(0.5)")
+    actor = Actor(still(model, q), model, "", factor)
+    _, tips = model.numpy().tip_poses(actor.at(np.zeros(1))[0])
+    for line, points in zip(actor.scene["lines"], map(np.array, browser.run("screwgen.lines()")), strict=True):
+        real = np.subtract(*lines.ends(line, model.numpy().tip_poses(q)[1]))
+        near, far = lines.ends(line, tips)
+        expected = lines.path(line, near, far, actor.down, line["rest"] - np.linalg.norm(real))
+        assert points[[0, -1]] == pytest.approx(expected[[0, -1]], abs=2e-5)
+        if line["drawn"] == "rope":
+            assert points == pytest.approx(expected, abs=1e-4) and np.ptp(points[:, 2]) > 0.5
+        else:
+            from_axis = [np.linalg.norm(np.cross(x - near, far - near), axis=1) for x in (points, expected)]
+            assert from_axis[0] == pytest.approx(from_axis[1], abs=1e-4) and from_axis[0].max() > 5e-3
     quiet(browser)

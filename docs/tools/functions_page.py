@@ -18,6 +18,7 @@ PAGE = ROOT / "docs" / "functions.md"
 ROWS = re.compile(r"(?:^\| `.*\n)+", re.MULTILINE)
 SIZES = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NAXES": "n_joints", "NTENDONS": "n_tendons", "NLINKS": "n"}
 SIZES |= {"NMARKERS": "m", "NSTRAINS": "n_strains", "NCYLINDERS": "n_cylinders"}
+SIZES |= {"NQUANTITIES": "n_quantities"}
 
 
 def table(text: str) -> str:

@@ -141,8 +141,9 @@ class DaeFunctions(Functions):
         return falling._run(DAE_FORWARD, state, self.of_links(tau), self._wrenches(w_ext), falling._gravity())[0]
 
     def _borne(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[Sequence, Sequence]:
-        """Torques and wrenches on the tips, those of the loops included."""
-        return self.with_loops(*self.coordinates(x), tau, w_ext) if self.chain.closing.rows else (tau, w_ext)
+        """Torques and wrenches on the tips, those of the loops and of forces between frames included."""
+        acted = self.chain.closing.rows or self.acts
+        return self.with_loops(*self.coordinates(x), tau, w_ext) if acted else (tau, w_ext)
 
     def joint_rates(self, x: Sequence) -> list:
         """The joint rates that follow from the twists."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from ..spec.inputs import KIND, places
 from ..spec.tendons import TENSIONS
@@ -17,6 +17,8 @@ PARTS: dict[tuple, list[str]] = {
     (3, 3): [f"[{row},{column}]" for row in range(3) for column in range(3)],
 }
 """The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
+QUANTITIES = ("NQUANTITIES",)
+"""The shape of what forces between frames report."""
 SIGNS = str.maketrans("-*23", "1·²³")
 """Signs of units in comments of C, and what stands for them elsewhere."""
 
@@ -27,13 +29,15 @@ def entry_names(
     markers: Sequence[str] = (),
     links: Sequence[str] = (),
     cylinders: Sequence[int] = (),
+    quantities: Iterable[str] = (),
 ) -> tuple[str, ...]:
     """The names of the entries of what is reported: `energy.kinetic`, `arm.power[0]` for the drive `arm.torque[0]`,
     of the tendon `left.tension` it is `left.power`, and its length `left.length`;
     `arm.tip.gyro.omega.x` and `arm.tip.marker_pose.R[0,1]` for a marker, `momentum.linear.x` of a vector of the robot,
     `arm.effort.torque` of a link, `boom[1].effort.torque` of a segment of one that is divided.
 
-    ``cylinders``: which of the drives are some, `arm.cylinder_length[0]` is that of `arm.force[0]`.
+    ``cylinders``: which of the drives are some, `arm.cylinder_length[0]` is that of `arm.force[0]`; ``quantities``: the
+    names of what forces between frames report.
     """
     out: list[str] = []
     of_drives = {"NTAU": drives, "NTENDONS": [drives[k] for k in places(drives, TENSIONS)]}
@@ -42,6 +46,8 @@ def entry_names(
         what = f"{function.name}.{name}"
         if len(signal.shape) == 1 and signal.shape[0] in of_drives:
             out += [of_input(drive, name) for drive in of_drives[str(signal.shape[0])]]
+        elif signal.shape == QUANTITIES:
+            out += quantities
         elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
             owners = markers if signal.shape[0] == "NMARKERS" else links
             out += [f"{owner}.{what}{part}" for owner in owners for part in PARTS[signal.shape[1:]]]
@@ -61,10 +67,22 @@ def unit_text(unit: str) -> str:
     return unit.translate(SIGNS).replace("^", "")
 
 
+def entry_meanings(function: RobotFunction, chain: Chain) -> list[str]:
+    """What these entries mean."""
+    out: list[str] = []
+    for of in function.results.values():
+        own = chain.force_quantities.values() if of.shape == QUANTITIES else ()
+        out += [x.meaning for x in own] or [of.meaning] * math.prod(shape(of, chain))
+    return out
+
+
 def entry_units(function: RobotFunction, chain: Chain) -> list[str]:
     """The units of these entries, as mock-up units have them."""
     out: list[str] = []
     for of in function.results.values():
+        if of.shape == QUANTITIES:
+            out += [quantity.unit for quantity in chain.force_quantities.values()]
+            continue
         count, parts = math.prod(shape(of, chain)), unit_text(of.unit).split(", ")
         out += [parts[k % 6 // 3 if len(parts) == 2 and of.shape[-1:] == (6,) else 0] for k in range(count)]
     return out

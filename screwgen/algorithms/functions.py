@@ -15,11 +15,12 @@ from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .axis_terms import rotor_accelerations
+from .force_functions import MOTION as MOTION
+from .force_functions import POSES, ForceFunctions
 from .input_functions import InputFunctions
 from .joint_moves import rates
 from .law_programs import forces
-from .loop_functions import MOTION as MOTION
-from .loop_functions import POSES, LoopFunctions
+from .loop_functions import LoopFunctions
 from .marker_functions import MarkerFunctions
 from .momentum import MomentumFunctions
 from .schedule import COLUMNS, INWARD, OUTWARD, Algorithm, Apply, Phase, execute, seen_by
@@ -65,13 +66,13 @@ def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     return out
 
 
-class Functions(InputFunctions, LoopFunctions, MarkerFunctions, MomentumFunctions):
+class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
-    ``COLUMNS``; ``gravity`` has three entries.  ``given``, if set, holds inertia (``chain.n_inertia`` entries) and
-    force of the last ``chain.n_given`` coordinates in place of ``M`` and ``K x + D xdot``: implicit integrators give
-    their own.
+    ``COLUMNS``; ``world`` has gravity, three entries, then the numbers of the forces between frames.  ``given``, if
+    set, holds inertia (``chain.n_inertia`` entries) and force of the last ``chain.n_given`` coordinates in place of
+    ``M`` and ``K x + D xdot``: implicit integrators give their own.
     """
 
     given: tuple[Sequence, Sequence] | None = None
@@ -79,8 +80,14 @@ class Functions(InputFunctions, LoopFunctions, MarkerFunctions, MomentumFunction
     section: Callable[[str], AbstractContextManager] = nullcontext
     """Opens a titled section of the program that is being recorded, if one is."""
 
-    def __init__(self, chain: Chain, constants: Sequence[dict[str, list]], gravity: Sequence, apply: Apply):
-        self.chain, self.constants, self.gravity, self.apply = chain, constants, gravity, apply
+    def __init__(self, chain: Chain, constants: Sequence[dict[str, list]], world: Sequence, apply: Apply):
+        self.chain, self.constants, self.world, self.apply = chain, constants, world, apply
+        self.acts = chain.acts_on_tips
+
+    @property
+    def gravity(self) -> Sequence:
+        """The acceleration of free fall (3,)."""
+        return self.world[:3]
 
     def _nodes(self, chain: Chain) -> list[dict[str, list]]:
         return nodes(chain, self.gravity)
@@ -189,7 +196,8 @@ class Functions(InputFunctions, LoopFunctions, MarkerFunctions, MomentumFunction
         """The measures at rest in a held posture."""
         rest = [0.0] * self.chain.nv
         still = self.chain.split(rest, "qddot", "etaddot")
-        links, _ = self._run(INVERSE, self._state(q, rest), still, self._wrenches(w_ext))
+        wrenches = self._wrenches(self.with_forces(q, rest, w_ext))
+        links, _ = self._run(INVERSE, self._state(q, rest), still, wrenches)
         return self.measures(q, [x for link in links for x in link["wrench"]], axial_motions(links))
 
     def inverse_dynamics(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> list:
@@ -199,7 +207,8 @@ class Functions(InputFunctions, LoopFunctions, MarkerFunctions, MomentumFunction
     def loads(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The generalised forces of a given motion, and the joint wrenches, link by link."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
-        links, _ = self._run(INVERSE, self._state(q, v), motion, self._wrenches(w_ext))
+        wrenches = self._wrenches(self.with_forces(q, v, w_ext))
+        links, _ = self._run(INVERSE, self._state(q, v), motion, wrenches)
         return self.chain.join(links, "force", "force_eta"), [x for link in links for x in link["wrench"]]
 
     def statics(self, q: Sequence, w_ext: Sequence) -> tuple[list, list]:
@@ -239,7 +248,7 @@ class Functions(InputFunctions, LoopFunctions, MarkerFunctions, MomentumFunction
         """Kinetic and potential energy."""
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
-        return sum_of(links, "kinetic"), sum_of(links, "potential")
+        return sum_of(links, "kinetic"), sum_of(links, "potential") + self.energy_of_forces(q)
 
 
 def stretched(key: LinkClass, x: Mapping[str, list], part: str) -> Sequence[Value]:

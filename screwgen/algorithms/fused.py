@@ -42,10 +42,10 @@ def fuse(
     tracer = Tracer()
     values = {key: tracer.input(key, size) for key, size in inputs.items()}
     read: dict[str, int] = dict(inputs)
-    links, gravity = _sources(chain, tracer, constants, read, algorithms)
+    links, world = _sources(chain, tracer, constants, read, algorithms)
     names = chain.identifiers
     apply = lambda i, _, program, given: inline(program, given, tracer, names[i], i)  # noqa: E731
-    functions = kind(chain, links, gravity, apply)
+    functions = kind(chain, links, world, apply)
     functions.section = tracer.section
     outputs = body(functions, values)
     return tracer.program(name, read, {k: list(v) for k, v in outputs.items()})
@@ -55,14 +55,14 @@ def _sources(
     chain: Chain, tracer: Tracer, constants: str, read: dict[str, int], algorithms: Sequence[Algorithm]
 ) -> tuple[list[dict[str, list]], Sequence[Value]]:
     if constants == "baked":
-        return baked(chain, algorithms), [p.value for p in parameters(chain.robot)[:3]]
+        return baked(chain, algorithms), world(chain, [p.value for p in parameters(chain.robot)])
     if constants == "parameters":
         size = len(parameters(chain.robot))
         p = tracer.input("p", size)
         read["p"] = size
         called = chain.identifiers
         apply = lambda i, program, given: inline(program, given, tracer, called[i])  # noqa: E731
-        return prepared(chain, p, apply, algorithms), p[:3]
+        return prepared(chain, p, apply, algorithms), world(chain, p)
     links = []
     for i in range(chain.n):
         names = {f"c.{label}": 1 for label in constant_labels(chain, i, algorithms)}
@@ -70,8 +70,14 @@ def _sources(
             names |= dict.fromkeys(link_columns(part), width(span))
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}
-    read["gravity"] = 3
-    return links, tracer.input("gravity", 3)
+    sizes = {"gravity": 3} | ({"forces": chain.n_force_numbers} if chain.forces else {})
+    read |= sizes
+    return links, [x for name, size in sizes.items() for x in tracer.input(name, size)]
+
+
+def world(chain: Chain, p: Sequence) -> Sequence:
+    """Gravity and the numbers of forces between frames, from the parameter vector ``p``."""
+    return [*p[:3], *p[len(p) - chain.n_force_numbers :]] if chain.forces else p[:3]
 
 
 def prepared(
@@ -220,41 +226,6 @@ def modal_properties(f: Functions) -> Outputs:
     return columns(f.chain, f.constants)
 
 
-@program("q v tau w_ext m_eta f_eta")
-def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
-    """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included.
-
-    With couplings also ``closed_tau``, the torques of all axes, those of the couplings included.
-    """
-    f.given = (x["m_eta"], x["f_eta"])
-    found = f.with_loops(x["q"], x["v"], x["tau"], x["w_ext"])
-    return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.closing.couplings else {})
-
-
-@program("q v")
-def correction(f: Functions, q: Sequence, v: Sequence) -> Outputs:
-    """``(q, v) -> (new_q, new_v)``: one correction of the gaps of the loops and of their rates."""
-    return dict(zip(("new_q", "new_v"), f.correct(q, v), strict=True))
-
-
-@program("q")
-def openings(f: Functions, q: Sequence) -> Outputs:
-    """``(q) -> (openings)``: the squares of how far each loop is from closed, of distance and angle."""
-    return {"openings": f.openings(q)}
-
-
-@program("q")
-def gaps(f: Functions, q: Sequence) -> Outputs:
-    """``(q) -> (gap)`` of every row of loops."""
-    return {"gap": f.gaps(q, [0.0] * f.chain.nv)[0]}
-
-
-@program("")
-def idle_gaps(f: Functions) -> Outputs:
-    """The ``gaps`` of the rows of loops that no motion changes."""
-    return {"gaps": f.idle_gaps()}
-
-
 @program("q v vdot w_ext")
 def inverse_dynamics(f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> Outputs:
     """``(q, v, vdot, w_ext) -> (force)``."""
@@ -270,7 +241,7 @@ def bias(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence) -> Outputs:
 @program("q vdot")
 def inertial_force(f: Functions, q: Sequence, vdot: Sequence) -> Outputs:
     """``(q, vdot) -> (force)`` at rest: its Jacobian in ``vdot`` is the mass matrix."""
-    still = Functions(f.chain, f.constants, [0.0] * 3, f.apply)
+    still = f.alone()
     return {"force": still.inverse_dynamics(q, [0.0] * f.chain.nv, vdot, [0.0] * 6 * f.chain.n)}
 
 

@@ -28,8 +28,9 @@ class InputFunctions:
     """What :class:`.functions.Functions` has besides for inputs; the attributes are set there."""
 
     chain: Chain
-    gravity: Sequence
+    world: Sequence
     given: tuple[Sequence, Sequence] | None
+    alone: Callable[[], Self]
     loads: Callable[..., tuple[list, list]]
     energy: Callable[..., tuple[Value, Value]]
     _run: Callable[..., tuple[list, list]]
@@ -60,7 +61,8 @@ class InputFunctions:
         for row, values in self.entries(tau):
             if row.free_fall is not None:
                 out = copy(out)
-                out.gravity = [g + x for g, x in zip(out.gravity, row.free_fall(values), strict=True)]
+                fall = [g + x for g, x in zip(out.world[:3], row.free_fall(values), strict=True)]
+                out.world = [*fall, *out.world[3:]]
         return out
 
     def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
@@ -102,10 +104,10 @@ class InputFunctions:
     def _fallen(self, row: Input, q: Sequence, entries: Sequence) -> tuple[list, list]:
         """The loads at rest that a change of free fall needs: what they are under it less what they are without."""
         assert row.free_fall is not None
-        still, rest = copy(self), [0.0] * self.chain.nv
+        still, rest = self.alone(), [0.0] * self.chain.nv
         still.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given
-        still.gravity, under = [0.0] * 3, copy(still)
-        under.gravity = row.free_fall(entries)
+        under = copy(still)
+        under.world = row.free_fall(entries)
         pairs = zip(*(f.loads(q, rest, rest, [0.0] * (6 * self.chain.n)) for f in (still, under)), strict=True)
         force, wrench = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
         return force, wrench

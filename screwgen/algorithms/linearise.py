@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..elements import FRICTION
-from ..ir.program import Array, Program, Value
+from ..ir.program import Array, Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
 from ..topology.tree import BASE, TIP
@@ -23,8 +23,8 @@ from . import matrices as mx
 from . import rows as rw
 from .axis_laws import of_robot
 from .elastic_travels import GEAR_SLOPES, slope_names
+from .force_functions import acting_tips
 from .functions import Functions
-from .fused import fuse, inputs
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
 from .loops import Loads
 from .schedule import COLUMNS
@@ -65,7 +65,10 @@ def slopes(
     triangle of ``M`` counts.  Without ``own`` the given inertia, the springs, dampers, friction and stops of single
     coordinates are left out: a step takes them elsewhere.
     """
-    return _slopes(f, (q, v, vdot, w_ext, tau), (), own)[0]
+    at = list(dict.fromkeys(acting_tips(f.chain)))
+    found, moved = moving_slopes(f, (q, v, vdot, f.with_forces(q, v, w_ext), tau), at, own)
+    _take_forces(f, q, v, w_ext, found, moved)
+    return found
 
 
 def closed_slopes(
@@ -73,18 +76,31 @@ def closed_slopes(
 ) -> tuple[list, Slopes, RowChange]:
     """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
     chain = f.chain
-    shut, forces = f.loop_forces(q, v, tau, w_ext)
-    loads = Loads(tau, w_ext).plus(shut.loads(forces))
+    outer = Loads(tau, f.with_forces(q, v, w_ext))
+    shut, forces = f.row_forces(q, v, outer)
+    loads = outer.plus(shut.loads(forces))
     links, places = f.forward(q, v, *loads)
     vdot = chain.join(links, "qddot", "etaddot")
-    found, at = _slopes(f, (q, v, vdot, loads.w_ext, tau), tips(chain), own)
+    acting = list(dict.fromkeys((*tips(chain), *acting_tips(chain))))
+    found, at = moving_slopes(f, (q, v, vdot, loads.w_ext, tau), acting, own)
+    _take_forces(f, q, v, w_ext, found, at)
     with f.section("loops: their rows, and what their wrenches do as the tips move"):
         rows, bend = loop_changes(chain, shut, shut.accelerations(links, places), forces, at, f.apply)
         found.f_q = found.f_q - bend
     return vdot, found, rows
 
 
-def _slopes(
+def _take_forces(
+    f: Functions, q: Sequence, v: Sequence, w_ext: Sequence, out: Slopes, at: Mapping[int, TipChange]
+) -> None:
+    """Take what acts on tips, as far as it changes in their frames, from the slopes."""
+    if f.acts:
+        with f.section("forces: what their wrenches do as the tips move"):
+            by_q, by_v = f.force_slopes(q, v, w_ext, at)
+            out.f_q, out.f_v = out.f_q - by_q, out.f_v - by_v
+
+
+def moving_slopes(
     f: Functions, state: Sequence[Sequence], at: Sequence[int], own: bool
 ) -> tuple[Slopes, dict[int, TipChange]]:
     """The slopes, and how the tips of some links move; their motions stand below the rows of f."""
@@ -320,29 +336,3 @@ def inward(
                 handed = rw.to_parent(handed, R_rel, omega, omega_J, omega_P, link["r_B"], link["r_J"], link["v_J"])
                 others, known = at_nodes[node]
                 at_nodes[node] = np.vstack([others, handed]), [*known, *owners, *at_rows]
-
-
-def linearisation(chain: Chain, constants: str = "constants", own: bool = True) -> Program:
-    """``(q, v, tau, w_ext, m_eta, f_eta) -> (vdot, M, f_q, f_v)`` in one program; ``own``: see :func:`slopes`.
-
-    ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
-    its guards are included, so common operations are computed once.  Where loops close the tree: also ``J`` and the
-    derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each. With other inputs than torques: also
-    ``exerted``, the generalised forces per unit of each, (inputs, nv).
-    """
-
-    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
-        f.given = (x["m_eta"], x["f_eta"])
-        given = x["q"], x["v"], x["tau"], x["w_ext"]
-        rows: dict[str, list[Value]] = {}
-        if chain.closing.rows:
-            vdot, found, closing = closed_slopes(f, *given, own)
-            rows = {"J": list(closing.J.flat), "J_q": list(closing.by_q.flat), "J_v": list(closing.by_v.flat)}
-        else:
-            vdot, _ = f.forward_dynamics(*given)
-            found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], own)
-        lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
-        rows |= {"exerted": [x for force in f.exerted(x["q"]) for x in force]} if chain.other_inputs else {}
-        return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
-
-    return fuse(chain, "linearisation", inputs(chain, "q v tau w_ext m_eta f_eta"), body, constants)

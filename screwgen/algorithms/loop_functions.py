@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from copy import copy
+from typing import Self
 
 from ..errors import SingularError
 from ..ir.program import Vector
@@ -12,13 +12,9 @@ from ..joints.constraints import Ratio
 from ..topology.chain import Chain
 from . import loops
 from . import matrices as mx
-from . import motions as mo
 from .columns import columns
 from .relations import curve
-from .schedule import OUTWARD, Algorithm, Apply, Phase
-
-POSES = Phase(mo.poses, OUTWARD)
-MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
+from .schedule import Apply
 
 ROUNDS = 3
 """Corrections that close a loop whose gaps are small: each squares what remains."""
@@ -29,13 +25,13 @@ class LoopFunctions:
 
     chain: Chain
     constants: Sequence[dict[str, list]]
-    gravity: Sequence
     apply: Apply
     given: tuple[Sequence, Sequence] | None
     section: Callable[[str], AbstractContextManager]
     forward: Callable[..., tuple[list, list]]
-    _run: Callable[..., tuple[list, list]]
-    _state: Callable[..., list[dict[str, list]]]
+    alone: Callable[[], Self]
+    with_forces: Callable[..., Sequence]
+    _moving_tips: Callable[..., tuple[list, list[loops.Tip]]]
 
     def loop_wrenches(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
         """The wrenches with which the loops act on the tips, in the order and the frames of ``w_ext``."""
@@ -45,19 +41,23 @@ class LoopFunctions:
 
     def loop_forces(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[loops.LoopState, list]:
         """The loops in a state, and the forces of their rows."""
+        return self.row_forces(q, v, loops.Loads(tau, self.with_forces(q, v, w_ext)))
+
+    def row_forces(self, q: Sequence, v: Sequence, given: loops.Loads) -> tuple[loops.LoopState, list]:
+        """The same where what acts on the tips is known."""
         state = self._loop_state(q, v)
-        unconstrained = state.accelerations(*self.forward(q, v, tau, w_ext))
+        unconstrained = state.accelerations(*self.forward(q, v, *given))
         inertia = self.given[0] if self.given else self._inertia()
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
             wanted = [-(c.power(unconstrained) + c.drift) for c in state.rows]
-        return state, self._row_forces(q, state, inertia, wanted)[0][0]
+        return state, self._unit_answers(q, state, inertia, wanted)[0][0]
 
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
-        """Torques and wrenches on the tips, those of the loops included."""
-        given = loops.Loads(tau, w_ext)
+        """Torques and wrenches on the tips, those of the loops and of forces between frames included."""
+        given = loops.Loads(tau, self.with_forces(q, v, w_ext))
         if not self.chain.closing.rows:
             return given
-        state, forces = self.loop_forces(q, v, tau, w_ext)
+        state, forces = self.row_forces(q, v, given)
         with self.section("loops: their wrenches on the tips"):
             found = state.loads(forces)
         return given.plus(found)
@@ -77,7 +77,7 @@ class LoopFunctions:
         """Newton's corrections, of least kinetic energy, that close the gaps and stop their rates."""
         state = self._loop_state(q, v)
         wanted = [[-c.gap for c in state.rows], [-c.rate for c in state.rows]]
-        forces, answers = self._row_forces(q, state, self._inertia(), *wanted)
+        forces, answers = self._unit_answers(q, state, self._inertia(), *wanted)
         return loops.moved(self.chain, q, forces[0], answers, self.apply), loops.combined(v, forces[1], answers)
 
     def gaps(self, q: Sequence, v: Sequence) -> tuple[list, list]:
@@ -105,15 +105,15 @@ class LoopFunctions:
         state = self._loop_state(q, [0.0] * self.chain.nv)
         return [c.gap for c in state.rows], state.loads(forces)
 
-    def _row_forces(
+    def _unit_answers(
         self, q: Sequence, state: loops.LoopState, inertia: Sequence, *wanted: Vector
     ) -> tuple[list[list], list[list]]:
         """The rows' forces that give the gaps each of the ``wanted`` accelerations, and ``v̇`` by a unit force of each.
 
         The robot is at rest, without weight, springs and dampers; ``inertia`` is that of the given coordinates.
         """
-        still = copy(self)
-        still.gravity, still.given, still.section = [0.0] * 3, (inertia, [0.0] * self.chain.n_given), nullcontext
+        still = self.alone()
+        still.given, still.section = (inertia, [0.0] * self.chain.n_given), nullcontext
         rest = [0.0] * self.chain.nv
         found = [still.forward(q, rest, *unit) for unit in state.units()]
         answers = [state.accelerations(*one) for one in found]
@@ -142,9 +142,7 @@ class LoopFunctions:
 
     def _loop_state(self, q: Sequence, v: Sequence) -> loops.LoopState:
         """The loops in a state."""
-        links, places = self._run(MOTION, self._state(q, v))
-        nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
-        tips = [loops.Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
+        links, tips = self._moving_tips(q, v)
         axes = loops.Axes(self.chain.of_joints(q), self.chain.of_joints(v, rates=True))
         axes = axes._replace(
             curves={row: self._curve(second, row, axes.q) for second, row in self.chain.closing.related}

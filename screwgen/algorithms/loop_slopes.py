@@ -39,14 +39,19 @@ class TipChange:
     by_q: Array
     by_v: Array
 
-    def twist_by_q(self, chain: Chain, v: Array) -> Array:
-        """The derivative (6, nv) of the tip's twist with q, at the velocity ``v`` of its point.
+    def twist_by_q(self, chain: Chain, v: Array, rates: Sequence = ()) -> Array:
+        """The derivative (6, nv) of the tip's twist with q at held ``rates`` (nv,), at the velocity ``v`` of its point.
 
         A column of the Jacobian has the rate ``Jdot = dV/dq - ad_V J``, and ``d(Vdot)/dv = Jdot + dV/dq``, so
-        ``d(vdot + omega x v)/dv = 2 (dv/dq - v x J_omega)``. A floating base moves with its twist held.
+        ``d(vdot + omega x v)/dv = 2 (dv/dq - v x J_omega)``. A floating base moves with its twist held. The turn of a
+        ball joint has its angular velocity w in axes that turn with it: there ``Jdot`` has ``J hat(w)`` besides. Only
+        robots with such joints need the rates.
         """
         moved = 0.5 * self.by_v[6:] + cross_columns(v, self.J[:3])
         moved[:, : chain.base_v] = 0.0
+        for part in (part for part in chain.curved if part.v.start >= chain.base_v):
+            turning = mx.hat(mx.array(list(rates[part.v])))
+            moved[:, part.v] = moved[:, part.v] - 0.5 * mx.multiply(self.J[3:, part.v], turning)
         return np.vstack([self.by_q[:3], moved])
 
 
@@ -159,7 +164,7 @@ def slopes_of_rows(rows: tuple[ClosingRow, ...]) -> Program:
     values = [c.power(acc) + c.drift for c in found]
     units = [np.concatenate([c.wrenches[0], mx.rotate_wrench(R.T, c.wrenches[1])]) for c in found]
     wrenches = sum((unit * force for unit, force in zip(units, forces, strict=True)), mx.zeros(12))
-    by_pose = mx.array([tangents([*values, *wrenches], seed) for seed in _motions(R, d)]).T
+    by_pose = mx.array([tangents([*values, *wrenches], seed) for seed in pose_changes(R, d)]).T
     by_twist = mx.array(columns(values, [*V_A, *V_B])).T
     inputs = {"R": 9, "d": 3, "V_A": 6, "V_B": 6, "acc_A": 6, "acc_B": 6, "forces": len(rows)}
     outputs = {"units": np.array(units), "by_twist": by_twist}
@@ -167,7 +172,7 @@ def slopes_of_rows(rows: tuple[ClosingRow, ...]) -> Program:
     return tracer.program("loop_slopes", inputs, {name: list(x.flat) for name, x in outputs.items()})
 
 
-def _motions(R: Array, d: Array) -> list[dict[Node, Value]]:
+def pose_changes(R: Array, d: Array) -> list[dict[Node, Value]]:
     """The changes of the pose of B in A with turns and shifts of A, and of B, each in its own axes."""
     none, unit = mx.zeros(3, 3), mx.identity(3)
     pairs = [(-mx.multiply(mx.hat(e), R), -mx.cross(e, d)) for e in unit]

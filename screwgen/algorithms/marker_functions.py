@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from copy import copy
 from dataclasses import replace
+from typing import Self
 
 import numpy as np
 
@@ -30,7 +30,7 @@ class MarkerFunctions:
     """
 
     chain: Chain
-    gravity: Sequence
+    alone: Callable[[], Self]
     _run: Callable[..., tuple[list, list]]
     _motion: Callable[..., list[dict[str, list]]]
     _state: Callable[..., list[dict[str, list]]]
@@ -63,9 +63,7 @@ class MarkerFunctions:
 
     def marker_biases(self, q: Sequence, v: Sequence) -> list:
         """The accelerations (6) that the markers have while no coordinate accelerates, gravity left out."""
-        weightless = copy(self)
-        weightless.gravity = [0.0] * 3
-        return weightless.marker_accelerations(q, v, [0.0] * self.chain.nv)
+        return self.alone().marker_accelerations(q, v, [0.0] * self.chain.nv)
 
     def strains(self, q: Sequence) -> list[Value]:
         """The strains of ``gauges.strain_names``: at the bases of all links, then at the markers that links declare."""

@@ -15,7 +15,7 @@ from ..ir.program import Node, Program, Value
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from .functions import EVERYTHING, Functions
-from .fused import Outputs, fuse, inputs
+from .fused import Outputs, fuse, inputs, world
 from .robot_functions import RobotFunction, shape
 from .schedule import Algorithm
 
@@ -112,12 +112,14 @@ class ConstantSlopes:
     def by_parameters(self, chain: Chain, what: Differentiable, chosen: Sequence[int]) -> Program:
         """``(inputs, constants, slope) -> (results_by_p)``: the last index of each is that of the chosen parameter."""
 
+        places = list(world(chain, range(len(parameters(chain.robot)))))
+
         def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
             found = what.body(f, x)
             values, columns = [value for name in what.results for value in found[name]], []
             for number, own in zip(chosen, self.seeds, strict=True):
                 way = {f.constants[i][n][k]: _slope(s, x["slope"]) for (i, n, k), s in own.items()}
-                way |= {f.gravity[number]: 1.0} if number < len(f.gravity) else {}
+                way |= {f.world[places.index(number)]: 1.0} if number in places else {}
                 with f.section(f"by {parameters(chain.robot)[number].name}"):
                     columns.append(dict(_split(tangents(values, way), what)))
             return {n + BY_P: [x for row in zip(*(c[f"d_{n}"] for c in columns), strict=True) for x in row]

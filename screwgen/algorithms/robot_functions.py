@@ -20,10 +20,10 @@ from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
+from .force_functions import MOTION
 from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES
 from .gauges import strain_names
 from .input_functions import LENGTHS, POWER
-from .loop_functions import MOTION
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .momentum import CENTRED, MOMENTUM
 from .schedule import Algorithm
@@ -63,6 +63,7 @@ def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
     """The shape of a result for a robot."""
     sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NAXES": chain.n_joints, "NLINKS": chain.n}
     sizes |= {"NTENDONS": chain.n_tensions, "NCYLINDERS": len(chain.cylinders)}
+    sizes |= {"NQUANTITIES": len(chain.force_quantities)}
     sizes |= {"NMARKERS": len(chain.markers), "NSTRAINS": len(strain_names(chain))}
     return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)
 
@@ -217,6 +218,16 @@ FUNCTIONS = (
         (LENGTHS,),
         "The lengths of the tendons, each the sum of its pieces.",
         offered=lambda chain: bool(chain.n_tensions),
+        c_file=OUTPUTS,
+    ),
+    RobotFunction(
+        "force_quantities",
+        "q v",
+        {"force_quantities": Signal(("NQUANTITIES",), "m, N", "-", "what forces between frames report")},
+        programs.force_quantities,
+        (MOTION,),
+        "What forces between frames report, as the length and the pull of a spring: `model.force_quantities` names it.",
+        offered=lambda chain: bool(chain.force_quantities),
         c_file=OUTPUTS,
     ),
     RobotFunction(

@@ -58,6 +58,12 @@ def cylinder_length(f: Functions, q: Sequence) -> fused.Outputs:
     return {"cylinder_length": f.cylinder_lengths(q)}
 
 
+@fused.program("q v")
+def force_quantities(f: Functions, q: Sequence, v: Sequence) -> fused.Outputs:
+    """``(q, v) -> (force_quantities)`` of the forces between frames."""
+    return {"force_quantities": f.force_quantities(q, v)}
+
+
 @fused.program("q")
 def levers(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (levers)``: what the torque of each axis is multiplied by."""

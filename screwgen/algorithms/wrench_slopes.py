@@ -17,9 +17,10 @@ from ..topology.chain import Chain
 from ..topology.tree import BASE
 from . import matrices as mx
 from . import rows as rw
+from .force_functions import acting_tips
 from .functions import Functions
 from .fused import fuse, inputs
-from .linearise import LinkSection, accelerations, arrays, carrying, inward, places
+from .linearise import LinkSection, accelerations, arrays, carrying, inward, moving_slopes, places
 
 KINDS = "q", "v", "vdot"
 
@@ -28,8 +29,8 @@ def wrench_slopes(
     f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
 ) -> dict[str, Array]:
     """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a floating base."""
-    chain = f.chain
-    stores = f.sensitivities(q, v, vdot, w_ext, tau)
+    chain, acted = f.chain, f.with_forces(q, v, w_ext)
+    stores = f.sensitivities(q, v, vdot, acted, tau)
     links = [arrays(chain, i, store, ("answer", "w_J")) for i, store in enumerate(stores)]
     out = {kind: mx.zeros(6 * chain.n, chain.nv) for kind in KINDS}
     of = lambda i: slice(6 * i, 6 * i + 6)  # noqa: E731
@@ -40,6 +41,10 @@ def wrench_slopes(
     handed = lambda i: (rows[i], range(6 * i, 6 * i + 6))  # noqa: E731
     inward(chain, links, handed, (out["q"], out["v"]), named)
     _columns(chain, links, rows, out, named)
+    if f.acts:
+        tips = list(dict.fromkeys(acting_tips(chain)))
+        at = moving_slopes(f, (q, v, vdot, acted, tau), tips, own=False)[1]
+        _take_forces(chain, links, list(f.force_changes(q, v, w_ext, at)), out, named)
     for i, key in enumerate(chain.keys):
         for kind in KINDS if key.floats else ():
             out[kind][of(i)] = 0.0
@@ -81,6 +86,33 @@ def _columns(
                     there = at_nodes[chain.tree.base(i)]
                     others, known = there[kind]
                     there[kind] = np.hstack([others, handed]), [*known, *owners, *owned]
+
+
+def _take_forces(
+    chain: Chain,
+    links: Sequence[Mapping[str, Array]],
+    changes: Sequence[tuple[int, Array, Array]],
+    out: Mapping[str, Array],
+    section: LinkSection,
+) -> None:
+    """Take the changes (6, nv) with q and v of the wrenches on tips from those of the joint wrenches behind them."""
+    at_nodes = [[mx.zeros(6, chain.nv), mx.zeros(6, chain.nv)] for _ in range(chain.tree.size)]
+    for i, *both in changes:
+        at_tip = at_nodes[chain.tree.tip(i)]
+        at_tip[:] = [a + b for a, b in zip(at_tip, both, strict=True)]
+    tips = {i for i, *_ in changes}
+    for i in reversed(range(chain.n)):
+        link, base = links[i], at_nodes[chain.tree.base(i)]
+        with section(i):
+            here = [mx.zeros(6, chain.nv), mx.zeros(6, chain.nv)]
+            for node, at in carrying(chain, i, link, tips):
+                moved = (rw.shifted(at["r_T"], rw.rotated_columns(at["R_T"], x)) for x in at_nodes[node])
+                here = [a + b for a, b in zip(here, moved, strict=True)]
+            at_joint = [rw.shifted(-link["r_B"], x) for x in here]
+            for kind, x in zip(("q", "v"), at_joint, strict=True):
+                out[kind][6 * i : 6 * i + 6] = out[kind][6 * i : 6 * i + 6] - x
+            handed = (rw.shifted(link["r_J"], rw.rotated_columns(link["R_rel"], x)) for x in at_joint)
+            base[:] = [a + b for a, b in zip(base, handed, strict=True)]
 
 
 def wrench_program(chain: Chain, constants: str = "constants") -> Program:

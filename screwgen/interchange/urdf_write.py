@@ -19,7 +19,7 @@ from ..spec.joint import Joint
 from ..spec.markers import carried_at
 from ..spec.parents import WORLD, parents
 from ..spec.reduced import elastic, of_link
-from ..spec.robot import CLOSING, Link, Robot
+from ..spec.robot import OF_SEVERAL, Link, Robot
 from ..topology.chain import Chain
 from .rigid import HERE, Pose, pose
 from .tables import GRAVITY, STICKING
@@ -87,6 +87,9 @@ class _Writer:
             )
         if robot.loops:
             self.notes.append(f"{len(robot.loops)} loops are left out; a URDF is a tree")
+        for name in ("forces", "pushes"):
+            if count := len(getattr(robot, name)):
+                self.notes.append(f"{count} of [[{name}]] are left out; a URDF has none")
         if robot.base == FLOATING:
             self.notes.append("the base floats, which a URDF does not say; where it is read again, use --floating")
 
@@ -147,7 +150,7 @@ class _Writer:
                 "links": (link.model_copy(update=update),),
                 "base": FLOATING,
                 "gravity": (0.0, 0.0, 0.0),
-                **dict.fromkeys(CLOSING, ()),
+                **dict.fromkeys(OF_SEVERAL, ()),
             }
         )
         chain = Chain(alone)

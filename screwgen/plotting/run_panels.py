@@ -31,6 +31,8 @@ TIPS = (
     ("Elongation", "x", ("axial", ELASTIC)),
 )
 """Title, axis of the link, and the directions of modes that move the tip along it."""
+FORCES, NONE = "force_quantities", np.empty((0, 0))
+"""The function whose entries have units of their own, and what a run has of it that has no forces."""
 
 
 class PanelCurve(NamedTuple):
@@ -95,6 +97,7 @@ def motion_panels(
         *_other_inputs(run),
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
         Panel("Energy", "E", "J", energy),
+        *_of_forces(run),
         *_reported(run),
         Panel("Tip, inertial frame", "r", "m", _named("xyz", run.tip_position.T)),
     ]
@@ -128,7 +131,7 @@ def _owners(run: Run, row: Input | None) -> list[str]:
 def _reported(run: Run) -> Iterator[Panel]:
     """What functions of the robot report, where it is no quantity of axes: a panel for each result."""
     links, pieces = link_names(run), segments(run.wrench_names)
-    for name in sorted(set(run.told) - {x.array for x in AXIS_CURVES}):
+    for name in sorted(set(run.told) - {x.array for x in AXIS_CURVES} - {FORCES}):
         rows, first = run.told[name].reshape(len(run.t), -1).T, 0
         for result, signal in BY_NAME[name].results.items():
             of_links = signal.shape == ("NLINKS",)
@@ -140,6 +143,17 @@ def _reported(run: Run) -> Iterator[Panel]:
             first += len(labels)
             title = signal.meaning[0].upper() + signal.meaning[1:]
             yield Panel(title, result, unit_text(signal.unit), lines)
+
+
+def _of_forces(run: Run) -> Iterator[Panel]:
+    """What forces between frames report: a panel for each quantity, whose curves are the forces that have it."""
+    kinds: dict[tuple[str, str], list[PanelCurve]] = {}
+    for values, (name, unit) in zip(run.told.get(FORCES, NONE).T, run.quantity_units.items(), strict=True):
+        force, _, quantity = name.partition(".")
+        lines = kinds.setdefault((quantity, unit), [])
+        lines.append(PanelCurve(values, len(lines), force))
+    for (quantity, unit), lines in kinds.items():
+        yield Panel(f"{quantity.replace('_', ' ').capitalize()} of forces between frames", quantity, unit, lines)
 
 
 def _named(names: Sequence[str], values: Iterable[np.ndarray]) -> list[PanelCurve]:

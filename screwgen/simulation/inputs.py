@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -35,11 +35,16 @@ def coordinates(values: Numbers | None, name: str, model: RobotModel, p: Numbers
 
 
 class Inputs:
-    """Torques (n_tau,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing."""
+    """Torques (n_tau,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing.
+
+    Constant wrenches may be a mapping from names of links and pushes.
+    """
 
     def __init__(self, model: RobotModel, controller: Any, w_ext: Any):
         self.torques_vary, self.wrenches_vary = callable(controller), callable(w_ext)
         self.shape = (model.n_links, 6)
+        if isinstance(w_ext, Mapping):
+            w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
         self.sources = (
             _source(controller, "the controller", (model.n_tau,)),
             _source(w_ext, "w_ext", self.shape),

@@ -138,6 +138,7 @@ class SampleTable:
         more: dict[str, Any] = {name: tuple(getattr(m, name)) for name in NAMES}
         more |= {"robot": m.robot, "parameters": np.array(self.p, float), "model": m, "w_ext": self.w_ext[: len(rows)]}
         more |= {"validity": self.watch.validity(), "hits": self.hits.all, "ended": ended}
+        more |= {"quantity_units": m.force_quantities}
         return Run.of(m.robot.name, arrays, **more)
 
 
@@ -293,7 +294,8 @@ class RunFile:
 
 
 def _columns(model: RobotModel) -> tuple[str, ...]:
-    return column_names(model.q_names, model.v_names, model.tau_names, model.wrench_names)
+    names = (model.q_names, model.v_names, model.tau_names, model.wrench_names)
+    return column_names(*names, quantities=model.force_quantities)
 
 
 def _header(table: SampleTable, text: bool, count: int) -> bytes:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..algorithms import fused
+from ..algorithms import tip_programs
 from ..backends.numpy.closing import OPENED, extent
 from ..backends.numpy.python import NAMESPACE
 from ..ir.replay import run
@@ -44,7 +44,7 @@ def opened(model: RobotModel, parameters: np.ndarray, q: np.ndarray) -> np.ndarr
 def _open(model: RobotModel, parameters: np.ndarray, q: np.ndarray, most: np.ndarray) -> np.ndarray:
     """(batch, samples) of bool: where a loop is open by over `most`, m and rad; at the first sample by START."""
     batch, samples, _ = q.shape
-    program = fused.openings(model.chain)
+    program = tip_programs.openings(model.chain)
     out = np.zeros((batch, samples), bool)
     for first in range(0, batch, step := max(1, BLOCK // samples)):
         part = slice(first, first + step)

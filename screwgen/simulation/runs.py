@@ -81,6 +81,8 @@ class Run:
     """(N, n, 6): the tip wrenches held from each sample to the next; .npz files store them where any acted."""
     model: RobotModel | None = None
     """The model, of a run that is not from a file."""
+    quantity_units: Mapping[str, str] = field(default_factory=dict)
+    """The names of what forces between frames report, with units; .npz files store them where there are any."""
 
     def __getattr__(self, name: str) -> Any:
         """What functions report, None where a file of an earlier version lacks it; and what sensors measure at the
@@ -133,13 +135,16 @@ class Run:
     def names_of(self, array: str) -> tuple[str, ...]:
         """The names of the columns of an array, such as `tau`; raises AttributeError where the run has none of it."""
         if array in self.reports:
-            return entry_names(BY_NAME[array], self.tau_names, links=segments(self.wrench_names))
+            links = segments(self.wrench_names)
+            return entry_names(BY_NAME[array], self.tau_names, links=links, quantities=self.quantity_units)
         return getattr(self, f"{array}_names")
 
     @property
     def columns(self) -> tuple[str, ...]:
         """The names of the columns of `table`."""
-        return column_names(*(getattr(self, name) for name in NAMES), reports=self.reports)
+        return column_names(
+            *(getattr(self, name) for name in NAMES), reports=self.reports, quantities=self.quantity_units
+        )
 
     @property
     def arrays(self) -> dict[str, np.ndarray]:
@@ -165,11 +170,14 @@ class Run:
         FORMATS[suffix(path)](self, stream)
 
 
-def column_names(*names: Sequence[str], reports: Iterable[str] = REPORTED) -> tuple[str, ...]:
-    """The names of the columns of a table, of a run with these `NAMES`."""
+def column_names(
+    *names: Sequence[str], reports: Iterable[str] = REPORTED, quantities: Iterable[str] = ()
+) -> tuple[str, ...]:
+    """The names of the columns of a table, of a run with these `NAMES`, whose forces report ``quantities``."""
     of = dict(zip(NAMES, names, strict=True))
     links = segments(of["wrench_names"])
-    told = (x for name in reports for x in entry_names(BY_NAME[name], of["tau_names"], links=links))
+    more: dict[str, Any] = {"links": links, "quantities": quantities}
+    told = (x for name in reports for x in entry_names(BY_NAME[name], of["tau_names"], **more))
     return ("t", *(x for group in names for x in group), *TIP_NAMES, *told)
 
 
@@ -187,6 +195,9 @@ def write_npz(run: Run, stream: BinaryIO) -> None:
         arrays["parameters"] = run.parameters
     if run.w_ext is not None and np.any(run.w_ext):
         arrays["w_ext"] = run.w_ext
+    if run.quantity_units:
+        arrays["quantity_names"] = np.array([*run.quantity_units], str)
+        arrays["quantity_units"] = np.array([*run.quantity_units.values()], str)
     if run.ended:
         arrays["ended"] = np.array(run.ended)
     np.savez(stream, **arrays)

@@ -89,13 +89,19 @@ def motion(value: Any, key: str, model: RobotModel) -> np.ndarray:
 
 
 def wrenches(value: Any, model: RobotModel) -> np.ndarray:
-    """`w_ext` (n, 6), of all segments, from that of the links."""
-    n = len(model.robot.links)
+    """`w_ext` (n, 6), of all segments, from that of the links, or from a table by the names of links and pushes."""
+    n, known = len(model.robot.links), model.chain.wrench_rows
+    what, check = "numbers τx, τy, τz, Fx, Fy, Fz", within("w_ext")
+    out = np.zeros((model.n_links, 6))
+    if isinstance(value, dict):
+        for name, row in value.items():
+            if name not in known:
+                raise refuse(unknown(name, tuple(known)), ("w_ext", name))
+            out[known[name]] = sized(row, ("w_ext", name), 6, what, check)
+        return out
     rows = array(value, f"an array of {n} wrenches of 6 numbers", at=("w_ext",))
     if len(rows) != n:
         raise refuse(f"has length {len(rows)}; it must have {n}, a wrench of 6 numbers for each link", ("w_ext",))
-    what, check = "numbers τx, τy, τz, Fx, Fy, Fz", within("w_ext")
-    out = np.zeros((model.n_links, 6))
     out[model.chain.lasts] = [sized(row, ("w_ext", i), 6, what, check) for i, row in enumerate(rows)]
     return out
 

@@ -25,7 +25,7 @@ from ..bodies.validity import MEASURES
 from ..errors import DivergedError
 from ..robot_model import RobotModel
 from ..spec.needs import MOST_SEGMENTS
-from ..spec.segments import owner
+from ..spec.segments import is_marker, owner
 from .definiteness import indefinite
 
 FAR = 1.0
@@ -198,7 +198,8 @@ class Validity:
         """The rows of each link."""
         out: dict[str, list[int]] = {}
         for i, name in enumerate(self.links):
-            out.setdefault(owner(name), []).append(i)
+            if not is_marker(name):
+                out.setdefault(owner(name), []).append(i)
         return out
 
     def _worst(self, rows: Sequence[int]) -> np.ndarray:
@@ -299,7 +300,7 @@ class Watch:
     def left(self, explicit: str = "") -> ModelLeftError:
         """The error of a link that bends by its own length; ``explicit`` names an integrator that may have done it."""
         name = self.links[int(np.argmax(self.values[:, 0]))]
-        count = sum(owner(name) == owner(other) for other in self.links)
+        count = sum(owner(name) == owner(other) for other in self.links if not is_marker(other))
         said = f"{subject(name, count)} bends by more than its length: a model of small deflections has ended there"
         more = "segments" if count == 1 else f"more than {count} segments"
         if explicit:

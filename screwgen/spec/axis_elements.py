@@ -6,10 +6,9 @@ from typing import Any
 from ..elements import KINDS, AxisElement, Key
 from .messages import unknown
 from .ranges import Range
-from .values import Path, array, non_negative, number, positive, refuse, shown
+from .values import SIGNS, Path, array, refuse, shown
 
 OfAxis = tuple[AxisElement, ...]
-SIGNS = {"positive": positive, "non-negative": non_negative, "any": number}
 
 
 def axis_elements(value: Any) -> tuple[OfAxis, ...]:

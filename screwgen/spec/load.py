@@ -125,6 +125,8 @@ def dump(robot: Robot) -> str:
         }
         if made := next((key for key, is_object in own.items() if is_object), None):
             raise UsageError(f"link '{link.name}': {made} holds an object made in Python; a robot file cannot state it")
+    if laws := [k for k, force in enumerate(robot.forces) if not force.known_to_files]:
+        raise UsageError(f"forces[{laws[0]}]: law is an object made in Python; a robot file cannot state it")
     related = [k for k, coupling in enumerate(robot.couplings) if coupling.relation is not None]
     if related:
         raise UsageError(f"couplings[{related[0]}]: relation is an object made in Python; a robot file cannot state it")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field, PlainValidator
@@ -64,26 +64,29 @@ def refuse_loops(links: Sequence[Link], loops: Sequence[Loop]) -> None:
 
 def joined(links: Sequence[Link], loop: Loop, end: int, at: Path = ()) -> tuple[int, float]:
     """The link that an end of a loop joins, and the place s along it."""
-    name, marker = loop.between[end].split(".")
+    return marked(links, loop.between[end], at, "; anchor the loop by a link")
+
+
+def marked(links: Sequence[Link], marker: str, at: Path = (), remedy: str = "") -> tuple[int, float]:
+    """The link of a marker, as `rod.tip`, and the place s along it; refuses markers of none."""
+    name, own = marker.split(".")
     names = [link.name for link in links]
     if name not in names:
-        if name == WORLD:
-            what = f'is a place of the {WORLD}; anchor the loop by a link with axes = [] whose parent is "{WORLD}"'
-            raise refuse(what, at)
+        if name == WORLD and remedy:
+            raise refuse(f'is a place of the {WORLD}{remedy} with axes = [] whose parent is "{WORLD}"', at)
         known = " or ".join(map(quoted, names[:8]))
         raise refuse(f"is a marker of {quoted(name)}, which is no link; choose {known}", at)
     i = names.index(name)
-    return i, reached(links[i], named(links, i, marker, at), at)
+    return i, reached(links[i], named(links, i, own, at), at)
 
 
-def joined_places(links: Sequence[Link], loops: Sequence[Loop]) -> dict[int, dict[float, str]]:
-    """The places s at which loops join links between the ends of their segments, with the markers' names, by link."""
+def places_between(links: Sequence[Link], markers: Iterable[str]) -> dict[int, dict[float, str]]:
+    """The places s of markers that are between the ends of their links' segments, with their names, by link."""
     out: dict[int, dict[float, str]] = {}
-    for loop in loops:
-        for k, end in enumerate(loop.between):
-            i, s = joined(links, loop, k)
-            if split(s, links[i].pieces)[1] != TIP:
-                out.setdefault(i, {}).setdefault(s, end.partition(".")[2])
+    for marker in markers:
+        i, s = marked(links, marker)
+        if split(s, links[i].pieces)[1] != TIP:
+            out.setdefault(i, {}).setdefault(s, marker.partition(".")[2])
     return out
 
 

@@ -28,8 +28,8 @@ class Parameter:
     """One number that a robot's user may change without generating anew.
 
     `name`: as in `upper_arm.bodies[0].mass`; `value` in `unit`; `link`: the link's place in `robot.links`,
-    None for gravity; `field`: a key of `FIELDS`, or of an element of an axis; `index`: what the name's brackets hold,
-    left to right; `sign`: which values are allowed, ``positive``, ``non-negative`` or ``any``.
+    None for gravity and forces; `field`: a key of `FIELDS`, or of an element of an axis or a force; `index`: what the
+    name's brackets hold, left to right; `sign`: which values are allowed, ``positive``, ``non-negative`` or ``any``.
     """
 
     name: str
@@ -47,9 +47,17 @@ BODY_FRAMES = {"base": ("F_i axes", "from the joint point"), "tip": ("tip-frame 
 
 
 def parameters(robot: Robot) -> tuple[Parameter, ...]:
-    """All runtime parameters of `robot`: gravity, then link by link, each in the order of `FIELDS`."""
+    """All runtime parameters of `robot`: gravity, then link by link, each in the order of `FIELDS`, then of forces."""
     links = (of_link(i, link) for i, link in enumerate(robot.links))
-    return (*spread("gravity", robot.gravity), *chain.from_iterable(links))
+    return (*spread("gravity", robot.gravity), *chain.from_iterable(links), *of_forces(robot))
+
+
+def of_forces(robot: Robot) -> Iterator[Parameter]:
+    """The parameters of forces between frames."""
+    for force in robot.forces:
+        for field, value, unit, meaning, sign, index in force.values:
+            name = f"{force.name}.{field.rpartition('.')[2]}{''.join(f'[{k}]' for k in index)}"
+            yield Parameter(name, value, unit, None, field, index, meaning, sign)
 
 
 def of_link(i: int, link: Link) -> Iterator[Parameter]:

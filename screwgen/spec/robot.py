@@ -13,6 +13,7 @@ from ..errors import UsageError
 from ..joints.screw import Vector
 from .base import FIXED, FLOATING, check_floating
 from .couplings import Coupling, refuse_couplings
+from .forces import Force, Push, refuse_forces
 from .frequencies import Frequencies
 from .input import made_in_python
 from .joint import XYZ, Joint
@@ -183,7 +184,9 @@ class Link(Part):
 GRAVITY = Stated("gravity", "acceleration of free fall, inertial frame", ", as [0.0, 0.0, -9.81]", components=XYZ)
 CLOSING = ("loops", "couplings")
 """The tables of a robot file that close the tree of its links."""
-TABLES = ("links", *CLOSING)
+OF_SEVERAL = (*CLOSING, "forces", "pushes")
+"""The tables of what several links have in common."""
+TABLES = ("links", *OF_SEVERAL)
 """All of which a file may state several; so they come last in it."""
 
 
@@ -219,6 +222,10 @@ class Robot(Part):
     inputs: Annotated[tuple[Any, ...], PlainValidator(made_in_python)] = Field(
         (), description="in Python: further kinds of input", exclude=True
     )
+    forces: tuple[Force, ...] = Field(
+        (), description="forces between two markers, or a marker and the world, [[forces]] tables"
+    )
+    pushes: tuple[Push, ...] = Field((), description="markers at which wrenches act from outside, [[pushes]] tables")
 
     @property
     def floating(self) -> bool:
@@ -257,6 +264,7 @@ class Robot(Part):
         refuse_beside_balls(self)
         refuse_loops(self.links, self.loops)
         refuse_couplings(self.links, self.couplings)
+        refuse_forces(self)
         refuse_tendons(self.links)
         distinct_names(self)
         for i, link in enumerate(self.links):

@@ -1,14 +1,15 @@
 """The segments of a robot's links: the equal pieces, welded to each other, that a link with `segments = k` consists of.
 
 A link that is not split is one segment. Segments are what kinematics and dynamics see as links; parameters, joints
-and bodies are the link's. A place between base and tip at which a loop joins a link is one of them too: it has neither
-mass nor length, follows the link's own segments, and is welded to the section there, so that forces can act on it.
+and bodies are the link's. A place between base and tip at which a loop joins a link, or a force acts on it, is one of
+them too: it has neither mass nor length, follows the link's own segments, and is welded to the section there.
 """
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from .loops import joined_places
+from .forces import marked_ends
+from .loops import marked, places_between
 from .values import quoted, refuse
 
 if TYPE_CHECKING:
@@ -28,9 +29,11 @@ class Segment:
     owner: str
     """The name of its link."""
     marker: float | None = None
-    """The place s on its link, if it is a marker that a loop joins."""
+    """The place s on its link, if it is a marker at which something acts."""
     label: str = ""
-    """The marker's name."""
+    """The marker's name, or that of the push that acts there."""
+    pushed: str = ""
+    """The axes in which a wrench from outside is stated there, if one is."""
 
     @property
     def name(self) -> str:
@@ -68,18 +71,26 @@ class Segment:
 
 
 def segments(robot: "Robot") -> tuple[Segment, ...]:
-    """The segments of all links, base to tip, each link's followed by its markers that loops join."""
-    joined = joined_places(robot.links, robot.loops)
+    """The segments of all links, base to tip, each link's followed by its markers at which something acts."""
+    loops = (end for loop in robot.loops for end in loop.between)
+    joined = places_between(robot.links, (*loops, *marked_ends(robot)))
+    pushed = [(push, *marked(robot.links, push.at)) for push in robot.pushes]
     out: list[Segment] = []
     for i, link in enumerate(robot.links):
         out += [Segment(i, k, link.pieces, link.name) for k in range(link.pieces)]
         out += [Segment(i, 0, 1, link.name, s, label) for s, label in joined.get(i, {}).items()]
+        out += [Segment(i, 0, 1, link.name, s, push.name, push.axes) for push, own, s in pushed if own == i]
     return tuple(out)
 
 
 def owner(name: str) -> str:
     """The link of a segment's name, or of a name that begins with it: `boom` of `boom[2].eta.axial[0]`."""
     return name.partition(".")[0].partition("[")[0]
+
+
+def is_marker(name: str) -> bool:
+    """Whether a segment's name is that of a marker at which something acts, `boom.hook`."""
+    return "." in name
 
 
 def distinct_names(robot: "Robot") -> None:

@@ -79,6 +79,10 @@ def non_negative(value: Any, *, at: Path = ()) -> float:
     return result
 
 
+SIGNS: dict[str, Callable[..., float]] = {"positive": positive, "non-negative": non_negative, "any": number}
+"""The checks of signs by their names."""
+
+
 def count(value: Any) -> int:
     """A number of modes in one direction."""
     if not isinstance(value, Integral) or isinstance(value, bool):

@@ -22,7 +22,7 @@ from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
 from ..spec.reduced import elastic
 from ..spec.robot import Link, Robot
 from ..spec.values import MAX_MODES
-from .modes import closed_posture, following, loaded_motion, loaded_shapes, movable
+from .modes import closed_posture, following, loaded_motion, loaded_shapes, movable, under_loads
 from .steady import Steady, steady
 from .stiffness import from_travels, pressed, relative, stiffness_matrix
 from .vibrations_with_loops import about
@@ -69,7 +69,7 @@ def convergence(
     if not len(moving):
         return Convergence(np.zeros(0), {})
     joints_move, held = len(moving) == model.nv, np.setdiff1d(np.arange(model.nv), moving)
-    if loaded or rates is not None:
+    if under_loads(model, rates, loaded):
         loads = loaded_motion(model, q, rates, loaded, own, moving)
         motion = _loaded(rich, _enriched(model, rich, loads.q), loads, rates, loaded, np.array(values), held)
         T = np.eye(rich.nv) if joints_move else from_travels(rich, motion.q, np.array(values))
@@ -104,7 +104,8 @@ def _loaded(
     """Small motions of the rich model about `q` (nq,), where the other model is under `loads`."""
     if not rich.chain.closing.rows:
         return steady(rich, q, rates, loaded, p, np.setdiff1d(np.arange(rich.nv), held), settle=False)
-    return about(rich, q, p, loads.loops, loads.tau)
+    weight = p if loaded else np.append(np.zeros(3), p[3:])
+    return about(rich, q, weight, loads.loops, loads.tau)
 
 
 def _change(now: np.ndarray, then: np.ndarray) -> np.ndarray:

@@ -23,6 +23,7 @@ from .vibrations_with_loops import hanging
 JOINTS = ("locked", "free")
 
 LOADED = "table of modes under loads or at rates", "leave these out"
+BESIDE_FORCES = "table of modes beside forces between frames", "take the eigenvalues of model.linearise"
 
 
 @parameters_keyword
@@ -43,7 +44,8 @@ def natural_frequencies(
     :func:`..simulation.mobility.stated_joints`, and the others follow. `parameters`: values, the file's by default.
     `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
     under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
-    cases torques hold the joints at `q`, and the vibrations are about the deflection that follows.
+    cases torques hold the joints at `q`, and the vibrations are about the deflection that follows; and so they are of a
+    robot with forces between frames, which act in any case.
     Raises UsageError, also where the loads change with the motion or where vibrations grow, and SingularError where
     the mass matrix of what may move is singular.
 
@@ -55,6 +57,8 @@ def natural_frequencies(
     if found.growth.any():
         first = rates is not None and any(key.order == 1 and key.modes for key in model.chain.keys)
         remedy = '; give links that turn order = 2 or "exact", whose rotation stiffens them' if first else ""
+        if model.chain.forces and not loaded:
+            remedy += "; with gravity, loaded, the forces between frames may be in balance"
         raise UsageError(f"{found.unstable}; screwgen.mode_shapes tells how fast they grow{remedy}")
     return np.append(np.zeros(found.rigid), found.frequencies)
 
@@ -97,7 +101,7 @@ def mode_shapes(
     if not len(moving):
         nothing = Watch(model.chain.names).validity()
         return ModeShapes(np.zeros(0), np.zeros((model.nv, 0)), 0, nothing, np.zeros(0))
-    if loaded or rates is not None:
+    if under_loads(model, rates, loaded):
         about = loaded_motion(model, q, rates, loaded, p, moving)
         free = len(moving) == model.nv
         T = np.eye(model.nv) if free else from_travels(model, about.q, p)
@@ -179,18 +183,23 @@ def changed_by_gravity(
     return None
 
 
+def under_loads(model: RobotModel, rates: Numbers | None, loaded: bool) -> bool:
+    """Whether vibrations are about a deflection; forces between frames are loads that always act."""
+    return loaded or rates is not None or bool(model.chain.forces)
+
+
 def loaded_motion(
     model: RobotModel, q: np.ndarray, rates: Numbers | None, loaded: bool, p: np.ndarray, moving: np.ndarray
 ) -> Steady:
     """Small motions about a steady motion, of which those of a robot with loops are about rest; see :func:`steady`."""
     model.chain.refuse_quaternion_joints("modes under load", "take model.numpy().derivatives")
-    model.chain.refuse_floating_base(*LOADED)
+    model.chain.refuse_floating_base(*(LOADED if loaded or rates is not None else BESIDE_FORCES))
     if not model.chain.closing.rows:
         return steady(model, q, rates, loaded, p, moving)
     if rates is not None:
         what = f"robot '{model.robot.name}' has loops, for which there is no table of modes at rates"
         raise UsageError(f"{what}; leave the rates out, or simulate it")
-    return hanging(model, q, p)
+    return hanging(model, q, p if loaded else np.append(np.zeros(3), p[3:]))
 
 
 def loaded_shapes(model: RobotModel, about: Steady, basis: np.ndarray, free: bool) -> tuple[Oscillations, np.ndarray]:

@@ -5,6 +5,7 @@ A link that is split into segments stands here as so many links; see :mod:`..spe
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -13,8 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import Numbers, Parameters, array
+from ..arguments import Numbers, Parameters, array, choice
 from ..errors import SingularError, UsageError
+from ..interactions import Quantity
 from ..spec.assumptions import assumptions
 from ..spec.input import Input
 from ..spec.inputs import TORQUES, inputs
@@ -26,6 +28,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from ..spec.tendons import TENSIONS
 from .coordinates import Coordinates
+from .forces import placed_forces
 from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels
@@ -54,6 +57,7 @@ class Chain(Coordinates):
         super().__init__(keys, [own[s.link] for s in self.segments])
         self.classes = list(dict.fromkeys(self.keys))
         self.closing = Closing.of(robot, self.segments)
+        self.forces = placed_forces(robot, self.segments)
 
     @cached_property
     def markers(self) -> tuple[PlacedMarker, ...]:
@@ -137,14 +141,35 @@ class Chain(Coordinates):
                 raise UsageError(f"robot '{self.robot.name}' has {row.words}, for which there is no {what}; {instead}")
 
     @property
+    def n_force_numbers(self) -> int:
+        """The numbers of all forces between frames, the last parameters."""
+        return sum(force.count for force in self.forces)
+
+    @property
+    def force_quantities(self) -> dict[str, Quantity]:
+        """What runs report of the forces between frames, by the names of its entries, `spring.length`."""
+        kinds = [(force.name, force.shape.kind.QUANTITIES) for force in self.forces]
+        return {f"{name}.{own}": quantity for name, of in kinds for own, quantity in of.items()}
+
+    @cached_property
+    def turned_wrenches(self) -> tuple[int, ...]:
+        """The segments whose row of ``w_ext`` is stated in the axes of the world."""
+        return tuple(i for i, segment in enumerate(self.segments) if segment.pushed == "world")
+
+    @property
+    def acts_on_tips(self) -> bool:
+        """Whether forces between frames act on tips, or wrenches in the axes of the world."""
+        return bool(self.forces or self.turned_wrenches)
+
+    @property
     def serial(self) -> bool:
-        """Whether every link carries at most one other, on a fixed base and without loops."""
-        return self.tree.is_chain and not self.closing.rows and not self.floating
+        """Whether every link carries at most one other, on a fixed base, and nothing else joins or pushes them."""
+        return self.tree.is_chain and not self.closing.rows and not self.floating and not self.acts_on_tips
 
     @property
     def needs_rates_first(self) -> bool:
         """Whether forces depend on the joint rates, which the DAE form then finds before all else."""
-        return self.has_axis_forces or bool(self.closing.rows)
+        return self.has_axis_forces or bool(self.closing.rows) or self.acts_on_tips
 
     @cached_property
     def parameters(self) -> Parameters:
@@ -245,8 +270,20 @@ class Chain(Coordinates):
         """The names of the links in code; of segments `boom_2`."""
         return [s.identifier for s in self.segments]
 
+    @cached_property
+    def wrench_rows(self) -> dict[str, int]:
+        """The rows of ``w_ext`` by the names of what a wrench acts on: the tips of links, then pushes."""
+        rows = dict(zip((link.name for link in self.robot.links), self.lasts, strict=True))
+        return rows | {s.label: i for i, s in enumerate(self.segments) if s.pushed}
+
     def tip_wrenches(self, given: Any, name: str) -> np.ndarray:
-        """Wrenches on the tips (n, 6) from those given, of all segments or on the tips of the robot's links alone."""
+        """Wrenches on the tips (n, 6) from those given: of all segments, on the tips of links alone, or by names."""
+        if isinstance(given, Mapping):
+            out = np.zeros((self.n, 6))
+            for key, wrench in given.items():
+                row = self.wrench_rows[choice(key, self.wrench_rows, f"{name} there is no link or push")]
+                out[row] = array(wrench, f"{name} {key}", (6,))
+            return out
         links = len(self.robot.links)
         if links == self.n or not (hasattr(given, "__len__") and len(given) == links):
             return array(given, name, (self.n, 6))

@@ -88,10 +88,10 @@ def _shown(direction: Sequence[float]) -> str:
     return letter or f"[{', '.join(f'{x:g}' for x in direction)}]"
 
 
-def _segment(robot: Robot, segments: Sequence[Segment], link: int, s: float) -> int:
+def segment_at(robot: Robot, segments: Sequence[Segment], link: int, s: float) -> int:
     """The segment whose tip is at a place of a link: one that ends there, or the marker."""
     for i, segment in enumerate(segments):
-        if segment.link == link and segment.marker == s:
+        if segment.link == link and segment.marker == s and not segment.pushed:
             return i
     return section(robot, [i for i, segment in enumerate(segments) if segment.first], link, s)[0]
 
@@ -100,7 +100,7 @@ def junctions(robot: Robot, segments: Sequence[Segment]) -> tuple[Junction, ...]
     """The loops in the order of the file, then the couplings."""
     out = []
     for k, loop in enumerate(robot.loops):
-        first, second = (_segment(robot, segments, *joined(robot.links, loop, end)) for end in range(2))
+        first, second = (segment_at(robot, segments, *joined(robot.links, loop, end)) for end in range(2))
         out.append(Junction(k, first, second, demands(loop.joint.screws), f"loop[{k}]"))
     firsts = [i for i, segment in enumerate(segments) if segment.first]
     for k, coupling in enumerate(robot.couplings):

@@ -16,10 +16,11 @@ from ..model import Model
 from ..plotting.canvas import Canvas, Polygons, rgb
 from ..simulation.runs import Run
 from ..spec.load import one_line
+from . import lines
 from .actuators import eyes
 from .meshes import Looks, placed
 from .scene import scene
-from .solids import AROUND, DARK_METAL, METAL, Bend, Solid, solids, strut
+from .solids import AROUND, DARK_METAL, METAL, Bend, Solid, solids, strut, thinnest
 
 PAPER, INK, SOFT, GRID, SHADOW = "#f5f6f8", "#1d2733", "#5d6b7a", "#c3cad3", "#dfe3e8"
 LIGHT = np.array([0.35, 0.25, 1.0])
@@ -75,10 +76,14 @@ class Actor:
             for x in solids(self.scene, i)
             if not (any(k < 0 for k, _ in worn) if x.to == "world" else link["owner"] in over)
         ] + worn
-        thick = 1.3 * max(0.006 * self.scene["size"], min((x["radius"] for x in links if x["radius"]), default=0.0))
+        thick = 1.3 * thinnest(links, self.scene["size"])
         self.cylinders = [(i, x, thick) for i, link in enumerate(links) for x in link["cylinders"]]
         bars = [color for _ in self.cylinders for color in (DARK_METAL, METAL) for _ in range(AROUND)]
         colors = [color for _, x in self.solids for color in [x.color] * len(x.faces)] + bars
+        down = np.array(self.scene["gravity"])
+        self.down = _unit(down) if down.any() else np.array([0.0, 0.0, -1.0])
+        tips = self.numeric.tip_poses(run.q[0])[1]
+        colors += [color for _, own in self._lines(run.q[0], tips) for color in own]
         self.colors = np.array([rgb(color) for color in colors])
         self.leaf = max(i for i, x in enumerate(links) if x["radius"] or x["bodies"] or i == 0)
 
@@ -107,7 +112,18 @@ class Actor:
             near, far = eyes(self.scene["links"][i], found, R[i], r[i], q)
             half = near + BARREL * np.linalg.norm(np.subtract(found["link"], found["carrier"])) * _unit(far - near)
             out += [strut(near, half, thick), strut(near, far, 0.55 * thick)]
+        out += [x for x, _ in self._lines(q, r_tip)]
         return np.concatenate(out)
+
+    def _lines(self, q: np.ndarray, tips: np.ndarray) -> list[tuple[np.ndarray, list[str]]]:
+        """The faces of the lines of forces, and their colours; `tips`: as drawn, at the coordinates `q`."""
+        real, out = q.copy(), []
+        real[self.model.chain.eta_q :] /= self.magnified or 1.0
+        there = self.numeric.tip_poses(real)[1] if self.scene["lines"] and self.magnified != 1 else tips
+        for line in self.scene["lines"]:
+            spare = line["rest"] - float(np.linalg.norm(np.subtract(*lines.ends(line, there))))
+            out.append(lines.faces(line, *lines.ends(line, tips), self.down, spare))
+        return out
 
 
 class Film:

@@ -19,8 +19,10 @@ from ..spec.link_class import EXACT, LinkClass
 from ..spec.robot import Body, Link
 from ..spec.segments import Segment
 from .actuators import cylinders, tendons
+from .lines import lines
 from .pack import floats
 from .shapes import FINE, sections, strains
+from .solids import thinnest
 
 ROWS = 25
 """Sections at which a flexible link is drawn; links with segments have about as many in all."""
@@ -88,8 +90,11 @@ def scene(model: Model, p: np.ndarray | None = None, q: np.ndarray | None = None
             }
         )
     gravity = [float(x) for x in numeric.p[:3]]
-    whole = {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "closed": bool(robot.loops)}
-    return whole | {"links": links}
+    thin = thinnest(links, size)
+    started = numeric.tip_poses(np.array(rest if q is None else q, float))[1]
+    whole: dict[str, Any] = {"lines": list(lines(model, values, started, thin)), "links": links}
+    whole |= {"name": robot.name, "size": size, "gravity": gravity, "nq": model.nq, "closed": bool(robot.loops)}
+    return whole
 
 
 def _hangs(numeric: Numeric, carriers: Sequence[int], i: int, q: np.ndarray) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64decode
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -84,10 +84,15 @@ def _near(turn: np.ndarray, other: np.ndarray) -> np.ndarray:
     return min(turn, beyond, key=lambda x: float(np.linalg.norm(x - other)))
 
 
+def thinnest(links: Sequence[dict[str, Any]], size: float) -> float:
+    """The radius of the thinnest tube of a scene's links, m."""
+    return max(0.006 * size, min((x["radius"] for x in links if x["radius"]), default=0.0))
+
+
 def solids(scene: dict[str, Any], i: int) -> Iterator[Solid]:
     """What is drawn of link `i`, as in templates/view/drawing.js."""
     link, size = scene["links"][i], scene["size"]
-    thin = max(0.006 * size, min((x["radius"] for x in scene["links"] if x["radius"]), default=0.0))
+    thin = thinnest(scene["links"], size)
     if link["radius"] and np.linalg.norm(link["reach"]) > 1e-9:
         yield _tube(link)
     for tendon in link["tendons"]:

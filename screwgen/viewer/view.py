@@ -102,6 +102,10 @@ def read_run(path: str | os.PathLike[str], robot: Robot | None = None) -> Run:
         names: dict[str, Any] = {name: stored.texts(name) for name in NAMES}
         text = "".join(stored.texts("robot")) if "robot" in stored else None
         more: dict[str, Any] = {name: stored.numbers(name) for name in ("parameters", "w_ext") if name in stored}
+        texts = [stored.texts(key) if key in stored else () for key in ("quantity_names", "quantity_units")]
+    more["quantity_units"] = dict(zip(*texts, strict=False))
+    if (found := arrays.get("force_quantities")) is not None and found.shape[1:] != (len(more["quantity_units"]),):
+        raise UsageError(f"{shown}: force_quantities has the shape {found.shape}, and its names are {len(texts[0])}")
     if robot is None and text is not None:
         try:
             robot = loads(text, shown, os.path.dirname(os.fspath(path)))

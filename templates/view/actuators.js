@@ -1,4 +1,4 @@
-// What pulls and pushes: tendons along links, which bend with them, and cylinders across joints.
+// What pulls and pushes: tendons along links, which bend with them, cylinders across joints, springs and ropes between frames.
 
 const SIDES = 8;
 /** How long the barrel of a cylinder is, over the distance of its eyes at zero coordinates. */
@@ -61,5 +61,102 @@ class Cylinder {
     this.group.position.set(...this.eyes[0]);
     this.group.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), vector(times(1 / long, way)));
     this.rod.scale.y = long;
+  }
+}
+
+/** Points of the line of a force, by how it is drawn; turns of a coil, its straight ends, and where it widens. */
+const POINTS = { spring: 112, rope: 25, line: 2 };
+const [TURNS, LEAD, RAMP] = [7, 0.12, 0.05];
+
+/** The points between two ends, as in screwgen/viewer/lines.py; `down`: a unit vector to where things fall, `spare`: how
+ * much longer a rope is than its way, whatever the magnification of the modes. */
+function linePath(line, near, far, down, spare) {
+  const way = plus(far, times(-1, near));
+  const at = (s) => plus(near, times(s, way));
+  const share = (k) => k / (POINTS[line.drawn] - 1);
+  const every = (make) => Array.from({ length: POINTS[line.drawn] }, (_, k) => make(share(k)));
+  if (line.drawn === "spring") {
+    const smooth = (x) => { const y = Math.min(Math.max(x, 0), 1); return y * y * (3 - 2 * y); };
+    const turn = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 0, 1), vector(times(1 / Math.max(norm(way), 1e-9), way)));
+    const [y, z] = [[1, 0, 0], [0, 1, 0]].map((e) => vector(e).applyQuaternion(turn).toArray());
+    return every((s) => {
+      const wide = line.wide * smooth((s - LEAD) / RAMP) * smooth((1 - LEAD - s) / RAMP);
+      const angle = (2 * Math.PI * TURNS * (s - LEAD)) / (1 - 2 * LEAD);
+      return plus(at(s), times(wide, plus(times(Math.cos(angle), y), times(Math.sin(angle), z))));
+    });
+  }
+  if (line.drawn !== "rope" || spare <= 0) return every(at);
+  const hung = (sag) => every((s) => plus(at(s), times(4 * s * (1 - s) * sag, down)));
+  const long = (points) => points.slice(1).reduce((sum, p, k) => sum + norm(plus(p, times(-1, points[k]))), 0);
+  const length = norm(way) + spare;
+  let [low, high] = [0, length];
+  for (let k = 0; k < 40; k++) {
+    const middle = (low + high) / 2;
+    if (long(hung(middle)) < length) low = middle;
+    else high = middle;
+  }
+  return hung(low);
+}
+
+/** A wire of so many points, which are given anew at each time. */
+class Wire {
+  constructor(count, radius, material) {
+    const [geometry, index] = [new THREE.BufferGeometry(), []];
+    for (let k = 0; k + 1 < count; k++)
+      for (let j = 0; j < SIDES; j++) {
+        const [a, b] = [k * SIDES + j, k * SIDES + ((j + 1) % SIDES)];
+        index.push(a, b, a + SIDES, a + SIDES, b, b + SIDES);
+      }
+    for (const name of ["position", "normal"])
+      geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(3 * count * SIDES), 3));
+    geometry.setIndex(index);
+    [this.radius, this.mesh] = [radius, new THREE.Mesh(geometry, material)];
+    this.mesh.frustumCulled = false;
+  }
+
+  follow(points) {
+    const { position, normal } = this.mesh.geometry.attributes;
+    let out = [0.31, 0.53, 0.79]; // across the wire, turned as little as it can from one point to the next
+    points.forEach((at, k) => {
+      const along = plus(points[Math.min(k + 1, points.length - 1)], times(-1, points[Math.max(k - 1, 0)]));
+      const x = times(1 / Math.max(norm(along), 1e-12), along);
+      out = plus(out, times(-dot(out, x), x));
+      out = times(1 / Math.max(norm(out), 1e-12), out);
+      const other = cross(x, out);
+      for (let j = 0; j < SIDES; j++) {
+        const angle = (2 * Math.PI * j) / SIDES;
+        const way = plus(times(Math.cos(angle), out), times(Math.sin(angle), other));
+        normal.setXYZ(k * SIDES + j, ...way);
+        position.setXYZ(k * SIDES + j, ...plus(at, times(this.radius, way)));
+      }
+    });
+    position.needsUpdate = normal.needsUpdate = true;
+  }
+}
+
+/** The line of a force between frames: a coil, a rope that hangs where it is slack, or straight; rings at points of the world. */
+const RING = 25;
+class Line {
+  constructor(line, gravity, paint) {
+    [this.line, this.group] = [line, new THREE.Group()];
+    this.down = norm(gravity) > 1e-9 ? times(1 / norm(gravity), gravity) : [0, 0, -1];
+    this.wire = new Wire(POINTS[line.drawn], line.thick, paint(line.drawn === "spring" ? "--metal" : "--thread"));
+    this.rings = line.ends.map((end) => end.link < 0 && new Wire(RING, 1.4 * line.thick, paint("--dark-metal")));
+    this.group.add(...[this.wire, ...this.rings].filter(Boolean).map((wire) => wire.mesh));
+  }
+
+  /** `found`: the poses of all links, `real`: those without magnification. */
+  follow(found, real) {
+    const between = (poses) => this.line.ends.map(({ link, at }) => (link < 0 ? at : poses[link].tip.at));
+    const [ends, [near, far]] = [between(found), between(real)];
+    this.points = linePath(this.line, ...ends, this.down, this.line.rest - norm(plus(far, times(-1, near))));
+    this.wire.follow(this.points);
+    const way = plus(ends[1], times(-1, ends[0]));
+    const x = times(1 / Math.max(norm(way), 1e-12), way);
+    const other = cross(x, Math.abs(dot(x, this.down)) < 0.99 ? this.down : [1, 0, 0]);
+    const y = times(1 / Math.max(norm(other), 1e-12), cross(other, x));
+    const around = Array.from({ length: RING }, (_, k) => (2 * Math.PI * k) / (RING - 1));
+    const ring = (at) => around.map((a) => plus(at, times(5 * this.line.thick, plus(times(Math.cos(a), x), times(Math.sin(a), y)))));
+    this.rings.forEach((wire, k) => wire && wire.follow(ring(ends[k])));
   }
 }

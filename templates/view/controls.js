@@ -128,6 +128,8 @@ window.screwgen = {
   poses: () => found,
   /** Where the eyes of a link's cylinders are drawn, on the carrier and on the link, inertial frame, m. */
   eyes: (link) => robot.parts[link].cylinders.map((cylinder) => cylinder.eyes),
+  /** The points at which the lines of forces are drawn, inertial frame, m. */
+  lines: () => robot.lines.map((line) => line.points),
   frames: () => drawn.slice(),
   /** When what was asked for has been drawn and shown. */
   settled: () => new Promise((done) => {

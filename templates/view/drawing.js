@@ -155,6 +155,8 @@ class Robot {
     this.thin = Math.max(0.006 * scene.size, Math.min(...scene.links.map((x) => x.radius || Infinity)));
     this.parts = scene.links.map((link) => this.part(link));
     this.feet = scene.links.filter((x) => x.parent < 0 && x.moves !== "free").map((link) => this.foot(link));
+    this.lines = scene.lines.map((line) => new Line(line, scene.gravity, (color) => this.paint(color)));
+    for (const line of this.lines) this.group.add(line.group);
     [this.plain, this.worn] = [new Set(), new Set()]; // what meshes stand for, and the parts that have some
     this.skins = (scene.meshes || []).map((mesh) => this.skin(mesh));
     this.repaint();
@@ -284,6 +286,8 @@ class Robot {
         part.rail.scale.set(0.6 * this.thin, Math.max(long, 1e-6), 0.6 * this.thin);
       }
     });
+    const real = this.lines.length && magnified !== 1 ? poses(this.scene, q) : found;
+    for (const line of this.lines) line.follow(found, real);
     return found;
   }
 }

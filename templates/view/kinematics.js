@@ -46,7 +46,7 @@ function unpacked(scene) {
     link.count = link.fine ? 1 : link.modes + link.pairs.length / 2; // an exact rod has its sections as one column
     [link.corners, link.ends] = [[], []]; // what rigid parts reach: in the frame of the link, and in that of its tip
   }
-  scene.corners = [];
+  scene.corners = scene.lines.flatMap((line) => line.ends.filter((end) => end.link < 0).map((end) => end.at));
   for (const mesh of scene.meshes || []) {
     mesh.columns = columns(mesh.table);
     if (mesh.columns.length > 3) continue; // it bends along the centreline

@@ -53,6 +53,16 @@ LOOPS: dict[str, list] = {
     "slide loop": [{"slide": "x"}],
     "welded loop": [],
 }
+STRUT = {"stiffness": 60.0, "rest": 0.2, "damping": 3.0}
+ROPE = {"stiffness": 9.0, "rest": 0.4, "damping": 1.5, "slack": True}
+BUSHING = {"stiffness": [40.0, 55.0, 30.0, 6.0, 9.0, 4.0], "damping": [2.0, 1.5, 3.0, 0.2, 0.3, 0.15]}
+FORCES: dict[str, dict] = {
+    "line spring": {"forces": [{"name": "strut", "between": ["boom.eye", "fore.tip"], "line": STRUT}]},
+    "rope": {"forces": [{"name": "rope", "between": [{"world": [0.3, -0.4, 2.6]}, "fore.tip"], "line": ROPE}]},
+    "bushing": {"forces": [{"name": "mount", "between": ["boom.eye", "fore.tip"], "bushing": BUSHING}]},
+    "push": {"pushes": [{"name": "shove", "at": "boom.eye"}]},
+    "marker push": {"pushes": [{"name": "tool", "at": "fore.tip", "axes": "marker"}]},
+}
 
 
 def arm_of(row: Row) -> dict:
@@ -75,7 +85,7 @@ def arm_of(row: Row) -> dict:
         robot["couplings"] = [{"axis": "hand.joint[1]", "of": _leader(row), "ratio": -0.7, "offset": 0.2}]
     if row["closing"] in LOOPS:
         robot["links"].append(_post(row))
-    return robot
+    return robot | copy.deepcopy(FORCES.get(row["force"], {}))
 
 
 PLACES = ("at", "from", "to", "axes", "length", "frame_at", "mount", "transmission", "couplings", "loops")
@@ -140,6 +150,8 @@ def _boom(row: Row) -> dict:
         boom["bodies"] = [{"at": "base", "mass": 0.7, "com": [0.02, 0.05, -0.03]}, copy.deepcopy(PAYLOAD)]
     if row["more"] == "markers":
         boom["markers"] = [{"name": "lug", "at": 0.45}]
+    if "boom.eye" in str(FORCES.get(row["force"])):
+        boom["markers"] = [*boom.get("markers", []), {"name": "eye", "at": 0.6}]
     return boom
 
 

@@ -23,8 +23,12 @@ def written(case: Case) -> Path:
     folder = case.folder
     (folder / "robot.toml").write_text(to_toml(case.robot), encoding="utf-8")
     q, v, tau, w_ext = case.given
-    state = {"q": q, "v": v, "tau": tau, "w_ext": w_ext[case.model.chain.lasts]}
-    (folder / "state.json").write_text(json.dumps({k: np.asarray(x).tolist() for k, x in state.items()}))
+    chain, state = case.model.chain, {"q": q, "v": v, "tau": tau}
+    wrenches = w_ext[chain.lasts].tolist()
+    if case.robot.get("pushes"):
+        wrenches = {name: w_ext[row].tolist() for name, row in chain.wrench_rows.items()}
+    stated = {k: np.asarray(x).tolist() for k, x in state.items()} | {"w_ext": wrenches}
+    (folder / "state.json").write_text(json.dumps(stated))
     (folder / "rest.json").write_text(json.dumps({"q": closed(case)[0].tolist()}))
     return folder
 
@@ -55,17 +59,19 @@ def lines(folder: Path) -> dict[str, list[str]]:
 
 LOADED = ("modes loaded", "equilibrium")
 """What bears the robot's weight, which may be too much for it."""
+STRAINED = ("modes", "modes free")
+"""What bears the forces between its frames, which may be so too."""
 
 
 def every_command(case: Case) -> None:
-    """Every command ends well, with nothing but what it should print; those under weight may say what it is too much
-    for.
+    """Every command ends well, with nothing but what it should print; those under weight, or under forces
+    between frames, may say what these are too much for.
     """
     os.environ["CC"] = TCC
-    commands = lines(written(case))
+    commands, loaded = lines(written(case)), LOADED + STRAINED * bool(case.robot.get("forces"))
     for name, line in commands.items():
         found = called(line)
-        assert found.said == DONE or (name in LOADED and found.said == REFUSED), f"{name}: {found.said}: {found.why}"
+        assert found.said == DONE or (name in loaded and found.said == REFUSED), f"{name}: {found.said}: {found.why}"
 
 
 def units(case: Case) -> None:

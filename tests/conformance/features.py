@@ -78,6 +78,14 @@ FACTORS: dict[str, dict[str, str]] = {
         "slide loop": "a loop closed by a slide",
         "welded loop": "a loop closed by a weld",
     },
+    "force": {
+        "none": "",
+        "line spring": "a spring and damper between a place along a link and a tip",
+        "rope": "a rope from a point of the world to a tip",
+        "bushing": "a bushing between a place along a link and a tip",
+        "push": "a wrench from outside in world axes, at a place along a link",
+        "marker push": "a wrench from outside in the axes of a tip, beside that of the link",
+    },
     "more": {
         "nothing": "",
         "frame": "a link frame away from the joint",

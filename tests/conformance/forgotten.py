@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 SEED = 38
 ALGORITHMS, C, BODIES = "screwgen/algorithms/", "templates/c/", "screwgen/bodies/"
+INTERACTIONS = "screwgen/interactions/"
 
 
 class Mutant(NamedTuple):
@@ -85,7 +86,8 @@ TABLE: list[Mutant] = [
     M("hinge loop", "judge", ALGORITHMS + "loops.py",
       "return mx.dot(x, y) - row.cosine, turn, -turn, mx.dot(a.omega - b.omega, c_rate)",
       "return mx.dot(x, y) - row.cosine, turn, -turn, 0.0"),
-    M("markers", "sensors", ALGORITHMS + "marker_functions.py", "        weightless.gravity = [0.0] * 3\n", ""),
+    M("markers", "sensors", ALGORITHMS + "marker_functions.py",
+      "return self.alone().marker_accelerations", "return self.marker_accelerations"),
     M("markers", "sensors", ALGORITHMS + "gauges.py", "_strains(s, section.key.section_at)", "_strains(s, BASE)"),
     M("slide loop", "DAE form", ALGORITHMS + "loops.py",
       "gamma + 2 * c * rate + c * c * gap)", "gamma + 2 * c * rate)"),
@@ -186,6 +188,45 @@ TABLE: list[Mutant] = [
       "            pose->q[first + i][first + k] += carried[i][k];\n", "            (void)carried;\n"),
     M("floating", "linear model", "screwgen/studies/linear.py",
       "np.hstack([chain.carried(v), np.eye(chain.nv)])", "np.hstack([0 * chain.carried(v), np.eye(chain.nv)])"),
+    # ------------------------------------------------------------------------------------- forces between frames
+    M("line spring", "judge", INTERACTIONS + "line.py",
+      'keys["stiffness"] * stretch + keys["damping"] * rate', 'keys["stiffness"] * stretch'),
+    M("rope", "judge", ALGORITHMS + "functions.py", ' + self.energy_of_forces(q)', ""),
+    M("line spring", "judge", ALGORITHMS + "force_functions.py",
+      "                    if end is not None:\n", '                    if end is not None and name == "second":\n'),
+    M("bushing", "judge", ALGORITHMS + "force_programs.py",
+      "first = -np.concatenate([torque + mx.cross(x.d, force), force])", "first = -np.concatenate([torque, force])"),
+    M("push", "judge", ALGORITHMS + "force_functions.py",
+      "total[i] = mx.rotate_wrench(tips[i].R.T, total[i])", "total[i] = total[i] * 1"),
+    M("marker push", "judge", "screwgen/topology/chain.py", 'segment.pushed == "world")', "segment.pushed)"),
+    M("rope", "DAE form", ALGORITHMS + "dae_functions.py",
+      "acted = self.chain.closing.rows or self.acts", "acted = self.chain.closing.rows"),
+    M("rope", "parameters", C + "features/forces.jinja",
+      "c->forces[{{ loop.index0 }}] = p->{{ place }};",
+      "c->forces[{{ loop.index0 }}] = {{ forces.numbers[loop.index0] }};"),
+    M("line spring", "C, baked", C + "parameters.c.jinja",
+      '{ {{ forces.numbers | join(", ") }} },', "{ 0 },"),
+    M("rope", "C, fused", C + "features/forces.jinja",
+      "call.w_ext = &forces.input.w_ext[0][0];", "call.w_ext = &input->w_ext[0][0];"),
+    M("line spring", "C, fused", C + "features/forces_in_tree.jinja",
+      "    call->w_ext = &work->forces.input.w_ext[0][0];\n", "    (void)call;\n"),
+    M("push", "C, modular", C + "features/forces_in_tree.jinja",
+      "status = $_dynamics(c, s, &work->forces.input, m_eta, work, wanted, y);",
+      "status = $_dynamics(c, s, u, m_eta, work, wanted, y);"),
+    M("line spring", "derivatives", ALGORITHMS + "force_functions.py",
+      "D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)", "D_q = mx.multiply(by_twist, V_q)"),
+    M("rope", "derivatives", ALGORITHMS + "force_functions.py",
+      "D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)", "D_q = mx.multiply(by_pose, J)"),
+    M("rope", "derivatives of steps", ALGORITHMS + "force_functions.py",
+      "yield i, D_q, mx.multiply(by_twist, J)", "yield i, D_q, none"),
+    M("push", "derivatives", ALGORITHMS + "force_functions.py",
+      "yield i, mx.multiply(turning, at[i].J[:3]), none", "yield i, none, none"),
+    M("line spring", "derivatives", ALGORITHMS + "linearise.py",
+      "    _take_forces(f, q, v, w_ext, found, at)\n", ""),
+    M("line spring", "derivatives of wrenches", ALGORITHMS + "wrench_slopes.py", "    if f.acts:\n", "    if False:\n"),
+    M("rope", "modes", "screwgen/studies/modes.py", " or bool(model.chain.forces)\n", "\n"),
+    M("rope", "robot file", "screwgen/spec/forces.py",
+      "chosen = {name: True for name, on in self.law.shape.chosen if on}", "chosen: dict[str, bool] = {}"),
     # ------------------------------------------------------------------------------------------- what users do with it
     M("ball loop", "runs", C + "features/loops_in_runs.jinja", "power += m->drive_power[i];", "(void)i;"),
     M("coupling", "estimator", "screwgen/simulation/estimator.py",

@@ -2,7 +2,8 @@
 
 The oracle knows chains and trees of links whose joints turn and slide. What it does not know is brought to that: a
 segment is a link, a ball joint three turns, a floating base three slides and three turns; couplings and loops are rows
-with multipliers, springs and tendons potentials. The states and forces of both are mapped by the kinematics of these.
+with multipliers, springs and tendons potentials; for what acts on sections see `conformance.outer`. The states and
+forces of both are mapped by the kinematics of these.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from scipy.spatial.transform import Rotation
 
 from conformance.arms import LOOPS
 from conformance.features import Row
+from conformance.outer import Outer
 from conformance.twin import as_turns, first_piece
 
 CONDITION = 1e8
@@ -44,7 +46,8 @@ class Judge:
         self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
         if self.rows is not None:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
-        self.tensions = np.zeros(len(self.tendon_lengths))
+        self.tensions, self.outer = np.zeros(len(self.tendon_lengths)), Outer(robot, twin, oracle)
+        self.pushes = np.zeros((len(self.outer.rows), 6))
 
     # ------------------------------------------------------------------------------------ regularity, tolerance
 
@@ -90,9 +93,14 @@ class Judge:
         force -= ca.jtimes(lengths, q, tension, True)
         return ca.Function("acting", [q, tension], [ca.densify(force), energy, lengths, ca.jacobian(lengths, q)])
 
+    @cached_property
+    def acted(self) -> tuple[np.ndarray, ...]:
+        """What acts on sections in the state, as `Outer.acting` has it."""
+        return tuple(x.full() for x in self.outer.acting(self.state["q"], self.state["v"], self.pushes.T))
+
     def _forces(self, q, tau) -> np.ndarray:
-        """Those of drives, springs on axes and tendons."""
-        return self.oracle._force(tau, q) + self.acting(q, self.tensions)[0].full()[:, 0]
+        """Those of drives, springs on axes, tendons, and of what acts on sections."""
+        return self.oracle._force(tau, q) + self.acting(q, self.tensions)[0].full()[:, 0] + self.acted[0][:, 0]
 
     # ------------------------------------------------------------------------------------ results, of the oracle
 
@@ -162,7 +170,7 @@ class Judge:
                 Q.append(q[own])
                 tau_out.append(tau[own])
         q_out = np.concatenate([*Q, q[self.oracle.n_joint :]])
-        return q_out, self.map @ v, np.concatenate([*tau_out, self.tensions]), w_ext
+        return q_out, self.map @ v, np.concatenate([*tau_out, self.tensions]), self.outer.laid(w_ext, self.pushes)
 
     @cached_property
     def vdot(self) -> np.ndarray:
@@ -178,28 +186,33 @@ class Judge:
 
     @cached_property
     def forces(self) -> np.ndarray:
-        """(nv,): the generalised forces of the motion in the open tree, springs on axes among them."""
+        """(nv,): the generalised forces of the motion in the open tree, springs on axes and on sections among them."""
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
-        own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0]
+        own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0] + self.acted[0][:, 0]
         found = self.oracle.inverse_dynamics(q, v, self.motion[0], w_ext) - own
         return np.linalg.solve(self.map.T, found)
 
     @cached_property
     def wrench(self) -> np.ndarray:
-        """(n, 6): the joint wrenches."""
+        """(n, 6): the joint wrenches, and those of the welds of rows that are no link's."""
         vdot, loads = self.motion
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
-        out = self.oracle.wrenches(q, v, vdot, w_ext + loads)
+        out = self.oracle.wrenches(q, v, vdot, w_ext + loads + self.acted[2].T)
         for kind, _, i in self._kinds:
             if kind == "free":
                 out[i] = 0.0
-        return out
+        return self.outer.laid(out, self.acted[3].T)
+
+    @property
+    def loop_wrenches(self) -> np.ndarray:
+        """(n, 6): those of loops on the product's rows."""
+        return self.outer.laid(self.motion[1], 0 * self.pushes)
 
     @cached_property
     def energy(self) -> tuple[float, float]:
         """Kinetic and potential, J, up to the constant of gravity."""
         kinetic, potential = self.oracle.energy(self.state["q"], self.state["v"])
-        return kinetic, potential + float(self.acting(self.state["q"], self.tensions)[1])
+        return kinetic, potential + float(self.acting(self.state["q"], self.tensions)[1]) + self.acted[1].item()
 
     @cached_property
     def mass_matrix(self) -> np.ndarray:
@@ -248,6 +261,7 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
         oracle = Oracle(twin)
     judge = Judge(robot, twin, oracle, state)
     judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
+    judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)
     return judge
 
 

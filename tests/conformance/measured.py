@@ -22,8 +22,9 @@ def sensors(case: Case) -> None:
     """Poses equal the judge's, twists and accelerations the rates of poses, strains the judge's."""
     (q, v, tau, w_ext), f = case.given, case.model.numpy()
     R, r = f.marker_pose(q)
+    links = case.judge.outer.links
     for marker, rotation, place in zip(case.model.chain.markers, R, r, strict=True):
-        wanted = section(case, marker.segment, None if marker.is_tip else marker.at, case.judge.state["q"])
+        wanted = section(case, links.index(marker.segment), None if marker.is_tip else marker.at, case.judge.state["q"])
         near(rotation, wanted[0], case.tolerance, f"rotation of {marker.name}")
         near(place, wanted[1], case.tolerance, f"place of {marker.name}")
     vdot = f.forward_dynamics(q, v, tau, w_ext)[0]
@@ -100,7 +101,7 @@ def strains(case: Case) -> None:
     """Strains at bases and markers are the derivatives of the judge's shapes, times the modes."""
     chain, judge, names = case.model.chain, case.judge, [x["name"] for x in case.judge.twin["links"]]
     places = [(f"{x['name']}.base_strain", names.index(first_piece(x)), 0.0) for x in case.robot["links"]]
-    places += [(f"{m.name}.strain", m.segment, m.at) for m in chain.markers if not m.is_tip]
+    places += [(f"{m.name}.strain", judge.outer.links.index(m.segment), m.at) for m in chain.markers if not m.is_tip]
     wanted = {f"{name}.{d}": x for name, i, s in places for d, x in strained(judge, i, s).items()}
     assert list(wanted) == case.model.strain_names
     if wanted:
@@ -129,14 +130,15 @@ def validity(case: Case) -> None:
     state, poses, links = judge.state, judge.oracle.poses(judge.state["q"]), judge.twin["links"]
     twists = judge.oracle.link_twists(state["q"], state["v"])
     rates = judge.oracle.link_twist_rates(state["q"], state["v"], judge.motion[0])
-    found = np.reshape(case.model.numpy().validity(q, v, tau, w_ext), (-1, 4))
-    parents, loads = parents_of(links), judge.state["w_ext"] + judge.motion[1]
+    found = np.reshape(case.model.numpy().validity(q, v, tau, w_ext), (-1, 4))[judge.outer.links]
+    parents, loads = parents_of(links), judge.state["w_ext"] + judge.motion[1] + judge.acted[2].T
+    loaded, wrench = {row.place.link for row in judge.outer.rows if row.place.s < 1.0}, judge.wrench[judge.outer.links]
     for i, link in enumerate(links):
         carried = [k for k, parent in enumerate(parents) if parent == i]
-        if not plain(link, [links[k] for k in carried]):
+        if i in loaded or not plain(link, [links[k] for k in carried]):
             continue
         R, tip = poses["R"][i], poses["R"][i].T @ poses["tip_R"][i]
-        force = sum((R.T @ poses["R"][k] @ judge.wrench[k, 3:] for k in carried), np.zeros(3)) - tip @ loads[i, 3:]
+        force = sum((R.T @ poses["R"][k] @ wrench[k, 3:] for k in carried), np.zeros(3)) - tip @ loads[i, 3:]
         omega, speed = np.split(twists[i], 2)
         a = rates[i, 3:] + np.cross(omega, speed) - R.T @ np.array(case.robot["gravity"])
         l, rhoA = link["length"], link["section"]["rhoA"]

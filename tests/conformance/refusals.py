@@ -23,6 +23,7 @@ class Refusal(NamedTuple):
 
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
+BETWEEN = ("line spring", "rope", "bushing")
 REFUSALS: tuple[Refusal, ...] = (
     *(
         Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")
@@ -43,6 +44,12 @@ REFUSALS: tuple[Refusal, ...] = (
     ),
     Refusal("URDF", ("screw",), "URDF has no joint that turns and travels at once", "URDF has no screws"),
     Refusal("URDF", ("ball",), "is a ball joint, which URDF does not have", "URDF has no ball joints"),
+    *(
+        Refusal("modes", (base, x), "no table of modes beside forces between frames", "no table under loads that float")
+        for base in ("floating", "afloat")
+        for x in BETWEEN
+    ),
+    *(Refusal("modes", ("ball", x), "there is no modes under load yet", "about a deflection") for x in BETWEEN),
     Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
 )
 

@@ -65,7 +65,7 @@ def exact_dynamics(case: Case, p: list) -> np.ndarray:
     chain, given = case.model.chain, [[mpmath.mpf(float(x)) for x in np.ravel(x)] for x in case.given]
     links = fused.prepared(chain, p, lambda _, program, values: run(program, values, fused.precise)[0])
     apply = lambda _, __, program, values: run(program, values, fused.precise, mpmath.mpf(10) ** -45)[0]  # noqa: E731
-    vdot, wrench = Functions(chain, links, p[:3], apply).forward_dynamics(*given)
+    vdot, wrench = Functions(chain, links, fused.world(chain, p), apply).forward_dynamics(*given)
     return np.array([*vdot, *wrench])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from helpers import QUICK, quick_batch, relative
 from scipy.linalg import eigvalsh, null_space
+from scipy.optimize import root
 
 import screwgen
 from conformance.cases import STEP, Case
@@ -79,9 +80,10 @@ def energy(case: Case) -> None:
     lost = power - (ends[1] - ends[0]) / h
     scale = abs(power) + sum(map(abs, f.energy(q, v))) + 1.0
     assert lost >= -1e-5 * scale, f"gains {-lost:.3g} W from nothing"
-    if not {"passive", "friction", "geared friction", "ratio", "time", "stops", "cylinder", "four-bar"} & set(
-        case.features
-    ) and not any("damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])):
+    lossy = {"passive", "friction", "geared friction", "ratio", "time", "stops", "cylinder", "four-bar", "line spring"}
+    if not (lossy | {"rope", "bushing"}) & set(case.features) and not any(
+        "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])
+    ):
         assert abs(lost) <= 1e-5 * scale, f"{lost:.3g} W vanish"
 
 
@@ -140,6 +142,8 @@ def closed(case: Case) -> tuple[np.ndarray, np.ndarray]:
 
 def modes(case: Case) -> None:
     """Vibrations are those of mass matrix and springs in the motions that loops leave, joints locked and free."""
+    if case.robot.get("forces"):
+        return modes_beside_forces(case)
     model, q = case.model, closed(case)[0]
     chain, f = model.chain, model.numpy(np.append(np.zeros(3), model.parameter_values[3:]))
     T, M = np.eye(model.nv), f.mass_matrix(q)
@@ -162,6 +166,34 @@ def modes(case: Case) -> None:
         S = np.linalg.solve(T, found.shapes)
         near(S.T @ M @ S, np.eye(len(expected)), 1e-8, "modal masses")
         near(S.T @ K @ S, np.diag((2 * np.pi * expected) ** 2), 1e-6, "modal stiffness")
+
+
+def modes_beside_forces(case: Case) -> None:
+    """The same about the deflection under forces between frames, which the balance of modes and gears finds anew.
+
+    Of robots with loops or transmissions that elastic gears drive, that they are found.
+    """
+    model, chain = case.model, case.model.chain
+    f, rest, h = model.numpy(np.append(np.zeros(3), model.parameter_values[3:])), np.zeros(model.nv), 1e-6
+    found = {joints: screwgen.mode_shapes(model, closed(case)[0], joints) for joints in ("locked", "free")}
+    if chain.closing.rows or chain.travels:
+        assert all(np.isfinite(x.frequencies).all() for x in found.values())
+        return
+    gears = [chain.base_v + k for k in chain.added_joints]
+    bent, balanced = np.r_[chain.eta_v - len(gears) : model.nv], [*gears, *range(chain.eta_v, model.nv)]
+    start = chain.with_added(closed(case)[0][: model.n_joints], model.parameter_values)
+    start = np.append(start, closed(case)[0][chain.eta_q :])
+    force = lambda x: np.asarray(f.inverse_dynamics(case.moved(start, x), rest, rest, None))  # noqa: E731
+    place = lambda x: np.bincount(bent, x, model.nv)  # noqa: E731
+    solved = root(lambda x: force(place(x))[balanced], np.zeros(len(bent)), tol=1e-13)
+    q = place(solved.x)
+    K = np.array([(force(q + h * x) - force(q - h * x)) / (2 * h) for x in np.eye(model.nv)]).T
+    M = f.mass_matrix(case.moved(start, q))
+    for joints, shapes in found.items():
+        moving = movable(model, joints, start, model.parameter_values)
+        squares = eigvalsh(*(((x + x.T) / 2)[np.ix_(moving, moving)] for x in (K, M)))
+        expected = np.sqrt(np.maximum(squares, 0.0))[shapes.rigid :] / (2 * np.pi)
+        near(np.sort(shapes.frequencies), expected, 1e-5, f"frequencies, {joints}")
 
 
 def toml(case: Case) -> None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from functools import partial
 
-from ...algorithms import fused
+from ...algorithms import tip_programs
 from ...algorithms.loop_functions import ROUNDS
 from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...topology.chain import Chain
 from ..templates import FEATURES
+from . import forces
 from .code import Place, entries, literal, singular
 from .inputs import features
 from .pieces import piece_place, pieces
@@ -23,7 +24,7 @@ IDLE_ROWS = ("idle_rows",)
 
 def files(chain: Chain) -> tuple[str, ...]:
     """The files that loops add, without the robot's name; their templates have the same names."""
-    return ("loops.c",) if chain.closing.rows else ()
+    return forces.files(chain) + ("loops.c",) * bool(chain.closing.rows)
 
 
 def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
@@ -32,7 +33,9 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
     """
     written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + features(chain)
-    out: dict[str, object] = {FEATURES: written, "scratch": {}}
+    acting = forces.content(chain, baked, place)
+    out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
+    out["scratch"] = forces.scratch(chain, acting)
     out |= _loops(chain, baked, place) if chain.closing.rows else {}
     return out | ({"idle": _idle_rows(chain, place)} if chain.closing.idle else {})
 
@@ -52,9 +55,9 @@ def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     made = {
         name: pieces(make(chain, constants), placed, ("c", "state", *more), fail=singular)
         for name, make, more in (
-            ("wrenches", fused.loop_wrenches, ("input", "m_eta", "f_eta", "work")),
-            ("correction", fused.correction, ("input", "m_eta", "f_eta", "work")),
-            ("openings", fused.openings, ("work", "mismatch")),
+            ("wrenches", tip_programs.loop_wrenches, ("input", "m_eta", "f_eta", "work")),
+            ("correction", tip_programs.correction, ("input", "m_eta", "f_eta", "work")),
+            ("openings", tip_programs.openings, ("work", "mismatch")),
         )
     }
     kept = max(part["kept"] for part in made.values())
@@ -80,12 +83,12 @@ def _sharing() -> dict:
 def _gaps(chain: Chain, constants: str, place: Place) -> list[list[str]]:
     """The functions of an estimator that find the gaps of the rows, in one piece as they are short."""
     placed = piece_place(chain, "work->kept", {"gap": entries("work->gap")}, place)
-    program = fused.gaps(chain, constants)
+    program = tip_programs.gaps(chain, constants)
     return pieces(program, placed, ("c", "state", "work"), program.operation_count, fail=singular)["pieces"]
 
 
 def _idle_rows(chain: Chain, place: Place) -> dict[str, object]:
     """The statements that find their gaps in ``gap``."""
     placed = piece_place(chain, "kept", {"gaps": lambda k: f"gap[{k}]"}, place)
-    (lines,) = pieces(fused.idle_gaps(chain, "constants"), placed, ("c",))["pieces"]
+    (lines,) = pieces(tip_programs.idle_gaps(chain, "constants"), placed, ("c",))["pieces"]
     return {"count": len(chain.closing.idle), "lines": lines, "limit": literal(OPEN**2)}

@@ -299,6 +299,7 @@ def scratch(
         "NAXES": c.n_joints,
         "NMODES": c.n_modes,
         "NGIVEN": c.n_given,
+        "NFORCES": c.n_force_numbers,
     }
     sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner, "NRATES": c.v_offset[-1], "NREDUNDANT": c.n_redundant}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731

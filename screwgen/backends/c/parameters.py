@@ -48,7 +48,9 @@ def member(p: Parameter) -> Member:
 
 def place(p: Parameter) -> str:
     """The C expression of a parameter in ``<robot>_parameters``."""
-    return f"gravity[{p.index[0]}]" if p.link is None else f"links[{p.link}].{member(p)}"
+    if p.field == "gravity":
+        return f"gravity[{p.index[0]}]"
+    return f"forces.{p.name}" if p.link is None else f"links[{p.link}].{member(p)}"
 
 
 def members(robot: Robot, link: int) -> dict[str, Member]:

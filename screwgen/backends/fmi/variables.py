@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import prod
 
 import numpy as np
 
-from ...algorithms.entry_names import entry_names, entry_units
+from ...algorithms.entry_names import entry_meanings, entry_names, entry_units
 from ...algorithms.gauges import strain_names
 from ...algorithms.response import OWN, REPORTED, Response
-from ...algorithms.robot_functions import SENSED, shape
+from ...algorithms.robot_functions import SENSED
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
@@ -129,7 +128,8 @@ def _inputs(chain: Chain) -> Iterator[Variable]:
     for segment in chain.segments:
         for part, unit in WRENCH_UNITS.items():
             name = f"{segment.tipped}.w_ext.{part}"
-            yield Variable("w_ext", name, unit, "external wrench on the tip section, tip frame", "input", start=0.0)
+            axes = "inertial frame" if segment.pushed == "world" else "tip frame"
+            yield Variable("w_ext", name, unit, f"external wrench on the tip section, {axes}", "input", start=0.0)
 
 
 def _rates(states: Sequence[Variable], first: int, nq: int) -> Iterator[Variable]:
@@ -170,9 +170,8 @@ def _outputs(answers: Response) -> Iterator[Variable]:
     efforts, markers = coordinate_names(chain.robot).tau, [marker.name for marker in chain.markers]
     pieces = [segment.name for segment in chain.segments]
     for told in answers.rows.values():
-        meanings = [signal.meaning for signal in told.results.values() for _ in range(prod(shape(signal, chain)))]
-        names = entry_names(told, efforts, markers, pieces, chain.cylinders)
-        for entry in zip(names, entry_units(told, chain), meanings, strict=True):
+        names = entry_names(told, efforts, markers, pieces, chain.cylinders, chain.force_quantities)
+        for entry in zip(names, entry_units(told, chain), entry_meanings(told, chain), strict=True):
             yield of(told.name, *entry)
     for segment in chain.segments:
         for measure in MEASURES:

@@ -16,7 +16,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ...algorithms import fused
+from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage
 from ...algorithms.parameter_slopes import BY_P
@@ -141,7 +141,7 @@ class Own:
             "coordinate_rates": ("q v p", self._coordinate_rates),
         }
         if self.chain.closing.rows:
-            own["correct"] = "q v p", lambda x: tuple(self.run(fused.correction, "new_q new_v", x))
+            own["correct"] = "q v p", lambda x: tuple(self.run(tip_programs.correction, "new_q new_v", x))
         return own | self.functions_of_robot()
 
     def functions_of_robot(self) -> dict[str, tuple[str, Callable]]:

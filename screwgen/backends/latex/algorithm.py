@@ -9,7 +9,7 @@ from itertools import count
 
 from ...topology.chain import Chain
 from ..templates import render
-from . import elements
+from . import elements, forces
 from .content import Display, DocumentTable, Item, Paragraph, parse, words
 from .layout import Row
 from .steps import BlockView, StepView
@@ -113,6 +113,7 @@ def _values(chain: Chain) -> Mapping[str, object]:
         "effort": elements.effort(chain),
         "acting": elements.acting(chain),
         "elements": elements.equations(chain),
+        "forces": forces.lines(chain),
         "inputs": _inputs(chain),
         "loops": bool(chain.closing.rows),
         "joined": bool(chain.robot.loops),

@@ -26,6 +26,8 @@ NEARER = (1.0, 0.4, 0.1, 0.0)
 """By what the posture is scaled until the robot has accelerations there."""
 PLACES = 12
 """How many digits results have: those that do not depend on the last digits of constants."""
+CANCELLED = 1e-25
+"""Smaller parts of the largest value are the last digits of values that cancel."""
 ACROSS = 4
 """How many links have their wrenches side by side."""
 MANY = 8
@@ -38,12 +40,24 @@ def items(chain: Chain) -> Iterator[Item]:
         q, v, u, w_ext = state(chain, nearer)
         try:
             found = accelerations(chain, q, v, u, w_ext.tolist())
-            vdot, wrench = (np.array([float(f"{x:.{PLACES}g}") for x in part]) for part in found)
+            vdot, wrench = map(_rounded, found)
         except ScrewgenError:
             continue
         if np.all(np.isfinite(vdot)):
             yield from _tables(chain, q, v, u, vdot, np.reshape(wrench, (chain.n, 6)))
             return
+
+
+def _rounded(values: Sequence[float]) -> np.ndarray:
+    """Values with as many digits as they have; what is left of those that cancel is zero."""
+    least = CANCELLED * max(map(abs, values), default=0.0)
+    return np.array([float(f"{x:.{PLACES}g}") if abs(x) > least else 0.0 for x in values])
+
+
+def _besides(chain: Chain) -> str:
+    """What acts on tips besides external wrenches."""
+    acting = ["the loops"] * bool(chain.robot.loops) + ["the forces between frames"] * bool(chain.forces)
+    return f" besides {' and '.join(acting)}" if acting else ""
 
 
 def _tables(
@@ -58,7 +72,7 @@ def _tables(
         rf"$\boldsymbol{{\mathcal{{W}}}}_{{ext,{i}}} =$ [{', '.join(map(exact, x))}]"
         for i, x in sorted(wrench_of.items())
     )
-    where, besides = "s of the first and the last link" * (chain.n > 1), " besides the loops" * bool(chain.robot.loops)
+    where, besides = "s of the first and the last link" * (chain.n > 1), _besides(chain)
     yield Paragraph(f"{about} At the tip{where}, {acting}; at others nothing acts{besides}.")
     size = max(len(q), len(v), len(u))
     columns = [[exact(x) for x in column] + [""] * (size - len(column)) for column in (q, v, u, vdot)]

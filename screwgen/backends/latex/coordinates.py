@@ -8,6 +8,7 @@ from ...spec.inputs import input_units
 from ...spec.parameters import coordinate_names, coordinate_units
 from ...topology.chain import Chain
 from .content import DocumentTable, Heading, Item, Paragraph
+from .forces import TURNED
 from .tables import DIRECTION, axis_text, plain_unit
 
 ROWS = 60
@@ -31,7 +32,7 @@ def tables(chain: Chain) -> Iterator[Item]:
     yield Heading("Coordinates and inputs")
     yield Paragraph(ABOUT, essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
-    yield Paragraph(INPUTS, essential=True)
+    yield Paragraph(INPUTS + TURNED * bool(chain.turned_wrenches), essential=True)
     rows = inputs(chain)
     if rows:
         yield DocumentTable(

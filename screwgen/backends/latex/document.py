@@ -22,7 +22,7 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..numpy.loop_rows import choose_rows
 from ..templates import render
-from . import algorithm, check_value, coordinates, elements, motion, numbers, tables, text
+from . import algorithm, check_value, coordinates, elements, forces, motion, numbers, tables, text
 from .algorithm import ALGORITHM
 from .blocks import LETTERS
 from .content import (
@@ -142,6 +142,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         *THEORY,
         *(SLIDING if chain.slides else ()),
         *elements.symbols(chain),
+        *forces.symbols(chain),
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     symbols = entries(known, named)
@@ -228,7 +229,7 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     pieces = sum(link.pieces for link in robot.links)
     links += f" of {pieces} segments" if pieces > len(robot.links) else ""
     markers = chain.n - pieces
-    links += f", {markers} marker{'s' * (markers > 1)} that loops join" if markers else ""
+    links += f", {forces.markers(chain, markers)}" if markers else ""
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     joints += f", {chain.n_added} of rotors" if chain.n_added else ""
     tendons = f", {chain.n_tensions} tendon{'s' * (chain.n_tensions > 1)}" if chain.n_tensions else ""

@@ -43,8 +43,9 @@ def joints(chain: Chain) -> DocumentSection | None:
         r"$q_k$ are numbered along the robot, as in `tau` and `q`. $\mathbf{w}_i$ is what the joint exerts on its "
         r"link: it accelerates the link, bears what the link's tip carries, and its part along the axes is the torque."
     )
-    if chain.robot.loops:
-        about += r" $\boldsymbol{\mathcal{W}}_{ext,i}$ has the wrenches of the loops in it."
+    acting = ["the wrenches of the loops"] * bool(chain.robot.loops) + ["those of forces"] * bool(chain.forces)
+    if acting:
+        about += rf" $\boldsymbol{{\mathcal{{W}}}}_{{ext,i}}$ has {' and '.join(acting)} in it."
     if chain.robot.couplings:
         about += r" $\boldsymbol{\tau}_{\lambda,i}$ are the forces of couplings on the axes of joint $i$."
     return DocumentSection(JOINTS, [Paragraph(about), *items])

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from ...topology.chain import Chain
 from ..templates import render
 from .content import DocumentSection, parse
+from .forces import BORNE
 from .layout import PAGE, matrix, width
 
 MOTION, MASS = "Equation of motion", "Mass matrix"
@@ -110,6 +111,7 @@ def motion(chain: Chain) -> DocumentSection:
         "modal": modal * any(k.modes for k in chain.keys),
         "payload": payload * bodies,
         "besides": besides,
+        "borne": BORNE * bool(chain.forces),
     }
     return DocumentSection(MOTION, parse(render("latex/motion.tex.jinja", **values)))
 

@@ -10,6 +10,7 @@ from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
 from ...topology.parameters import label
+from . import forces
 from .scalars import entry
 
 BLOCKS = ("link", "tip", "tip_body", "joint", "joint_rows")
@@ -24,6 +25,8 @@ def with_symbols(chain: Chain) -> list[tuple[Parameter, str]]:
 
 
 def _symbol(chain: Chain, p: Parameter) -> str:
+    if p.field.startswith("force."):
+        return forces.parameter_symbol(chain.robot, p)
     if p.link is None:
         return rf"g_{'xyz'[p.index[0]]}"
     if p.field in OF_AXES:

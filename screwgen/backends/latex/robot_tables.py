@@ -1,10 +1,8 @@
-"""What a robot has beside its links, with all numbers: inputs, transmissions, tendons, and what closes the tree."""
+"""What a robot has beside its links, with all numbers: transmissions, tendons, forces, and what closes the tree."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-
-import numpy as np
 
 from ...elements import FourBarLinkage
 from ...joints.constraints import Angle, Distance
@@ -13,7 +11,8 @@ from ...spec.parameters import coordinate_names, per_axis
 from ...topology.chain import Chain
 from ...topology.loops import ClosingRow
 from .content import DocumentTable, Heading, Item, Paragraph
-from .tables import NONE, axis_text, exact
+from .force_tables import ACTING, PUSHED, forces, pushes
+from .tables import NONE, axis_text, exact, vector
 
 Rows = Iterable[Sequence[str]]
 
@@ -23,6 +22,8 @@ def besides(chain: Chain) -> Iterator[Item]:
     tables: list[tuple[str, str, DocumentTable | None]] = [
         ("Transmissions", TRANSMITTED, transmissions(chain)),
         ("Tendons", PULLED, tendons(chain)),
+        ("Forces between frames", ACTING, forces(chain)),
+        ("Wrenches from outside", PUSHED, pushes(chain)),
         ("What loops join", JOINED, loops(chain)),
         ("Couplings", COUPLED, couplings(chain)),
         ("Rows that close the loops", CLOSED, rows(chain)),
@@ -126,12 +127,3 @@ def _gap(closing: ClosingRow) -> str:
         first, second = vector(row.first), vector(row.second)
         return rf"angle between $\mathbf{{x}} =$ {first} and $\mathbf{{y}} =$ {second}, $c =$ {exact(row.cosine)}"
     return r"$q_b - r\,q_a - c$ of the coupling"
-
-
-def vector(values: Sequence[float]) -> str:
-    """A vector with all its digits, which may be broken behind commas; a unit vector along an axis by its letter."""
-    for letter, axis in zip("xyz", np.eye(3), strict=True):
-        if tuple(axis) == tuple(values):
-            return rf"$\mathbf{{e}}_{letter}$"
-    first, *between, last = (exact(x).strip("$") for x in values)
-    return " ".join([f"$[{first},$", *(f"${x},$" for x in between), rf"${last}]^{{\top}}$"])

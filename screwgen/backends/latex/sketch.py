@@ -17,6 +17,7 @@ from . import coordinate_symbols
 from .content import DrawingItem
 from .drawing import Drawing
 from .sketch_acting import bodies, drives, gravity, loops, masses, tendons, wrenches
+from .sketch_forces import forces, pushes
 from .sketch_joints import foot, joint, names, on_world
 from .sketch_pen import Pen
 from .sketch_pose import MOST_LINKS, LinkShape, SketchPose, SketchView, drawn_lengths, poses, true_lengths
@@ -45,7 +46,8 @@ MOST_NAMED = 6
 def figure(chain: Chain) -> DrawingItem:
     """The sketch of a robot with its caption."""
     pose, view = chosen(poses(chain), chain.robot.gravity)
-    return DrawingItem(_drawing(chain, pose, view), _caption(chain, pose), essential=True)
+    pen = _whole(chain, pose, view)
+    return DrawingItem(pen.drawing(), _caption(chain, pose, pen.shortened), essential=True)
 
 
 def sketch(chain: Chain) -> Drawing:
@@ -53,7 +55,7 @@ def sketch(chain: Chain) -> Drawing:
     return figure(chain).drawing
 
 
-def _drawing(chain: Chain, pose: SketchPose, view: SketchView) -> Drawing:
+def _whole(chain: Chain, pose: SketchPose, view: SketchView) -> Pen:
     """The picture of a robot in a posture; a smaller one where what is drawn beside the links needs room."""
     scale = _scale(pose, view)
     pen = _drawn(chain, pose, Pen(view, scale))
@@ -61,7 +63,7 @@ def _drawing(chain: Chain, pose: SketchPose, view: SketchView) -> Drawing:
     share = min(1.0, (WIDEST + BESIDE) / width, (HIGHEST + BESIDE) / height)
     pen = pen if share == 1.0 else _drawn(chain, pose, Pen(view, share * scale))
     gravity(pen, chain.robot.gravity, chain.floating)
-    return pen.drawing()
+    return pen
 
 
 def _drawn(chain: Chain, pose: SketchPose, pen: Pen) -> Pen:
@@ -77,6 +79,8 @@ def _drawn(chain: Chain, pose: SketchPose, pen: Pen) -> Pen:
     for group in _mode_groups(chain, pose):
         _modes(pen, chain, *group)
     loops(pen, chain, pose)
+    forces(pen, chain, pose)
+    pushes(pen, chain, pose)
     wrenches(pen, chain, pose)
     for i, parent in enumerate(chain.tree.parents):
         carrier = pose.part(parent)
@@ -223,7 +227,7 @@ def _deflection(pen: Pen, part: LinkShape, letter: str) -> np.ndarray:
 # ------------------------------------------------------------------------------------------- caption
 
 
-def _caption(chain: Chain, pose: SketchPose) -> str:
+def _caption(chain: Chain, pose: SketchPose, shortened: bool) -> str:
     """One sentence on what is drawn."""
     more = len(chain.robot.links) - MOST_LINKS
     what = f"The first {MOST_LINKS} links of the robot" if more > 0 else "The robot"
@@ -232,6 +236,7 @@ def _caption(chain: Chain, pose: SketchPose) -> str:
     scale = ", not to scale" if drawn_lengths(chain) != true_lengths(chain) else ""
     bent = "; flexible links are bent by the first mode of each direction (dashed: undeformed)" if chain.n_modes else ""
     bent += "" if pose.closed else "; loops are open, as no posture near this one closes them"
+    bent += "; a line with a gap is longer than it is drawn" if shortened else ""
     return rf"{what}{posture}{scale}{bent}; $x$ of each frame $\mathcal{{F}}_i$ runs along its link."
 
 

@@ -42,6 +42,7 @@ class Pen:
         self.dots: list[Dot] = []
         self.wishes: list[Wish] = []
         self.holes: list[np.ndarray] = []
+        self.shortened = False  # whether a line with a gap is drawn shorter than it is
 
     def flat(self, points: np.ndarray) -> np.ndarray:
         """(..., 2) px: points on paper, without the last digits, which differ from machine to machine."""

@@ -1,7 +1,7 @@
 """The robot of a sketch in space: where its links are in a posture, bent so that one sees how, and where to look from.
 
-Links of very different lengths are drawn with more equal ones, unless a loop joins them. The shapes are those of the
-first mode of each direction.
+Links of very different lengths are drawn with more equal ones, unless loops or forces join them. The shapes are those
+of the first mode of each direction.
 """
 
 from __future__ import annotations
@@ -133,7 +133,7 @@ def true_lengths(chain: Chain) -> dict[int, float]:
 def drawn_lengths(chain: Chain) -> dict[int, float]:
     """The same as they are drawn."""
     true = true_lengths(chain)
-    if chain.robot.loops:
+    if chain.robot.loops or chain.forces:
         return true
     least = SHORTEST * max(true.values())
     rods = [k for k, link in enumerate(chain.robot.links) if link.length is not None]

@@ -18,7 +18,7 @@ from ...spec.parents import WORLD
 from ...spec.robot import Link
 from ...topology.chain import Chain
 from ...topology.tree import BASE, TIP
-from . import elements
+from . import elements, forces
 from .content import DocumentTable
 from .symbols import Entry
 
@@ -41,8 +41,17 @@ def exact(value: float) -> str:
     return f"${mantissa}{power}$"
 
 
+def vector(values: Sequence[float]) -> str:
+    """A vector with all its digits, which may be broken behind commas; a unit vector along an axis by its letter."""
+    for letter, axis in zip("xyz", np.eye(3), strict=True):
+        if tuple(axis) == tuple(values):
+            return rf"$\mathbf{{e}}_{letter}$"
+    first, *between, last = (exact(x).strip("$") for x in values)
+    return " ".join([f"$[{first},$", *(f"${x},$" for x in between), rf"${last}]^{{\top}}$"])
+
+
 def links(chain: Chain) -> DocumentTable:
-    """One row per link: its class, joint, shapes and bodies; one per marker that a loop joins."""
+    """One row per link: its class, joint, shapes and bodies; one per marker at which something acts."""
     robot, keys, classes = chain.robot, chain.keys, chain.classes
     kinds = "x, y, z, torsion" + ", shear" * any(len(key.counts) > 4 for key in keys)
     head = ("link", "name", "class", "length", "joint axes", f"modes: {kinds}", "bodies, remarks")
@@ -56,7 +65,7 @@ def links(chain: Chain) -> DocumentTable:
         for i in range(first + link.pieces, len(pieces)):
             if pieces[i].first:
                 break
-            where = f"marker that a loop joins, {_carrier(chain, i)}"
+            where = f"{forces.marker_remark(chain, i)}, {_carrier(chain, i)}"
             rows.append(
                 (f"{i + 1}", f"`{pieces[i].name}`", f"{classes.index(keys[i]) + 1}", NONE, "welded", "rigid", where)
             )

@@ -23,7 +23,6 @@ from ...algorithms.functions import (
     PLACES,
     PROJECTION,
     SENSITIVITY,
-    Functions,
 )
 from ...algorithms.gauges import strain_names
 from ...algorithms.input_functions import PULLS
@@ -102,7 +101,9 @@ class Numeric:
     def _functions(self, *algorithms: Algorithm) -> DaeFunctions:
         """The functions that run these algorithms alone: others need not be traced for their constants."""
         if algorithms not in self._made:
-            self._made[algorithms] = DaeFunctions(self.chain, self._prepared(algorithms), self.p[:3], self._apply)
+            constants = self._prepared((*algorithms, MOTION) if self.chain.acts_on_tips else algorithms)
+            world = fused.world(self.chain, self.p)
+            self._made[algorithms] = DaeFunctions(self.chain, constants, world, self._apply)
         return self._made[algorithms]
 
     def _apply(
@@ -135,8 +136,9 @@ class Numeric:
 
     @property
     def _closing(self) -> tuple[Algorithm, ...]:
-        """The algorithms that loops need besides."""
-        return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if self.chain.closing.rows else ()
+        """The algorithms that loops and what acts on tips need besides."""
+        acted = self.chain.closing.rows or self.chain.acts_on_tips
+        return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if acted else ()
 
     @property
     def _exerting(self) -> tuple[Algorithm, ...]:
@@ -213,9 +215,9 @@ class Numeric:
     def mass_matrix(self, q: Numbers) -> np.ndarray:
         """``M`` (nv, nv), column by column from the inverse dynamics."""
         nv, (q, rest, w_ext) = self.chain.nv, self.rows(q=q, v=None, w_ext=None)
-        stiff = self._functions(INVERSE).constants
-        soft = [dict(c) | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
-        still = Functions(self.chain, soft, [0.0] * 3, self._apply)
+        still = self._functions(INVERSE).alone()
+        stiff = still.constants
+        still.constants = [dict(c) | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
         offset = np.array(still.inverse_dynamics(q, rest, rest, w_ext))
         columns = [still.inverse_dynamics(q, rest, e, w_ext) - offset for e in np.eye(nv).tolist()]
         return np.array(columns).reshape(nv, nv).T

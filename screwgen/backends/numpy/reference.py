@@ -35,7 +35,7 @@ def cases(chain: Chain) -> Iterator[Case]:
     :class:`SingularError` or :class:`OpenLoopError` where none of TRIES states is such.
     """
     p, constants = fused.exact(chain)
-    functions = Functions(chain, constants, p[:3], evaluation(chain, _real, 0.0))
+    functions = Functions(chain, constants, fused.world(chain, p), evaluation(chain, _real, 0.0))
     refused: list[ScrewgenError] = []
     for number in range(TRIES):
         try:
@@ -57,7 +57,7 @@ def accelerations(
     """
     with mpmath.workdps(fused.DIGITS):
         p, constants = fused.exact(chain)
-        functions = Functions(chain, constants, p[:3], evaluation(chain, _real, 0.0))
+        functions = Functions(chain, constants, fused.world(chain, p), evaluation(chain, _real, 0.0))
         exactly = lambda values: [mpmath.mpf(float(x)) for x in values]  # noqa: E731
         wrenches = exactly(x for row in w_ext for x in row)
         vdot, wrench = functions.forward_dynamics(exactly(q), exactly(v), exactly(tau), wrenches)
@@ -125,7 +125,7 @@ def rounded_dynamics(
     """Forward dynamics, the pose of the last tip, and the ``inverse`` dynamics' wrenches at accelerations ``vdot``."""
     found, wrench = f.forward_dynamics(q, v, tau, w_ext)
     R, position = f.poses(q)[1][f.chain.last]
-    inverse = f.loads(q, v, vdot, f.with_loops(q, v, tau, w_ext).w_ext)[1]
+    inverse = f.without_forces().loads(q, v, vdot, f.with_loops(q, v, tau, w_ext).w_ext)[1]
     return {"found": found, "wrench": wrench, "R": R, "position": position, "inverse": inverse}
 
 

@@ -74,9 +74,9 @@ class _Soft:
     """The functions of a robot in doubles, with inertia, stiffness and damping (n_inertia,) of softened modes."""
 
     def __init__(self, chain: Chain, case: Case):
-        gravity = [p.value for p in parameters(chain.robot)[:3]]
+        world = fused.world(chain, [p.value for p in parameters(chain.robot)])
         apply = evaluation(chain, _rounded, EPSILON)
-        self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), gravity, apply)
+        self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), world, apply)
         self.tau, self.w_ext = case["tau"], case["w_ext"]
         M, K, D, *laws = (np.array(column) for column in fused.columns(chain, self.functions.constants).values())
         modes = slice(chain.n_given - chain.n_inner, chain.n_given)
@@ -166,8 +166,8 @@ def bearable(chain: Chain, case: Case) -> float:
     Where they bend a mode by metres, the search for rest goes astray, and its results are those of rounding.
     """
     constants, modes = fused.baked(chain), slice(chain.n_given - chain.n_modes, chain.n_given)
-    gravity = [p.value for p in parameters(chain.robot)[:3]]
-    functions = Functions(chain, constants, gravity, evaluation(chain, _rounded, EPSILON))
+    world = fused.world(chain, [p.value for p in parameters(chain.robot)])
+    functions = Functions(chain, constants, world, evaluation(chain, _rounded, EPSILON))
     straight = [*case["q"][: chain.eta_q], *[0.0] * chain.n_modes]
     with mpmath.workdps(fused.DIGITS):
         force = functions.statics(straight, case["w_ext"])[0][chain.eta_v :]

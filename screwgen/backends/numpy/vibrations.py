@@ -8,7 +8,7 @@ import scipy.linalg
 from ...spec.base import FIXED
 from ...spec.joint import Joint
 from ...spec.parameters import parameters
-from ...spec.robot import Robot
+from ...spec.robot import OF_SEVERAL, Robot
 from ...topology.chain import Chain
 from .numeric import Numeric
 
@@ -20,7 +20,7 @@ def held_frequencies(robot: Robot, link: int) -> np.ndarray:
     robot that has this link alone. A link without bodies has the frequencies of its bare modes.
     """
     alone = robot.links[link].model_copy(update={"joint": Joint(axes=()), "parent": None, "at": "tip"})
-    update = {"links": (alone,), "loops": (), "couplings": (), "base": FIXED, "gravity": (0.0, 0.0, 0.0)}
+    update = {"links": (alone,), **dict.fromkeys(OF_SEVERAL, ()), "base": FIXED, "gravity": (0.0, 0.0, 0.0)}
     chain = Chain(robot.model_copy(update=update))
     if not chain.n_modes:
         return np.zeros(0)

@@ -1,0 +1,150 @@
+"""What acts on the tips of a robot's segments beside the wrenches that a caller states in their frames.
+
+These are forces between frames, such as springs along lines, and wrenches that are stated in the axes of the world. The
+tree knows neither: here they become wrenches on tips, before any algorithm runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
+from copy import copy
+from typing import Any, Self
+
+import numpy as np
+
+from ..ir.program import Array, Value
+from ..topology.chain import Chain
+from ..topology.forces import PlacedForce
+from . import force_programs as programs
+from . import matrices as mx
+from . import motions as mo
+from .loop_slopes import TipChange
+from .loops import Tip
+from .schedule import OUTWARD, Algorithm, Apply, Phase
+
+POSES = Phase(mo.poses, OUTWARD)
+MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
+
+
+class ForceFunctions:
+    """What :class:`.functions.Functions` has besides for what acts on tips; the attributes are set there."""
+
+    chain: Chain
+    world: Sequence
+    acts: bool
+    apply: Apply
+    section: Callable[[str], AbstractContextManager]
+    _run: Callable[..., tuple[list, list]]
+    _motion: Callable[..., list[dict[str, list]]]
+
+    def alone(self) -> Self:
+        """The functions of the same robot without weight, and without what acts on its tips."""
+        out = self.without_forces()
+        out.world = [0.0] * 3
+        return out
+
+    def without_forces(self) -> Self:
+        """The functions of the same robot whose tips bear nothing but the wrenches that are given in their frames."""
+        out = copy(self)
+        out.acts = False
+        return out
+
+    def with_forces(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Sequence:
+        """The wrenches on all tips (6 n,) in their frames, those of forces between frames included."""
+        if not self.acts:
+            return w_ext
+        tips = self._tips(q, v)
+        total = [mx.array(list(w_ext[6 * i : 6 * i + 6])) for i in range(self.chain.n)]
+        with self.section("forces: their wrenches on the tips"):
+            for i in self.chain.turned_wrenches:
+                total[i] = mx.rotate_wrench(tips[i].R.T, total[i])
+            for force in self.chain.forces:
+                found = self._applied(force, tips, programs.wrenches(force.shape), twists=True)
+                for end, name in zip(force.ends, ("first", "second"), strict=True):
+                    if end is not None:
+                        total[end] = total[end] + mx.array(found[name])
+        return [x for wrench in total for x in wrench]
+
+    def energy_of_forces(self, q: Sequence) -> Value:
+        """The potential of the forces between frames, J."""
+        if not (self.acts and self.chain.forces):
+            return 0.0
+        tips, total = self._tips(q, [0.0] * self.chain.nv), 0.0
+        for force in self.chain.forces:
+            total = total + self._applied(force, tips, programs.energy(force.shape), twists=False)["energy"][0]
+        return total
+
+    def force_quantities(self, q: Sequence, v: Sequence) -> list[Value]:
+        """What runs report of the forces between frames, force by force."""
+        tips, out = self._tips(q, v), []
+        for force in self.chain.forces:
+            out += self._applied(force, tips, programs.quantities(force.shape), twists=True)["quantity"]
+        return out
+
+    def force_slopes(
+        self, q: Sequence, v: Sequence, w_ext: Sequence, at: Mapping[int, TipChange]
+    ) -> tuple[Array, Array]:
+        """The derivatives (nv, nv) with q and v of the generalised forces of :meth:`force_changes`."""
+        by_q, by_v = mx.zeros(self.chain.nv, self.chain.nv), mx.zeros(self.chain.nv, self.chain.nv)
+        for i, D_q, D_v in self.force_changes(q, v, w_ext, at):
+            by_q, by_v = by_q + mx.multiply(at[i].J.T, D_q), by_v + mx.multiply(at[i].J.T, D_v)
+        return by_q, by_v
+
+    def force_changes(
+        self, q: Sequence, v: Sequence, w_ext: Sequence, at: Mapping[int, TipChange]
+    ) -> Iterator[tuple[int, Array, Array]]:
+        """The derivatives (6, nv) with q and v of the wrench on each tip on which something acts, in its frame.
+
+        A tip may come several times. ``at``: the changes of the tips.
+        """
+        tips, none = self._tips(q, v), mx.zeros(6, self.chain.nv)
+        for i in self.chain.turned_wrenches:
+            w = mx.rotate_wrench(tips[i].R.T, mx.array(list(w_ext[6 * i : 6 * i + 6])))
+            turning = np.vstack([mx.hat(w[:3]), mx.hat(w[3:])])  # of Rᵀ w, by a turn of the tip in its own axes
+            yield i, mx.multiply(turning, at[i].J[:3]), none
+        for force in self.chain.forces:
+            found = self._applied(force, tips, programs.slopes(force.shape), twists=True)
+            ends = [(i, slice(6 * n, 6 * n + 6)) for n, i in enumerate(force.ends) if i is not None]
+            own = np.r_[tuple(row for _, row in ends)]
+            J = np.vstack([at[i].J for i, _ in ends])
+            V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i, _ in ends])
+            for i, row in ends:
+                by_pose, by_twist = (mx.array(found[x], (12, 12))[row, own] for x in ("by_pose", "by_twist"))
+                D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)
+                yield i, D_q, mx.multiply(by_twist, J)
+
+    def _applied(self, force: PlacedForce, tips: Sequence[Tip], program: Any, twists: bool) -> Mapping[str, list]:
+        """What a program of a force gives in a state of all tips."""
+        first, second = (self._end(force, i, tips) for i in force.ends)
+        R, d = mx.multiply(first.R.T, second.R), mx.multiply(first.R.T, second.r - first.r)
+        given: dict[str, list] = {"R": list(R.flat), "d": list(d)}
+        given |= {"V_A": list(self._twist(first)), "V_B": list(self._twist(second))} if twists else {}
+        given |= {"numbers": list(self.world[3:][force.numbers])}
+        return self.apply(force.tips[-1], -1, program, given)
+
+    def _end(self, force: PlacedForce, segment: int | None, tips: Sequence[Tip]) -> Tip:
+        if segment is not None:
+            return tips[segment]
+        return Tip(mx.identity(3), mx.array(list(self.world[3:][force.point])), mx.zeros(3), mx.zeros(3))
+
+    @staticmethod
+    def _twist(tip: Tip) -> Array:
+        """In its own axes."""
+        return mx.rotate_wrench(tip.R.T, tip.twist)
+
+    def _tips(self, q: Sequence, v: Sequence) -> list[Tip]:
+        """Poses and twists of all tips."""
+        return self._moving_tips(q, v)[1]
+
+    def _moving_tips(self, q: Sequence, v: Sequence) -> tuple[list, list[Tip]]:
+        """All links in motion, and their tips."""
+        links, places = self._run(MOTION, self._motion(q, v))
+        nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
+        return links, [Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
+
+
+def acting_tips(chain: Chain) -> Iterator[int]:
+    """The segments on whose tips forces act, or wrenches in the axes of the world."""
+    yield from chain.turned_wrenches
+    yield from (i for force in chain.forces for i in force.tips)

@@ -1,0 +1,84 @@
+"""The programs of forces between frames (:mod:`..interactions`): their wrenches on both ends, energies, slopes.
+
+All are functions of how the tips of two segments lie and move: ``R`` (9) and ``d`` (3), the pose of the second in the
+first, and the twists ``V_A``, ``V_B`` (6) of both, each in its own axes, and of the ``numbers`` that the robot states.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from ..interactions import InteractionClass, Relative
+from ..ir.derivative import columns, tangents
+from ..ir.program import Array, Program, Tracer
+from . import matrices as mx
+from .loop_slopes import pose_changes
+
+
+@cache
+def wrenches(shape: InteractionClass) -> Program:
+    """``(R, d, V_A, V_B, numbers) -> (first, second)``: the wrenches (6,) on both tips, each in its own axes."""
+    tracer, inputs = _inputs(shape, "R d V_A V_B")
+    return _program(tracer, shape, "R d V_A V_B", **_wrenches(tracer, shape, inputs))
+
+
+@cache
+def energy(shape: InteractionClass) -> Program:
+    """``(R, d, numbers) -> (energy)``, J."""
+    tracer, inputs = _inputs(shape, "R d")
+    R, d, numbers = inputs["R"].reshape(3, 3), inputs["d"], list(inputs["numbers"])
+    found = shape.energy(tracer, Relative(d, R, mx.zeros(3), mx.zeros(3)), numbers)
+    return _program(tracer, shape, "R d", energy=mx.array([found]))
+
+
+@cache
+def quantities(shape: InteractionClass) -> Program:
+    """``(R, d, V_A, V_B, numbers) -> (quantity)``: what runs report of it."""
+    tracer, inputs = _inputs(shape, "R d V_A V_B")
+    found = shape.outputs(tracer, _relative(inputs), list(inputs["numbers"]))
+    return _program(tracer, shape, "R d V_A V_B", quantity=mx.array(found))
+
+
+@cache
+def slopes(shape: InteractionClass) -> Program:
+    """``(R, d, V_A, V_B, numbers) -> (by_pose, by_twist)``: the derivatives of both wrenches, (12, 12) row by row.
+
+    Columns: turn and shift of the first tip in its own axes, then of the second; and the twists of both.
+    """
+    tracer, inputs = _inputs(shape, "R d V_A V_B")
+    found = np.concatenate(list(_wrenches(tracer, shape, inputs).values()))
+    changes = pose_changes(inputs["R"].reshape(3, 3), inputs["d"])
+    by_pose = mx.array([tangents([*found], seed) for seed in changes]).T
+    by_twist = mx.array(columns([*found], [*inputs["V_A"], *inputs["V_B"]])).T
+    return _program(tracer, shape, "R d V_A V_B", by_pose=by_pose, by_twist=by_twist)
+
+
+def _wrenches(tracer: Tracer, shape: InteractionClass, inputs: dict[str, Array]) -> dict[str, Array]:
+    x = _relative(inputs)
+    found = shape.wrench(tracer, x, list(inputs["numbers"]))
+    torque, force = mx.array(list(found.torque)), mx.array(list(found.force))
+    first = -np.concatenate([torque + mx.cross(x.d, force), force])
+    return {"first": first, "second": mx.rotate_wrench(x.R.T, np.concatenate([torque, force]))}
+
+
+def _relative(inputs: dict[str, Array]) -> Relative:
+    """How the second tip lies and moves as seen from the first."""
+    R, d, (V_A, V_B) = inputs["R"].reshape(3, 3), inputs["d"], (inputs["V_A"], inputs["V_B"])
+    at_second = mx.rotate_wrench(R, V_B)
+    v = at_second[3:] - V_A[3:] - mx.cross(V_A[:3], d)
+    return Relative(d, R, v, at_second[:3] - V_A[:3])
+
+
+SIZES = {"R": 9, "d": 3, "V_A": 6, "V_B": 6}
+
+
+def _inputs(shape: InteractionClass, names: str) -> tuple[Tracer, dict[str, Array]]:
+    tracer, sizes = Tracer(), {name: SIZES[name] for name in names.split()} | {"numbers": shape.count}
+    return tracer, {name: mx.array(tracer.input(name, size), (size,)) for name, size in sizes.items()}
+
+
+def _program(tracer: Tracer, shape: InteractionClass, names: str, **outputs: Array) -> Program:
+    sizes = {name: SIZES[name] for name in names.split()} | {"numbers": shape.count}
+    return tracer.program(shape.kind.KIND, sizes, {name: list(x.flat) for name, x in outputs.items()})

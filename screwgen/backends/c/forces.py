@@ -1,0 +1,83 @@
+"""Forces between frames in generated C, and wrenches in the axes of the world; all empty for a robot without them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ...algorithms import tip_programs
+from ...spec.parameters import Parameter, of_forces
+from ...topology.chain import Chain
+from .code import Place, literal, singular
+from .parameters import ascii_unit, place
+from .pieces import piece_place, pieces
+
+FORCES = ("forces",)
+"""What they write in the files of every robot, as :class:`..templates.TemplatePlaces` finds it."""
+IN_TREE = ("forces_in_tree",)
+"""What they write besides where no loops close the tree, whose rows take them along."""
+
+
+class Group(NamedTuple):
+    """The numbers of one force, as the header declares them."""
+
+    name: str
+    members: list[tuple[str, str]]
+    """Declarator and comment."""
+
+
+def files(chain: Chain) -> tuple[str, ...]:
+    """The files that they add, without the robot's name."""
+    return ("forces.c",) if chain.acts_on_tips else ()
+
+
+def features(chain: Chain) -> tuple[str, ...]:
+    """What they write."""
+    return (FORCES + IN_TREE * (not chain.closing.rows)) if chain.acts_on_tips else ()
+
+
+def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
+    """The templates' context; ``at``: the places of the fused function."""
+    if not chain.acts_on_tips:
+        return {"forces": None}
+    own = {"acted": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]"}
+    program = tip_programs.acting_wrenches(chain, "baked" if baked else "constants")
+    made = pieces(program, piece_place(chain, "work->kept", own, at), ("c", "state", "input", "work"), fail=singular)
+    numbers = list(of_forces(chain.robot))
+    return {
+        "forces": made
+        | {
+            "count": len(numbers),
+            "numbers": [literal(p.value) for p in numbers],
+            "places": [place(p) for p in numbers],
+            "refused": [_refused(p) for p in numbers if p.sign != "any"],
+            "quantities": [f"{name} ({ascii_unit(x.unit)})" for name, x in chain.force_quantities.items()],
+            "groups": _groups(chain, numbers),
+            "switches": any(node.op == "on" for node in program.nodes),
+            "turned_links": list(chain.turned_wrenches),
+            "turned": [chain.names[i] for i in chain.turned_wrenches],
+        }
+    }
+
+
+def scratch(chain: Chain, content: dict) -> dict[str, int]:
+    """How many structs of a name a call keeps, and of numbers under an empty name."""
+    if not chain.acts_on_tips or chain.closing.rows:
+        return {}
+    return {"input": 1, "state": 1, "": 1 + content["forces"]["kept"]}
+
+
+def _refused(p: Parameter) -> str:
+    return f"!(p->{place(p)} {'>' if p.sign == 'positive' else '>='} 0)"
+
+
+def _groups(chain: Chain, numbers: list[Parameter]) -> list[Group]:
+    out = []
+    for force in chain.robot.forces:
+        own = [p for p in numbers if p.name.startswith(f"{force.name}.")]
+        members: dict[str, tuple[str, str]] = {}
+        for p in own:
+            name, size = p.field.rpartition(".")[2], [x.index[0] for x in own if x.field == p.field and x.index]
+            about = p.description.rpartition(",")[0] if size else p.description
+            members[name] = (f"{name}[{len(size)}]" if size else name, f"{ascii_unit(p.unit)}: {about}")
+        out.append(Group(force.name, list(members.values())))
+    return out

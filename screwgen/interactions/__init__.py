@@ -1,0 +1,21 @@
+"""What acts between two frames, one file per kind, each stated once."""
+
+from .bushing import Bushing
+from .contact import Contact
+from .drag import Drag
+from .interaction import FORCE as FORCE
+from .interaction import POTENTIAL as POTENTIAL
+from .interaction import TORQUE as TORQUE
+from .interaction import Equation as Equation
+from .interaction import Interaction as Interaction
+from .interaction import InteractionClass as InteractionClass
+from .interaction import Number as Number
+from .interaction import Quantity as Quantity
+from .interaction import Relative as Relative
+from .interaction import Wrench as Wrench
+from .interaction import choice as choice
+from .interaction import number as number
+from .line import Line
+
+KINDS: dict[str, type[Interaction]] = {one.KIND: one for one in (Line, Bushing, Contact, Drag)}
+"""The interactions that a robot file may state, by its keys."""

@@ -1,0 +1,225 @@
+"""The contract of a force between two frames: its keys in a robot file, its wrench, its energy.
+
+A spring of 400 N/m between the tip of a boom and a hook on the wall pulls both towards each other. What it needs to
+know is how the second frame lies and moves as seen from the first; what it says is the wrench on the second frame. The
+first takes the opposite at the same point. All back ends replay or print that one statement, and the tracer derives its
+slopes.
+
+An interaction is a frozen dataclass. Its numbers are run-time parameters, its choices (true or false) are structure.
+A number without a default must be stated; one whose default is None is zero by structure where a file omits it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import MISSING, dataclass, field, fields
+from functools import cache
+from math import log10
+from typing import Any, ClassVar, NamedTuple
+
+Value = Any
+Vector = Any
+"""Entries in a row, such as a list or an array."""
+
+
+class Number(NamedTuple):
+    """A number that an interaction states: unit, meaning, letter in its formula, and range.
+
+    It is 0 or of a size between ``least`` and ``most``; ``sign``: ``positive``, ``non-negative`` or ``any``;
+    ``entries``: what the entries of an array of numbers are called. Where these have two units, half have each.
+    """
+
+    unit: str
+    meaning: str
+    symbol: str
+    sign: str = "any"
+    least: float = 0.0
+    most: float = 1e18
+    entries: tuple[str, ...] = ()
+
+    def unit_of(self, entry: int) -> str:
+        """The unit of an entry of the array."""
+        units = self.unit.split(", ")
+        return units[entry * len(units) // len(self.entries)]
+
+
+class Quantity(NamedTuple):
+    """A number that runs report of an interaction: unit and meaning."""
+
+    unit: str
+    meaning: str
+
+
+def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
+    """A field with a number; the rest as of :class:`Number`."""
+    return field(default=default, metadata={"number": Number(unit, meaning, symbol, **more)})
+
+
+def choice(meaning: str) -> Any:
+    """A field that is true or false, and false where a file omits it."""
+    return field(default=False, metadata={"choice": meaning})
+
+
+class Relative(NamedTuple):
+    """The second frame as seen from the first, in the first's axes.
+
+    ``d`` (3,) m: its origin; ``R`` (3, 3): its rotation; ``v`` (3,) m/s: the rate of ``d`` as the first frame sees it;
+    ``omega`` (3,) rad/s: its angular velocity relative to the first.
+    """
+
+    d: Vector
+    R: Any
+    v: Vector
+    omega: Vector
+
+
+class Wrench(NamedTuple):
+    """What acts on the second frame at its origin, in the first frame's axes: N·m and N, (3,) each."""
+
+    torque: Vector
+    force: Vector
+
+
+TORQUE, FORCE, POTENTIAL = r"\boldsymbol{\tau}_{AB}", r"\mathbf{F}_{AB}", "U"
+"""The LaTeX of the parts of a wrench, and of the potential."""
+
+
+class Equation(NamedTuple):
+    """An equation of a law in LaTeX: symbol and right side; of a symbol of the law's own also unit and meaning."""
+
+    symbol: str
+    formula: str
+    unit: str = "-"
+    meaning: str = ""
+
+    @classmethod
+    def smallest(cls, square: float, unit: str, what: str) -> Equation:
+        """What is added to the square of a size, so that a vector without any has a direction."""
+        return cls(r"\varepsilon", rf"10^{{{round(log10(square))}}}", unit, f"keeps {what} from 0/0")
+
+
+@dataclass(frozen=True)
+class Interaction:
+    """A force between two frames, to be inherited.
+
+    ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments and documents;
+    ``QUANTITIES``: what runs report of it, by names that none of its numbers has.
+    """
+
+    KIND: ClassVar[str]
+    WORDS: ClassVar[str]
+    QUANTITIES: ClassVar[Mapping[str, Quantity]] = {}
+
+    @staticmethod
+    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+        """The wrench in a state. Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, ``sqrt``, ``sin`` or
+        ``on`` (1 where x > 0, else 0), and ``t.named(name, x)``, which names a value in generated code."""
+        raise NotImplementedError
+
+    @staticmethod
+    def energy(t: Any, x: Relative, **keys: Any) -> Value:
+        """The potential, J; none by default."""
+        return 0.0
+
+    @staticmethod
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+        r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``.
+
+        What has no equation is zero. ``has``: the numbers that are stated, and the choices that are true.
+
+        Of :class:`Relative` the letters are ``\mathbf{d}_{AB}``, ``\mathbf{R}_{AB}``, ``\mathbf{v}_{AB}``,
+        ``\boldsymbol{\omega}_{AB}``; ``\mathrm{H}`` is the function ``on``. With no equation at all a document prints
+        what :meth:`wrench` and :meth:`energy` compute, entry by entry.
+        """
+        return ()
+
+    @property
+    def fault(self) -> tuple[str, str] | None:
+        """A key, or an empty text, and what is wrong with numbers that are each in their range, with the remedy."""
+        return None
+
+    @staticmethod
+    def drawn(has: Collection[str]) -> str:
+        """How pictures draw it between its ends: as a ``spring``, as a ``rope``, which hangs where it is longer than
+        its way, or as a ``line``; with ``none`` sketches alone join the ends."""
+        return "line"
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        """The values of ``QUANTITIES`` in a state."""
+        return {}
+
+    @classmethod
+    @cache
+    def table(cls) -> Mapping[str, Number]:
+        """The numbers by name."""
+        return {one.name: one.metadata["number"] for one in fields(cls) if "number" in one.metadata}
+
+    @classmethod
+    @cache
+    def choices(cls) -> Mapping[str, str]:
+        """The choices by name, with their meanings."""
+        return {one.name: one.metadata["choice"] for one in fields(cls) if "choice" in one.metadata}
+
+    @property
+    def numbers(self) -> dict[str, Any]:
+        """The numbers that are stated, by name; several are a tuple."""
+        found = {name: getattr(self, name) for name in self.table()}
+        return {name: value for name, value in found.items() if value is not None}
+
+    @property
+    def shape(self) -> InteractionClass:
+        """All but its numbers."""
+        chosen = tuple((name, getattr(self, name)) for name in self.choices())
+        return InteractionClass(type(self), tuple(self.numbers), chosen)
+
+
+@dataclass(frozen=True)
+class InteractionClass:
+    """An interaction without its numbers: what its programs are made from."""
+
+    kind: type[Interaction]
+    stated: tuple[str, ...]
+    """The names of the numbers that are stated."""
+    chosen: tuple[tuple[str, bool], ...]
+
+    def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Wrench:
+        """The wrench of the numbers that are stated, entry by entry."""
+        return self.kind.wrench(t, x, **self._keys(numbers))
+
+    def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
+        """The potential, J."""
+        return self.kind.energy(t, x, **self._keys(numbers))
+
+    @property
+    def has(self) -> tuple[str, ...]:
+        """The numbers that are stated, and the choices that are true."""
+        return (*self.stated, *(name for name, on in self.chosen if on))
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        """The law in LaTeX, if its kind states it."""
+        return self.kind.equations(self.has)
+
+    @property
+    def drawn(self) -> str:
+        """How pictures draw it."""
+        return self.kind.drawn(self.has)
+
+    def outputs(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
+        """What runs report, in the order of its kind's ``QUANTITIES``."""
+        found = self.kind.outputs(t, x, **self._keys(numbers))
+        return [found[name] for name in self.kind.QUANTITIES]
+
+    def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
+        given: dict[str, Any] = {}
+        rest = iter(numbers)
+        for name, one in self.kind.table().items():
+            of = (lambda: next(rest)) if name in self.stated else (lambda: 0.0)
+            given[name] = tuple(of() for _ in one.entries) if one.entries else of()
+        return given | dict(self.chosen)
+
+    @property
+    def count(self) -> int:
+        """How many numbers are stated, entry by entry."""
+        return sum(len(self.kind.table()[name].entries) or 1 for name in self.stated)

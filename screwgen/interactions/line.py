@@ -1,0 +1,100 @@
+"""A spring and a damper along the line between two points; with `slack` a rope, which pulls alone.
+
+With the length ``l`` between the points it pulls both together with ``T = k (l - rest) + c dl/dt``. A rope of that
+stiffness pulls where it is longer than its rest length, and never pushes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from .interaction import (
+    FORCE,
+    POTENTIAL,
+    Equation,
+    Interaction,
+    Quantity,
+    Relative,
+    Value,
+    Wrench,
+    choice,
+    number,
+)
+from .vectors import dot
+
+SHORTEST = 1e-24
+"""m²: added to the square of the length, so that the direction of a line between points that coincide is no 0/0."""
+
+
+@dataclass(frozen=True)
+class Line(Interaction):
+    """A spring with a damper between two points."""
+
+    KIND = "line"
+    WORDS = "springs and dampers along lines"
+    QUANTITIES: ClassVar = {
+        "length": Quantity("m", "distance of the ends"),
+        "pull": Quantity("N", "force that pulls the ends together"),
+    }
+
+    stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
+    rest: float | None = number(
+        "m", "length at which it is relaxed", r"\ell_0", default=None, sign="non-negative", least=1e-9, most=1e6
+    )
+    damping: float | None = number(
+        "N·s/m", "damping along the line", r"c_\ell", default=None, sign="non-negative", least=1e-12, most=1e18
+    )
+    slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
+
+    @staticmethod
+    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+        length, pull = _pulled(t, x, keys)
+        share = t.named("pull_over_length", pull / length)
+        return Wrench((0.0, 0.0, 0.0), tuple(-(share * y) for y in x.d))
+
+    @staticmethod
+    def energy(t: Any, x: Relative, **keys: Any) -> Value:
+        stretch = _length(t, x) - keys["rest"]
+        stored = 0.5 * keys["stiffness"] * (stretch * stretch)
+        return t.call("on", stretch) * stored if keys["slack"] else stored
+
+    @staticmethod
+    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+        stretch = r"(\ell - \ell_0)" if "rest" in has else r"\ell"
+        pull = rf"k_\ell\,{stretch}" + r" + c_\ell\,\dot{\ell}" * ("damping" in has)
+        taut = r"\mathrm{H}(\ell - \ell_0)\," * ("rest" in has)
+        pull, taut = (rf"{taut}\max\left( 0,\ {pull} \right)", taut) if "slack" in has else (pull, "")
+        rate = Equation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
+        return (
+            Equation.smallest(SHORTEST, "m^2", "the direction of a line without length"),
+            Equation(
+                r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"
+            ),
+            *[rate] * ("damping" in has),
+            Equation("T", pull, "N", "pull of the line"),
+            Equation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
+            Equation(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
+        )
+
+    @staticmethod
+    def drawn(has: Collection[str]) -> str:
+        return "rope" if "slack" in has else "spring"
+
+    @staticmethod
+    def outputs(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        return dict(zip(("length", "pull"), _pulled(t, x, keys), strict=True))
+
+
+def _pulled(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Value, Value]:
+    """The length, and the force that pulls both ends together."""
+    length = _length(t, x)
+    rate = dot(x.d, x.v) / length
+    stretch = length - keys["rest"]
+    pull = keys["stiffness"] * stretch + keys["damping"] * rate
+    return length, t.call("on", stretch) * t.call("on", pull) * pull if keys["slack"] else pull
+
+
+def _length(t: Any, x: Relative) -> Value:
+    return t.named("length", t.call("sqrt", dot(x.d, x.d) + SHORTEST))

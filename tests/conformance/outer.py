@@ -1,0 +1,166 @@
+"""What acts on sections from outside the tree, on the oracle's coordinates: springs, ropes, bushings, pushes.
+
+Springs act by the slopes of their energy, dampers by those of what they measure, pushes by their virtual work. For the
+balance of momentum of a link, what acts at one of its sections is equivalent to a wrench at its tip.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from math import ceil
+from typing import NamedTuple
+
+import casadi as ca
+import numpy as np
+from oracle import Oracle
+from oracle_cloud import rates
+from oracle_stations import named
+
+
+class Place(NamedTuple):
+    """A section of a link of the oracle's robot."""
+
+    link: int
+    s: float
+
+
+class Row(NamedTuple):
+    """A row of the product's wrenches that is no link's: of a section, with the axes in which it is stated."""
+
+    place: Place
+    axes: str
+    own: bool
+    """Whether it is a push's alone, so that forces between frames act beside it."""
+
+
+class Acting(NamedTuple):
+    """A force between frames: generalised forces (nv,), energy, and the wrench on the second end in inertial axes."""
+
+    force: ca.SX
+    energy: ca.SX
+    torque: ca.SX
+    load: ca.SX
+
+
+Frame = tuple[ca.SX, ca.SX]
+"""Rotation and place in the inertial frame."""
+
+
+class Outer:
+    """``rows``: those of the product that are not of links; ``links``: where the others stand among all."""
+
+    def __init__(self, robot: dict, twin: dict, oracle: Oracle):
+        self.robot, self.oracle = robot, oracle
+        self.names = [link["name"] for link in twin["links"]]
+        self.rows: list[Row] = []
+        self.links: list[int] = []
+        joined = [end for loop in robot.get("loops", []) for end in loop["between"]]
+        joined += [end for force in robot.get("forces", []) for end in force["between"] if isinstance(end, str)]
+        for link in robot["links"]:
+            at = lambda marker, link=link: marker.split(".")[0] == link["name"]  # noqa: E731
+            first = len(self.links) + len(self.rows)
+            self.links += range(first, first + link.get("segments", 1))
+            inner = dict.fromkeys(place for place in map(self.place, filter(at, joined)) if place.s != 1.0)
+            self.rows += [Row(place, "marker", False) for place in inner]
+            pushes = [push for push in robot.get("pushes", []) if at(push["at"])]
+            self.rows += [Row(self.place(push["at"]), push.get("axes", "world"), True) for push in pushes]
+
+    def place(self, marker: str) -> Place:
+        """Where a marker of the robot is; the end of a segment, not the beginning of the next."""
+        name, own = marker.split(".")
+        link = next(x for x in self.robot["links"] if x["name"] == name)
+        count, s = link.get("segments", 1), named(link, own)
+        piece = max(ceil(s * count - 1e-12) - 1, 0)
+        return Place(self.names.index(name) - (count - 1) + piece, s * count - piece)
+
+    def laid(self, of_links, of_rows) -> np.ndarray:
+        """(n, 6): the rows of links and the others as the product has them."""
+        out = np.zeros((len(self.links) + len(self.rows), 6))
+        others = np.setdiff1d(np.arange(len(out)), self.links)
+        out[self.links], out[others] = of_links, np.reshape(of_rows, (-1, 6))
+        return out
+
+    @cached_property
+    def acting(self) -> ca.Function:
+        """(q, v, pushes (6, rows)) -> the generalised forces (nv,), the energy of springs, what is equivalent on the
+        tips (6, n), in their axes, and what the welds of the rows transmit (6, rows).
+        """
+        q, v, W = self.oracle.q, self.oracle.v, ca.SX.sym("pushes", 6, len(self.rows))
+        force, energy = ca.SX.zeros(self.oracle.nv), ca.SX(0)
+        on_tips, on_rows = ca.SX.zeros(6, self.oracle.n), ca.SX.zeros(6, len(self.rows))
+        for stated in self.robot.get("forces", []):
+            ends = [self._end(x) for x in stated["between"]]
+            own = self._line(stated["line"], *ends) if "line" in stated else self._bushing(stated["bushing"], *ends)
+            force, energy, point = force + own.force, energy + own.energy, ends[1][1]
+            for end, sign in zip(stated["between"], (-1, 1), strict=True):
+                if isinstance(end, str):
+                    on_tips += self._on_tip(self.place(end), sign * own.torque, sign * own.load, point)
+                    on_rows += self._on_row(self.place(end), sign * own.torque, sign * own.load, point)
+        for k, row in enumerate(self.rows):
+            R, r = self._section(row.place)
+            spin, speed = self._spin(R), rates([r], q, v)[0]
+            axes = R if row.axes == "marker" else ca.SX.eye(3)
+            torque, load = axes @ W[:3, k], axes @ W[3:, k]
+            force += ca.gradient(ca.dot(torque, spin) + ca.dot(load, speed), v)
+            on_tips += self._on_tip(row.place, torque, load, r)
+            on_rows[:, k] += ca.vertcat(R.T @ torque, R.T @ load)
+        found = [force, energy, on_tips, -on_rows]
+        return ca.Function("outer", [q, v, W], [ca.densify(x) for x in found])
+
+    def _section(self, place: Place) -> Frame:
+        return self.oracle.section(place.link, self.oracle.clouds[place.link], place.s)
+
+    def _end(self, end: str | dict) -> Frame:
+        if isinstance(end, dict):
+            return ca.SX.eye(3), ca.SX(end["world"])
+        return self._section(self.place(end))
+
+    def _spin(self, R: ca.SX) -> ca.SX:
+        """The angular velocity in inertial axes."""
+        turn = rates([R], self.oracle.q, self.oracle.v)[0] @ R.T
+        return ca.vertcat(turn[2, 1], turn[0, 2], turn[1, 0])
+
+    def _line(self, law: dict, first: Frame, second: Frame) -> Acting:
+        """A spring and a damper along a line, or a rope."""
+        q, line, slack = self.oracle.q, second[1] - first[1], law.get("slack", False)
+        length = ca.norm_2(line)
+        stretch = length - law.get("rest", 0.0)
+        damped = law.get("damping", 0.0) * rates([length], q, self.oracle.v)[0]
+        pull = law["stiffness"] * stretch + damped
+        taut = ca.logic_and(stretch > 0, pull > 0) if slack else 1
+        energy = law["stiffness"] * stretch**2 / 2 * ((stretch > 0) if slack else 1)
+        force = -taut * (ca.gradient(energy, q) + damped * ca.gradient(length, q))
+        return Acting(force, energy, ca.SX.zeros(3), -taut * pull * line / length)
+
+    def _bushing(self, law: dict, first: Frame, second: Frame) -> Acting:
+        """Springs and dampers along and about the axes of the first frame; the torque by the slope of the energy."""
+        q, v, (R_a, a), (R_b, b) = self.oracle.q, self.oracle.v, first, second
+        R, d, turn = R_a.T @ R_b, R_a.T @ (b - a), ca.SX.sym("turn", 3)
+        K, C = ca.DM(law["stiffness"]), ca.DM(law.get("damping", [0.0] * 6))
+
+        def wound(R: ca.SX) -> ca.SX:
+            e = ca.vertcat(R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]) / (2 * ca.sqrt(1 + ca.trace(R)))
+            return 2 * ca.dot(K[3:], e**2)
+
+        energy = ca.dot(K[:3], d**2) / 2 + wound(R)
+        rate = ca.vertcat(rates([d], q, v)[0], self._spin(R))
+        force = -ca.gradient(energy, q) - ca.jtimes(rate, v, C * rate, True)
+        slope = ca.gradient(wound((ca.SX.eye(3) + ca.skew(turn)) @ R), turn)
+        torque = -ca.substitute(slope, turn, ca.SX.zeros(3)) - C[3:] * rate[3:]
+        return Acting(force, energy, R_a @ torque, -R_a @ (K[:3] * d + C[:3] * rate[:3]))
+
+    def _on_tip(self, place: Place, torque: ca.SX, load: ca.SX, point: ca.SX) -> ca.SX:
+        """(6, n): the equivalent on the tip of the link of what acts at a point of the section."""
+        cloud, out = self.oracle.clouds[place.link], ca.SX.zeros(6, self.oracle.n)
+        moment = torque + ca.cross(point - cloud.tip_point, load)
+        out[:, place.link] = ca.vertcat(cloud.tip_R.T @ moment, cloud.tip_R.T @ load)
+        return out
+
+    def _on_row(self, place: Place, torque: ca.SX, load: ca.SX, point: ca.SX) -> ca.SX:
+        """(6, rows): the wrench of a spring on the row at its end, if one is there."""
+        out = ca.SX.zeros(6, len(self.rows))
+        for k, row in enumerate(self.rows):
+            if row.place == place and not row.own:
+                R, r = self._section(place)
+                out[:, k] = ca.vertcat(R.T @ (torque + ca.cross(point - r, load)), R.T @ load)
+        return out

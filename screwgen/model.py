@@ -25,6 +25,7 @@ from .spec.robot import Robot
 from .studies.linear import INPUTS, OUTPUTS, LinearModel, linearise
 
 if TYPE_CHECKING:
+    from .algorithms.measurement import Measurement
     from .runtime.compiled import Compiled
     from .runtime.mpc import CompiledMpc
 
@@ -98,7 +99,7 @@ class Model(RobotModel):
         layout: str = "auto",
         batch: bool = False,
         derivatives: bool = False,
-        estimator: bool = False,
+        estimator: bool | Sequence[str | Measurement] = False,
         functions: str | Sequence[str] | None = None,
         methods: Sequence[Method] = (),
         mpc: str | os.PathLike | None = None,
@@ -112,7 +113,8 @@ class Model(RobotModel):
         ``parameters``: ``"runtime"`` or ``"baked"`` (folded into the C as numbers); ``layout`` of the C:
         ``"fused"`` (one piece), ``"modular"`` (a function per phase and class) or ``"auto"``; ``batch``: also C
         that steps many scenarios at once; ``derivatives``: also C of those of ``vdot``, steps and joint wrenches;
-        ``estimator``: also a Kalman filter in C, with the derivatives that it needs; ``functions``: names of
+        ``estimator``: also a Kalman filter in C, with the derivatives that it needs, of the usual measurements or of
+        those that are named, as ``gyro@boom.tip``; ``functions``: names of
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
         of a predictive controller; ``outputs``: also C of what runs report and sensors measure, and of units these

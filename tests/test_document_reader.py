@@ -9,7 +9,17 @@ from document_robots import robot_with
 from helpers import example, model_of
 
 TOLERANCE = 1e-10
-EXAMPLES = ("bucket", "crane", "crane_loop", "elastic_joint", "ella", "ella_paper", "flexible_arm", "gantry")
+EXAMPLES = (
+    "balanced_arm",
+    "bucket",
+    "crane",
+    "crane_loop",
+    "elastic_joint",
+    "ella",
+    "ella_paper",
+    "flexible_arm",
+    "gantry",
+)
 EXAMPLES += ("parallelogram", "six_link", "space_arm", "tentacle")
 BEYOND = (
     ("weld loop", "skew"),

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from sensors import felt, measured
 
 from screwgen import ScrewgenError, UsageError
+from screwgen.algorithms.measurements import ACCELERATION
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.runtime.lean import RuntimeProject
@@ -182,7 +183,7 @@ def test_the_accelerometer_of_a_robot_with_ball_joints():
     tau, w_ext = 0.1 * rng.normal(size=robot.n_tau), 0.1 * rng.normal(size=(robot.n_links, 6))
     e = Estimator(robot)
     e.start(q, v, 0.1, 0.1, Noise(0.0))
-    H, rest = e._acceleration(felt(robot, q, v, tau, w_ext), tau, w_ext)
+    H, rest = e.compared(ACCELERATION, felt(robot, q, v, tau, w_ext), tau, w_ext)
     assert np.max(np.abs(rest)) < 1e-9
 
     def at(u):

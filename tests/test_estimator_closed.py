@@ -19,7 +19,7 @@ from test_linear_loops import BALL, GEAR, linkage
 from test_loops import angles
 
 from screwgen import SingularError, UsageError, equilibrium
-from screwgen.algorithms.joint_sensors import pose_sensors
+from screwgen.algorithms.measurement_names import measurement
 from screwgen.plotting.mode_plot import displaced
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.runtime.lean import RuntimeProject
@@ -212,7 +212,8 @@ def test_the_rows_of_measurements_are_differences():
     given = np.array(floating_robots.TAU), 0.2 * rng.normal(size=(4, 6))
     e = Estimator(robot)
     e.put(q, v, np.eye(32))
-    H, left = e._acceleration(felt(robot, q, v, *given), *given)
+    beside = lambda name, values: e.compared(measurement(robot.chain, name), np.array(values), *given)  # noqa: E731
+    H, left = beside("acceleration", felt(robot, q, v, *given))
     assert np.max(np.abs(left)) < 1e-12
     for _ in range(3):
         d = rng.normal(size=32)
@@ -220,11 +221,11 @@ def test_the_rows_of_measurements_are_differences():
         slope = (ahead - behind) / 2e-5
         assert np.allclose(H @ d, slope, rtol=0, atol=1e-7 * np.max(np.abs(H @ d)))
     turn, z = Rotation.from_quat(q[3:7], scalar_first=True), np.array([1e-4, -2e-4, 3e-4])
-    far, (base,) = (turn * Rotation.from_rotvec(z)).as_quat(scalar_first=True), pose_sensors(robot.chain)
+    far = (turn * Rotation.from_rotvec(z)).as_quat(scalar_first=True)
     for sign in (1, -3):
-        assert np.allclose(e._attitude(base, sign * far)[1], z, rtol=1e-6)
+        assert np.allclose(beside("base_attitude", sign * far).rest, z, rtol=1e-6)
     moved = displaced(robot, q, np.eye(16)[4] * 1e-3)
-    assert np.allclose(e._position(base, moved[:3])[0][:, 4] * 1e-3, moved[:3] - q[:3], atol=1e-12)
+    assert np.allclose(beside("base_position", moved[:3]).H[:, 4] * 1e-3, moved[:3] - q[:3], atol=1e-12)
 
 
 # ------------------------------------------------------------------------------ statistics

@@ -11,6 +11,7 @@ from sensors import measured
 from test_estimator import SOFT, TIP
 
 from screwgen import ScrewgenError, SingularError, UsageError
+from screwgen.algorithms.gauges import gauges
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.simulation.estimator import Estimator
 from screwgen.simulation.integrate import JointStepper
@@ -151,7 +152,7 @@ def test_innovations_are_the_textbooks():
         e.update([0.3], REST, [0.02], [np.nan, 3e-5])
         assert e.innovations["encoder"].value == pytest.approx([0.02 - q[0]])
         assert e.innovations["encoder"].normalised == pytest.approx([(0.02 - q[0]) / np.sqrt(P[0, 0] + 1e-8)])
-        row = np.array(e.gauges[1].curvatures) * -NOISE.fibre / model().robot.links[0].length ** 2
+        row = np.array(gauges(model().chain)[1].curvatures) * -NOISE.fibre / model().robot.links[0].length ** 2
         rest = 3e-5 - row[0] * q[2]
         assert e.innovations["strain"].value == pytest.approx([np.nan, rest], nan_ok=True)
         size = rest / np.sqrt(row[0] ** 2 * P[2, 2] + 4e-12)

@@ -9,6 +9,7 @@ import pytest
 
 from docs.tools import robot_page
 from screwgen.elements import KINDS
+from screwgen.interactions import KINDS as INTERACTIONS
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 PAGE = robot_page.PAGE.read_text(encoding="utf-8")
@@ -16,11 +17,11 @@ WITHOUT_UNIT = set(
     """name section_rotation links section modes damping joint bodies basis axial bending_y bending_z torsion
     shear_y shear_z frequencies ratio axes mount at order stations between segments profile tube rod box nu body sid npz
     interface base tip parent drives friction transmission four_bar branch limits elements loops couplings
-    axis of markers points tendons from to actuated""".split()
+    axis of markers points tendons from to actuated forces pushes line bushing contact drag""".split()
 )
 """Keys that are no physical quantity in some table."""
-IN_AXES = {"slide", "screw", "pitch"}
-"""Keys of axes, which have a table of their own, as elements have."""
+IN_PLACES = {"slide", "screw", "pitch", "world"}
+"""Keys of axes, which have a table of their own, as elements have, and of a point of the world."""
 
 
 def keys(part) -> list[str]:
@@ -49,8 +50,9 @@ def test_the_examples_have_every_key():
     examples = [tomllib.loads(block) for block in re.findall(r'```toml title="[^"]+"\n(.*?)```', text, re.DOTALL)]
     shown = set(_keys([example for example in examples if "links" in example]))
     elements = {key for kind, own in KINDS.items() for key in (kind, *own.table())}
+    elements |= {key for own in INTERACTIONS.values() for key in (*own.table(), *own.choices())}
     listed = {key for part in robot_page.PARTS for key in keys(part)}
-    assert shown - IN_AXES == listed | elements
+    assert shown - IN_PLACES == listed | elements
 
 
 def _keys(value):

@@ -106,7 +106,9 @@ def test_controller_is_asked_once_a_step_and_its_torque_held():
 def test_wrenches_may_be_a_function_or_a_constant():
     load_ = np.array([[0.0] * 6, [0.0, 0.0, 0.0, 0.0, 5.0, 0.0]])
     constant = simulate(soft(), 0.02, 1e-3, w_ext=load_)
-    assert np.array_equal(constant.q, simulate(soft(), 0.02, 1e-3, w_ext=lambda t, q, v: load_).q)
+    named = {soft().chain.names[-1]: load_[-1]}
+    for given in (lambda t, q, v: load_, named, lambda t, q, v: named):
+        assert np.array_equal(constant.q, simulate(soft(), 0.02, 1e-3, w_ext=given).q)
     assert not np.allclose(constant.q, simulate(soft(), 0.02, 1e-3).q)
 
 

@@ -37,8 +37,8 @@ from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = (
-    "index robot functions notebook firmware estimator mpc realtime research modes elements urdf fmi models viewer "
-    "rollouts jax"
+    "index robot forces functions notebook firmware estimator mpc realtime research modes elements urdf fmi models "
+    "viewer rollouts jax"
 )
 GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES.split())
 

@@ -2,7 +2,8 @@
 
     python docs/tools/robot_page.py      # writes the tables anew; a test compares them
 
-A table stands below its mark, `<!-- keys of Link -->`, that of elements below its head; the rest is written by hand.
+A table stands below its mark, `<!-- keys of Link -->`, those of elements and forces below their heads; the rest is
+written by hand.
 """
 
 from __future__ import annotations
@@ -18,9 +19,11 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 from screwgen.elements import KINDS  # noqa: E402
+from screwgen.interactions import KINDS as INTERACTIONS  # noqa: E402
 from screwgen.spec import (  # noqa: E402  # noqa: E402
     couplings,
     drive,
+    forces,
     four_bar,
     joint,
     limit,
@@ -39,6 +42,7 @@ from screwgen.spec.part import Part  # noqa: E402
 PAGE = ROOT / "docs" / "robot.md"
 TABLE = re.compile(r"<!-- keys of (\w+) -->\n+(?:\|.*\n)*\n*")
 ELEMENTS = re.compile(r"(\| element \| key \|.*\n\|[-|]+\n)(?:\|.*\n)*")
+FORCES = re.compile(r"(\| force \| key \|.*\n\|[-|]+\n)(?:\|.*\n)*")
 SIGNS = {"positive": ", > 0", "non-negative": ", ≥ 0", "any": ""}
 HEAD = "| key | unit | default | what |\n|---|---|---|---|\n"
 CODE = re.compile(r"(\{ [^}]* \}|\[\[\w+\]\]|\[[^\]]*\]|\"\w+\"|\b(?:EA|EI[yz]|GJ|GA[yz]|rhoA|rhoI[pyz]|I[yz]|J)\b)")
@@ -58,7 +62,7 @@ PARTS = (
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
     *(drive.Friction, drive.Transmission, four_bar.FourBar, limit.Limit, spec.Body, reduced.Reduced),
-    *(loops.Loop, couplings.Coupling, markers.Marker, tendons.Tendon),
+    *(loops.Loop, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),
 )
 
 
@@ -66,6 +70,7 @@ def tables(text: str) -> str:
     """The page with its tables as the classes have them."""
     parts = {part.__name__: part for part in PARTS}
     text = ELEMENTS.sub(lambda m: m[1] + "".join(_element_rows()), text)
+    text = FORCES.sub(lambda m: m[1] + "".join(_force_rows()), text)
     return TABLE.sub(lambda m: f"<!-- keys of {m[1]} -->\n\n{HEAD}{''.join(_rows(parts[m[1]]))}\n", text)
 
 
@@ -75,6 +80,17 @@ def _element_rows() -> Iterator[str]:
         names = [f"`{kind.KIND}`", *[""] * len(kind.table())]
         for name, (key, own) in zip(names, kind.table().items(), strict=False):
             yield f"| {name} | `{key}` | {own.unit} (of a slide {own.sliding}) | {own.meaning}{SIGNS[own.sign]} |\n"
+
+
+def _force_rows() -> Iterator[str]:
+    """A row for each key of each kind of force; its name stands beside the first."""
+    for kind in INTERACTIONS.values():
+        rows = [(key, own.unit, own.meaning, SIGNS[own.sign], own.entries) for key, own in kind.table().items()]
+        rows += [(key, "–", meaning, "", ()) for key, meaning in kind.choices().items()]
+        for name, (key, unit, meaning, sign, entries) in zip([f"`{kind.KIND}`", *[""] * len(rows)], rows, strict=False):
+            several = f"; an array: {', '.join(entries)}" if entries else ""
+            default = "`false`" if key in kind.choices() else "–" if hasattr(kind, key) else "required"
+            yield f"| {name} | `{key}` | {unit} | {default} | {meaning}{sign}{several} |\n"
 
 
 def _rows(part: type[Part]) -> list[str]:

@@ -56,15 +56,18 @@ class ForceFunctions:
             return w_ext
         tips = self._tips(q, v)
         total = [mx.array(list(w_ext[6 * i : 6 * i + 6])) for i in range(self.chain.n)]
-        with self.section("forces: their wrenches on the tips"):
-            for i in self.chain.turned_wrenches:
+        for i in self.chain.turned_wrenches:
+            with self.section(f"{self.chain.names[i]}: the wrench from outside in axes of its section"):
                 total[i] = mx.rotate_wrench(tips[i].R.T, total[i])
-            for force in self.chain.forces:
+        for force in self.chain.forces:
+            with self.section(f"{force.name}: its wrenches on the frames that it joins"):
                 found = self._applied(force, tips, programs.wrenches(force.shape), twists=True)
                 for end, name in zip(force.ends, ("first", "second"), strict=True):
                     if end is not None:
-                        total[end] = total[end] + mx.array(found[name])
-        return [x for wrench in total for x in wrench]
+                        total[end] = total[end] + mx.name(f"w_{force.name}_{name}", mx.array(found[name]))
+        with self.section("wrenches on all tips"):
+            named = (mx.name(f"w_{i}", w) for i, w in zip(self.chain.identifiers, total, strict=True))
+            return [x for wrench in named for x in wrench]
 
     def energy_of_forces(self, q: Sequence) -> Value:
         """The potential of the forces between frames, J."""
@@ -117,7 +120,8 @@ class ForceFunctions:
     def _applied(self, force: PlacedForce, tips: Sequence[Tip], program: Any, twists: bool) -> Mapping[str, list]:
         """What a program of a force gives in a state of all tips."""
         first, second = (self._end(force, i, tips) for i in force.ends)
-        R, d = mx.multiply(first.R.T, second.R), mx.multiply(first.R.T, second.r - first.r)
+        R = mx.multiply(first.R.T, second.R)
+        d = mx.name(f"d_{force.name}", mx.multiply(first.R.T, second.r - first.r))
         given: dict[str, list] = {"R": list(R.flat), "d": list(d)}
         given |= {"V_A": list(self._twist(first)), "V_B": list(self._twist(second))} if twists else {}
         given |= {"numbers": list(self.world[3:][force.numbers])}

@@ -10,7 +10,7 @@ import mpmath
 
 from ..ir.program import Program, Tracer, Value
 from ..ir.replay import inline, run
-from ..spec.parameters import parameters
+from ..spec.parameters import of_forces, parameters
 from ..topology.chain import Chain
 from .columns import columns, link_columns, width
 from .dae_functions import DaeFunctions, state_size, unknown_size
@@ -18,6 +18,9 @@ from .functions import EVERYTHING, Functions
 from .schedule import Algorithm, constant_labels, is_column, preparation, seen_by
 
 DIGITS = 40
+
+OF_FORCES = "forces."
+"""The beginning of the names of inputs that are numbers of forces between frames; that of the parameter follows."""
 
 Outputs = Mapping[str, Sequence[Value]]
 Body = Callable[[Any, Mapping[str, Sequence[Value]]], Outputs]
@@ -70,7 +73,7 @@ def _sources(
             names |= dict.fromkeys(link_columns(part), width(span))
         links.append({n: tracer.input(f"{i}:{n}", size) for n, size in names.items()})
         read |= {f"{i}:{n}": size for n, size in names.items()}
-    sizes = {"gravity": 3} | ({"forces": chain.n_force_numbers} if chain.forces else {})
+    sizes = {"gravity": 3} | {f"{OF_FORCES}{p.name}": 1 for p in of_forces(chain.robot)}
     read |= sizes
     return links, [x for name, size in sizes.items() for x in tracer.input(name, size)]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ..bodies.markers import STRAIN_UNITS, strains
@@ -35,12 +36,6 @@ def base_strains(chain: Chain) -> int:
     return sum(len(strains(chain.keys[i], BASE)) for i in chain.firsts)
 
 
-def bending(chain: Chain) -> list[int]:
-    """Which of the strains gauges measure."""
-    names = list(strain_names(chain))[: base_strains(chain)]
-    return [k for k, name in enumerate(names) if name.rpartition(".")[2].startswith("bending")]
-
-
 def strain_names(chain: Chain) -> dict[str, str]:
     """The names and units of the strains: at the bases of all links, then at the markers that links declare."""
     bases = [(f"{chain.segments[i].owner}.base_strain", i, BASE) for i in chain.firsts]
@@ -51,7 +46,7 @@ def strain_names(chain: Chain) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Gauge:
-    """A gauge at the base section of a link that measures its bending in one direction.
+    """A gauge at a section of a link that measures its bending in one direction.
 
     A fibre at the distance ``d`` from the centreline, on the side of positive y (z), has the strain
     ``-d sum_k curvatures[k] / l^2 eta[first + k]`` of bending in y (z), ``l`` the link's length.
@@ -63,11 +58,14 @@ class Gauge:
     first: int
     """Index of the direction's first mode among all modal coordinates."""
     curvatures: tuple[float, ...]
-    """Second derivatives of the mode shapes at s = 0, dimensionless."""
+    """Second derivatives of the mode shapes there with the abscissa over the link's length, dimensionless."""
 
 
-def gauges(chain: Chain) -> list[Gauge]:
-    """One gauge per link and direction with bending modes, link by link, y before z."""
+def gauges(chain: Chain, places: Iterable[tuple[int, float]] | None = None) -> list[Gauge]:
+    """One gauge per place and direction with bending modes, y before z.
+
+    ``places``: segments of the chain and abscissas along them; without it the bases of all links.
+    """
     return [
         Gauge(
             chain.segments[i].link,
@@ -75,7 +73,7 @@ def gauges(chain: Chain) -> list[Gauge]:
             chain.eta_offset[i] + bending.modes[0],
             tuple(chain.segments[i].count ** bending.order * weight for weight in bending.weights),
         )
-        for i in chain.firsts
-        for bending in strains(chain.keys[i], 0.0)
+        for i, at in places or [(i, BASE) for i in chain.firsts]
+        for bending in strains(chain.keys[i], at)
         if bending.direction.startswith("bending")
     ]

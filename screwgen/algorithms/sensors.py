@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..ir.program import Value
 from .functions import EVERYTHING, Functions
 from .fused import Outputs, program
 from .marker_functions import MEASURED
@@ -38,15 +39,25 @@ def marker_bias(f: Functions, q: Sequence, v: Sequence) -> Outputs:
 @program("q v", algorithms=ALL)
 def gyro(f: Functions, q: Sequence, v: Sequence) -> Outputs:
     """``(q, v) -> (omega)``."""
+    return {"omega": turning(f, q, v)}
+
+
+def turning(f: Functions, q: Sequence, v: Sequence) -> list[Value]:
+    """The angular velocities of the markers."""
     twists = f.marker_velocities(q, v)
-    return {"omega": [x for k in range(0, len(twists), 6) for x in twists[k : k + 3]]}
+    return [x for k in range(0, len(twists), 6) for x in twists[k : k + 3]]
 
 
 @program("q v tau w_ext", algorithms=ALL)
 def accelerometer(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> Outputs:
     """``(q, v, tau, w_ext) -> (a)``: of the motion by forward dynamics."""
-    found = f.falling(tau).marker_accelerations(q, v, f.forward_dynamics(q, v, tau, w_ext)[0])
-    return {"a": [x for k in range(3, len(found), 6) for x in found[k : k + 3]]}
+    return {"a": felt(f.falling(tau), q, v, f.forward_dynamics(q, v, tau, w_ext)[0])}
+
+
+def felt(f: Functions, q: Sequence, v: Sequence, vdot: Sequence) -> list[Value]:
+    """The accelerations of the markers less that of free fall, of a motion."""
+    found = f.marker_accelerations(q, v, vdot)
+    return [x for k in range(3, len(found), 6) for x in found[k : k + 3]]
 
 
 @program("q v vdot", algorithms=ALL)

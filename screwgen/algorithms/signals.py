@@ -267,7 +267,7 @@ GIVEN = {
     "f_eta": Signal(("NGIVEN",), "N, N*m", "-", "stress and damping of modes and sprung joints"),
 }
 ROBOT = {
-    "constants": {"gravity": CALL["gravity"], "forces": Signal(("NFORCES",), "-", "-", "of forces between frames")},
+    "constants": {"gravity": CALL["gravity"]},
     "state": {
         "q": Signal(("NQ",), "rad, m", "-", "coordinates"),
         "v": Signal(("NV",), "rad/s, m/s", "-", "rates of the coordinates"),

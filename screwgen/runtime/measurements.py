@@ -2,57 +2,81 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from ..algorithms.gauges import gauges
-from ..algorithms.joint_sensors import POSE_SIZES, encoders, pose_measurements, pose_sensors
-from ..arguments import Loads, Numbers, array, real_numbers, whole
+from ..algorithms.measurement import Measurement
+from ..algorithms.measurements import ROWS
+from ..arguments import Loads, Numbers, array, real_numbers, suggestion, whole
 from ..backends.c.estimator import PATIENCE
 from ..errors import UsageError
 from ..topology.chain import Chain
 
-ABSENT = {"base": "a fixed base", "joint": "no ball joint"}
-"""What a robot has that lacks the measurements of a pose whose names begin so."""
 Measured = dict[str, tuple[np.ndarray, np.ndarray]]
-"""Of every measurement its values, and which of its entries were made."""
+"""Of every measurement its values, and which of its groups of entries were made."""
+OF_ALL = [row for row in ROWS if not row.missing]
+IN_ORDER = (
+    *(row.name for row in OF_ALL),
+    *(number.name for row in OF_ALL for number in row.numbers if number.stated),
+    *(row.name for row in ROWS if row.missing),
+)
+"""What a noise model may be told by position: deviations of what all robots have, their numbers, then of the rest."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Noise:
     """The noise model of a filter; a single number applies to all entries.
 
-    ``density_q``, ``density_v`` (nv): spectral densities of white noise on the rates of q and v, rad²/s and rad²/s³
-    (modes and slides: m²/s, m²/s³).  ``encoder`` (n_joints, rad or m), ``strain`` (gauges), ``acceleration``
-    (3, m/s²): standard deviations of a measurement.  ``fibre`` (gauges): distance of each gauge from the centreline, m,
-    on the side of positive y or z, not zero where ``strain`` is stated.  Of a floating base ``base_position`` (3, m),
-    ``base_attitude`` (3, rad, about axes of F_1) and ``base_rate`` (3, rad/s), and densities that belong to changes
-    [turn; shift] of its pose, rad and m. Of ball joints ``joint_attitude`` and ``joint_rate`` (3 each), about axes of
-    the link; encoders measure the others.
+    ``density_v``, ``density_q`` (nv): spectral densities of white noise on the rates of v and q, rad²/s³ and rad²/s
+    (modes and slides: m²/s³, m²/s); of a floating base they belong to changes [turn; shift] of its pose, rad and m.
+    By the name of each measurement the standard deviation of its entries, in its unit, of attitudes about axes of what
+    turns: ``encoder=1e-4``. By their names the numbers of a sensor: ``fibre`` (gauges), the distance of each gauge from
+    the centreline, m, on the side of positive y or z, not zero where ``strain`` is stated. A measurement that is
+    ``calibrated`` has ``<name>_scale`` and ``<name>_offset``: it reads scale × value + offset.
 
     ``gate``: an update refuses an entry whose innovation exceeds so many of its standard deviations; 0: none is
     refused. ``patience``: so often in a row, then it is taken until it is within the gate again; after refusals as
     often as it was within the gate since then, if that is less. ``doubt``: between so many standard deviations and the
     gate an entry counts less, with the weight (doubt / normalised innovation)²; 0: all within the gate count in full.
+    A measurement that is ``gated`` has ``<name>_gate``, which counts in place of ``gate`` unless it is 0.
     """
 
     density_v: np.ndarray | float
     density_q: np.ndarray | float = 0.0
-    encoder: np.ndarray | float = 0.0
-    strain: np.ndarray | float = 0.0
-    acceleration: np.ndarray | float = 0.0
-    fibre: np.ndarray | float = 0.0
-    base_position: np.ndarray | float = 0.0
-    base_attitude: np.ndarray | float = 0.0
-    base_rate: np.ndarray | float = 0.0
-    joint_attitude: np.ndarray | float = 0.0
-    joint_rate: np.ndarray | float = 0.0
     gate: float = 0.0
     patience: int = PATIENCE
     doubt: float = 0.0
+    sensors: Mapping[str, Any] = field(default_factory=dict)
+    """Deviations of measurements and numbers of sensors, by name; what is not stated is zero, scales are one."""
+
+    def __init__(
+        self,
+        density_v: Any,
+        density_q: Any = 0.0,
+        *in_order: Any,
+        gate: float = 0.0,
+        patience: int = PATIENCE,
+        doubt: float = 0.0,
+        sensors: Mapping[str, Any] | None = None,
+        **named: Any,
+    ):
+        positions = dict(zip(IN_ORDER, in_order, strict=False))
+        if len(in_order) > len(IN_ORDER) or positions.keys() & named.keys():
+            raise TypeError("Noise: more arguments by position than there are, or the same again by name")
+        everything = {**(sensors or {}), **positions, **named}
+        said = {"density_v": density_v, "density_q": density_q, "gate": gate, "patience": patience, "doubt": doubt}
+        for name, value in {**said, "sensors": everything}.items():
+            object.__setattr__(self, name, value)
+
+    def __getattr__(self, name: str) -> Any:
+        """A deviation or number of a sensor that the product knows, or that was stated."""
+        sensors = vars(self).get("sensors", {})
+        if name not in sensors and name not in IN_ORDER:
+            raise AttributeError(f"'Noise' has no attribute '{name}'", name=name, obj=self)
+        return sensors.get(name, 0.0)
 
 
 @dataclass(frozen=True)
@@ -69,10 +93,14 @@ class Innovation:
     """1 where it counted in full, 0 where it was refused or not measured, between them where it was doubted."""
 
 
-def sensors(chain: Chain) -> dict[str, tuple[int, int, int]]:
-    """How many values, flags and variances every measurement has."""
-    sizes = {"encoder": len(encoders(chain)), "strain": len(gauges(chain)), "acceleration": 3}
-    return {name: (size,) * 3 for name, size in sizes.items()} | pose_measurements(chain)
+@dataclass(frozen=True)
+class Consistency:
+    """Whether an update fits the model: what a chi-squared number is if model and noise are right."""
+
+    squared: float = 0.0
+    """The normalised innovation squared, νᵀ S⁻¹ ν of all entries that the update took, with their variances S."""
+    entries: int = 0
+    """How many these are: the degrees of freedom, and the mean of `squared`; its variance is twice that."""
 
 
 # ------------------------------------------------------------------------------ the noise model
@@ -86,32 +114,65 @@ def spread(values: Any, name: str, size: int) -> np.ndarray:
     return np.broadcast_to(given, size)
 
 
-def fibres(chain: Chain, noise: Noise) -> np.ndarray:
-    """The distances of the gauges (gauges,); raises UsageError unless strains are known to follow from them."""
-    size, given = len(gauges(chain)), real_numbers(noise.fibre)
-    if given is None or given.shape not in ((), (1,), (size,)) or not np.isfinite(given).all():
-        raise UsageError(f"fibre: must be a finite number, or {size} of them")
-    given = np.broadcast_to(given, size)
-    if ((spread(noise.strain, "strain", size) > 0) & (given == 0)).any():
-        raise UsageError("fibre: is 0 of a gauge whose strain is measured; state its distance from the centreline, m")
-    return given
+def deviations(chain: Chain, row: Measurement, noise: Noise) -> np.ndarray:
+    """The standard deviation of every entry of a measurement."""
+    return spread(noise.sensors.get(row.name, 0.0), row.name, row.size(chain))
 
 
-def check_noise(chain: Chain, noise: Noise) -> None:
-    """Raises UsageError where a density or a deviation is negative or no number, or the number of them is wrong."""
-    sizes = {"density_q": chain.nv, "density_v": chain.nv} | {
-        name: size for name, (_, _, size) in sensors(chain).items()
-    }
-    for name, size in sizes.items():
-        spread(getattr(noise, name), name, size)
-    fibres(chain, noise)
-    gate = real_numbers(noise.gate)
+def numbers(chain: Chain, row: Measurement, noise: Noise) -> dict[str, np.ndarray]:
+    """The numbers of a sensor that a caller may state; raises UsageError unless readings are known to follow."""
+    out, measured = {}, deviations(chain, row, noise) > 0
+    for number in row.numbers:
+        if callable(number.start):
+            continue
+        size, given = number.size(chain), real_numbers(noise.sensors.get(number.name, number.start))
+        if given is None or given.shape not in ((), (1,), (size,)) or not np.isfinite(given).all():
+            raise UsageError(f"{number.name}: must be a finite number, or {size} of them")
+        out[number.name] = np.broadcast_to(given, size)
+        if number.zero and (measured & (out[number.name] == 0)).any():
+            raise UsageError(f"{number.name}: {number.zero}")
+    return out
+
+
+def gate_name(row: Measurement) -> str:
+    """What a measurement's own gate is called."""
+    return f"{row.name}_gate"
+
+
+def gate_of(row: Measurement, noise: Noise) -> float:
+    """The gate of a measurement: its own, if it has one that is not 0, or that of all; raises UsageError."""
+    own = _gate(noise.sensors.get(gate_name(row), 0.0), gate_name(row)) if row.gated else 0.0
+    return own or _gate(noise.gate, "gate")
+
+
+def _gate(given: Any, name: str) -> float:
+    gate = real_numbers(given)
     if gate is None or gate.shape or not 0 <= gate < np.inf:
-        raise UsageError("gate: must be a finite number >= 0, of standard deviations")
-    doubt = real_numbers(noise.doubt)
+        raise UsageError(f"{name}: must be a finite number >= 0, of standard deviations")
+    return float(gate)
+
+
+def known(rows: Sequence[Measurement]) -> list[str]:
+    """The names of what a noise model may state of these measurements."""
+    own = [name for row in rows for name in (row.name, *(number.name for number in row.numbers if number.stated))]
+    return own + [gate_name(row) for row in rows if row.gated]
+
+
+def check_noise(chain: Chain, rows: Sequence[Measurement], noise: Noise) -> None:
+    """Raises UsageError where a density or a deviation is negative or no number, or the number of them is wrong."""
+    for name in ("density_q", "density_v"):
+        spread(getattr(noise, name), name, chain.nv)
+    for row in rows:
+        deviations(chain, row, noise)
+    for row in rows:
+        numbers(chain, row, noise)
+        gate_of(row, noise)
+    gate, doubt = _gate(noise.gate, "gate"), real_numbers(noise.doubt)
     if doubt is None or doubt.shape or not 0 <= doubt <= gate:
         raise UsageError("doubt: must be a number from 0 to the gate, of standard deviations")
     whole(noise.patience, "patience", 1)
+    for name in noise.sensors.keys() - {*known(rows), *IN_ORDER}:
+        raise UsageError(f"{name}: is nothing that is measured; {suggestion(name, known(rows))}")
 
 
 # ------------------------------------------------------------------------------ arguments of calls
@@ -122,9 +183,10 @@ def checked_start(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """The arguments of ``start`` as arrays; raises UsageError."""
     q, v = array(q, "q", (chain.nq,)), array(v, "v", (chain.nv,))
-    for one in pose_sensors(chain):
-        if not one.turn(q).any():
-            whose = "the base" if one.word == "base" else f"link '{chain.names[one.part.link]}'"
+    for part in chain.curved:
+        first = part.q.start + (part.joint.turn_at or 0)
+        if not q[first : first + 4].any():
+            whose = "the base" if part.joint.in_space else f"link '{chain.names[part.link]}'"
             raise UsageError(f"q: the quaternion of {whose} is zero; give [1, 0, 0, 0] for no turn")
     return q, v, spread(deviation_q, "deviation_q", chain.nv), spread(deviation_v, "deviation_v", chain.nv)
 
@@ -140,26 +202,39 @@ def check_step(dt: float) -> None:
         raise UsageError(f"the step is {dt:g} s; it must be a finite number > 0")
 
 
-def checked_measurements(chain: Chain, noise: Noise, given: Mapping[str, Any]) -> Measured:
-    """The values of every measurement, and which entries were made: what is None or NaN was not; raises UsageError."""
-    out, known = {}, sensors(chain)
-    for name in given.keys() - known.keys():
-        raise UsageError(_no_measurement(chain, name))
-    for name, (size, flags, variances) in known.items():
-        values = _values(name, given.get(name), size)
-        made = ~np.isnan(values)
-        if flags < size:
-            values, made = _directions(values.reshape(flags, -1)), made.reshape(flags, -1).all(axis=1)
-            if not values[made].any(axis=1).all():
-                raise UsageError(f"{name} is zero; give a quaternion")
-            values = values.ravel()
-        if not np.isfinite(values[~np.isnan(values)]).all():
-            raise UsageError(f"{name} is not finite; give NaN for what was not measured")
-        of_made = np.repeat(made, variances // flags if flags else 1)
-        if not (spread(getattr(noise, name), name, variances)[of_made] > 0).all():
-            raise UsageError(f"noise: {name} has no standard deviation > 0; state it for what is measured")
-        out[name] = values, made
-    return out
+def checked_measurements(
+    chain: Chain, rows: Sequence[Measurement], noise: Noise, in_order: Sequence[Any], named: Mapping[str, Any]
+) -> Measured:
+    """The values of every measurement, and which entries were made: what is None or NaN was not; raises UsageError.
+
+    Values ``in_order`` are those of the first measurements.
+    """
+    names = [row.name for row in rows]
+    given = dict(zip(names, in_order, strict=False))
+    if len(in_order) > len(rows) or given.keys() & named.keys():
+        raise UsageError(
+            f"update: there are {len(in_order)} values by position; the measurements are {', '.join(names)}"
+        )
+    given |= named
+    for name in given.keys() - set(names):
+        raise UsageError(_no_measurement(chain, rows, name))
+    return {row.name: _readings(chain, row, noise, given.get(row.name)) for row in rows}
+
+
+def _readings(chain: Chain, row: Measurement, noise: Noise, given: Any) -> tuple[np.ndarray, np.ndarray]:
+    """The values of a measurement, and which groups of its entries were made; raises UsageError."""
+    name, values = row.name, _values(row.name, given, row.n_values(chain))
+    made = ~np.isnan(values)
+    if row.readings > 1:
+        values, made = _directions(values.reshape(-1, row.readings)), made.reshape(-1, row.readings).all(axis=1)
+        if not values[made].any(axis=1).all():
+            raise UsageError(f"{name} is zero; give a quaternion")
+        values = values.ravel()
+    if not np.isfinite(values[~np.isnan(values)]).all():
+        raise UsageError(f"{name} is not finite; give NaN for what was not measured")
+    if not (deviations(chain, row, noise)[np.repeat(made, row.group)] > 0).all():
+        raise UsageError(f"noise: {name} has no standard deviation > 0; state it for what is measured")
+    return values, made
 
 
 def _values(name: str, given: Any, size: int) -> np.ndarray:
@@ -172,12 +247,12 @@ def _values(name: str, given: Any, size: int) -> np.ndarray:
     return values
 
 
-def _no_measurement(chain: Chain, name: str) -> str:
-    """Why a name is not one of a robot's measurements, and what to do."""
-    word, _, what = name.partition("_")
-    if word in ABSENT and what in POSE_SIZES and (word, what) != ("joint", "position"):
-        return f"{name}: robot '{chain.robot.name}' has {ABSENT[word]}; leave it out"
-    return f"{name}: is no measurement; choose of {', '.join(sensors(chain))}"
+def _no_measurement(chain: Chain, rows: Sequence[Measurement], name: str) -> str:
+    """Why a name is not one of a filter's measurements, and what to do."""
+    for row in ROWS:
+        if row.name == name and not row.offered(chain):
+            return f"{name}: robot '{chain.robot.name}' has {row.missing}; leave it out"
+    return f"{name}: is no measurement; choose of {', '.join(row.name for row in rows)}"
 
 
 def _directions(quaternions: np.ndarray) -> np.ndarray:

@@ -8,32 +8,22 @@ every call, and the covariance is projected onto the motions that keep it closed
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..algorithms.gauges import bending, gauges
-from ..algorithms.joint_sensors import PoseSensor, encoders, pose_sensors
-from ..algorithms.tip_acceleration import tip_acceleration
-from ..arguments import Given, Loads, Numbers
-from ..backends.numpy.covariance import corrected, deviations, root
-from ..backends.numpy.numeric import EPSILON, function_of
+from ..algorithms.measurement import Measurement, SensorNumber, comparison
+from ..arguments import Given, Numbers
+from ..backends.numpy.covariance import corrected, root
+from ..backends.numpy.covariance import deviations as of_innovations
+from ..backends.numpy.numeric import EPSILON, function_of, singular
 from ..errors import DivergedError, SingularError
-from ..joints.exponential import angular_velocity
+from ..ir.program import Program
 from ..robot_model import RobotModel
 from ..runtime.estimator import NOT_FINITE, OPEN, TOO_LONG
-from ..runtime.measurements import (
-    Innovation,
-    Noise,
-    check_noise,
-    check_step,
-    checked_input,
-    checked_measurements,
-    checked_start,
-    fibres,
-    sensors,
-    spread,
-)
+from ..runtime.filtering import KalmanFilter
+from ..runtime.measurements import Consistency, Innovation, Measured, deviations, gate_of, numbers, spread
 from .integrate import JointStepper
 from .mobility import closing
 
@@ -43,47 +33,50 @@ FIRM = 1.0
 """The seconds over which springs and modes resist the closing of a loop, so that joints close it."""
 
 
-class Estimator:
-    """The same interface as :class:`..runtime.estimator.CompiledEstimator`.
+class Compared(NamedTuple):
+    """A measurement beside the estimate."""
 
-    ``parameters``: values in the order of ``model.parameter_names``, or by name. Raises UsageError, DivergedError,
-    SingularError; then the estimate is as it was.
-    """
+    H: np.ndarray
+    """(n, 2 nv): the derivatives of its entries with changes of the state."""
+    rest: np.ndarray
+    """(n,): what was measured less what the estimate says."""
 
-    def __init__(self, model: RobotModel, parameters: Given = None):
-        chain, self.model = model.chain, model
-        self._p = chain.parameters.vector(parameters)
+
+class Estimator(KalmanFilter):
+    """The filter in NumPy; arguments, results and errors as of :class:`.KalmanFilter`."""
+
+    def __init__(
+        self, model: RobotModel, parameters: Given = None, measurements: Sequence[str | Measurement] | None = None
+    ):
+        super().__init__(model, parameters, measurements)
+        chain, n = model.chain, model.nv
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
-        self._space, self.gauges, self._names = self._stepper.space, gauges(chain), sensors(chain)
-        self._strains = self._numeric.strain_slopes()[bending(chain)]
-        self._felt = model.once("accelerometer", lambda: tip_acceleration(chain, "parameters"))
-        self.noise, n = Noise(0.0), model.nv
+        self._space = self._stepper.space
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
-        self.innovations: dict[str, Innovation] = {}
-        """What the last update made of each measurement; empty before one."""
+        self._innovations, self._consistency = dict[str, Innovation](), Consistency()
         self._judgements = self._none_yet()
 
-    def start(self, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any, noise: Noise) -> None:
-        """Begin at a state, as of :class:`..runtime.estimator.CompiledEstimator`."""
-        chain = self.model.chain
-        q, v, *sizes = checked_start(chain, q, v, deviation_q, deviation_v)
-        check_noise(chain, noise)
-        q, v, _ = self._shut(chain.unit(q), v)
+    def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
+        q, v, _ = self._shut(self.model.chain.unit(q), v)
         q, v, T = self._shut(q, v)  # the projection is that at closed rates
-        S = T @ self._conditioned(np.diag(np.concatenate(sizes)))
+        S = T @ self._conditioned(np.diag(np.concatenate([deviation_q, deviation_v])))
         P = S @ S.T
-        self.innovations, self._judgements = {}, self._none_yet()
+        self._innovations, self._consistency, self._judgements = {}, Consistency(), self._none_yet()
         self.put(q, v, P)
-        self.set(noise)
-
-    def set(self, noise: Noise) -> None:
-        """Change the noise model."""
-        check_noise(self.model.chain, noise)
-        self.noise = noise
 
     def put(self, q: Numbers, v: Numbers, P: Any) -> None:
         """Set mean and covariance."""
         self._q, self._v, self._P = np.array(q, float), np.array(v, float), np.array(P, float)
+
+    @property
+    def innovations(self) -> dict[str, Innovation]:
+        """What the last update made of each measurement; empty before one."""
+        return self._innovations
+
+    @property
+    def consistency(self) -> Consistency:
+        """The normalised innovation squared of the last update."""
+        return self._consistency
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
@@ -97,10 +90,7 @@ class Estimator:
 
     # ------------------------------------------------------------------------------ prediction
 
-    def predict(self, tau: Numbers, w_ext: Loads, dt: float) -> None:
-        """Predict the state ``dt`` seconds later; torques and tensions (n_tau) and tip wrenches (n, 6) are held."""
-        tau, w_ext = checked_input(self.model.chain, tau, w_ext)
-        check_step(dt)
+    def _predict(self, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> None:
         q, v = self._stepper.step(self._stepper.initial(self._q, self._v), tau, w_ext, dt)
         Phi, G = self._transition(*self._middle(q, v, dt), tau, w_ext, dt)
         n, S = self.model.nv, Phi @ root(self._P)
@@ -134,57 +124,39 @@ class Estimator:
 
     # ------------------------------------------------------------------------------ update
 
-    def update(
-        self,
-        tau: Numbers,
-        w_ext: Loads,
-        encoder: Numbers | None = None,
-        strain: Numbers | None = None,
-        acceleration: Numbers | None = None,
-        **poses: Any,
-    ) -> None:
-        """Update the estimate by measurements, as of :class:`..runtime.estimator.CompiledEstimator`."""
-        tau, w_ext = checked_input(self.model.chain, tau, w_ext)
-        given = {"encoder": encoder, "strain": strain, "acceleration": acceleration} | poses
-        measured, S = checked_measurements(self.model.chain, self.noise, given), root(self._P)
+    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> None:
+        chain, S, nothing = self.model.chain, root(self._P), Consistency()
         found, judgements, used = {}, {}, []
-        for name, (values, made) in measured.items():
-            size = self._names[name][2]
-            rest, normalised, weight = np.full(size, np.nan), np.full(size, np.nan), np.zeros(size)
+        for row in self.measurements:
+            values, made = measured[row.name]
+            there = np.repeat(made, row.group)
+            rest, normalised, weight = np.full(len(there), np.nan), np.full(len(there), np.nan), np.zeros(len(there))
             if made.any():
-                H, left, variances, there = self._rows(name, values, made, tau, w_ext)
-                sizes = deviations(S, H, variances)
+                (H, left), variances = self.compared(row, values, tau, w_ext), deviations(chain, row, self.noise) ** 2
+                sizes = of_innovations(S, H, variances)
                 rest[there], normalised[there] = left[there], (left / sizes)[there]
-                weight, judgements[name] = self._judged(name, normalised, there)
+                weight, judgements[row.name] = self._judged(row, normalised, there)
                 taken = weight > 0
                 more = (1 / weight[taken] - 1) * sizes[taken] ** 2
                 used.append([H[taken], left[taken], variances[taken] + more])
-            found[name] = Innovation(rest, normalised, ~np.isnan(normalised) & (weight == 0), weight)
+            found[row.name] = Innovation(rest, normalised, ~np.isnan(normalised) & (weight == 0), weight)
         if used:
-            dx, S = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
-            n = self.model.nv
+            dx, S, squared = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
+            n, nothing = self.model.nv, Consistency(squared, sum(len(left) for _, left, _ in used))
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
-        self.innovations, self._judgements = found, self._judgements | judgements
-
-    def _rows(
-        self, name: str, values: np.ndarray, made: np.ndarray, tau: np.ndarray, w_ext: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Of every entry of a measurement its row, innovation and variance, and whether it was made."""
-        H, rest = self._innovation(name, values, tau, w_ext)
-        deviation = spread(getattr(self.noise, name), name, self._names[name][2])
-        return H, rest, deviation**2, np.repeat(made, len(H) // len(made))
+        self._innovations, self._judgements, self._consistency = found, self._judgements | judgements, nothing
 
     def _none_yet(self) -> dict[str, np.ndarray]:
         """Of each measurement (2, entries): how often in a row beyond the gate, by how much the patience is less."""
-        return {name: np.zeros((2, size[2]), int) for name, size in self._names.items()}
+        return {row.name: np.zeros((2, row.size(self.model.chain)), int) for row in self.measurements}
 
-    def _judged(self, name: str, normalised: np.ndarray, made: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The weight of every entry, those of an attitude as one, and what :meth:`_none_yet` counts."""
-        together, noise = 3 if name.endswith("_attitude") else 1, self.noise
-        sizes = np.where(made, np.abs(normalised), 0.0).reshape(-1, together).max(axis=1)
-        sizes = np.repeat(sizes, together)
-        beyond = sizes > (noise.gate or np.inf)
-        times, trial = self._judgements[name]
+    def _judged(self, row: Measurement, normalised: np.ndarray, made: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The weight of every entry, one for those judged together, and what :meth:`_none_yet` counts."""
+        noise, gate = self.noise, gate_of(row, self.noise)
+        sizes = np.where(made, np.abs(normalised), 0.0).reshape(-1, row.group).max(axis=1)
+        sizes = np.repeat(sizes, row.group)
+        beyond = sizes > (gate or np.inf)
+        times, trial = self._judgements[row.name]
         after = np.where(times > 0, noise.patience - 1, np.maximum(trial - 1, 0))
         trial = np.where(made & ~beyond, after, trial)
         times = np.where(beyond, np.minimum(times + 1, noise.patience + 1), np.where(made, 0, times))
@@ -193,54 +165,41 @@ class Estimator:
         refused = beyond & (times <= noise.patience - trial)
         return np.where(made & ~refused, weight, 0.0), np.array([times, trial])
 
-    def _innovation(
-        self, name: str, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """The rows of a measurement over changes (2 nv), and what its values have over those of the estimate."""
-        if name == "acceleration":
-            return self._acceleration(values, tau, w_ext)
-        if name in ("encoder", "strain"):
-            return self._encoder(values) if name == "encoder" else self._strain(values)
-        word, _, what = name.partition("_")
-        own = [one for one in pose_sensors(self.model.chain) if one.word == word]
-        find = {"position": self._position, "attitude": self._attitude, "rate": self._rate}[what]
-        found = [find(one, part) for one, part in zip(own, np.split(values, len(own)), strict=True)]
-        return np.vstack([H for H, _ in found]), np.concatenate([rest for _, rest in found])
+    def compared(self, row: Measurement, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> Compared:
+        """A measurement beside the estimate, of its values; where these are NaN it is of no use."""
+        chain, numeric, n = self.model.chain, self._numeric, self.model.nv
+        program, spans = self.model.once(("comparison", row), lambda: comparison(row, chain))
+        given: dict[str, Any] = {"q": self._q, "v": self._v, "tau": tau, "w_ext": w_ext.ravel(), "p": self._p}
+        given["measured"] = np.where(np.isnan(values), 1.0, values)
+        given |= {number.keyword: self._number(row, number) for number in row.numbers}
+        if "vdot" in program.inputs:
+            given["vdot"] = numeric.forward_dynamics(self._q, self._v, tau, w_ext)[0]
+        found = self._found(program, given)
+        H, at = np.zeros((len(spans), 2 * n)), 0
+        for own, (first, size) in zip(H, spans, strict=True):
+            own[first : first + size] = found["rows"][at : at + size]
+            at += size
+        if "by_vdot" in found:
+            by_q, by_v, _ = numeric.derivatives(self._q, self._v, tau, w_ext)
+            H += np.reshape(found["by_vdot"], (-1, n)) @ np.hstack([by_q, by_v])
+        return Compared(H, np.array(found["rest"]))
 
-    def _encoder(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        of_q, of_v = np.array(encoders(self.model.chain), int).reshape(-1, 2).T
-        return np.eye(2 * self.model.nv)[of_v], values - self._q[of_q]
+    def _number(self, row: Measurement, number: SensorNumber) -> np.ndarray:
+        """Numbers of a sensor, stated or as they follow from the parameters."""
+        if callable(number.start):
+            return np.array(number.start(self.model.chain, self._p.tolist()), float)
+        return numbers(self.model.chain, row, self.noise)[number.name]
 
-    def _strain(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        chain, fibre = self.model.chain, fibres(self.model.chain, self.noise)
-        H = np.zeros((len(self.gauges), 2 * chain.nv))
-        H[:, chain.eta_v : chain.nv] = -fibre[:, None] * self._strains
-        return H, values - H[:, chain.eta_v : chain.nv] @ self._q[chain.eta_q :]
-
-    def _acceleration(self, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        q, v, numeric = self._q, self._v, self._numeric
-        vdot = numeric.forward_dynamics(q, v, tau, w_ext)[0]
-        by_q, by_v, _ = numeric.derivatives(q, v, tau, w_ext)
-        given = {"q": q, "v": v, "vdot": vdot, "p": self._p}
-        found = function_of(self._felt)({name: list(given[name]) for name in self._felt.inputs}, EPSILON)[0]
-        of_q, of_v, of_vdot = (np.reshape(found[f"a_{x}"], (-1, 3)).T for x in ("q", "v", "vdot"))
-        return np.hstack([of_q + of_vdot @ by_q, of_v + of_vdot @ by_v]), values - found["a"]
-
-    def _position(self, one: PoseSensor, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        H, own = np.zeros((3, 2 * self.model.nv)), one.part
-        q = self._q[own.q]
-        H[:, own.v] = np.transpose([own.joint.coordinate_rates(q, unit)[:3] for unit in np.eye(own.joint.nv)])
-        return H, values - q[:3]
-
-    def _attitude(self, one: PoseSensor, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Twice the vector part of the quaternion that leads from the estimate to what was measured."""
-        turn, first = one.turn(self._q), one.part.v.start
-        rest = angular_velocity(turn, values / np.linalg.norm(values))
-        return np.eye(2 * self.model.nv)[first : first + 3], rest * np.copysign(1.0, turn @ values)
-
-    def _rate(self, one: PoseSensor, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        n, first = self.model.nv, one.part.v.start
-        return np.eye(2 * n)[n + first : n + first + 3], values - self._v[first : first + 3]
+    def _found(self, program: Program, given: Mapping[str, Any]) -> dict[str, list[float]]:
+        """The results of a program; raises SingularError that names the link, DivergedError where there are none."""
+        try:
+            found, guards = function_of(program)({name: list(given[name]) for name in program.inputs}, EPSILON)
+        except (ZeroDivisionError, ValueError, OverflowError):
+            raise DivergedError(NOT_FINITE) from None
+        for guard, link in zip(guards, program.origins, strict=True):
+            if not guard > 0:
+                raise singular(self.model.chain, link, self._p)
+        return found
 
     # ------------------------------------------------------------------------------ loops
 

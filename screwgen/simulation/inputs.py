@@ -37,17 +37,17 @@ def coordinates(values: Numbers | None, name: str, model: RobotModel, p: Numbers
 class Inputs:
     """Torques (n_tau,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing.
 
-    Constant wrenches may be a mapping from names of links and pushes.
+    Wrenches may be a mapping from names of links and pushes.
     """
 
     def __init__(self, model: RobotModel, controller: Any, w_ext: Any):
         self.torques_vary, self.wrenches_vary = callable(controller), callable(w_ext)
         self.shape = (model.n_links, 6)
-        if isinstance(w_ext, Mapping):
-            w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
+        rows = lambda x: model.chain.tip_wrenches(x, "w_ext:") if isinstance(x, Mapping) else x  # noqa: E731
+        wrenches = (lambda t, q, v: rows(w_ext(t, q, v))) if callable(w_ext) else rows(w_ext)
         self.sources = (
             _source(controller, "the controller", (model.n_tau,)),
-            _source(w_ext, "w_ext", self.shape),
+            _source(wrenches, "w_ext", self.shape),
         )
 
     @property

@@ -128,6 +128,12 @@ def range_of(one: Number) -> Range:
     return Range(SIGNS[one.sign], one.least, one.most, one.unit)
 
 
+def _about(kind: type[Interaction]) -> str:
+    """What a kind is, in the words of its class."""
+    text = " ".join((kind.__doc__ or kind.WORDS).partition(".")[0].split())
+    return text[:1].lower() + text[1:]
+
+
 class Force(Part):
     """A force between two frames, as that of a spring: each is a section at a marker, or a point of the world.
 
@@ -135,7 +141,7 @@ class Force(Part):
     Python `law` may be an :class:`screwgen.interactions.Interaction` of one's own.
     """
 
-    other_keys: ClassVar = {kind: one.WORDS for kind, one in KINDS.items()}
+    other_keys: ClassVar = {kind: _about(one) for kind, one in KINDS.items()}
 
     name: Annotated[str, PlainValidator(link_name)] = Field(description="the force's name, a C identifier")
     between: Annotated[tuple, PlainValidator(ends), PlainSerializer(written_ends)] = Field(
@@ -187,7 +193,7 @@ class Force(Part):
             for k, entry in enumerate(one.entries):
                 yield stated, value[k], one.unit_of(k), f"{one.meaning}, {entry}", one.sign, (k,)
         for k, value in enumerate(self.point or ()):
-            yield POINT, value, "m", f"end in the world, {'xyz'[k]}, inertial frame", "any", (k,)
+            yield POINT, value, "m", f"end in the world, inertial frame, {'xyz'[k]}", "any", (k,)
 
 
 class Push(Part):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import mpmath
 import numpy as np
 
@@ -140,8 +142,9 @@ def outputs(case: Case, linear, q: np.ndarray, v: np.ndarray) -> None:
         there = case.moved(q, t * x[:nv]), v + t * x[nv:], tau + t * u, w_ext + t * push
         return model.linearise(*there, outputs=OUTPUTS).y
 
-    coarse, fine = ((at(t) - at(-t)) / (2 * t) for t in (DIFFERENCE, DIFFERENCE / 2))
-    expected, found = (4 * fine - coarse) / 3, linear.C @ x + linear.D @ np.append(u, push)
+    steps = [(at(t) - at(-t)) / (2 * t) for t in (DIFFERENCE, DIFFERENCE / 2, DIFFERENCE / 4)]
+    once = [(4 * fine - coarse) / 3 for coarse, fine in itertools.pairwise(steps)]
+    expected, found = (16 * once[1] - once[0]) / 15, linear.C @ x + linear.D @ np.append(u, push)
     for unit in set(linear.output_units):
         own = [k for k, name in enumerate(linear.output_units) if name == unit]
         near(found[own], expected[own], 3 * smooth(case), f"outputs in {unit}")

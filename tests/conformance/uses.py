@@ -1,9 +1,9 @@
-"""Checks of what users do with a model: runs, rollouts, filters, rest, mock-up units, files, documents."""
+"""Checks of what users do with a model: runs, rollouts, rest, mock-up units, files, documents."""
 
 from __future__ import annotations
 
 import numpy as np
-from helpers import QUICK, quick_batch, relative
+from helpers import quick_batch, relative
 from scipy.linalg import eigvalsh, null_space
 from scipy.optimize import root
 
@@ -12,12 +12,9 @@ from conformance.cases import STEP, Case
 from conformance.numbers import flat, near
 from screwgen.algorithms.robot_functions import reported
 from screwgen.backends.numpy.closing import moving
-from screwgen.runtime.estimator import CompiledEstimator, Noise
-from screwgen.simulation.estimator import Estimator
 from screwgen.studies.modes import movable
 
 COUNT = 6
-PERIOD = 2e-3
 
 
 def held(case: Case) -> dict:
@@ -85,35 +82,6 @@ def energy(case: Case) -> None:
         "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])
     ):
         assert abs(lost) <= 1e-5 * scale, f"{lost:.3g} W vanish"
-
-
-def noise_of(case: Case) -> tuple[Noise, np.ndarray]:
-    """The noise of a filter's sensors, and the deviation at its start."""
-    rigid = np.arange(case.model.nv) < case.model.chain.eta_v
-    poses = {f"base_{name}": x for name, x in (("position", 2e-3), ("attitude", 2e-3), ("rate", 5e-3))}
-    speeds = dict(joint_attitude=2e-3, joint_rate=5e-3)
-    noise = Noise(np.where(rigid, 0.02, 1e-4), 1e-10, 1e-3, 1e-5, 0.05, 0.02, **poses, **speeds)
-    return noise, np.where(rigid, 1e-2, 1e-4)
-
-
-def estimator(case: Case) -> None:
-    """The filter in Python is that in C; both carry the inputs, all of them, as the model does."""
-    q, v, tau, w_ext = case.given
-    noise, deviation = noise_of(case)
-    filters = (CompiledEstimator(case.model, flags=QUICK), Estimator(case.model))
-    for e in filters:
-        e.start(q, v, deviation, 10 * deviation, noise)
-    started = filters[1].state
-    for e in filters:
-        e.predict(tau, w_ext, PERIOD)
-    (a, b), (c, d) = filters[0].state, filters[1].state
-    near(np.concatenate([a, b]), np.concatenate([c, d]), case.agreement, "a prediction")
-    after = case.c().step(*started, tau, w_ext, PERIOD, "modal_midpoint")
-    if not case.model.chain.closing.rows:
-        near(np.concatenate([c, d]), np.concatenate(after), case.agreement, "the prediction beside a step")
-    P, other = (e.covariance for e in filters)
-    sd = np.sqrt(np.diag(other))
-    assert np.max(np.abs(P - other) / np.outer(sd, sd)) < 1e-6
 
 
 def equilibrium(case: Case) -> None:

@@ -8,9 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from conformance.c_warnings import compile_cleanly
-from every_command import DONE, checked
-from helpers import arm, link, model_of, relative, unfolded
+from helpers import arm, link, model_of, relative
 from outside import Outside, every_check
 from scipy.integrate import simpson
 
@@ -67,15 +65,11 @@ def test_it_acts_as_another_gravity_does(accelerated, check):
     accelerated.holds(check)
 
 
-@pytest.mark.parametrize("check", ["derivatives of wrenches", "mock-up unit", "acados", "acados, DAE form"])
+@pytest.mark.parametrize(
+    "check", ["derivatives of wrenches", "C folder", "mock-up unit", "acados", "acados, DAE form", "estimator"]
+)
 def test_it_goes_on_to(accelerated, check):
     accelerated.holds(check)
-
-
-def test_its_folder_of_c_compiles_without_a_warning_and_checks_itself(tmp_path):
-    unfolded(tmp_path / "c", MODEL.c_files("runtime", "modular", None, derivatives=True, outputs=True))
-    assert not compile_cleanly(tmp_path / "c", "gcc", "-O0")
-    assert checked(tmp_path / "c").said == DONE
 
 
 def test_it_acts_as_a_cart_does_that_is_driven_with_it():

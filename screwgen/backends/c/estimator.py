@@ -1,20 +1,25 @@
-"""The estimator of the C back end: an extended Kalman filter on the generated dynamics and their derivatives."""
+"""The estimator of the C back end: an extended Kalman filter on the generated dynamics and their derivatives.
+
+What it measures are rows of :mod:`...algorithms.measurements`: of each the program of its innovation and derivatives.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any
 
-from ...algorithms.gauges import Gauge, gauges
 from ...algorithms.joint_moves import midpoint_carry
-from ...algorithms.joint_sensors import PoseSensor, encoders, pose_measurements, pose_sensors
-from ...algorithms.tip_acceleration import tip_acceleration
+from ...algorithms.measurement import Comparison, Measurement, SensorNumber, comparison
+from ...ir.program import Tracer
 from ...joints.kind import JointKind
+from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from .code import Place, Writer, entries, literal, trimmed, with_unused
-from .curved import plus, stem
+from . import parameters as structs
+from .code import Place, Writer, entries, literal, singular, trimmed, with_unused
+from .curved import stem
 from .derivatives import say_time
-from .pieces import piece_place, pieces
+from .pieces import KEPT, bodies, piece_place
+from .routines import Routines
 from .stumpff_slopes import slopes
 
 FILES = ("estimator.h", "estimator.c")
@@ -22,85 +27,96 @@ FILES = ("estimator.h", "estimator.c")
 
 PATIENCE = 20
 """How often in a row a gate refuses an entry of a measurement unless one states it."""
-SLOPES = ("a_q", "a_v", "a_vdot")
+POINTERS = ("c", "e", "state", "input", "measured", "work")
+"""The arguments of the functions that compare a measurement with a state."""
 
 
-def content(chain: Chain, baked: bool, place: Place) -> dict:
+def content(chain: Chain, rows: Sequence[Measurement], baked: bool, place: Place) -> dict:
     """The templates' context; ``place`` is that of the fused function."""
-    program = tip_acceleration(chain, "baked" if baked else "constants")
-    say_time(chain, "accelerations of the tip", program.operation_count)
-    own = {slope: _by_columns(slope) for slope in SLOPES}
-    own |= {"a": entries("work->a"), "vdot": entries("work->derivatives.vdot")}
-    return (
-        pieces(program, piece_place(chain, "work->kept", own, place), ("c", "state", "work"), outline=True)
-        | {
-            "slopes_of_stumpff": slopes([program]),
-            "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closing.rows) * chain.nv**2,
-            "per_update": 3 * chain.nv**3,
-            "per_entry": 4 * chain.nv**2,
-            "patience": PATIENCE,
-            "gauges": [_gauge(chain, g) for g in gauges(chain)],
-            "curvatures": _curvatures(chain),
-            "encoders": encoders(chain),
-            "square": lambda name, at: " + ".join(f"{name}[{k}] * {name}[{k}]" for k in range(at, at + 4)),
-        }
-        | _curved(chain)
-    )
-
-
-def _curved(chain: Chain) -> dict[str, object]:
-    """What joints whose coordinates do not add up bring: their measurements, and how changes of them are carried."""
-    sensors, sizes = pose_sensors(chain), pose_measurements(chain)
-    widest = max((part.joint.nv for part in chain.curved), default=0)
-    links = [chain.names[one.part.link] for one in sensors if one.word == "joint"]
-    posed = "the base's pose" if not links else "ball joints" if len(links) == len(sensors) else "base and ball joints"
-    base = ["Position, attitude and angular rate of the floating base may be measured, too."]
-    balls = ["Attitudes and angular rates of ball joints may be measured, too, in this order:", f"{', '.join(links)}."]
-    words = dict.fromkeys(one.word for one in sensors)
+    found = {row.name: comparison(row, chain, "baked" if baked else "constants") for row in rows if row.size(chain)}
+    programs = [one.program for one in found.values()]
+    say_time(chain, "measurements", sum(program.operation_count for program in programs))
+    routines = Routines(programs)
+    measured = [_row(row, chain, found.get(row.name), routines, place) for row in rows]
     return {
-        "posed": posed,
-        "Posed": posed[0].upper() + posed[1:],
-        "told": base * (len(links) < len(sensors)) + balls * bool(links),
-        "widest": widest,
-        "carries": [_carry(joint, widest) for joint in dict.fromkeys(part.joint for part in chain.curved)],
-        "poses": [_pose(one) for one in sensors],
-        "measured": [
-            {"name": name, "n_values": values, "n_variances": variances, **SAID[name]._asdict()}
-            for name, (values, _, variances) in sizes.items()
-        ],
-        "flags": [
-            ", ".join(f"has_{name}[{flags}]" for name, (_, flags, _) in sizes.items() if name.startswith(word))
-            for word in words
-        ],
+        "rows": measured,
+        "numbers": [_number(number, chain, baked) for row in rows for number in row.numbers],
+        "routines": routines.functions,
+        "slopes_of_stumpff": slopes(programs),
+        "switches": any("on" in program.operations for program in programs),
+        "kept": max((row["kept"] for row in measured), default=1),
+        "longest": {
+            "rest": max((row["n"] for row in measured), default=0),
+            "rows": max(2 * chain.nv, *(sum(size for _, size in row["spans"]) for row in measured), 1),
+            "by_vdot": chain.nv * max((row["n"] for row in measured if row["accelerates"]), default=0),
+        },
+        "accelerates": any(row["accelerates"] for row in measured),
+        "attitudes": any(row["readings"] > 1 and row["n"] for row in measured),
+        "per_prediction": 11 * chain.nv**3 + 24 * len(chain.closing.rows) * chain.nv**2,
+        "per_update": 3 * chain.nv**3,
+        "per_entry": 4 * chain.nv**2,
+        "patience": PATIENCE,
+        "square": lambda name, at: " + ".join(f"{name}[{k}] * {name}[{k}]" for k in range(at, at + 4)),
+    } | _curved(chain)
+
+
+def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Routines, place: Place) -> dict:
+    """A measurement, as the templates print it."""
+    n, made = row.size(chain), {"pieces": [], "kept": 1, "operations": 0}
+    if found:
+        own = {"rest": entries("work->rest"), "rows": entries("work->H"), "by_vdot": entries("work->by_vdot")}
+        own |= {"measured": entries("measured"), "vdot": entries("work->derivatives.vdot")}
+        own |= {number.keyword: entries(f"e->{number.name}") for number in row.numbers}
+        placed = piece_place(chain, "work->kept", own, place)
+        writer = lambda piece: Writer(piece, placed, singular, {*POINTERS, KEPT}, apart=True)  # noqa: E731
+        made = bodies(writer, routines.calling(found.program), POINTERS)
+    return made | {
+        **{name: getattr(row, name) for name in ("name", "about", "unit", "group", "readings", "count", "gated")},
+        "n": n,
+        "size": f"$$_LENGTH($$_{row.count})" if row.count else max(n, 1),
+        "n_flags": n // row.group,
+        "n_values": row.n_values(chain),
+        "variance": row.unit + "^2" if row.unit.isalpha() else f"({row.unit})^2",
+        "labels": row.labels(chain),
+        "spans": found.spans if found else [],
+        "accelerates": found is not None and "by_vdot" in found.program.outputs,
+        "not_zero": [number.name for number in row.numbers if number.zero],
+        "gate": f"e->{row.name}_gate > 0 ? e->{row.name}_gate : e->gate" if row.gated else "e->gate",
     }
 
 
-class Said(NamedTuple):
-    """The comments in C on the variance and on the value of a measurement."""
-
-    variance: str
-    value: str
-
-
-SAID = {
-    "base_position": Said("m^2", "m: q[0] to q[2]"),
-    "base_attitude": Said(
-        "rad^2: of turns about axes of the base",
-        "quaternion as q[3] to q[6], of either sign; scaled to length one",
-    ),
-    "base_rate": Said("rad^2/s^2", "rad/s: v[0] to v[2], a gyroscope's in axes of the base"),
-    "joint_attitude": Said(
-        "rad^2: of turns about axes of the joint's link",
-        "quaternions as in q, of either sign; scaled to length one",
-    ),
-    "joint_rate": Said("rad^2/s^2", "rad/s: as in v, relative to the carrier, in axes of the joint's link"),
-}
+def _number(number: SensorNumber, chain: Chain, baked: bool) -> dict:
+    """Numbers of a sensor, and the lines that set what they start at."""
+    size, to = number.size(chain), entries(f"e->{number.name}")
+    lines = _derived(number, chain, baked) if callable(number.start) else []
+    if number.start and not callable(number.start):
+        lines = [f"{to(k)} = {literal(number.start)};" for k in range(size)]
+    return {"name": number.name, "about": number.about, "size": size, "lines": lines, "derived": callable(number.start)}
 
 
-def _pose(one: PoseSensor) -> dict[str, object]:
-    part = one.part
-    places = {"q": part.q.start, "v": part.v.start, "turn": plus(part.q.start + (part.joint.turn_at or 0))}
-    return {"word": one.word, "number": one.number, "position": one.position} | places
+def _derived(number: SensorNumber, chain: Chain, baked: bool) -> list[str]:
+    """The lines that set numbers as they follow from the robot's parameters."""
+    assert callable(number.start)
+    own, tracer = parameters(chain.robot), Tracer()
+    p: list[Any] = [x.value for x in own] if baked else tracer.input("p", len(own))
+    program = tracer.program(number.name, {"p": len(own)}, {"out": list(number.start(chain, p))})
+    places = {"p": lambda k: f"p->{structs.place(own[k])}", "out": entries(f"e->{number.name}")}
+    return trimmed(Writer(program, lambda name, k: places[name](k)).lines())
+
+
+def _curved(chain: Chain) -> dict[str, object]:
+    """How changes of joints whose coordinates do not add up are carried over a step."""
+    widest = max((part.joint.nv for part in chain.curved), default=0)
+    balls = [part for part in chain.curved if not part.joint.in_space]
+    posed = (
+        "the base's pose" if not balls else "ball joints" if len(balls) == len(chain.curved) else "base and ball joints"
+    )
+    return {
+        "posed": posed,
+        "Posed": posed[0].upper() + posed[1:],
+        "widest": widest,
+        "carries": [_carry(joint, widest) for joint in dict.fromkeys(part.joint for part in chain.curved)],
+    }
 
 
 def _carry(joint: JointKind, widest: int) -> dict[str, object]:
@@ -110,28 +126,3 @@ def _carry(joint: JointKind, widest: int) -> dict[str, object]:
     lines = with_unused(("u",), trimmed(Writer(program, own, None, {"u", "E"}).lines()))
     said = f"A {joint.name} joint: E of the change u that its rates make in half a step."
     return {"stem": stem(joint), "nv": n, "said": said, "lines": lines}
-
-
-def _by_columns(slope: str) -> Callable[[int], str]:
-    """The C expressions of the entries of a matrix with three rows, numbered column by column."""
-    return lambda k: f"work->{slope}[{k % 3}][{k // 3}]"
-
-
-def _gauge(chain: Chain, gauge: Gauge) -> dict:
-    link = chain.robot.links[gauge.link]
-    assert link.length is not None, "a link that bends has a length"
-    return {
-        "link": gauge.link,
-        "first": gauge.first,
-        "count": len(gauge.curvatures),
-        "length": literal(link.length),
-        "text": f"{link.name}, bending in {gauge.direction[-1]}",
-    }
-
-
-def _curvatures(chain: Chain) -> list[str]:
-    """The second derivative of every mode shape at s = 0; zero for all but bending, which is what is measured."""
-    out = [0.0] * max(chain.n_modes, 1)
-    for gauge in gauges(chain):
-        out[gauge.first : gauge.first + len(gauge.curvatures)] = gauge.curvatures
-    return [literal(x) for x in out]

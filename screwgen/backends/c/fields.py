@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from ...algorithms.axis_terms import MEANINGS
 from ...algorithms.columns import link_columns, robot_columns, width
+from ...algorithms.fused import OF_FORCES
 from ...algorithms.scope import AT_TIP, derived, own_label
 from ...algorithms.signals import AXES, INPUTS, NODE, ROBOT, STORE, Signal, is_node, plain
 from ...elements import STOP
@@ -108,6 +109,8 @@ def fused_place(name: str, k: int) -> str:
     link, _, what = name.partition(":")
     if what:
         return f"c->links[{link}].{what[2:]}"
+    if name.startswith(OF_FORCES):
+        return f"c->{name}"
     struct = next((struct for struct, own in ROBOT.items() if name in own and name != "m_eta"), "")
     if not struct:
         return f"{name}[{k}]"
@@ -299,7 +302,6 @@ def scratch(
         "NAXES": c.n_joints,
         "NMODES": c.n_modes,
         "NGIVEN": c.n_given,
-        "NFORCES": c.n_force_numbers,
     }
     sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner, "NRATES": c.v_offset[-1], "NREDUNDANT": c.n_redundant}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731

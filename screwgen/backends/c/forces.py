@@ -23,6 +23,8 @@ class Group(NamedTuple):
     name: str
     members: list[tuple[str, str]]
     """Declarator and comment."""
+    values: list[str]
+    """Of the members, as an initialiser has them."""
 
 
 def files(chain: Chain) -> tuple[str, ...]:
@@ -47,7 +49,6 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
         "forces": made
         | {
             "count": len(numbers),
-            "numbers": [literal(p.value) for p in numbers],
             "places": [place(p) for p in numbers],
             "refused": [_refused(p) for p in numbers if p.sign != "any"],
             "quantities": [f"{name} ({ascii_unit(x.unit)})" for name, x in chain.force_quantities.items()],
@@ -70,14 +71,18 @@ def _refused(p: Parameter) -> str:
     return f"!(p->{place(p)} {'>' if p.sign == 'positive' else '>='} 0)"
 
 
-def _groups(chain: Chain, numbers: list[Parameter]) -> list[Group]:
+def _groups(chain: Chain, stated: list[Parameter]) -> list[Group]:
     out = []
     for force in chain.robot.forces:
-        own = [p for p in numbers if p.name.startswith(f"{force.name}.")]
-        members: dict[str, tuple[str, str]] = {}
-        for p in own:
-            name, size = p.field.rpartition(".")[2], [x.index[0] for x in own if x.field == p.field and x.index]
-            about = p.description.rpartition(",")[0] if size else p.description
-            members[name] = (f"{name}[{len(size)}]" if size else name, f"{ascii_unit(p.unit)}: {about}")
-        out.append(Group(force.name, list(members.values())))
+        own = [p for p in stated if p.name.startswith(f"{force.name}.")]
+        members, values = [], []
+        for field in dict.fromkeys(p.field for p in own):
+            entries = [p for p in own if p.field == field]
+            name, first, numbers = field.rpartition(".")[2], entries[0], [literal(p.value) for p in entries]
+            units = ", ".join(dict.fromkeys(ascii_unit(p.unit) for p in entries))
+            about, _, _ = first.description.rpartition(", ") if first.index else (first.description, "", "")
+            of = f" [{', '.join(p.description.rpartition(', ')[2] for p in entries)}]" if first.index else ""
+            members.append((f"{name}[{len(entries)}]" if first.index else name, f"{units}: {about}{of}"))
+            values.append(f"{{ {', '.join(numbers)} }}" if first.index else numbers[0])
+        out.append(Group(force.name, members, values))
     return out

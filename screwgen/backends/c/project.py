@@ -8,6 +8,8 @@ from functools import cached_property
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import state_size, unknown_size
+from ...algorithms.measurement import Measurement
+from ...algorithms.measurement_names import chosen
 from ...algorithms.robot_functions import OUTPUTS, SENSORS, in_file
 from ...algorithms.schedule import Algorithm, constant_labels, seen_by
 from ...bodies.validity import BOUNDS
@@ -76,13 +78,14 @@ class CProject:
         layout: str = "auto",
         batch: bool = False,
         derivatives: bool = False,
-        estimator: bool = False,
+        estimator: bool | Sequence[str | Measurement] = False,
         methods: Sequence[Method] = (),
         outputs: bool | Collection[str] = False,
         by_p: str | Sequence[str] = (),
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
-        self.with_derivatives, self.with_estimator = derivatives or estimator, estimator
+        self.with_estimator, self.measurements = estimator is not False, chosen(chain, estimator)
+        self.with_derivatives = derivatives or self.with_estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
         self.name, self.methods, self.chosen = chain.robot.name, with_built_in(methods), chain.parameters.chosen(by_p)
         self.baked = fused.baked(chain) if binding == "baked" else None
@@ -125,15 +128,14 @@ class CProject:
     @cached_property
     def context(self) -> dict:
         """The templates' context."""
-        chain, robot = self.chain, self.chain.robot
+        chain, robot, baked = self.chain, self.chain.robot, self.baked is not None
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
-            "estimator": self.with_estimator and estimator.content(self.chain, bool(self.baked), fused_place),
-            "derivatives": self.with_derivatives
-            and derivatives.content(self.chain, bool(self.baked), fused_place, self.methods),
+            "estimator": self.with_estimator and estimator.content(chain, self.measurements, baked, fused_place),
+            "derivatives": self.with_derivatives and derivatives.content(chain, baked, fused_place, self.methods),
             "sources": [file for file in self.library if file.endswith(".c")],
             "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,
@@ -176,7 +178,7 @@ class CProject:
             "defaults": defaults(robot),
             "places": [place(p) for p in parameters(robot)],
             **(preparation.content(self.seen, self.labels) if self.baked is None else preparation.NONE),
-            "baked": self.baked_tables,
+            "baked": preparation.tables(chain, self.baked),
             **topology(chain),
             "q_offset": chain.q_offset[:-1],
             **curved.content(chain),
@@ -197,9 +199,9 @@ class CProject:
             **self._closing,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
-            "levers": levers.content(chain, self.baked is not None, fused_place),
+            "levers": levers.content(chain, baked, fused_place),
             "batch": self._batch if self.with_batch else None,
-            "by_p": by_parameters(chain, self.chosen, self.baked is not None, fused_place, self.methods),
+            "by_p": by_parameters(chain, self.chosen, baked, fused_place, self.methods),
         }
 
     @cached_property
@@ -238,7 +240,8 @@ class CProject:
         asked = {name: f"wanted & $$_{part}" for name, part in ASKED.items()}
         within = {asked[name]: asked[outer] for name, outer in WITHIN.items()}
         lines = Writer(self.fused, fused_place, self._fused_guard, taken, True, asked, within).lines()
-        used = {name.partition(":")[2][:1] == "c" or name == "gravity" for name in self.fused.inputs}
+        own = ("gravity", fused.OF_FORCES)
+        used = {name.partition(":")[2][:1] == "c" or name.startswith(own) for name in self.fused.inputs}
         ignored = [] if True in used else ["(void)c;"]
         return ignored + with_unused(("state", "input", "work", "m_eta"), lines)
 
@@ -290,7 +293,9 @@ class CProject:
     def _run(self) -> tuple[Algorithm, ...]:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *told, *differentiated(self.chain, self.chosen), *self.further
+        measured = (a for row in self.measurements for a in row.algorithms)
+        more = (*told, *measured, *differentiated(self.chain, self.chosen), *self.further)
+        return *(run.algorithm for run in RUNS.values()), *more
 
     @property
     def seen(self) -> Chain:
@@ -311,14 +316,6 @@ class CProject:
         for segment, key, labels in zip(self.chain.segments, self.seen.keys, self.labels, strict=True):
             names[segment.link] |= {n[2:] for n in fused.preparation(key, labels).inputs}
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
-
-    @property
-    def baked_tables(self) -> dict | None:
-        if self.baked is None:
-            return None
-        gravity = [literal(p.value) for p in parameters(self.chain.robot)[:3]]
-        found = fused.columns(self.chain, self.baked).items()
-        return {"gravity": gravity} | {name: [literal(x) for x in values] or ["0"] for name, values in found}
 
     @property
     def bytes(self) -> dict[str, int]:

@@ -40,22 +40,24 @@ def root(P: np.ndarray, real: type = np.float64) -> np.ndarray:
 
 def corrected(
     S: np.ndarray, H: np.ndarray, innovations: np.ndarray, variances: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray, float]:
     """The correction (n,) of the mean by measurements, and the root after it, of the root ``S`` before it.
 
-    Carlson's update by one row of ``H`` after the other, which subtracts no variance from another.
+    Carlson's update by one row of ``H`` after the other, which subtracts no variance from another. The third result is
+    the normalised innovation squared of all rows: the sum of squares of what each adds to those before it.
     """
-    dx = np.zeros(len(S))
+    dx, squared = np.zeros(len(S)), 0.0
     for row, rest, R in zip(H, innovations, variances, strict=True):
         f = S.T @ row
         total = R + np.cumsum(f[::-1] ** 2)[::-1]
         shrink = np.sqrt(np.append(total[1:], R)[: len(f)] / total)
         sums = np.cumsum((S * f)[:, ::-1], axis=1)[:, ::-1]
+        squared += float((rest - row @ dx) ** 2 / (total[0] if len(f) else R))
         if len(f):
             dx = dx + sums[:, 0] / total[0] * (rest - row @ dx)
         later = np.hstack([sums[:, 1:], np.zeros((len(S), min(len(f), 1)))])
         S = shrink * S - f / (shrink * total) * later
-    return dx, S
+    return dx, S, squared
 
 
 def deviations(S: np.ndarray, H: np.ndarray, variances: np.ndarray) -> np.ndarray:

@@ -1,0 +1,123 @@
+"""How a caller chooses the measurements of a filter: by name, at a marker, with what a sensor has of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, TypeVar
+
+from ..arguments import choice
+from ..errors import UsageError
+from ..topology.chain import Chain
+from ..topology.markers import PlacedMarker
+from .gauges import gauges
+from .measurement import Attitude, Measurement
+from .measurements import AT_MARKERS, FURTHER, ROWS, strain_row
+from .robot_functions import BY_NAME, entries
+from .signals import Signal
+
+_Row = TypeVar("_Row", bound=Measurement)
+
+
+def function_row(name: str) -> Measurement:
+    """The measurement of a function of the robot that has one result and needs no dynamics."""
+    row = BY_NAME[name]
+    (signal,) = row.results.values()
+    return Measurement(
+        name,
+        row.inputs,
+        lambda f, **given: next(iter(row.program.body(f, **given).values())),
+        lambda chain: [str(k) for k in range(entries(row, chain))],
+        unit=signal.unit,
+        about=signal.meaning,
+        offered=row.offered,
+        algorithms=row.algorithms,
+    )
+
+
+def measurable() -> list[str]:
+    """The functions of the robot that are measurements, too."""
+    named = {row.name for row in (*ROWS, *AT_MARKERS, *FURTHER)}
+    plain = (
+        row for row in BY_NAME.values() if row.c_file and len(row.results) == 1 and {"q", "v", "tau"} >= {*row.names}
+    )
+    return [row.name for row in plain if row.name not in named and _is_list(*row.results.values())]
+
+
+def _is_list(signal: Signal) -> bool:
+    """Whether a result has an entry for each of something but markers."""
+    return len(signal.shape) == 1 and signal.shape[0] != "NMARKERS"
+
+
+def measurement(chain: Chain, said: str) -> Measurement:
+    """The row that is called so: ``encoder``, ``gyro@boom.tip``, ``tendon_length calibrated``.
+
+    Behind a name stand the marker, and whether the sensor has a scale and an offset, and a gate of its own (``gated``).
+    Raises UsageError for what is none.
+    """
+    if not said.strip():
+        raise UsageError("a measurement has no name; name one, such as 'encoder'")
+    (name, at, place), *options = said.split()[0].partition("@"), *said.split()[1:]
+    row = _at_marker(chain, name, place) if at else _of_robot(chain, name)
+    for option in options:
+        choice(option, ("calibrated", "gated"), f"{said}: there is no option")
+    row = replace(row, gated="gated" in options)
+    return row.calibrated if "calibrated" in options else row
+
+
+def _at_marker(chain: Chain, name: str, place: str) -> Measurement:
+    makers: Mapping[str, Callable[[Chain, PlacedMarker], Measurement]]
+    makers = {"strain": _strain_at, **{row.name: partial(_at, row) for row in AT_MARKERS}}
+    by_name = {marker.name: marker for marker in chain.markers}
+    marker = by_name[choice(place, by_name, f"{name}@{place}: there is no marker")]
+    return makers[choice(name, makers, "at markers there is no measurement")](chain, marker)
+
+
+def _of_robot(chain: Chain, name: str) -> Measurement:
+    rows = {row.name: row for row in (*ROWS, *AT_MARKERS, *FURTHER)}
+    name = choice(name, [*rows, *measurable()], "there is no measurement")
+    row = rows[name] if name in rows else function_row(name)
+    if not row.offered(chain):
+        raise UsageError(f"{name}: robot '{chain.robot.name}' has {row.missing or 'no such thing'}; leave it out")
+    return row
+
+
+def chosen(chain: Chain, asked: bool | Sequence[str | Measurement] = True) -> tuple[Measurement, ...]:
+    """The rows of a filter: those that are asked for, by name or as they are, or all of ``ROWS`` that the robot has."""
+    if isinstance(asked, bool):
+        return tuple(row for row in ROWS if asked and row.offered(chain))
+    rows = tuple(measurement(chain, one) if isinstance(one, str) else one for one in asked)
+    for k, row in enumerate(rows):
+        if row.name in {other.name for other in rows[:k]}:
+            raise UsageError(f"measurements: '{row.name}' is there twice; leave one of them out")
+    return rows
+
+
+# ------------------------------------------------------------------------------ at a marker
+
+
+def _strain_at(chain: Chain, marker: PlacedMarker) -> Measurement:
+    place = [(marker.segment, marker.at)]
+    if marker.is_tip or not gauges(chain, place):
+        raise UsageError(f"strain@{marker.name}: nothing bends there; choose a marker along a link that bends")
+    return strain_row(_at_name("strain", marker), lambda chain: gauges(chain, place), f"at {marker.name}")
+
+
+def _at(row: _Row, chain: Chain, marker: PlacedMarker) -> _Row:
+    """The row at one marker alone."""
+    number, count = chain.markers.index(marker), len(chain.markers)
+
+    def own(value: Callable[..., Sequence[Any]], *given: Any, **more: Any) -> Sequence[Any]:
+        found = value(*given, **more)
+        size = len(found) // count
+        return found[number * size : (number + 1) * size]
+
+    more: dict[str, Any] = {"turning": partial(own, row.turning)} if isinstance(row, Attitude) else {}
+    return replace(
+        row, name=_at_name(row.name, marker), value=partial(own, row.value), labels=partial(own, row.labels), **more
+    )
+
+
+def _at_name(name: str, marker: PlacedMarker) -> str:
+    return f"{name}_{marker.name.replace('.', '_')}"

@@ -1,0 +1,100 @@
+"""The check of filters: all that can be measured of a robot, in Python and in C."""
+
+from __future__ import annotations
+
+import numpy as np
+from helpers import QUICK, relative
+from scipy.spatial.transform import Rotation
+
+from conformance.cases import Case
+from conformance.numbers import near
+from screwgen.algorithms.gauges import gauges
+from screwgen.algorithms.measurement import Measurement
+from screwgen.algorithms.measurement_names import chosen, measurable
+from screwgen.algorithms.measurements import AT_MARKERS
+from screwgen.algorithms.robot_functions import BY_NAME
+from screwgen.backends.numpy.dae_step import SERIES
+from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.runtime.measurements import known
+from screwgen.simulation.estimator import Estimator
+
+PERIOD = 2e-3
+
+
+def everything(case: Case) -> list[str]:
+    """What a filter may be told; at the last marker one sensor, of each robot another, for brevity."""
+    chain, at_marker = case.model.chain, AT_MARKERS[case.seed % len(AT_MARKERS)]
+    names = [row.name for row in chosen(chain)] + [x for x in measurable() if BY_NAME[x].offered(chain)]
+    along = [m.name for m in chain.markers if not m.is_tip and gauges(chain, [(m.segment, m.at)])]
+    return [*names, f"{at_marker.name}@{chain.markers[-1].name}", *(f"strain@{m}" for m in along)]
+
+
+def noise_of(case: Case, rows) -> tuple[Noise, np.ndarray]:
+    """The noise of a filter's sensors, and the deviation at its start."""
+    rigid = np.arange(case.model.nv) < case.model.chain.eta_v
+    sensors = dict.fromkeys(known(rows), 0.02) | {"encoder": 1e-3, "strain": 1e-5}
+    return Noise(np.where(rigid, 0.02, 1e-4), 1e-10, sensors=sensors), np.where(rigid, 1e-2, 1e-4)
+
+
+def expected(case: Case, row: Measurement, e: Estimator) -> np.ndarray:
+    """What a sensor says of the estimate: attitudes by other means, the rest by what is left of zeros."""
+    (q, _), chain, f = e.state, case.model.chain, case.model.numpy()
+    if row.group == 1:
+        return -e.compared(row, np.zeros(row.n_values(chain)), *case.given[2:]).rest
+    if row.name.startswith("marker"):
+        return Rotation.from_matrix(f.marker_pose(q)[0][-1]).as_quat(scalar_first=True)
+    own = [part for part in chain.curved if part.joint.in_space == row.name.startswith("base")]
+    return np.concatenate([q[part.q.start + part.joint.turn_at :][:4] for part in own])
+
+
+def estimator(case: Case) -> None:
+    """The filter in Python is that in C, whatever it is told; both carry the inputs, all of them, as the model does."""
+    model, (q, v, tau, w_ext), names = case.model, case.given, everything(case)
+    filters = CompiledEstimator(model, flags=QUICK, measurements=names), Estimator(model, measurements=names)
+    noise, deviation = noise_of(case, filters[1].measurements)
+    for e in filters:
+        e.start(q, v, deviation, 10 * deviation, noise)
+    started = filters[1].state
+    for e in filters:
+        e.predict(tau, w_ext, PERIOD)
+    (a, b), (c, d) = filters[0].state, filters[1].state
+    near(np.concatenate([a, b]), np.concatenate([c, d]), case.agreement, "a prediction")
+    after = case.c().step(*started, tau, w_ext, PERIOD, "modal_midpoint")
+    if not model.chain.closing.rows:
+        near(np.concatenate([c, d]), np.concatenate(after), case.agreement, "the prediction beside a step")
+    alike(filters)
+    rng, said = np.random.default_rng(0), {row.name: expected(case, row, filters[1]) for row in filters[1].measurements}
+    for name, values in measured_by_functions(case, filters[1]).items():
+        if name in said:
+            near(said[name], values, case.agreement, f"{name} beside the function of the robot")
+    for e in filters:
+        e.put(*filters[1].state, filters[1].covariance)
+    for name, values in said.items():
+        told = values * (1 + 1e-4 * rng.uniform(size=values.size))
+        for e in filters:
+            e.update(tau, w_ext, **{name: told})
+        one, other = (e.innovations[name] for e in filters)
+        assert relative(one.value, other.value) < 1e-6 and relative(one.normalised, other.normalised) < 1e-6, name
+        alike(filters)
+
+
+def measured_by_functions(case: Case, e: Estimator) -> dict[str, np.ndarray]:
+    """What functions of the robot say of the estimate at the last marker."""
+    (q, v), (tau, w_ext), f = e.state, case.given[2:], case.model.numpy()
+    found = {
+        "gyro": f.gyro(q, v),
+        "accelerometer": f.accelerometer(q, v, tau, w_ext),
+        "marker_position": f.marker_pose(q)[1],
+        "marker_velocity": f.marker_velocity(q, v),
+    }
+    ending = case.model.chain.markers[-1].name.replace(".", "_")
+    return {f"{name}_{ending}": values[-1] for name, values in found.items()}
+
+
+def alike(filters) -> None:
+    """Mean and covariance, in standard deviations."""
+    (P, other), chain = (e.covariance for e in filters), filters[0].model.chain
+    (x, _), (y, _) = (e.state for e in filters)
+    sd = np.sqrt(np.diag(other))
+    assert np.max(np.abs(chain.difference(x, y, SERIES)) / sd[: chain.nv]) < 1e-6
+    assert np.max(np.abs(P - other) / np.outer(sd, sd)) < 1e-6

@@ -165,7 +165,7 @@ FUNCTIONS = (
         "q v tau",
         {"power": Signal(("NTAU",), "W", "-", "power that each drive gives to the arm")},
         programs.drive_power,
-        (POWER,),
+        (POWER, INVERSE),
         "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
         c_file=OUTPUTS,
     ),

@@ -163,8 +163,8 @@ class Numeric:
         values = dict(zip(row.names, self.rows(**{x: arguments.pop(x, None) for x in row.names}), strict=True))
         if arguments or len(given) > len(row.names):
             raise TypeError(f"the arguments of {row.name} are ({', '.join(row.names)})")
-        acted = (*self._closing, *self._exerting) if "tau" in values else ()
-        found = row.program.body(self._functions(*row.algorithms, *acted), **values)
+        closing = self._closing if "tau" in values else ()
+        found = row.program.body(self._functions(*row.algorithms, *closing), **values)
         return results(row, self.chain, np.array([x for name in row.results for x in found[name]], float))
 
     def strain_slopes(self) -> np.ndarray:

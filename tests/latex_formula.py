@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import reduce
 
 import numpy as np
 
@@ -19,6 +20,7 @@ SYMBOL = re.compile(
     rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^[*APc])?(?:_{SCRIPT})?"
 )
 NUMBER = re.compile(r"(?:(\d+(?:\.\d+)?)\\times )?10\^\{(-?\d+)\}|\d+(?:\.\d+)?")
+POWER = re.compile(r"\^(?:\{(\d+)\}|(\d))")
 SKIP = re.compile(r"(?:\\,|\\;|\\ |\\quad|~|\s)+")
 ENDS = ("+", "-", r"\right", r"\end", ")", "]", "}", "&", r"\\", ",", ";", "=")
 AXES = {rf"\mathbf{{e}}_{x}": np.eye(3)[:, [k]] for k, x in enumerate("xyz")}
@@ -104,6 +106,9 @@ class Reader:
             if self.take(r"\times"):
                 value = skew(value) @ self.factor()
                 continue
+            if self.take("/"):
+                value = value / self.factor()
+                continue
             self.skip()
             if not self.text or self.text.startswith(ENDS):
                 return value
@@ -114,10 +119,9 @@ class Reader:
         while self.text.startswith("^"):
             if self.take(r"^{\top}"):
                 value = value if isinstance(value, Zero) else value.T
-            elif self.take("^{2}", "^2"):
-                value = times(value, value)
-            elif self.take("^{3}", "^3"):
-                value = times(times(value, value), value)
+            elif power := POWER.match(self.text):
+                self.text = self.text[power.end() :]
+                value = reduce(times, [value] * int(power[1] or power[2]))
             elif self.take("^{-1}"):
                 value = np.linalg.inv(value)
             elif self.take(r"^{-\top}"):

@@ -76,6 +76,14 @@ def test_one_rigid_link_has_steps():
     assert float(v) == pytest.approx(0.2 + 1e-4 * vdot, abs=1e-7) and float(q) == pytest.approx(0.1 + 2e-5, abs=1e-6)
 
 
+def test_scaling_has_a_size_for_each_coordinate_of_an_arm_without_modes():
+    """Where the one coordinate with a force of its own is that of a joint with stops."""
+    stops = {"limits": [{"lower": -0.1, "upper": 0.15, "stiffness": 90.0, "damping": 3.0}]}
+    model = model_of(arm(link(joint=stops)))
+    sizes = model.casadi()["scaling"](model.parameter_values)
+    assert [x.full().ravel().tolist() for x in sizes] == [[1.0], [1.0], [pytest.approx(1 / 3)]]
+
+
 def test_scaling_makes_energies_alike():
     """A mode at its size holds the energy E, a joint or mode at its rate has it; torques do 2 E over a radian."""
     model = example("ella")

@@ -41,7 +41,8 @@ def test_lengths_and_pulls_are_those_of_the_geometry(backend, rest):
 
 def test_runs_files_and_pages_have_them_by_name(tmp_path):
     model = sprung_model()
-    run = screwgen.simulate(model, 0.02, 1e-3, q0=state(model)[0])
+    run = screwgen.simulate(model, 0.02, 1e-3, q0=state(model)[0], store=tmp_path / "kept.csv")
+    assert (tmp_path / "kept.csv").read_text().partition("\n")[0] == ",".join(run.columns)
     assert run.names_of("force_quantities") == NAMES
     found = run.force_quantities
     assert relative(found[-1], lines(model, run.q[-1], run.v[-1])) < 1e-12

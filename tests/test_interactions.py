@@ -18,7 +18,8 @@ LAWS = {
     "bushing": KINDS["bushing"](stiffness=(300.0, 500.0, 200.0, 7.0, 9.0, 4.0)),
     "plane": KINDS["contact"](radius=1.1, stiffness=400.0, width=0.02, normal=(0.3, -1.0, 0.8)),
     "edge of a plane": KINDS["contact"](radius=0.6, stiffness=400.0, width=0.8, normal=(0.3, -1.0, 0.8)),
-    "spheres": KINDS["contact"](radius=1.1, stiffness=400.0, width=0.02),
+    "sphere and point": KINDS["contact"](radius=1.1, stiffness=400.0, width=0.02),
+    "spheres": KINDS["contact"](radius=0.5, stiffness=400.0, width=0.02, other=0.6),
 }
 DAMPED = {
     "damper": KINDS["line"](stiffness=300.0, rest=0.4, damping=8.0),
@@ -92,6 +93,17 @@ def test_slopes_are_those_of_differences(name):
         np.testing.assert_allclose(found["by_pose"][:, k], (there[0] - there[1]) / (2 * h), atol=1e-7 * scale)
         faster = [at(x | {n: x[n] + s * h * pair[n] for n in pair}) for s in (1, -1)]
         np.testing.assert_allclose(found["by_twist"][:, k], (faster[0] - faster[1]) / (2 * h), atol=1e-7 * scale)
+
+
+def test_two_spheres_rub_where_they_touch():
+    """That is 0.5 m from the first centre and 0.55 from the second: surfaces that move alike there do not rub."""
+    law = KINDS["contact"](radius=0.5, stiffness=400.0, width=0.01, other=0.6, friction=0.7, velocity=1e-3)
+    at = {"R": np.eye(3), "d": np.array([1.05, 0.0, 0.0]), "V_B": np.array([0.0, 0.0, -0.5, 0.0, 0.0, 0.0])}
+    for rate, slip in ((0.55, 0.0), (0.6, 0.025)):
+        V_A = np.array([0.0, 0.0, rate, 0.0, 0.0, 0.0])
+        second = run(wrenches(law.shape), **at, V_A=V_A, numbers=numbers(law))["second"]
+        assert second[3] == pytest.approx(400.0 * 0.05)
+        assert second[4] == pytest.approx(0.7 * second[3] * slip / np.hypot(slip, 1e-3), abs=1e-9)
 
 
 def block(force: dict, gravity=(0.0, 0.0, -9.81)) -> dict:

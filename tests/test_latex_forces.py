@@ -20,8 +20,9 @@ from screwgen import Robot, UsageError
 from screwgen.backends.equations.make import equations
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex import forces
-from screwgen.backends.latex.content import DocumentTable, parse
+from screwgen.backends.latex.content import Display, DocumentTable, parse
 from screwgen.backends.latex.document import chain_of
+from screwgen.backends.latex.layout import PAGE, width
 from screwgen.backends.latex.parameter_symbols import with_symbols
 from screwgen.backends.latex.robot_tables import besides
 from screwgen.backends.latex.sketch import figure
@@ -45,8 +46,9 @@ class Rubber(Interaction):
         far = t.named("distance", t.call("sqrt", x.d[0] * x.d[0] + x.d[1] * x.d[1] + x.d[2] * x.d[2] + 0.0625))
         turn = [x.R[2][1] - x.R[1][2], x.R[0][2] - x.R[2][0], x.R[1][0] - x.R[0][1]]
         stiff = t.named("stiffness_there", keys["shifting"] * (1.0 + 3e-7 * far + t.call("on", far - 0.5)))
+        tilt = sum(x.d[a] * x.R[a][b] * w[b] for a in range(3) for b in range(3) for w in (x.d, x.v))
         spins = zip(keys["turning"], turn, x.omega, strict=True)
-        torque = [-0.5 * (k * (t.call("sin", a) + 0.1 * w)) for k, a, w in spins]
+        torque = [-0.5 * (k * (t.call("sin", a) + 0.1 * w)) * (1.0 + tilt * tilt) for k, a, w in spins]
         return Wrench(torque, [-(stiff * a + keys["damping"] * b) for a, b in zip(x.d, x.v, strict=True)])
 
     @staticmethod
@@ -64,6 +66,7 @@ LAWS: dict[str, list[dict]] = {
     "contact": [
         PLANE,
         {"radius": 1.6, "stiffness": 400.0, "width": 0.8},
+        {"radius": 1.0, "other": 0.6, "stiffness": 400.0, "width": 0.8, "friction": 0.4},
         PLANE | {"damping": 0.3, "friction": 0.7},
         PLANE | {"normal": (0.0, 0.0, 1.0), "friction": 0.7, "velocity": 0.2},
     ],
@@ -130,9 +133,13 @@ def test_a_rope_that_hangs_slack_does_nothing_in_its_document():
     assert acting(model, state(model)).energy == pytest.approx(potential(stated, state(model)), rel=1e-12)
 
 
-def test_a_law_without_latex_names_its_values():
+def test_a_law_without_latex_names_its_values_and_what_is_wider_than_a_page():
     lines = forces.lines(chain_of(Robot.model_validate(with_laws("rubber"))))
-    assert r"x_{2} & = k_s\,\left(1 + 3\times 10^{-7}\,x_{1} + \mathrm{H} (x_{1} - 0.5)\right)" in lines
+    assert r"x_{2} &= k_s\,\left(1 + 3\times 10^{-7}\,x_{1} + \mathrm{H} (x_{1} - 0.5)\right)" in lines
+    assert r"\cdots" not in lines
+    assert all(
+        width(" ".join(row)) <= PAGE for item in parse(lines) if isinstance(item, Display) for row in item.formula
+    )
     names = {symbol[1] for symbol in forces.symbols(chain_of(Robot.model_validate(with_laws("rubber"))))}
     assert {"distance, a value of the program", "stiffness there, a value of the program"} <= names
 

@@ -246,8 +246,8 @@ def test_friction_and_limits_are_those_of_the_joint(file):
     found = import_urdf(file(text))
     stated = found.robot.links[0].joint
     assert stated.damping == (0.3,) and stated.drives[0].friction.coulomb == 0.7
-    assert stated.limits[0].bounds == (-1.0, 1.0)
-    assert any("tau_max" in note and "[5, 5]" in note for note in found.notes)
+    assert stated.limits[0].bounds == (-1.0, 1.0) and stated.limits[0].effort == 5.0
+    assert any("velocity" in note and "[2, 2]" in note for note in found.notes)
 
 
 def test_names_become_c_identifiers(file):
@@ -325,7 +325,7 @@ def test_the_command_writes_a_readable_file_and_says_what_it_has(file, tmp_path,
     text = out.read_text()
     assert text.startswith("# From bot.urdf and side.toml, by screwgen ")
     assert '# shoulder: revolute, base -> upper\n[[links]]\nname = "upper"\n' in text
-    assert tomllib.loads(text)["links"][1]["joint"]["limits"] == {"lower": -1.0, "upper": 1.0}
+    assert tomllib.loads(text)["links"][1]["joint"]["limits"] == {"lower": -1.0, "upper": 1.0, "effort": 5.0}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         assert screwgen.load(out) == screwgen.load(urdf, flexible=side)

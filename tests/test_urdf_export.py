@@ -7,7 +7,7 @@ import pinocchio as pin
 import pytest
 import random_robots as rr
 from conftest import swept
-from helpers import model_of
+from helpers import arm, link, model_of
 from urdf_judge import Pair
 
 from screwgen.cli.main import main
@@ -23,9 +23,9 @@ def rigid_robot(seed: int) -> dict:
     rng = np.random.default_rng([17, seed])
     while True:
         robot, _, _ = rr.draw_regular(rng, 4, sliding=0.3, **RIGID)
-        for link in robot["links"]:
-            link["joint"].pop("stiffness", None)
-        if not any("screw" in axis for link in robot["links"] for axis in link["joint"]["axes"]):
+        for table in robot["links"]:
+            table["joint"].pop("stiffness", None)
+        if not any("screw" in axis for table in robot["links"] for axis in table["joint"]["axes"]):
             return robot
 
 
@@ -114,6 +114,23 @@ def test_viewers_get_shapes_of_the_robots_size():
     assert cylinder.find("origin").get("xyz") == "0.4 0.0 0.0"
     assert cylinder.find("material").get("name") == "flexible"
     assert {link.get("name") for link in root.iter("link")} == {"hull", "boom", "boom_axis_0", "jib"}
+
+
+def test_limits_of_efforts_are_those_at_the_joints(tmp_path):
+    """Of an elastic gear the motor's times the ratio; Pinocchio reads them, and so do we, but for what means none."""
+    gear = {"ratio": 50.0, "rotor_inertia": 1e-4, "stiffness": 900.0}
+    links = [
+        link("hub", 0.3, ("z",), joint={"limits": {"effort": 30.0}}),
+        link("arm", 0.4, ("y",), joint={"limits": {"lower": -1.0, "effort": 0.5}, "drives": gear}),
+        link("rod", 0.4, [{"slide": "x"}], joint={"limits": {"upper": 0.2, "effort": 7.0}}),
+        link("hand", 0.3, ("y",), joint={"limits": {"lower": -1.0, "upper": 1.0}}),
+    ]
+    path = tmp_path / "arm.urdf"
+    path.write_text(export_urdf(model_of(arm(*links)).robot).text)
+    assert pin.buildModelFromUrdf(str(path)).upperEffortLimit.tolist() == [30.0, 25.0, 7.0, 1e6]
+    found = import_urdf(path)
+    assert [one.joint.limits[0].effort for one in found.robot.links] == [30.0, 25.0, 7.0, None]
+    assert any("joint 'hand_joint': effort 1e6 counts as no limit" in note for note in found.notes)
 
 
 def test_a_screw_is_refused_in_one_line(tmp_path, capsys):

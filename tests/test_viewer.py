@@ -235,7 +235,11 @@ def test_springs_and_ropes_are_drawn_from_end_to_end_and_ropes_as_long_as_they_a
             assert aside == pytest.approx(line["wide"], rel=0.01)
         else:
             assert long == pytest.approx(way + max(spare, 0.0), rel=1e-9) and (spare > 0.5) == (rest == 3.0)
-    assert len(actor.faces(seen)) == len(actor.colors)
+    faces = actor.faces(seen)
+    assert len(faces) == len(actor.colors)
+    whole = len(lines.faces(line, *lines.ends(line, r), actor.down, spare)[0])
+    wire = faces[-whole:][: lines.SIDES * (len(found) - 1)].reshape(len(found) - 1, lines.SIDES, 4, 3).mean(axis=1)
+    assert np.linalg.norm(wire[:, 3] - wire[:, 0], axis=1).sum() == pytest.approx(long, rel=1e-6)
 
 
 @pytest.mark.parametrize(("q", "hangs"), [(0.0, False), (1.3, True), (-1.3, False)])

@@ -162,12 +162,17 @@ def drive_power(s: Scope) -> None:
     if not s.key.torques:
         s.write("power", mx.zeros(0))
         return
-    tau, rates = s.read("tau"), s.read("qdot").copy()
-    for k, axis in enumerate(s.key.added_axes):
-        rates[axis] = s.read("thetadot")[k]
-    for axis in s.key.travels:
-        rates[axis] = tm.travel_rate(s, axis, tm.of_axis(s, axis, s.read("q"))[0], s.read("qdot"))
-    s.write("power", tau * rates)
+    rates = mx.array([driven_rate(s, axis) for axis in range(s.key.torques)])
+    s.write("power", s.read("tau") * rates)
+
+
+def driven_rate(s: Scope, axis: int, guarded: bool = True) -> Value:
+    """The rate whose product with the input of an axis is the power of its drive; ``guarded`` as in `travels`."""
+    if axis in s.key.travels:
+        slope, _ = tm.of_axis(s, axis, s.read("q"), guarded)
+        return tm.travel_rate(s, axis, slope, s.read("qdot"))
+    added = axis in s.key.added_axes
+    return s.read("thetadot")[s.key.added_axes.index(axis)] if added else s.read("qdot")[axis]
 
 
 def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:

@@ -17,6 +17,7 @@ from .axis_laws import Place, of_link
 from .axis_terms import rotor_accelerations
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
+from .held import hold
 from .input_functions import InputFunctions
 from .joint_moves import rates
 from .law_programs import forces
@@ -38,6 +39,7 @@ SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers,
 
 LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
 CYLINDERS: Algorithm = (Phase(travels.cylinders, OUTWARD),)
+HOLD: Algorithm = (Phase(hold, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
 ROTORS: Algorithm = (Phase(rotor_accelerations, OUTWARD),)
@@ -219,6 +221,11 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
     def levers(self, q: Sequence) -> list:
         """What the torque of each axis is multiplied by: the travel of its transmission per rad, or 1."""
         return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
+
+    def held(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
+        """What a step that begins here holds of its inputs; those behind torques are held as they are."""
+        links = self._run(HOLD, self._motion(q, v), self.of_links(tau))[0]
+        return [x for link in links for x in link["held"]] + list(tau[self.chain.n_joints :])
 
     def cylinder_lengths(self, q: Sequence) -> list:
         """The lengths of all cylinders."""

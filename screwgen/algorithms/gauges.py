@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ..bodies.markers import STRAIN_UNITS, strains
 from ..ir.program import Value
 from ..spec.markers import BASE
+from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from . import matrices as mx
 from .scope import Scope
@@ -77,3 +78,14 @@ def gauges(chain: Chain, places: Iterable[tuple[int, float]] | None = None) -> l
         for bending in strains(chain.keys[i], at)
         if bending.direction.startswith("bending")
     ]
+
+
+def curvatures(chain: Chain, p: Sequence[Value], found: Sequence[Gauge]) -> list[Value]:
+    """The second derivative of every mode's shape where a gauge measures it, over the square of the link's length."""
+    out: list[Value] = [0.0] * chain.n_modes
+    names = [x.name for x in parameters(chain.robot)]
+    for gauge in found:
+        length = p[names.index(f"{chain.robot.links[gauge.link].name}.length")]
+        for k, curvature in enumerate(gauge.curvatures, gauge.first):
+            out[k] = curvature / (length * length)
+    return out

@@ -79,6 +79,8 @@ class Measurement:
     unit: str
     about: str
     """What is measured, the end of a sentence."""
+    algorithms: tuple[Algorithm, ...] = (PLACES, *MEASURED)
+    """Those that the value runs."""
     offered: Callable[[Chain], bool] = every_robot
     """Which robots have it."""
     missing: str = ""
@@ -86,8 +88,6 @@ class Measurement:
     numbers: tuple[SensorNumber, ...] = ()
     count: str = ""
     """The constant of the C that says how many entries there are, if there is one."""
-    algorithms: tuple[Algorithm, ...] = (PLACES, *MEASURED)
-    """Those that the value runs."""
     gated: bool = False
     """Whether it has a gate of its own."""
 

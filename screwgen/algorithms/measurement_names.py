@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -14,40 +15,10 @@ from ..topology.markers import PlacedMarker
 from .gauges import gauges
 from .measurement import Attitude, Measurement
 from .measurements import AT_MARKERS, FURTHER, ROWS, strain_row
-from .robot_functions import BY_NAME, entries
-from .signals import Signal
 
 _Row = TypeVar("_Row", bound=Measurement)
-
-
-def function_row(name: str) -> Measurement:
-    """The measurement of a function of the robot that has one result and needs no dynamics."""
-    row = BY_NAME[name]
-    (signal,) = row.results.values()
-    return Measurement(
-        name,
-        row.inputs,
-        lambda f, **given: next(iter(row.program.body(f, **given).values())),
-        lambda chain: [str(k) for k in range(entries(row, chain))],
-        unit=signal.unit,
-        about=signal.meaning,
-        offered=row.offered,
-        algorithms=row.algorithms,
-    )
-
-
-def measurable() -> list[str]:
-    """The functions of the robot that are measurements, too."""
-    named = {row.name for row in (*ROWS, *AT_MARKERS, *FURTHER)}
-    plain = (
-        row for row in BY_NAME.values() if row.c_file and len(row.results) == 1 and {"q", "v", "tau"} >= {*row.names}
-    )
-    return [row.name for row in plain if row.name not in named and _is_list(*row.results.values())]
-
-
-def _is_list(signal: Signal) -> bool:
-    """Whether a result has an entry for each of something but markers."""
-    return len(signal.shape) == 1 and signal.shape[0] != "NMARKERS"
+TAKEN = "tau w_ext sensors density_q density_v gate doubt patience state P innovations squared taken refused".split()
+"""Names that arguments and members of filters have."""
 
 
 def measurement(chain: Chain, said: str) -> Measurement:
@@ -76,8 +47,7 @@ def _at_marker(chain: Chain, name: str, place: str) -> Measurement:
 
 def _of_robot(chain: Chain, name: str) -> Measurement:
     rows = {row.name: row for row in (*ROWS, *AT_MARKERS, *FURTHER)}
-    name = choice(name, [*rows, *measurable()], "there is no measurement")
-    row = rows[name] if name in rows else function_row(name)
+    row = rows[choice(name, rows, "there is no measurement")]
     if not row.offered(chain):
         raise UsageError(f"{name}: robot '{chain.robot.name}' has {row.missing or 'no such thing'}; leave it out")
     return row
@@ -88,9 +58,12 @@ def chosen(chain: Chain, asked: bool | Sequence[str | Measurement] = True) -> tu
     if isinstance(asked, bool):
         return tuple(row for row in ROWS if asked and row.offered(chain))
     rows = tuple(measurement(chain, one) if isinstance(one, str) else one for one in asked)
-    for k, row in enumerate(rows):
-        if row.name in {other.name for other in rows[:k]}:
-            raise UsageError(f"measurements: '{row.name}' is there twice; leave one of them out")
+    names = [name for row in rows for name in (row.name, *(number.name for number in row.numbers))]
+    for k, name in enumerate(names):
+        if name in names[:k]:
+            raise UsageError(f"measurements: '{name}' is there twice; leave one of them out")
+        if not re.fullmatch("[a-z][a-z0-9_]*", name, re.IGNORECASE) or name in TAKEN:
+            raise UsageError(f"measurements: '{name}' cannot be a name; take another of letters, digits and '_'")
     return rows
 
 

@@ -10,7 +10,7 @@ from ..ir.program import Node, Program, Tracer, Value
 from ..ir.replay import inline
 from ..spec.parameters import parameters
 from ..topology.chain import Chain
-from .functions import EVERYTHING, Functions
+from .functions import EVERYTHING, HOLD, Functions
 from .fused import fuse, prepared
 from .gauges import strain_names
 from .marker_functions import STRAINED
@@ -31,6 +31,8 @@ REPORTED = tuple(row.name for row in FUNCTIONS if row.c_file == OUTPUTS)
 class Response:
     """The answers of a robot: ``OWN``, what functions report at every sample, with ``sensing`` what sensors measure.
 
+    They are those to the inputs as a step from the point holds them: a unit stands for the robot with its drives.
+
     ``answers``: their names, in the order of a direction's image.
     """
 
@@ -40,7 +42,7 @@ class Response:
         self.reports = (*REPORTED, *(name for name in self.rows if name not in REPORTED))
         self.answers = (*OWN, *self.reports)
         own = tuple(algorithm for row in self.rows.values() for algorithm in row.algorithms)
-        self.algorithms: tuple[Algorithm, ...] = (*EVERYTHING, STRAINED, *own)
+        self.algorithms: tuple[Algorithm, ...] = (*EVERYTHING, HOLD, STRAINED, *own)
 
     @cached_property
     def sizes(self) -> dict[str, int]:
@@ -120,9 +122,10 @@ class Response:
     def _answered(self, f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         """All answers, those of :meth:`observation` last."""
         _fold(f, self.algorithms)
+        x = _held(f, x)
         vdot, wrench = f.forward_dynamics(x["q"], x["v"], x["tau"], x["w_ext"])
         tips = f.poses(x["q"])[1]
-        own = self._observed(f, x)
+        own = self._told(f, x)
         return {
             "qdot": own["qdot"],
             "vdot": vdot,
@@ -133,6 +136,9 @@ class Response:
         }
 
     def _observed(self, f: Functions, x: Values) -> dict[str, Sequence[Value]]:
+        return self._told(f, _held(f, x))
+
+    def _told(self, f: Functions, x: Values) -> dict[str, Sequence[Value]]:
         out: dict[str, Sequence[Value]] = {
             "qdot": f.coordinate_rates(x["q"], x["v"]),
             "strain": f.strains(x["q"]),
@@ -141,6 +147,11 @@ class Response:
             found = row.program.body(f, **{name: x[name] for name in row.names})
             out[name] = [value for values in found.values() for value in values]
         return dict.fromkeys(self.reports, ()) | out
+
+
+def _held(f: Functions, x: Values) -> Values:
+    """The point with its inputs as a step that begins there holds them."""
+    return {**x, "tau": f.held(x["q"], x["v"], x["tau"])} if f.chain.holds else x
 
 
 def _bits(mask: int) -> list[int]:

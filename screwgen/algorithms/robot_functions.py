@@ -2,9 +2,8 @@
 
 An example: the power of the drives. It is a function of ``q``, ``v`` and ``tau`` with one result, an entry in W for
 each drive. Its row in ``FUNCTIONS`` says this and names the lines that compute it, which run on values of any algebra.
-From the row come a CasADi function, one on arrays of JAX, one on NumPy arrays, one of C with its declaration, the call
-of the compiled library, the columns of runs and rollouts, the variables of mock-up units and the table of
-docs/functions.md. CONTRIBUTING.md says what a new function takes.
+From the row come a CasADi function, one on arrays of JAX, one on NumPy's, one of C with its call of the compiled library,
+columns of runs and rollouts, variables of mock-up units, a line of docs/functions.md. CONTRIBUTING.md says what one takes.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
 from .force_functions import MOTION
-from .functions import CYLINDERS, ENERGY, FORWARD, INVERSE, LEVERS, MEASURING, PLACES
+from .functions import CYLINDERS, ENERGY, FORWARD, HOLD, INVERSE, LEVERS, MEASURING, PLACES
 from .gauges import strain_names
 from .input_functions import LENGTHS, POWER
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
@@ -37,12 +36,10 @@ ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
 
 @dataclass(frozen=True)
 class RobotFunction:
-    """A function of a robot.
-
-    ``inputs``: names, which blanks separate; ``results``: name -> shape, unit, frame and meaning; ``program`` makes it
-    as one program, whose ``body`` runs on `Functions`; ``algorithms``: those that the body runs; ``offered``: of which
-    robots there is one; ``c_file``: which file of the C has it, if any, see ``OUTPUTS``; ``about``: a sentence.
-    """
+    """A function of a robot, of ``inputs``, names that blanks separate; ``results``: name -> shape, unit, frame and
+    meaning; ``program`` makes it as one program, whose ``body`` runs on `Functions`; ``algorithms``: those that the
+    body runs; ``offered``: of which robots there is one; ``c_file``: which file of the C has it, if any, see
+    ``OUTPUTS``; ``about``: a sentence."""
 
     name: str
     inputs: str
@@ -79,6 +76,12 @@ def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.
     parts = np.split(np.asarray(values), np.cumsum([math.prod(size) for size in shapes])[:-1])
     out = [part.reshape(size) if size else part.item() for part, size in zip(parts, shapes, strict=True)]
     return tuple(out) if len(out) > 1 else out[0]
+
+
+def _pose(turned: str, placed: str, *count: str) -> dict[str, Signal]:
+    """Rotation and point of one frame, or of a number of them, in the inertial frame."""
+    R, position = Signal((*count, *ROTATION), "-", INERTIAL, turned), Signal((*count, *PLACE), "m", INERTIAL, placed)
+    return {"R": R, "position": position}
 
 
 AXES = "N*m, of axes that slide N"
@@ -170,12 +173,18 @@ FUNCTIONS = (
         c_file=OUTPUTS,
     ),
     RobotFunction(
+        "held_inputs",
+        "q v tau",
+        {"held": Signal(("NTAU",), AXES, "-", "input of each drive and tendon as a step holds it")},
+        programs.held_inputs,
+        (HOLD,),
+        "What a step that begins here holds of its inputs: efforts within their limits. Steps alone do so.",
+        offered=lambda chain: chain.holds,
+    ),
+    RobotFunction(
         "tip_pose",
         "q",
-        {
-            "R": Signal(ROTATION, "-", INERTIAL, "rotation of the last tip frame"),
-            "position": Signal(PLACE, "m", INERTIAL, "last tip point"),
-        },
+        _pose("rotation of the last tip frame", "last tip point"),
         programs.tip_pose,
         (PLACES,),
         "The pose of the last tip.",
@@ -183,10 +192,7 @@ FUNCTIONS = (
     RobotFunction(
         "link_pose",
         "q",
-        {
-            "R": Signal(("NLINKS", *ROTATION), "-", INERTIAL, "rotation of every link frame"),
-            "position": Signal(("NLINKS", *PLACE), "m", INERTIAL, "origin of every link frame"),
-        },
+        _pose("rotation of every link frame", "origin of every link frame", "NLINKS"),
         programs.link_pose,
         (PLACES,),
         "The poses of the link frames.",
@@ -251,10 +257,7 @@ FUNCTIONS = (
     RobotFunction(
         "marker_pose",
         "q",
-        {
-            "R": Signal(("NMARKERS", *ROTATION), "-", INERTIAL, "rotation of every marker"),
-            "position": Signal(("NMARKERS", *PLACE), "m", INERTIAL, "point of every marker"),
-        },
+        _pose("rotation of every marker", "point of every marker", "NMARKERS"),
         sensors.marker_pose,
         (PLACED,),
         "The poses of the markers.",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from . import fused
-from .functions import Functions
+from .functions import HOLD, Functions
 
 
 @fused.program("q")
@@ -32,6 +32,12 @@ def momentum(f: Functions, q: Sequence, v: Sequence) -> fused.Outputs:
 def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
     """``(q, v, tau) -> (power)``."""
     return {"power": f.drive_power(q, v, tau)}
+
+
+@fused.program("q v tau", algorithms=(HOLD,))
+def held_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
+    """``(q, v, tau) -> (held)``: what a step that begins at the state holds."""
+    return {"held": f.held(q, v, tau)}
 
 
 @fused.program("q")

@@ -4,8 +4,7 @@ The signals of a node are shared by a link and the links that it carries. Those 
 phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
 a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``t`` that of its rotors, ``r`` that of its modes,
 ``b`` that of its coupled pairs of modes, ``c`` that of its pieces of tendons, ``g`` that of the directions in which it
-has modes, ``p`` that of the points of an exact rod. Angular parts come first.
-Accelerations are those of material points in the inertial frame, less free fall.
+has modes, ``p`` that of the points of an exact rod. Angular parts come first. Accelerations are less free fall.
 """
 
 from __future__ import annotations
@@ -160,6 +159,7 @@ CALL: dict[str, Signal] = {
     "levers": Signal(("a",), "m", "-", "travel of the cylinder per unit of each axis, 1 without one"),
     "cylinder_length": Signal(("a",), "m", "-", "length of the cylinder of each axis, 0 without one"),
     "power": Signal(("a",), "W", "-", "power that each drive gives to the arm"),
+    "held": Signal(("a",), "N*m", "-", "joint torques as a step holds them"),
     "tendon_length": Signal(("c",), "m", "-", "lengths of the pieces of tendons along the link"),
     "tendon_power": Signal(("c",), "W", "-", "power that the tension of each piece gives to the link"),
     "pull": Signal(("c", "r"), "-", "-", "derivatives of the lengths of the pieces with the modes, row by row"),

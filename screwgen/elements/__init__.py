@@ -7,9 +7,11 @@ from .axis_element import AxisElement as AxisElement
 from .axis_element import ElementLaw as ElementLaw
 from .axis_element import key as key
 from .cylinder import CYLINDER as CYLINDER
+from .effort import EffortLimit as EffortLimit
 from .four_bar import FourBarLinkage as FourBarLinkage
 from .friction import FRICTION as FRICTION
 from .gear import ROTOR as ROTOR
+from .held import HeldLaw as HeldLaw
 from .law import Key as Key
 from .law import Law as Law
 from .relation import Relation as Relation

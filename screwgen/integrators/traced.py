@@ -10,7 +10,7 @@ import numpy as np
 
 from ..algorithms.axis_laws import of_robot
 from ..algorithms.columns import columns
-from ..algorithms.functions import Functions
+from ..algorithms.functions import EVERYTHING, HOLD, Functions
 from ..algorithms.fused import Outputs, inputs
 from ..algorithms.law_programs import stage
 from ..algorithms.parameter_slopes import Differentiable
@@ -50,19 +50,21 @@ class TracedAccelerations:
 
 
 def step(chain: Chain, method: Method) -> Differentiable:
-    """``(q, v, tau, w_ext, dt) -> (q_next, v_next)``, the inputs held."""
+    """``(q, v, tau, w_ext, dt) -> (q_next, v_next)``, the inputs held, efforts within their limits."""
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
         def run(program: Program, given: dict[str, Any]) -> dict[str, Any]:
             found = f.apply(0, -1, program, {name: list(values) for name, values in given.items()})
             return {name: _array(values) for name, values in found.items()}
 
-        held = TracedAccelerations(f, x["tau"], x["w_ext"])
+        tau = f.held(x["q"], x["v"], x["tau"]) if chain.holds else x["tau"]
+        held = TracedAccelerations(f, tau, x["w_ext"])
         q, v = method.step(held, _array(x["q"]), _array(x["v"]), x["dt"][0], replayed(chain, run))
         return {"q_next": list(q), "v_next": list(v)}
 
     given = inputs(chain, "q v tau w_ext") | {"dt": 1}
-    return Differentiable(f"step_{method}", given, {"q_next": (chain.nq,), "v_next": (chain.nv,)}, body)
+    shapes = {"q_next": (chain.nq,), "v_next": (chain.nv,)}
+    return Differentiable(f"step_{method}", given, shapes, body, (*EVERYTHING, HOLD))
 
 
 def _array(values: Sequence[Value]) -> Array:

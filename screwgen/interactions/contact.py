@@ -38,7 +38,7 @@ SLOW = 1e-3
 class Contact(Interaction):
     """Contact of a sphere with a plane whose `normal`, in the second frame's axes, points to the sphere's side.
 
-    Without a normal the second frame has a sphere too; `radius` is then the sum of both.
+    Without a normal the second frame has a sphere too, of the radius `other`; without that it is a point.
     """
 
     KIND = "contact"
@@ -48,7 +48,9 @@ class Contact(Interaction):
         "press": Quantity("N", "force along the normal"),
     }
 
-    radius: float = number("m", "radius of the sphere", "r_c", sign="non-negative", least=1e-9, most=1e6)
+    radius: float = number(
+        "m", "radius of the sphere at the first end", "r_c", sign="non-negative", least=1e-9, most=1e6
+    )
     stiffness: float = number("N/m", "stiffness of the contact", "k_c", sign="positive", least=1e-9, most=1e18)
     width: float = number("m", "depth over which it sets in", "w_c", sign="positive", least=1e-12, most=1e3)
     normal: tuple[float, ...] | None = number(
@@ -67,6 +69,13 @@ class Contact(Interaction):
         least=1e-9,
         most=1e6,
     )
+    other: float | None = number(
+        *("m", "radius of a sphere at the second end, in place of a plane", "r_o"),
+        default=None,
+        sign="non-negative",
+        least=1e-9,
+        most=1e6,
+    )
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
@@ -78,6 +87,8 @@ class Contact(Interaction):
 
     @property
     def fault(self) -> tuple[str, str] | None:
+        if self.normal is not None and self.other is not None:
+            return "other", "is stated beside a normal, of a plane; leave one of them out"
         return ("normal", "has no direction; state one that is not zero") if self.normal == (0.0,) * 3 else None
 
     @staticmethod
@@ -98,7 +109,7 @@ class Contact(Interaction):
     def equations(has: Collection[str]) -> tuple[Equation, ...]:
         press = rf"k_c\,\frac{{{_softened_latex(2)}}}{{4\,w_c}}"
         press += r"\,\max\left( 0,\ 1 + c_c\,\dot{p}_c \right)" * ("damping" in has)
-        force, contact = r"-f_c\,\mathbf{n}_{AB}", (_PLANE if "normal" in has else _SPHERES)
+        force, contact = r"-f_c\,\mathbf{n}_{AB}", (_PLANE if "normal" in has else _spheres(has))
         rubs = [_SLIP, *[_SLOW] * ("velocity" not in has)] if "friction" in has else []
         if rubs:
             force += r" - \frac{\mu_c\,f_c}{\sqrt{\mathbf{s}_{AB}^{\top}\,\mathbf{s}_{AB} + v_c^2}}\,\mathbf{s}_{AB}"
@@ -127,7 +138,6 @@ _SPHERES = (
     Equation.smallest(SHORTEST, "m^2", "the direction between centres that coincide"),
     Equation("d_c", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "distance of the centres"),
     Equation(r"\mathbf{n}_{AB}", r"-\frac{1}{d_c}\,\mathbf{d}_{AB}", "-", "normal of the contact towards A"),
-    Equation("p_c", "r_c - d_c", "m", "depth of the contact"),
 )
 _ARM = Equation(r"\mathbf{a}_{AB}", r"-r_c\,\mathbf{n}_{AB} - \mathbf{d}_{AB}", "m", "point of contact from point B")
 _TOUCHING = Equation(
@@ -143,6 +153,12 @@ _SLOW = Equation("v_c", rf"10^{{{round(log10(SLOW))}}}", "m/s", "sliding velocit
 
 def _softened_latex(power: int) -> str:
     return " - ".join(rf"\max\left( 0,\ p_c {sign} w_c \right)^{power}" for sign in "+-")
+
+
+def _spheres(has: Collection[str]) -> tuple[Equation, ...]:
+    """The depth of two spheres, or of one and a point."""
+    depth = "r_c + r_o - d_c" if "other" in has else "r_c - d_c"
+    return *_SPHERES, Equation("p_c", depth, "m", "depth of the contact")
 
 
 def _pressed(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Vector, Value, Value, Vector, Vector]:
@@ -161,7 +177,7 @@ def _touching(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Vector, Val
     normal = keys["normal"]
     if normal == (0.0, 0.0, 0.0):
         distance = t.named("distance", t.call("sqrt", dot(x.d, x.d) + SHORTEST))
-        return [-y / distance for y in x.d], keys["radius"] - distance
+        return [-y / distance for y in x.d], keys["radius"] + keys["other"] - distance
     size = 1.0 / t.call("sqrt", dot(normal, normal))
     n = [size * dot(row, normal) for row in x.R]
     return n, keys["radius"] + dot(n, x.d)

@@ -26,9 +26,7 @@ def robot_tables(tree: UrdfTree) -> tuple[dict[str, Any], dict[str, str], dict[s
     if couplings := list(_couplings(tree)):
         robot["couplings"] = couplings
     robot["links"] = [_link(tree, i, node) for i, node in enumerate(tree.nodes)]
-    tree.notes += _limits_note(tree, "effort", "as tau_max of a controller") + _limits_note(
-        tree, "velocity", "rad/s, m/s"
-    )
+    tree.notes += _limits_note(tree, "velocity", "rad/s, m/s")
     comments, joints = {}, {}
     for node in tree.nodes:
         if node.joint is not None:
@@ -96,10 +94,10 @@ def _joint(tree: UrdfTree, node: MergedLink) -> dict[str, Any]:
     if joint is None or not node.axes:
         return table
     if len(node.axes) > 1:
-        if joint.damping or joint.friction:
-            tree.notes.append(
-                f"joint '{joint.name}': its <dynamics> are left out, a planar joint has several coordinates"
-            )
+        for what, there in (("<dynamics> are", joint.damping or joint.friction), ("effort is", joint.effort)):
+            if there:
+                said = f"its {what} left out, a planar joint has several coordinates"
+                tree.notes.append(f"joint '{joint.name}': {said}")
         return table
     if joint.damping:
         table["damping"] = joint.damping
@@ -110,8 +108,8 @@ def _joint(tree: UrdfTree, node: MergedLink) -> dict[str, Any]:
         unit = "m/s" if joint.kind in SLIDING else "rad/s"
         said = f"friction changes its sign over {rate:g} {unit}, which a URDF does not state"
         tree.notes.append(f"joint '{joint.name}': {said}")
-    if joint.limited:
-        table["limits"] = {key: x for key in ("lower", "upper") if (x := getattr(joint, key)) is not None}
+    if limits := {key: x for key in ("lower", "upper", "effort") if (x := getattr(joint, key)) is not None}:
+        table["limits"] = limits
     return table
 
 

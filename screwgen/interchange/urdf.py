@@ -15,6 +15,8 @@ from .rigid import HERE, Inertial, Pose, pose, turned
 FREE, FIXED = "floating", "fixed"
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 TYPES = (*TURNING, *SLIDING, FIXED, FREE, "planar")
+BOUNDLESS = 1e6
+"""N·m or N: an effort that is written where there is no limit; files mean none by it and by 0."""
 SHORTEST = 1e-6
 """An axis shorter than this is lengthened, so that the square of its length is a number."""
 LOOKS = ("visual", "collision", "material")
@@ -56,6 +58,7 @@ class UrdfJoint:
     damping: float = 0.0
     friction: float = 0.0
     mimic: Element | None = None
+    notes: list[str] = field(default_factory=list)
     ratio: float | None = None
     rotor_inertia: float | None = None
 
@@ -116,7 +119,7 @@ def read_urdf(content: bytes, file: str) -> Urdf:
         raise root.fault("has no <link>; a robot needs at least one")
     joints = {x.name: x for x in map(_joint, _distinct(root.all("joint")))}
     notes = _left_out(root) + [note for joint in joints.values() if (note := _range_note(joint))]
-    notes += _transmissions(root, joints)
+    notes += [note for joint in joints.values() for note in joint.notes] + _transmissions(root, joints)
     return Urdf(root, name, links, joints, _root(root, links, joints), notes)
 
 
@@ -188,12 +191,15 @@ def _limits(joint: UrdfJoint, limit: Element) -> None:
     for key in ("effort", "velocity"):
         if key in limit.attributes:
             setattr(joint, key, limit.number(key, "any limit"))
+    if joint.effort is not None and not 0 < joint.effort < BOUNDLESS:
+        joint.effort = None
+        joint.notes.append(f"joint '{joint.name}': effort {limit.attributes['effort']} counts as no limit")
 
 
 def _range_note(joint: UrdfJoint) -> str | None:
     if joint.kind not in (*TURNING[:1], *SLIDING) or joint.limited:
         return None
-    return f"joint '{joint.name}': states no range from lower to upper; it gets no limits"
+    return f"joint '{joint.name}': states no range from lower to upper; it gets no range"
 
 
 def _left_out(root: Element) -> list[str]:

@@ -23,6 +23,7 @@ from ..spec.robot import OF_SEVERAL, Link, Robot
 from ..topology.chain import Chain
 from .rigid import HERE, Pose, pose
 from .tables import GRAVITY, STICKING
+from .urdf import BOUNDLESS
 
 OPEN_RANGE = 10.0
 """m: the range of a slide without limits, for the sliders of viewers."""
@@ -233,6 +234,8 @@ class _Writer:
     ) -> tuple[str, str, str, list[str]]:
         limit = joint.limits[k] if joint.limits else None
         lower, upper = (limit.lower, limit.upper) if limit else (None, None)
+        most = self._effort(joint, k, below)
+        effort = _row([most]) if most < BOUNDLESS else '"1e6"'
         kind = "prismatic" if screw.slides else "continuous" if lower is None and upper is None else "revolute"
         parts = [origin] if origin else []
         parts.append(f"<axis xyz={_row(screw.axis)}/>")
@@ -245,13 +248,23 @@ class _Writer:
                     )
             lower = -max(free, 2 * abs(upper or 0)) if lower is None else lower
             upper = max(free, 2 * abs(lower)) if upper is None else upper
-            parts.append(f'<limit lower={_row([lower])} upper={_row([upper])} effort="1e6" velocity="1e3"/>')
+            parts.append(f'<limit lower={_row([lower])} upper={_row([upper])} effort={effort} velocity="1e3"/>')
+        elif most < BOUNDLESS:
+            parts.append(f'<limit effort={effort} velocity="1e3"/>')
         friction = (not joint.between(k) and joint.driven[k].friction) or NO_FRICTION
         damping = (joint.damping[k] if joint.damping else 0.0) + (friction.viscous or 0.0)
         dry = friction.coulomb or 0.0
         if damping or dry:
             parts.append(f"<dynamics damping={_row([damping])} friction={_row([dry])}/>")
         return kind, above, below, parts
+
+    def _effort(self, joint: Joint, k: int, below: str) -> float:
+        """The limit of the effort at an axis, BOUNDLESS without one."""
+        most, drive = joint.limits[k].effort if joint.limits else None, joint.driven[k]
+        if most is not None and drive.travel:
+            self.notes.append(f"{below}: the effort of its drive is left out, which does not act on the joint")
+            return BOUNDLESS
+        return BOUNDLESS if most is None else most * (drive.ratio or 1.0 if drive.elastic else 1.0)
 
     def _joint(self, name: str, kind: str, above: str, below: str, parts: Sequence[str]) -> None:
         self.lines += [

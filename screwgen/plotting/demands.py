@@ -38,9 +38,14 @@ def set_points(run: Run, model: RobotModel | None, controller: Any) -> np.ndarra
 
 
 def bounds_of(run: Run, model: RobotModel | None, controller: Any) -> np.ndarray | None:
-    """The limits of torques and forces (n_tau,), N·m and N; None of a controller that states none."""
+    """The limits of torques and forces (n_tau,), N·m and N, of a controller that states them, else of the robot file.
+
+    Infinite where there is none; None where no axis has one.
+    """
     law = _started(run, model, controller)
     bounds = getattr(law, "bounds", getattr(law, "tau_max", None))
+    if bounds is None and model is not None and np.isfinite(model.chain.efforts).any():
+        bounds = np.append(model.chain.efforts, np.full(model.chain.n_tensions, np.inf))
     return None if bounds is None else np.array(bounds, float)
 
 

@@ -119,7 +119,7 @@ def _on_scale(line: PanelCurve, n: int) -> bool:
 
 def _curves(axes: Axes, panel: Panel, t: np.ndarray, n: int) -> None:
     goals = [line.goal for line in panel.lines if line.goal is not None]
-    bounds = [line.bound for line in panel.lines if line.bound is not None]
+    bounds = [line.bound for line in panel.lines if np.isfinite(line.bound)]
     ends = [x for line in panel.lines for x in line.ends]
     fitted = scale(t, [line.values for line in panel.lines] + goals, panel.unit, bounds, ends)
     for line in panel.lines:
@@ -128,7 +128,7 @@ def _curves(axes: Axes, panel: Panel, t: np.ndarray, n: int) -> None:
             if values is not None:
                 x, y = thin(t, values)
                 axes.plot(x, fitted.factor * y, **look, **options)
-        if line.bound is not None:
+        if np.isfinite(line.bound):
             for sign in (-1, 1):
                 axes.axhline(sign * fitted.factor * line.bound, color=look["color"], **BOUND)
         for place in (fitted.factor * x for x in line.ends if fitted.low <= fitted.factor * x <= fitted.high):
@@ -149,7 +149,7 @@ def _key(axes: Axes, run: Run, shown: list[Panel], arm: bool) -> None:
             entries.append((f"{word} axis or mode of a link", dict(linestyle=style)))
     if any(line.goal is not None for line in lines):
         entries.append(("set point", GOAL))
-    if any(line.bound is not None for line in lines):
+    if any(np.isfinite(line.bound) for line in lines):
         entries.append(("limit of the drive" if any(".force[" in x for x in run.tau_names) else "torque limit", BOUND))
     if any(np.isfinite(line.ends).any() for line in lines):
         entries.append(("limit of the joint", END_OF_RANGE))

@@ -45,7 +45,8 @@ class PanelCurve(NamedTuple):
     number: int = 0
     """Which of its link's it is: the first, the second, … has dashes of its own."""
     goal: np.ndarray | None = None
-    bound: float | None = None
+    bound: float = np.inf
+    """The limit of a drive's effort, infinite where there is none."""
     ends: Sequence[float] = ()
     """The limits of a joint axis, infinite where there is none."""
 

@@ -14,7 +14,7 @@ from ..backends.numpy.covariance import LOST, root
 from ..errors import DivergedError, SingularError, UsageError
 from ..robot_model import RobotModel
 from .differentiated import NONFINITE, SINGULAR, failure
-from .filtering import KalmanFilter
+from .filtering import Judged, KalmanFilter
 from .lean import RuntimeProject
 from .library import load
 from .measurements import Consistency, Innovation, Measured, Noise, deviations, gate_name, numbers
@@ -79,11 +79,9 @@ class CompiledEstimator(KalmanFilter):
         self._block = StructMemory(self.library, list(members), np.dtype(self.real))
         self._memory = self._block.address
         self._at = {name: self._block.view(name, *shape, kind=self._kind(name)) for name, shape in members.items()}
-        self._made = dict[str, np.ndarray]()
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
         self._write({"state.q": q, "state.v": v, "deviation.q": deviation_q, "deviation.v": deviation_v})
-        self._made = {}
         p = np.append(self._p, 0.0).astype(self.real)
         self._check(self.library.shim_init(self._memory, pointer(p)), LOST)
 
@@ -100,28 +98,20 @@ class CompiledEstimator(KalmanFilter):
         self._write({"input.tau": tau, "input.w_ext": w_ext})
         self._check(self.library.shim_predict(self._memory, self._number(dt)), TOO_LONG)
 
-    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> None:
+    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> Judged:
         self._write({"input.tau": tau, "input.w_ext": w_ext})
         for name, (values, made) in measured.items():
             self._write({f"measurement.{name}": np.nan_to_num(values), f"measurement.has_{name}": made})
         self._check(self.library.shim_update(self._memory), LOST)
-        self._made = {row.name: np.repeat(measured[row.name][1], row.group) for row in self.measurements}
-
-    @property
-    def innovations(self) -> dict[str, Innovation]:
-        """What the last update made of each measurement; empty before one."""
-        out = {}
-        for name, made in self._made.items():
-            found = self._at[f"estimator.innovations.{name}"]
-            value, normalised = (np.where(made, found[x].astype(float), np.nan) for x in ("value", "normalised"))
-            out[name] = Innovation(value, normalised, found["refused"] != 0, found["weight"].astype(float))
-        return out
-
-    @property
-    def consistency(self) -> Consistency:
-        """The normalised innovation squared of the last update."""
         squared, taken = (self._at[f"estimator.innovations.{name}"][0] for name in ("squared", "taken"))
-        return Consistency(float(squared), int(taken))
+        found = {row.name: self._innovation(row, measured[row.name][1]) for row in self.measurements}
+        return found, Consistency(float(squared), int(taken))
+
+    def _innovation(self, row: Measurement, made: np.ndarray) -> Innovation:
+        """What the update made of a measurement."""
+        found, there = self._at[f"estimator.innovations.{row.name}"], np.repeat(made, row.group)
+        value, normalised = (np.where(there, found[x].astype(float), np.nan) for x in ("value", "normalised"))
+        return Innovation(value, normalised, found["refused"] != 0, found["weight"].astype(float))
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:

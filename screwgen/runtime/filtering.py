@@ -24,6 +24,9 @@ from .measurements import (
     checked_start,
 )
 
+Judged = tuple[dict[str, Innovation], Consistency]
+"""What an update made of the measurements."""
+
 
 class KalmanFilter(ABC):
     """An extended Kalman filter over q and v of a robot; arrays are in the order of ``model.q_names``.
@@ -39,6 +42,10 @@ class KalmanFilter(ABC):
     def __init__(self, model: RobotModel, parameters: Given, measurements: Sequence[str | Measurement] | None):
         self.model, self.measurements = model, _rows(model, measurements)
         self.noise, self._p = Noise(0.0), model.chain.parameters.vector(parameters)
+        self.innovations: dict[str, Innovation] = {}
+        """What the last update made of each measurement; empty before one."""
+        self.consistency = Consistency()
+        """The normalised innovation squared of the last update."""
 
     def start(
         self, q: Numbers, v: Numbers, deviation_q: Numbers | float, deviation_v: Numbers | float, noise: Noise
@@ -51,6 +58,7 @@ class KalmanFilter(ABC):
         given = checked_start(self.model.chain, q, v, deviation_q, deviation_v)
         check_noise(self.model.chain, self.measurements, noise)
         self._start(*given)
+        self.innovations, self.consistency = {}, Consistency()
         self.set(noise)
 
     def set(self, noise: Noise) -> None:
@@ -72,17 +80,8 @@ class KalmanFilter(ABC):
         Torques and tensions ``tau`` (n_tau) and tip wrenches (n, 6) are those at the time of the measurement.
         """
         tau, w_ext = checked_input(self.model.chain, tau, w_ext)
-        self._update(tau, w_ext, checked_measurements(self.model.chain, self.measurements, self.noise, values, named))
-
-    @property
-    @abstractmethod
-    def innovations(self) -> dict[str, Innovation]:
-        """What the last update made of each measurement; empty before one."""
-
-    @property
-    @abstractmethod
-    def consistency(self) -> Consistency:
-        """The normalised innovation squared of the last update."""
+        measured = checked_measurements(self.model.chain, self.measurements, self.noise, values, named)
+        self.innovations, self.consistency = self._update(tau, w_ext, measured)
 
     @property
     @abstractmethod
@@ -105,7 +104,7 @@ class KalmanFilter(ABC):
     def _predict(self, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> None: ...
 
     @abstractmethod
-    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> None: ...
+    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> Judged: ...
 
 
 def _rows(model: RobotModel, asked: Sequence[str | Measurement] | None) -> tuple[Measurement, ...]:

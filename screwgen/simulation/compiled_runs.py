@@ -52,7 +52,10 @@ class _Run(ctypes.Structure):
         ("sampling", ctypes.c_int),
         ("watch", ctypes.c_int),
         ("far", ctypes.c_double),
-        *((name, ctypes.c_void_p) for name in ("largest", "at", "first", "hits", "loops")),
+        *(
+            (name, ctypes.c_void_p)
+            for name in ("largest", "at", "first", "hits", "limited_first", "limited_count", "loops")
+        ),
     )
 
 
@@ -100,10 +103,14 @@ class CompiledRuns:
     def __call__(self, task: RunTask, table: SampleTable) -> None:
         """Fill the table."""
         c, self.task, self.table = self.compiled, task, table
+        table.limited.samples = len(table.times)
         number = c.number(self.method)
         arrays = (x.ctypes.data for x in (table.watch.values, table.watch.at, table.watch.first))
         run = (number, task.steps, task.every, task.step, task.duration, LIMIT, None, 0)
         self.plan = _Run(*run, WATCH, FAR, *arrays, ctypes.addressof(table.hits.plan) if table.hits.bounds else None)
+        self.plan.limited_first, self.plan.limited_count = (
+            x.ctypes.data for x in (table.limited.first, table.limited.count)
+        )
         self.plan.loops = ctypes.addressof(table.loops.seen)
         c.q[:], c.v[:] = task.q0, task.v0
         with at_time(0.0):

@@ -11,7 +11,7 @@ from ..backends.numpy.dae_step import DaeDynamics, HeldDae
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from .integrate import DEFAULT, LIMIT, CasadiEvaluator, DivergedError
+from .integrate import DEFAULT, LIMIT, CasadiEvaluator, DivergedError, holding
 
 
 def dynamics(model: RobotModel, p: Numbers) -> DaeDynamics:
@@ -34,6 +34,7 @@ class DaeStepper:
     def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), dynamics(model, p)
         self.reference, self.chain = model.numpy(p), model.chain
+        self.hold = holding(model, p)
         self.p, self.place = np.array(p, float), CasadiEvaluator(model.casadi()["dae_state"])
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -42,6 +43,8 @@ class DaeStepper:
 
     def step(self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> np.ndarray:
         """The state ``dt`` later, projected."""
+        if self.chain.holds:
+            tau = self.hold(*self.coordinates(x), tau)
         try:
             new = self.dynamics.project(HeldDae(self.dynamics, x, tau, w_ext, dt).step(self.method))
         except (ValueError, OverflowError):  # a turn that is not finite: the run says that it diverged

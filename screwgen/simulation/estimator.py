@@ -17,12 +17,13 @@ from ..algorithms.measurement import Measurement, SensorNumber, comparison
 from ..arguments import Given, Numbers
 from ..backends.numpy.covariance import corrected, root
 from ..backends.numpy.covariance import deviations as of_innovations
+from ..backends.numpy.held import HeldChain
 from ..backends.numpy.numeric import EPSILON, function_of, singular
 from ..errors import DivergedError, SingularError
 from ..ir.program import Program
 from ..robot_model import RobotModel
 from ..runtime.estimator import NOT_FINITE, OPEN, TOO_LONG
-from ..runtime.filtering import KalmanFilter
+from ..runtime.filtering import Judged, KalmanFilter
 from ..runtime.measurements import Consistency, Innovation, Measured, deviations, gate_of, numbers, spread
 from .integrate import JointStepper
 from .mobility import closing
@@ -51,9 +52,8 @@ class Estimator(KalmanFilter):
         super().__init__(model, parameters, measurements)
         chain, n = model.chain, model.nv
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
-        self._space = self._stepper.space
+        self._space, self._hold, self._chained = self._stepper.space, self._stepper.hold, HeldChain(chain, self._p)
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
-        self._innovations, self._consistency = dict[str, Innovation](), Consistency()
         self._judgements = self._none_yet()
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
@@ -61,22 +61,12 @@ class Estimator(KalmanFilter):
         q, v, T = self._shut(q, v)  # the projection is that at closed rates
         S = T @ self._conditioned(np.diag(np.concatenate([deviation_q, deviation_v])))
         P = S @ S.T
-        self._innovations, self._consistency, self._judgements = {}, Consistency(), self._none_yet()
+        self._judgements = self._none_yet()
         self.put(q, v, P)
 
     def put(self, q: Numbers, v: Numbers, P: Any) -> None:
         """Set mean and covariance."""
         self._q, self._v, self._P = np.array(q, float), np.array(v, float), np.array(P, float)
-
-    @property
-    def innovations(self) -> dict[str, Innovation]:
-        """What the last update made of each measurement; empty before one."""
-        return self._innovations
-
-    @property
-    def consistency(self) -> Consistency:
-        """The normalised innovation squared of the last update."""
-        return self._consistency
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
@@ -92,7 +82,8 @@ class Estimator(KalmanFilter):
 
     def _predict(self, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> None:
         q, v = self._stepper.step(self._stepper.initial(self._q, self._v), tau, w_ext, dt)
-        Phi, G = self._transition(*self._middle(q, v, dt), tau, w_ext, dt)
+        middle, held = self._middle(q, v, dt), self._hold(self._q, self._v, tau)
+        Phi, G = self._transition(*middle, self._slopes(*middle, tau, held, w_ext), dt)
         n, S = self.model.nv, Phi @ root(self._P)
         kicks = G * np.sqrt(dt * spread(self.noise.density_v, "density_v", n))
         P = S @ S.T + kicks @ kicks.T
@@ -107,11 +98,13 @@ class Estimator(KalmanFilter):
         return self._moved(self._q, half), rate
 
     def _transition(
-        self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float
+        self, q: np.ndarray, v: np.ndarray, slopes: tuple[np.ndarray, np.ndarray], h: float
     ) -> tuple[np.ndarray, np.ndarray]:
-        """The implicit midpoint rule of the motion linearised in the middle of a step, and its answer to noise."""
-        by_q, by_v, _ = self._numeric.derivatives(q, v, tau, w_ext)
-        n = self.model.nv
+        """The implicit midpoint rule of the motion linearised in the middle of a step, and its answer to noise.
+
+        ``slopes``: the derivatives of the accelerations there with coordinates and rates.
+        """
+        (by_q, by_v), n = slopes, self.model.nv
         one, none = np.eye(n), np.zeros((n, n))
         A = np.block([[none, one], [by_q, by_v]])
         A[:n, :n] = self.model.chain.carried(v)
@@ -122,10 +115,17 @@ class Estimator(KalmanFilter):
             raise SingularError(TOO_LONG) from None
         return solved[:, : 2 * n], solved[:, 2 * n :]
 
+    def _slopes(
+        self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, held: np.ndarray, w_ext: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The derivatives of the accelerations with coordinates and rates, under inputs as a step holds them."""
+        found = self._numeric.derivatives(q, v, held, w_ext)
+        return self._chained(q, v, tau, *found)[:2] if self.model.chain.holds else found[:2]
+
     # ------------------------------------------------------------------------------ update
 
-    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> None:
-        chain, S, nothing = self.model.chain, root(self._P), Consistency()
+    def _update(self, tau: np.ndarray, w_ext: np.ndarray, measured: Measured) -> Judged:
+        chain, S, consistency = self.model.chain, root(self._P), Consistency()
         found, judgements, used = {}, {}, []
         for row in self.measurements:
             values, made = measured[row.name]
@@ -142,9 +142,10 @@ class Estimator(KalmanFilter):
             found[row.name] = Innovation(rest, normalised, ~np.isnan(normalised) & (weight == 0), weight)
         if used:
             dx, S, squared = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
-            n, nothing = self.model.nv, Consistency(squared, sum(len(left) for _, left, _ in used))
+            n, consistency = self.model.nv, Consistency(squared, sum(len(left) for _, left, _ in used))
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
-        self._innovations, self._judgements, self._consistency = found, self._judgements | judgements, nothing
+        self._judgements |= judgements
+        return found, consistency
 
     def _none_yet(self) -> dict[str, np.ndarray]:
         """Of each measurement (2, entries): how often in a row beyond the gate, by how much the patience is less."""
@@ -169,18 +170,19 @@ class Estimator(KalmanFilter):
         """A measurement beside the estimate, of its values; where these are NaN it is of no use."""
         chain, numeric, n = self.model.chain, self._numeric, self.model.nv
         program, spans = self.model.once(("comparison", row), lambda: comparison(row, chain))
-        given: dict[str, Any] = {"q": self._q, "v": self._v, "tau": tau, "w_ext": w_ext.ravel(), "p": self._p}
+        held = self._hold(self._q, self._v, tau)
+        given: dict[str, Any] = {"q": self._q, "v": self._v, "tau": held, "w_ext": w_ext.ravel(), "p": self._p}
         given["measured"] = np.where(np.isnan(values), 1.0, values)
         given |= {number.keyword: self._number(row, number) for number in row.numbers}
         if "vdot" in program.inputs:
-            given["vdot"] = numeric.forward_dynamics(self._q, self._v, tau, w_ext)[0]
+            given["vdot"] = numeric.forward_dynamics(self._q, self._v, held, w_ext)[0]
         found = self._found(program, given)
         H, at = np.zeros((len(spans), 2 * n)), 0
         for own, (first, size) in zip(H, spans, strict=True):
             own[first : first + size] = found["rows"][at : at + size]
             at += size
         if "by_vdot" in found:
-            by_q, by_v, _ = numeric.derivatives(self._q, self._v, tau, w_ext)
+            by_q, by_v = self._slopes(self._q, self._v, tau, held, w_ext)
             H += np.reshape(found["by_vdot"], (-1, n)) @ np.hstack([by_q, by_v])
         return Compared(H, np.array(found["rest"]))
 

@@ -1,10 +1,11 @@
 """Time steps of the joint form: the accelerations that a method needs, and the stepper that applies it.
 
-The torques and external wrenches are held over a step.
+The torques and external wrenches are held over a step, which first makes of the torques what the drives can give.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
@@ -42,7 +43,9 @@ class EquationForm(Protocol[_State]):
         """The state at the coordinates `q` (nq,) and rates `v` (nv,)."""
 
     def step(self, state: _State, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> _State:
-        """The state `dt` seconds later under torques (n_tau,) and tip wrenches (n, 6), both held.
+        """The state `dt` seconds later under torques (n_tau,) and tip wrenches (n, 6).
+
+        Both are held over the step, which begins with :func:`holding`.
 
         Raises SingularError or DivergedError.
         """
@@ -102,6 +105,14 @@ class Dynamics:
         return self.evaluate(*there, tau, w_ext, own.inertia(h), own.force(own.of(q), own.of(v), h), self.p)[0]
 
 
+def holding(model: RobotModel, p: Numbers) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
+    """What a step that begins at `q, v` holds of its inputs `(q, v, tau)`, (n_tau,): within limits of efforts.
+
+    Every step begins with it, and what is recorded of a step is what it holds.
+    """
+    return model.numpy(p).held_inputs if model.chain.holds else lambda q, v, tau: tau
+
+
 class HeldAccelerations(NamedTuple):
     """The accelerations while torques and external wrenches are held."""
 
@@ -147,11 +158,13 @@ class JointStepper:
     def __init__(self, model: RobotModel, integrator: str | Method, p: Numbers):
         self.method, self.dynamics = method_of(integrator), Dynamics(model, p)
         self.reference, self.space, self.chain = model.numpy(p), space_of(model.chain), model.chain
+        self.hold = holding(model, p)
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> JointState:
         return JointState(np.array(q, float), np.array(v, float))
 
     def step(self, state: JointState, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> JointState:
+        tau = self.hold(state.q, state.v, tau)
         q, v = self.method.step(HeldAccelerations(self.dynamics, tau, w_ext), state.q, state.v, dt, self.space)
         new = JointState(self.chain.unit(q), v)
         if not (np.abs(new.q) < LIMIT).all() or not (np.abs(new.v) < LIMIT).all():

@@ -23,7 +23,7 @@ from ..robot_model import RobotModel
 from ..spec.parameters import changes, turning
 from . import mobility
 from .inputs import Inputs, coordinates, started
-from .integrate import CasadiEvaluator, Dynamics
+from .integrate import CasadiEvaluator, Dynamics, holding
 
 Parameters = Sequence[float] | Mapping[str, float]
 Law = Callable[[float, np.ndarray, np.ndarray], Numbers]
@@ -62,9 +62,9 @@ class Linearised:
     """The accelerations to first order about a state, as methods ask `integrate.HeldAccelerations` for them.
 
     `q` (nq,), `v` (nv,); `tau` (n_tau,), N·m, and `w_ext` (n, 6) are held; with a `controller(t, q, v)` its torques at
-    t = 0 follow the motion instead. Motions are matrices, a column per motion, of small changes (nv,) of the
-    coordinates, by which joints move them, and of their rates. Raises UsageError where arguments
-    make no sense, SingularError where the mass matrix cannot be inverted.
+    t = 0 follow the motion instead; of both what a step holds is meant (:func:`.integrate.holding`). Motions are
+    matrices, a column per motion, of small changes (nv,) of the coordinates, by which joints move them, and of their
+    rates. Raises UsageError where arguments make no sense, SingularError where the mass matrix cannot be inverted.
     """
 
     @parameters_keyword
@@ -84,7 +84,8 @@ class Linearised:
         self.q, self.v = coordinates(q, "q", model, self.p), coordinates(v, "v", model, self.p)
         law = tau if controller is None else started(controller, self.q, model, self.p)
         self.given, self.space = Inputs(model, law, w_ext), space_of(model.chain)
-        self.tau, self.w_ext = self.given(0.0, self.q, self.v)
+        self.hold, (_, self.w_ext) = holding(model, self.p), self.given(0.0, self.q, self.v)
+        self.tau = self._torques(self.q, self.v)
         self.numeric = model.numpy(self.p)
         self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
         self.dynamics = Dynamics(model, self.p)
@@ -92,7 +93,8 @@ class Linearised:
         self.own = own.linearised_over(own.of(self.q), own.of(self.v))
         self.directional = model.once("slopes", lambda: _directional(model))
         self.identity = np.vsplit(np.eye(2 * model.nv), 2)
-        self.gains = np.zeros((model.n_tau, 2 * model.nv)) if controller is None else self._gains()
+        follows = controller is not None or model.chain.holds_by_motion
+        self.gains = self._gains() if follows else np.zeros((model.n_tau, 2 * model.nv))
         self.trim: np.ndarray | None = None
         self.armature = np.zeros(model.nv)
         self._known: dict[float, AccelerationSlopes] = {}
@@ -231,8 +233,12 @@ class Linearised:
         return AccelerationSlopes(*np.split(columns.reshape(parts[-1], nv).T, parts[:-1], axis=1))
 
     def _gains(self) -> np.ndarray:
-        """The controller's derivatives by changes and rates (n_tau, 2 nv)."""
-        return slopes_of(lambda q, v: self.given(0.0, q, v)[0], self.q, self.v, self.space)
+        """The derivatives of the torques by changes and rates (n_tau, 2 nv)."""
+        return slopes_of(self._torques, self.q, self.v, self.space)
+
+    def _torques(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """What a step that begins at a state holds."""
+        return self.hold(q, v, self.given(0.0, q, v)[0])
 
     @cached_property
     def moving(self) -> np.ndarray:

@@ -28,7 +28,8 @@ from ..spec.load import one_line
 from ..unfinished import abandoned, claimed
 from .hits import Hits
 from .inputs import Inputs
-from .integrate import CasadiEvaluator, Dynamics, EquationForm
+from .integrate import CasadiEvaluator, Dynamics, EquationForm, holding
+from .limited_inputs import LimitedInputs
 from .loop_watch import LoopWatch
 from .runs import NAMES, Run, column_names, csv_header, csv_lines, suffix, unwritable
 from .validity import Watch
@@ -111,6 +112,7 @@ class SampleTable:
         self.width = int(ends[-1])
         self.rows, self.count = np.empty((len(times), self.width)), 0
         self.watch, self.hits, self.loops = Watch(model.chain.names), Hits(model, p), LoopWatch(model, p, q0)
+        self.limited = LimitedInputs.none(model)
         self.store: RunFile | None = None
 
     @property
@@ -147,7 +149,7 @@ class Recorder:
 
     def __init__(self, table: SampleTable):
         functions, self.table = table.model.casadi(), table
-        self.dynamics = Dynamics(table.model, table.p)
+        self.dynamics, self.hold = Dynamics(table.model, table.p), holding(table.model, table.p)
         modal = table.model.modal_functions
         self.watched, self.measures = CasadiEvaluator(modal["watched_dynamics"]), CasadiEvaluator(modal["measures"])
         self.tip_pose = CasadiEvaluator(functions["tip_pose"])
@@ -155,7 +157,7 @@ class Recorder:
         self.reports = {row.name: (row.names, CasadiEvaluator(functions[row.name])) for row in rows}
 
     def look(self, t: float, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> np.ndarray | None:
-        """The joint wrenches; None if a link bends by more than its length."""
+        """The joint wrenches under what a step holds; None if a link bends by more than its length."""
         wrench, motion = self.watched(q, v, tau, w_ext, *self.dynamics.modes(q, v), self.table.p)
         measures = self.measures(q, wrench, motion, self.table.p)[0]
         return wrench if self.table.watch(t, measures.reshape(-1, len(MEASURES))) else None
@@ -186,7 +188,8 @@ class Recorder:
                 state = plant.step(state, tau, w_ext, dt / PARTS)
             return energy(state)
 
-        power = sum(float(np.sum(reported("drive_power", x, tau))) for x in (before, after)) / 2
+        given = self.hold(*plant.coordinates(before), tau)
+        power = sum(float(np.sum(reported("drive_power", x, given))) for x in (before, after)) / 2
         self.table.loops.begin(lambda: energy(before))
         self.table.loops.weigh(t, energy(after), power * dt, again)
 

@@ -40,17 +40,17 @@ REFUSED, OPEN = 3, 4
 class Rollout:
     """The motions of a batch of scenarios; SI units, radians.
 
-    ``t`` (steps + 1,): sample times; ``q`` (batch, steps + 1, nq), ``v`` (.., nv): coordinates in their order and
-    their rates, views of arrays that hold the scenarios side by side.  ``status`` (batch,): 0 for a scenario that
-    completed, 1 where the state or a result is not finite (a bad input, or the motion diverged), 2 where a
-    joint or mode could not be solved for, 3 where its parameters are those of no robot, 4 where a loop is open; that
-    scenario keeps its last good state from there on.
+    ``t`` (steps + 1,): sample times; ``q`` (batch, steps + 1, nq), ``v`` (.., nv): coordinates in their order and their
+    rates, views of arrays that hold the scenarios side by side. ``status`` (batch,): 0 for a scenario that completed, 1
+    where the state or a result is not finite (a bad input, or the motion diverged), 2 where a joint or mode could not
+    be solved for, 3 where its parameters are those of no robot, 4 where a loop is open; that scenario keeps its last
+    good state from there on.
     ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
 
     Computed when first asked for, at every sample, NaN where there is no dynamics, the last input held on at the end:
     ``wrench`` (batch, steps + 1, n, 6), joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components;
-    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; what functions report, as ``energy``
-    (.., 2), kinetic, potential, J, and ``drive_power`` (.., n_tau), W; what sensors measure at markers, as of
+    ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; what functions report, as ``energy`` (..,
+    2), kinetic, potential, J, and ``drive_power`` (.., n_tau), W; what sensors measure at markers, see
     :class:`.runs.Run`.
     """
 
@@ -91,6 +91,11 @@ class Rollout:
             return self._samples[name]
         self.__dict__[name] = self._source.measured(name, self.q, self.v)
         return self.__dict__[name]
+
+    @cached_property
+    def tau(self) -> np.ndarray:
+        """(batch, steps + 1, n_tau): the inputs as steps from the samples on hold them, within limits of efforts."""
+        return self._source.applied(self.q, self.v)
 
     @cached_property
     def base_strain(self) -> np.ndarray:
@@ -138,22 +143,21 @@ def rollout(
 ) -> Rollout:
     """Roll out a batch of scenarios in the compiled C, as many at a time as a vector register has lanes.
 
-    `x0`: initial states [q; v], (batch, nq + nv), or (nq + nv,) for all; the quaternion of a floating base has length
-    1 to a thousandth and is scaled to it. `tau`: joint torques in N·m, (batch, steps,
-    n_tau); (steps, n_tau) for all scenarios; (n_tau,) for all and held; zero by default. `w_ext`: tip
-    wrenches [τ; F] likewise, (batch, steps, n, 6), (steps, n, 6) or (n, 6). An input is held over a sample of
-    `step` seconds, which the integrator, by name or a :class:`~screwgen.integrators.Method`, divides into `substeps`
-    steps. `steps` is needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or
-    (batch, n); or those that differ by name, each a number or (batch,). `threads`: cores; the results do not depend
-    on it.
-    `single`: in single precision, about half the time. `executor`: any of ``concurrent.futures``, which gets the
-    scenarios in chunks and does those of lost workers again; :func:`screwgen.sweep` keeps more than memory holds.
+    `x0`: initial states [q; v], (batch, nq + nv), or (nq + nv,) for all; the quaternion of a floating base has length 1
+    to a thousandth and is scaled to it. `tau`: joint torques in N·m, (batch, steps, n_tau); (steps, n_tau) for all
+    scenarios; (n_tau,) for all and held; zero by default. `w_ext`: tip wrenches [τ; F] likewise, (batch, steps, n, 6),
+    (steps, n, 6) or (n, 6). An input is held over a sample of `step` seconds, which the integrator, by name or a
+    :class:`~screwgen.integrators.Method`, divides into `substeps` steps, which keep limits of efforts. `steps` is
+    needed where no sequence says it. `parameters`: one vector as `model.parameter_values`, or (batch, n); or those that
+    differ by name, each a number or (batch,). `threads`: cores. `single`: in single precision, in half the time.
+    `executor`: any of ``concurrent.futures``, which gets chunks of scenarios, those of lost workers again;
+    :func:`screwgen.sweep` keeps more than memory holds.
 
-    The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size.
-    Where a link is past the bounds of the model a :class:`ModelValidityWarning` says so; see `Rollout.validity`.
-    So it does where the points of a link of order "exact" are too few for the states in which it bends most.
-    A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError
-    on arguments that make no sense, ScrewgenError where the C cannot be compiled.
+    The batch is compiled with the first call for a model (seconds). Arguments are broadcast to one batch size. Where a
+    link is past the bounds of the model a :class:`ModelValidityWarning` says so (`Rollout.validity`), also where the
+    points of a link of order "exact" are too few for the states in which it bends most.
+    A scenario that fails is reported in `Rollout.status` and keeps its state; the others go on. Raises UsageError on
+    arguments that make no sense, ScrewgenError where the C cannot be compiled.
     """
     how = How(step, substeps, method_of(integrator, missing=NO_METHOD), threads, single)
     given, count, how = checked(model, {"x0": x0, "tau": tau, "w_ext": w_ext, "parameters": parameters}, steps, how)
@@ -165,6 +169,7 @@ def rollout(
         run = replace(joined(in_chunks(rolled, model, given, count, how, executor)), source=Source(model, given))
     warn_refused(run.refused, len(run.refused), "report()")
     run.validity.warn(model, stacklevel=2)
+    run._source.limited(run.t, run.q, run.v).warn(model)
     collocated.warn(model, collocated.left_out(model, run.q))
     return run
 
@@ -216,10 +221,7 @@ def rolled(model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: 
 
 
 def _constants(model: RobotModel, batch: CompiledBatch, p: np.ndarray) -> tuple[np.ndarray, np.ndarray, dict[int, str]]:
-    """Parameters (batch or 1, n), their constants, and what is wrong with those of scenarios that cannot be.
-
-    These have the parameters of the file.
-    """
+    """Parameters (batch or 1, n), constants, and what is wrong with those of scenarios that have the file's instead."""
     own = model.chain.parameters
     refused = own.refused(p)
     p = np.where(np.isin(np.arange(len(p)), list(refused))[:, None], own.values, p)

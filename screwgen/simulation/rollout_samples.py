@@ -13,6 +13,7 @@ from ..integrators.methods import METHODS
 from ..robot_model import RobotModel
 from ..runtime.memory import pointer
 from .compiled_runs import instance
+from .limited_inputs import LimitedInputs, held
 from .measured import STRAIN, measured, strain
 
 
@@ -53,18 +54,32 @@ class Source:
 
     def _held(self, name: str, k: int, samples: int) -> np.ndarray:
         """The input of a scenario at its samples (samples, numbers); the last one holds it on."""
-        of = self.given[name][k if len(self.given[name]) > 1 else 0]
-        return of[np.minimum(np.arange(samples), len(of) - 1)]
+        return self._at_samples(name, samples)[k if len(self.given[name]) > 1 else 0]
+
+    def _at_samples(self, name: str, samples: int) -> np.ndarray:
+        """An input at the samples, (batch or 1, samples, numbers)."""
+        of = self.given[name]
+        return of[:, np.minimum(np.arange(samples), of.shape[1] - 1)]
+
+    def applied(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """What steps that begin at the samples hold of the torques and tensions, (batch, samples, n_tau)."""
+        tau = held(self.model, q, v, self._at_samples("tau", q.shape[1]), self.given["parameters"][:, None])
+        return np.broadcast_to(tau, (*q.shape[:2], self.model.n_tau))
+
+    def limited(self, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> LimitedInputs:
+        """Which inputs the samples hold otherwise than they were given."""
+        given, found = self._at_samples("tau", q.shape[1]), LimitedInputs.none(self.model)
+        return found.take(t, given, self.applied(q, v)) if self.model.chain.holds else found
 
     def measured(self, name: str, q: np.ndarray, v: np.ndarray) -> np.ndarray | tuple[np.ndarray, ...]:
         """What sensors measure at the samples (batch, samples, …); a tuple where a function has several results."""
-        p, samples = self.given["parameters"], q.shape[1]
+        p, samples, tau = self.given["parameters"], q.shape[1], self.applied(q, v)
         if name == STRAIN and len(p) == 1:
             return strain(self.model, q, p[0])
         found = []
         for k in range(len(q)):
             held = {
-                "tau": self._held("tau", k, samples),
+                "tau": tau[k],
                 "w_ext": self._held("w_ext", k, samples).reshape(samples, -1, 6),
             }
             found.append(measured(self.model, name, {"q": q[k], "v": v[k]} | held, p[k if len(p) > 1 else 0]))

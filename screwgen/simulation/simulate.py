@@ -87,7 +87,8 @@ def simulate(
     smooth and has no side effects.
 
     Joints beyond their limits are looked for at every step: `run.hits`. A :class:`LimitWarning` says where one leaves a
-    range that has no stop, and where the set points of a :class:`PD` lie beyond a limit.
+    range that has no stop, and where the set points of a :class:`PD` lie beyond a limit. Every step keeps
+    limits of efforts, and `tau` of the run has what acted; a :class:`LimitWarning` for each axis says when, how often.
 
     Raises UsageError on arguments that make no sense, SingularError in a posture whose mass matrix cannot be
     inverted, DivergedError when the method does not hold at this step, ModelLeftError, which is one too, when a link
@@ -112,6 +113,7 @@ def simulate(
             walk(RunTask(steps, step, duration, every, q0, v0, given, law, progress), table)
             run = table.run()
             hits.warn(run.hits)
+            table.limited.warn(model)
             table.loops.warn()
             collocated.warn(model, collocated.left_out(model, run.q))
             return run
@@ -164,20 +166,23 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
             with at_time(t):
                 q, v = plant.coordinates(state)
                 tau, wrench = task.given(t, q, v)
+                held = record.hold(q, v, tau)
                 table.hits(t, q, v)
                 if task.sampled(k) or k % WATCH == 0:
                     if not table.loops.look(t, q):
                         raise table.loops.opened()
-                    joints = record.look(t, q, v, tau, wrench)
+                    joints = record.look(t, q, v, held, wrench)
                     if joints is None:
                         raise left(plant.method, table.watch)
                     if task.sampled(k):
                         table.acted(task.rows(k), wrench)
-                        record(task.rows(k), q, v, joints, tau)
+                        if model.chain.holds:
+                            table.limited.take(np.array([t]), tau, held)
+                        record(task.rows(k), q, v, joints, held)
                 if k < task.steps:
-                    before, held = state, (tau, wrench, task.reach(k))
-                    state = plant.step(before, *held)
-                    record.weigh(t, plant, before, state, held)
+                    before, given = state, (tau, wrench, task.reach(k))
+                    state = plant.step(before, *given)
+                    record.weigh(t, plant, before, state, given)
             if task.progress and (k % often == 0 or k == task.steps):
                 task.progress(k, task.steps)
         record.check()

@@ -31,6 +31,7 @@ from ..version import __version__ as VERSION
 from . import collocated
 from .chunks import CHUNK, HERE, How, completed, merged, ready, unpacked
 from .collocated import LeftOut, left_out, worst_of
+from .limited_inputs import LimitedInputs
 from .rollout import Rollout, checked, rolled
 from .rollout_validity import warn_refused
 from .store import Store
@@ -126,6 +127,7 @@ def sweep(
     if found is not None:
         found.validity.warn(model, stacklevel=2)
         collocated.warn(model, found.errors)
+        found.limited.warn(model)
         warn_refused(found.refused, found.failed, "status")
     return Sweep(*target.result())
 
@@ -184,10 +186,12 @@ def _said(what: Any) -> str:
 
 class Limits(NamedTuple):
     """What scenarios are warned of: how near they come to the limits of the model, what the points of exact rods leave
-    out in them, and the parameters that no robot has: those of the first scenario, and how many have such."""
+    out in them, the inputs that are limited, and the parameters that no robot has: those of the first scenario, and
+    how many have such."""
 
     validity: Validity
     errors: tuple[LeftOut, ...]
+    limited: LimitedInputs
     refused: Mapping[int, str]
     failed: int
 
@@ -197,6 +201,7 @@ class Limits(NamedTuple):
         return Limits(
             merged([self.validity, other.validity]),
             worst_of((*self.errors, *other.errors)),
+            self.limited.joined(other.limited),
             {k: refused[k] for k in sorted(refused)[:1]},
             self.failed + other.failed,
         )
@@ -221,7 +226,10 @@ def work(task: SweepTask, k: int) -> tuple[np.ndarray, np.ndarray, Limits]:
     return (
         values.astype(values.dtype.char, copy=False),
         run.status.astype(np.uint8),
-        Limits(run.validity, left_out(model, run.q), _first(run.refused, k * task.chunk), len(run.refused)),
+        Limits(
+            *(run.validity, left_out(model, run.q), run._source.limited(run.t, run.q, run.v)),
+            *(_first(run.refused, k * task.chunk), len(run.refused)),
+        ),
     )
 
 

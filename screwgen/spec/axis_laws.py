@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..elements import FRICTION, STOP, ElementLaw, Law
+from ..elements import FRICTION, STOP, AxisElement, EffortLimit, ElementLaw, HeldLaw, Law
 
 if TYPE_CHECKING:
     from .link_class import LinkClass
@@ -38,10 +38,30 @@ def laws(key: LinkClass) -> Iterator[LawOnAxis]:
         damping = f"limit_damping_{axis + 1}" if axis in key.stop_damping else None
         labels = (f"limit_{side}_{axis + 1}", f"limit_stiffness_{axis + 1}", damping)
         yield LawOnAxis(STOP, "q", axis, SIDES[side], labels)
-    for kind in dict.fromkeys(kind for kind, _ in key.elements):
+    for kind in dict.fromkeys(kind for kind, _ in key.elements if not issubclass(kind, HeldLaw)):
         for axis in (axis for own, axis in key.elements if own is kind):
-            own = tuple(element_label(kind.KIND, name, axis) for name in kind.table())
-            yield LawOnAxis(ElementLaw(kind), "q", axis, 1, own)
+            yield LawOnAxis(ElementLaw(kind), "q", axis, 1, _element_labels(kind, axis))
+
+
+class HeldOnAxis(NamedTuple):
+    """A law of what a step holds of the input of an axis, and the labels of its numbers."""
+
+    kind: type[HeldLaw]
+    axis: int
+    labels: tuple[str, ...]
+
+
+def held_laws(key: LinkClass) -> Iterator[HeldOnAxis]:
+    """Those of a class in the order in which they act: elements as they are stated, then the limits of effort."""
+    for kind, axis in key.elements:
+        if issubclass(kind, HeldLaw):
+            yield HeldOnAxis(kind, axis, _element_labels(kind, axis))
+    for axis in key.limited_efforts:
+        yield HeldOnAxis(EffortLimit, axis, (f"limit_effort_{axis + 1}",))
+
+
+def _element_labels(kind: type[AxisElement], axis: int) -> tuple[str, ...]:
+    return tuple(element_label(kind.KIND, name, axis) for name in kind.table())
 
 
 def element_label(kind: str, name: str, axis: int) -> str:

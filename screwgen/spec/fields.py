@@ -76,13 +76,19 @@ FIELDS |= {  # of a section that is stated at stations
     for name in Section.model_fields
 }
 
+EFFORT = "joint.limits.effort"
+"""The field of the limit of an input."""
+
 
 def of_axis(field: str, joint: Joint, axis: int) -> tuple[str, str] | None:
     """Unit and meaning of a parameter of an axis where they are others than in `FIELDS`: of a slide, of a transmission.
 
-    Friction on a rotor has those of a joint that turns, and so has a rotor's inertia where a ratio is stated.
+    The limit of an effort has the unit of the input. Friction on a rotor has those of a joint that turns, and so has a
+    rotor's inertia where a ratio is stated.
     """
     drive, rotor = joint.driven[axis], field.endswith(".rotor_inertia")
+    if field == EFFORT:
+        return drive.effort(joint.screws[axis])[1], FIELDS[field].description
     units: Mapping[str, tuple[str, str]] = {} if joint.screws[axis].turn else SLIDING
     units = drive.travel.UNITS if drive.travel else units
     on_rotor = drive.elastic and not drive.travel

@@ -1,4 +1,4 @@
-"""The limits of a joint axis: a range, or stops that push the axis back into it."""
+"""The limits of a joint axis: a range, or stops that push the axis back into it; the limit of its effort."""
 
 from collections.abc import Sequence
 from math import inf
@@ -10,21 +10,26 @@ from .part import Part
 from .stated import Stated
 from .values import refuse, shown
 
+EFFORT = Stated("effort", "largest effort of the drive, of either sign", ", where it acts; every step keeps it")
 STOPS = Stated("stop stiffness", "stiffness of the stops at the limits", "; without it there is a range alone")
 
 
 class Limit(Part):
-    """The range of one axis, rad (of a slide m), and with `stiffness` the compliant stops at its ends.
+    """The range of one axis, rad (of a slide m), with `stiffness` the compliant stops at its ends, and its `effort`.
 
     Beyond a limit by p a stop pushes the joint back with `max(0, stiffness p + damping dp/dt)`; it never pulls. Either
     limit may be left out; an empty table is no limit. Without `stiffness` the range is known to the model and watched
     in simulations, but nothing holds the joint in it.
+
+    `effort` is the largest torque of the drive, N·m, or force, N, of either sign, where it acts: at the motor of an
+    elastic gear, along a cylinder, at a crank. Every step takes less of a larger input; dynamics take what they get.
     """
 
     lower: Annotated[float, Stated("limit", "least coordinate of the joint")] | None = None
     upper: Annotated[float, Stated("limit", "largest coordinate of the joint")] | None = None
     stiffness: Annotated[float, STOPS] | None = None
     damping: Annotated[float, Stated("damping", "damping of the stops at the limits")] | None = None
+    effort: Annotated[float, EFFORT] | None = None
 
     @property
     def bounds(self) -> tuple[float, float]:

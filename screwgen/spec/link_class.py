@@ -13,7 +13,7 @@ from ..joints.kind import JointKind
 from ..joints.product import WELD as WELDED
 from ..joints.screw import Screw
 from ..reduction.invariants import Invariants
-from .axis_laws import LawOnAxis, laws
+from .axis_laws import HeldOnAxis, LawOnAxis, held_laws, laws
 from .drive_class import DriveClass, Stop, drive_classes, stops
 from .joint import Joint
 from .markers import TIP
@@ -92,6 +92,8 @@ class LinkClass:
     """The stops of the axes, axis by axis; none where limits have no stiffness."""
     stop_damping: tuple[int, ...] = ()
     """The axes whose stops have damping."""
+    limited_efforts: tuple[int, ...] = ()
+    """The axes whose efforts have a limit."""
     elements: tuple[tuple[type[AxisElement], int], ...] = ()
     """The elements of the axes by their kind, each with its axis."""
     tendons: tuple[TendonClass, ...] = ()
@@ -186,6 +188,11 @@ class LinkClass:
     def laws(self) -> tuple[LawOnAxis, ...]:
         """The forces that are not linear on the coordinates of the joint: friction, stops, elements of axes."""
         return tuple(laws(self))
+
+    @cached_property
+    def held_laws(self) -> tuple[HeldOnAxis, ...]:
+        """What every step does to the inputs of the joint's axes before it holds them, in order."""
+        return tuple(held_laws(self))
 
     @property
     def has_constant_inertia(self) -> bool:
@@ -298,6 +305,7 @@ def link_class(
         drives=drive_classes(joint),
         stops=stops(joint),
         stop_damping=tuple(k for k, x in enumerate(joint.limits or ()) if x.damping is not None),
+        limited_efforts=tuple(k for k, x in enumerate(joint.limits or ()) if x.effort is not None),
         elements=tuple((type(one), axis) for axis, own in enumerate(joint.elements or ()) for one in own),
         frame_at=link.frame_at is not None,
         length=link.length is not None,

@@ -133,7 +133,9 @@ class Bounds(Part):
     A violation of s half widths between two bounds costs `penalty (s + s²/2)`.
     """
 
-    torques: Positive | Between = Field(description="the largest torques, N·m: either sign, or lower and upper")
+    torques: Positive | Between | None = Field(
+        None, description="the largest torques, N·m: either sign, or lower and upper; without it the limits of efforts"
+    )
     torque_rates: Positive | None = Field(None, description="the largest rates of the torques, N·m/s")
     joints: Between | None = Field(None, description="bounds of the joint coordinates, rad")
     joint_rates: Positive | None = Field(None, description="the largest joint rates, rad/s")
@@ -167,7 +169,7 @@ class Mpc(Part):
     horizon: Horizon = Field(description="the plan: intervals, step")
     goal: Goal = Field(description="where the arm shall rest: joints")
     cost: Cost = Field(description="weights: at least torques")
-    bounds: Bounds = Field(description="bounds: at least torques")
+    bounds: Bounds = Field(Bounds(), description="bounds: torques, unless the robot states limits of all efforts")
     solver: Solver = Field(Solver(), description="the solver")
 
 

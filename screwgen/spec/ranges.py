@@ -82,6 +82,7 @@ RANGES = {
     "gear stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),
     "limit": Range(number, 0.0, 1e6, "rad or m"),
+    "effort": Range(positive, 1e-12, 1e15, "N·m or N"),
     "stop stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "velocity": Range(positive, 1e-9, 1e6, "rad/s or m/s"),
     "pitch": Range(number, 0.0, 1e3, "m/rad"),

@@ -5,6 +5,7 @@ A link that is split into segments stands here as so many links; see :mod:`..spe
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
@@ -169,7 +170,7 @@ class Chain(Coordinates):
     @property
     def needs_rates_first(self) -> bool:
         """Whether forces depend on the joint rates, which the DAE form then finds before all else."""
-        return self.has_axis_forces or bool(self.closing.rows) or self.acts_on_tips
+        return self.has_axis_forces or bool(self.closing.rows) or self.acts_on_tips or self.holds_by_motion
 
     @cached_property
     def parameters(self) -> Parameters:
@@ -238,6 +239,13 @@ class Chain(Coordinates):
         joints = (link.joint for link in self.robot.links)
         own = [limit.bounds for joint in joints for limit in joint.limits or (Limit(),) * len(joint.axes)]
         return np.array(own, float).reshape(-1, 2)
+
+    @property
+    def efforts(self) -> np.ndarray:
+        """(n_joints,): the limits of the efforts in the robot file, N·m or N where the drives act; infinite without."""
+        joints = (link.joint for link in self.robot.links)
+        own = [limit.effort for joint in joints for limit in joint.limits or (Limit(),) * len(joint.axes)]
+        return np.array([math.inf if one is None else one for one in own], float)
 
     @cached_property
     def reach(self) -> np.ndarray:

@@ -9,8 +9,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..elements import FRICTION, STOP, TRAVELS, Law, Travel
+from ..elements import FRICTION, STOP, TRAVELS, HeldLaw, Law, Travel
 from ..spec.link_class import LinkClass
+from .held_laws import reads_motion
 from .joint_coordinates import JointCoordinates
 
 SLACK = 1e-3
@@ -218,6 +219,22 @@ class Coordinates(JointCoordinates):
     def acted(self, law: Law) -> list[LawPlace]:
         """Where a law acts, nowhere if it is not among them."""
         return self.laws.get(law, [])
+
+    @cached_property
+    def holds(self) -> bool:
+        """Whether steps hold something else of the inputs than they are given: there are held laws."""
+        return any(self.laws_of_inputs)
+
+    @cached_property
+    def holds_by_motion(self) -> bool:
+        """Whether what they hold depends on the state besides."""
+        return any(reads_motion(law) for laws in self.laws_of_inputs for law in laws)
+
+    @cached_property
+    def laws_of_inputs(self) -> list[list[type[HeldLaw]]]:
+        """For each torque the laws of what a step holds of it, in the order in which they act."""
+        axes = ((key, axis) for key in self.keys for axis in range(key.torques))
+        return [[one.kind for one in key.held_laws if one.axis == axis] for key, axis in axes]
 
     @cached_property
     def travels(self) -> dict[int, Travel]:

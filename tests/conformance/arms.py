@@ -47,6 +47,8 @@ DRIVES: dict[str, dict] = {
     | {"transmission": TRANSMISSIONS["cylinder"]},
     "elastic four-bar": ROTOR | GEAR | {"transmission": TRANSMISSIONS["other branch"]},
 }
+EFFORT, ENOUGH = 6.0, 500.0
+"""Limits of efforts: that of the fore's axis, which the judge's state is beyond, and one that nothing reaches."""
 LOOPS: dict[str, list] = {
     "ball loop": ["x", "y", "z"],
     "hinge loop": ["y"],
@@ -148,6 +150,8 @@ def _boom(row: Row) -> dict:
         boom["frame_at"] = 0.3
     if row["more"] == "bodies":
         boom["bodies"] = [{"at": "base", "mass": 0.7, "com": [0.02, 0.05, -0.03]}, copy.deepcopy(PAYLOAD)]
+    if row["axis"] == "limited" and row["base"] != "afloat":
+        boom["joint"]["limits"] = [{"effort": ENOUGH} for _ in boom["joint"]["axes"]]
     if row["more"] == "markers":
         boom["markers"] = [{"name": "lug", "at": 0.45}]
     if "boom.eye" in str(FORCES.get(row["force"])):
@@ -179,6 +183,8 @@ def _fore(row: Row) -> dict:
             joint["elements"] = [{"spring": {"stiffness": 25.0, "rest": 0.3}}]
         case "stops":
             joint["limits"] = [{"lower": -0.1, "upper": 0.15, "stiffness": 90.0, "damping": 3.0}]
+        case "limited":
+            joint["limits"] = [{"effort": EFFORT}]
         case "passive":
             joint |= {"damping": [0.3], "stiffness": [12.0]}
             joint |= {} if drive and "rotor_inertia" in drive else {"armature": [0.06]}

@@ -68,6 +68,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "free": "",
         "spring": "a preloaded spring, an element of an axis",
         "stops": "stops at limits",
+        "limited": "limits of efforts, which steps keep",
         "passive": "armature, damping and stiffness of an axis",
     },
     "closing": {
@@ -113,7 +114,7 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     ("profile", "frequencies"): "measured frequencies take the place of stiffness, which a profile states",
     **{("afloat", turn): NO_JOINT for turn in list(FACTORS["turn"])[1:]},
     **{("ball", drive): BESIDE_BALLS for drive in list(FACTORS["drive"])[1:]},
-    **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops")},
+    **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
     **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:]},
 }
 """Pairs that a robot file cannot state, with the reason; a test states each and is refused."""

@@ -10,9 +10,8 @@ from conformance.cases import Case
 from conformance.numbers import near
 from screwgen.algorithms.gauges import gauges
 from screwgen.algorithms.measurement import Measurement
-from screwgen.algorithms.measurement_names import chosen, measurable
-from screwgen.algorithms.measurements import AT_MARKERS
-from screwgen.algorithms.robot_functions import BY_NAME
+from screwgen.algorithms.measurement_names import chosen
+from screwgen.algorithms.measurements import AT_MARKERS, FURTHER
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.runtime.measurements import known
@@ -24,7 +23,7 @@ PERIOD = 2e-3
 def everything(case: Case) -> list[str]:
     """What a filter may be told; at the last marker one sensor, of each robot another, for brevity."""
     chain, at_marker = case.model.chain, AT_MARKERS[case.seed % len(AT_MARKERS)]
-    names = [row.name for row in chosen(chain)] + [x for x in measurable() if BY_NAME[x].offered(chain)]
+    names = [row.name for row in chosen(chain)] + [row.name for row in FURTHER if row.offered(chain)]
     along = [m.name for m in chain.markers if not m.is_tip and gauges(chain, [(m.segment, m.at)])]
     return [*names, f"{at_marker.name}@{chain.markers[-1].name}", *(f"strain@{m}" for m in along)]
 

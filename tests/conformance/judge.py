@@ -23,7 +23,7 @@ from oracle_exact import ExactLink, gauss
 from oracle_floating import ANGLE, column_rates, columns
 from scipy.spatial.transform import Rotation
 
-from conformance.arms import LOOPS
+from conformance.arms import EFFORT, LOOPS
 from conformance.features import Row
 from conformance.outer import Outer
 from conformance.twin import as_turns, first_piece
@@ -283,6 +283,8 @@ def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
             before = q[own].copy()
             q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
             _geared(oracle, state, own, before)
+            if row["axis"] == "limited":
+                tau[own] = rng.choice([-1, 1]) * rng.uniform(1.5, 3.0, 1) * EFFORT
     if row["closing"] == "coupling":
         coupling, places = robot["couplings"][0], _axes(oracle.robot)
         q[places[coupling["axis"]]] = coupling["ratio"] * q[places[coupling["of"]]] + coupling["offset"]

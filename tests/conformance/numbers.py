@@ -111,6 +111,11 @@ def casadi(case: Case) -> None:
         parts = [by_columns(x, of, case.model.chain) for x, of in zip(found, row.results.values(), strict=True)]
         near(np.concatenate(parts), expected[row.name], case.agreement, row.name)
     q, v, tau, w_ext = case.given
+    if case.model.chain.holds:
+        near(expected["held_inputs"], case.acting, 0.0, "inputs within limits")
+        found = np.concatenate([flat(x) for x in functions["step_euler"](q, v, tau, w_ext.T, p, STEP)])
+        vdot = case.model.numpy().forward_dynamics(q, v, case.acting, w_ext)[0]
+        near(found[-len(v) :], v + STEP * vdot, case.agreement, "a step beyond the limits")
     x = case.model.numpy().dae_state(q, v)
     near(flat(functions["dae_state"](q, v, p)), x, case.agreement, "state of the DAE form")
     rows = [np.asarray(y.full()) for y in functions["assemble"](x, tau, w_ext.T, p)]
@@ -205,8 +210,9 @@ def jax_results(case: Case, names) -> dict[str, np.ndarray]:
 
 
 def stepped(case: Case, method: str, steps: int = 1) -> tuple[np.ndarray, np.ndarray]:
-    """The state after steps by CasADi."""
-    q, v, tau, w_ext = case.given
+    """The state after steps by CasADi, which are given what the limits of efforts leave."""
+    q, v, _, w_ext = case.given
+    tau = case.acting
     step = case.model.casadi()[f"step_{method}"]
     for _ in range(steps):
         q, v = (flat(x) for x in step(q, v, tau, w_ext.T, case.model.parameter_values, STEP))
@@ -234,7 +240,7 @@ def c_functions(case: Case, layout: str, parameters: str = "runtime") -> None:
     for method in METHODS:
         near(np.concatenate(c.step(q, v, tau, w_ext, STEP, method)), np.concatenate(stepped(case, method)),
              case.agreement, method)  # fmt: skip
-        there = stepper(case.model, method, "dae").step(x, tau, w_ext, STEP)
+        there = stepper(case.model, method, "dae").step(x, case.acting, w_ext, STEP)
         near(c.dae_step(x, tau, w_ext, STEP, method), there, 10 * case.agreement, f"{method} of the DAE form")
 
 

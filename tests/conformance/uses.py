@@ -39,6 +39,8 @@ def runs(case: Case) -> None:
     for name in ("wrench", "tip_position", *rows):
         near(getattr(rolled, name)[0], getattr(run, name), 1e3 * case.agreement, name)
         near(getattr(other, name), getattr(run, name), 1e3 * case.agreement, name)
+    near(run.tau, np.tile(case.acting, (COUNT + 1, 1)), case.agreement, "inputs that acted")
+    near(other.tau, run.tau, case.agreement, "inputs that acted, by CasADi")
     last = {name: x[-1] for name, x in run.arrays.items()} | {"w_ext": w_ext}
     for name, row in rows.items():
         expected = flat(getattr(model.numpy(), name)(*(last[x] for x in row.names)))
@@ -73,7 +75,7 @@ def energy(case: Case) -> None:
         there, rates = c.step(q, v, tau, loads, h, "rk4") if sign > 0 else (q, v)
         ends.append(sum(f.energy(there, rates)))
     middle, rates = c.step(q, v, tau, loads, h / 2, "rk4")
-    power = float(np.sum(f.drive_power(middle, rates, tau)))
+    power = float(np.sum(f.drive_power(middle, rates, case.acting)))
     lost = power - (ends[1] - ends[0]) / h
     scale = abs(power) + sum(map(abs, f.energy(q, v))) + 1.0
     assert lost >= -1e-5 * scale, f"gains {-lost:.3g} W from nothing"

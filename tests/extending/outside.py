@@ -28,6 +28,11 @@ class Outside(Case):
         vars(judge).update(vdot=self.expected[0], forces=np.asarray(given[2]))
         vars(self).update(model=model, judge=judge)
 
+    @property
+    def acting(self) -> np.ndarray:
+        """The inputs, which nothing limits."""
+        return self.given[2]
+
     def _errors(self, *found) -> dict[int, float]:
         pairs = zip(found, self.expected, strict=False)
         return {k: relative(np.reshape(x, expected.shape), expected) for k, (x, expected) in enumerate(pairs)}

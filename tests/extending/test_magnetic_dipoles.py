@@ -154,9 +154,7 @@ def test_a_mock_up_unit_has_them():
 
 def test_a_file_cannot_state_one_and_bad_numbers_are_refused():
     given = robot(magnets=False)
-    with pytest.raises(
-        RobotFileError, match=r"forces\[0\]\.dipole: is an unknown key; known here: name, between, line"
-    ):
+    with pytest.raises(RobotFileError, match=r"forces\[0\]\.dipole: is an unknown key; known here: name, between"):
         Robot(**given | {"forces": [{"name": "m", "between": ["upper.eye", "fore.tip"], "dipole": {"first": 1.0}}]})
     with pytest.raises(RobotFileError, match=r"first: is .*inf; it must be"):
         Force(name="m", between=("upper.eye", "fore.tip"), law=Dipole(np.inf, 1.0))

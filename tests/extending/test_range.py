@@ -1,5 +1,7 @@
 """A sensor that the product does not contain: how far the tip of an arm is from a beacon, in a filter."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from helpers import QUICK, arm, link, model_of, relative
@@ -93,5 +95,7 @@ def test_what_is_said_wrongly_of_it_is_refused_in_a_line(model):
         ):
             with pytest.raises(UsageError, match=said):
                 begun(kind, model, Noise(0.0, **change))
+    with pytest.raises(UsageError, match="measurements: 'my range' cannot be a name; take another of letters"):
+        begun(Estimator, model, Noise(0.0), [replace(RANGE, name="my range")])
     with pytest.raises(UsageError, match="measurements: 'tip_range' is there twice; leave one of them out"):
         begun(Estimator, model, Noise(0.0), [RANGE, RANGE])

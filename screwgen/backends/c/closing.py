@@ -1,15 +1,18 @@
-"""What closes the loops of a robot in generated C: files, programs, scratch; all empty for a robot without loops."""
+"""What closes the loops of a robot in generated C, and what other features of some robots write: files, programs,
+scratch; all empty for a robot without any."""
 
 from __future__ import annotations
 
+from collections import Counter
 from functools import partial
+from typing import Any
 
 from ...algorithms import tip_programs
 from ...algorithms.loop_functions import ROUNDS
 from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...topology.chain import Chain
 from ..templates import FEATURES
-from . import forces
+from . import forces, held
 from .code import Place, entries, literal, singular
 from .inputs import features
 from .pieces import piece_place, pieces
@@ -33,14 +36,19 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
     """
     written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + features(chain)
+    written += held.HELD * chain.holds
     acting = forces.content(chain, baked, place)
     out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
-    out["scratch"] = forces.scratch(chain, acting)
-    out |= _loops(chain, baked, place) if chain.closing.rows else {}
+    kept = forces.scratch(chain, acting)
+    if chain.closing.rows:
+        loops = _loops(chain, baked, place)
+        kept, out = {"input": 1, "state": 2, "": 1 + loops["kept"]}, out | {"loops": loops}
+    out |= {"held": held.content(chain, baked, place) if chain.holds else None}
+    out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))
     return out | ({"idle": _idle_rows(chain, place)} if chain.closing.idle else {})
 
 
-def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
+def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, Any]:
     """Their wrenches on the tips, the correction of an open state, and how far they are open, as programs."""
     own = {
         "m_eta": lambda k: f"m_eta[{k}]",
@@ -61,7 +69,7 @@ def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
         )
     }
     kept = max(part["kept"] for part in made.values())
-    loops = made | {
+    return made | {
         "kept": kept,
         "rounds": ROUNDS,
         "count": len(chain.closing.junctions),
@@ -72,7 +80,6 @@ def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
         "stabilisations": [literal(row.stabilisation) for row in chain.closing.rows],
         "gaps": partial(_gaps, chain, constants, place),
     }
-    return {"loops": loops, "scratch": {"input": 1, "state": 2, "": 1 + kept}}
 
 
 def _sharing() -> dict:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from math import inf
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...algorithms.gauges import Gauge, gauges
+from ...algorithms.gauges import Gauge, curvatures, gauges
 from ...algorithms.tip_terms import tip_terms
 from ...arguments import Numbers
 from ...errors import UsageError
 from ...spec.mpc import VARIABLES, Between, Mpc
+from ...spec.parameters import coordinate_names
 from ...topology.chain import Chain
 from ..templates import folder
 from .code import entries, literal
@@ -76,6 +78,7 @@ class Fitted:
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
             *((True, row.words) for row in chain.other_inputs),
+            (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
         ):
             if asked:
                 raise UsageError(
@@ -129,7 +132,7 @@ class Fitted:
     def _bounds(self) -> dict[str, Sequence[float]]:
         """The members of the options with the bounds that the file states."""
         bounds, n, count = self.said.bounds, self.n, len(self.gauges)
-        lower, upper = self.both("bounds.torques", bounds.torques)
+        lower, upper = self._torques()
         out: dict[str, Sequence[float]] = {"torque_lower": lower, "torque_upper": upper}
         if bounds.torque_rates is not None:
             out["torque_rate"] = self.entries("bounds.torque_rates", bounds.torque_rates, n)
@@ -143,6 +146,19 @@ class Fitted:
             for name, values in (("strain", bounds.strains.limit), ("fibre", bounds.strains.fibre)):
                 out[name] = self.entries(f"bounds.strains.{'limit' if name == 'strain' else name}", values, count)
         return out | ({"wrench": [w.limit for w in bounds.wrenches]} if bounds.wrenches else {})
+
+    def _torques(self) -> tuple[list[float], list[float]]:
+        """The bounds of the torques: those of the file, the limits of efforts where these are tighter."""
+        stated, key = self.said.bounds.torques, "bounds.torques"
+        most = self.chain.efforts
+        if stated is None and not np.isfinite(most).all():
+            free = coordinate_names(self.chain.robot).tau[int(np.flatnonzero(~np.isfinite(most))[0])]
+            raise self.refuse(key, f"is missing; state it, or limits of effort of all axes: {free} has none")
+        lower, upper = ([-inf] * self.n, [inf] * self.n) if stated is None else self.both(key, stated)
+        lower, upper = np.maximum(lower, -most).tolist(), np.minimum(upper, most).tolist()
+        for i in np.flatnonzero(~np.less(lower, upper)):
+            raise self.refuse(f"{key}[{i}]", f"leaves nothing within the limit of the effort, {most[i]:g}")
+        return lower, upper
 
     @cached_property
     def wrenches(self) -> list[dict[str, Any]]:
@@ -217,7 +233,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
         "bounded": bounded,
         "rate_rows": bounded["torque_rates"],
         "gauges": [{"first": g.first, "count": len(g.curvatures)} for g in found],
-        "curvatures": _curvatures(chain, found),
+        "curvatures": [literal(x) for x in _curvatures(chain, found)],
         "wrenches": fitted.wrenches,
         "terminal": said.cost.terminal.riccati,
         "terminal_factor": literal(said.cost.terminal.factor),
@@ -262,14 +278,9 @@ def _tip(fitted: Fitted, baked: bool) -> dict[str, Any]:
     return out | {"tip": written, "slopes_of_stumpff": slopes([program])}
 
 
-def _curvatures(chain: Chain, found: Sequence[Gauge]) -> list[str]:
-    """The curvature at the base of a link per unit of each mode that strains a gauge, 1/m², else 0."""
-    out = [0.0] * max(chain.n_modes, 1)
-    for gauge in found:
-        length = chain.robot.links[gauge.link].length
-        assert length is not None, "a link that bends has a length"
-        out[gauge.first : gauge.first + len(gauge.curvatures)] = [x / length**2 for x in gauge.curvatures]
-    return [literal(x) for x in out]
+def _curvatures(chain: Chain, found: Sequence[Gauge]) -> list[float]:
+    """Those of the file's lengths; at least one, as C has no array of none."""
+    return np.array(curvatures(chain, chain.parameters.vector().tolist(), found) or [0.0], float).tolist()
 
 
 def _tables(fitted: Fitted) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from functools import cached_property
 
-from ...algorithms import fused
+from ...algorithms import functions, fused
 from ...algorithms.dae_functions import state_size, unknown_size
 from ...algorithms.measurement import Measurement
 from ...algorithms.measurement_names import chosen
@@ -294,7 +294,7 @@ class CProject:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
         measured = (a for row in self.measurements for a in row.algorithms)
-        more = (*told, *measured, *differentiated(self.chain, self.chosen), *self.further)
+        more = (*told, *measured, functions.HOLD, *differentiated(self.chain, self.chosen), *self.further)
         return *(run.algorithm for run in RUNS.values()), *more
 
     @property

@@ -8,6 +8,7 @@ from functools import partial
 import casadi as ca
 
 from ...algorithms import fused
+from ...algorithms import robot_programs as programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import stage
 from ...algorithms.schedule import COLUMNS
@@ -62,12 +63,13 @@ class CasadiAccelerations:
 
 
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
-    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds.
+    """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds, efforts within their limits.
 
     Quaternions are multiplied by unit quaternions and not scaled.
     """
     given = symbols(chain, "q v tau w_ext p dt")
-    held = CasadiAccelerations(chain, given["tau"], given["w_ext"], given["p"])
+    tau = expressions(programs.held_inputs(chain), given)["held"] if chain.holds else given["tau"]
+    held = CasadiAccelerations(chain, tau, given["w_ext"], given["p"])
     q, v = method.step(held, given["q"], given["v"], given["dt"], replayed(chain, expressions))
     return function(name, given, q_next=q, v_next=v)
 
@@ -112,7 +114,8 @@ def scaling(chain: Chain) -> ca.Function:
     inertia = ca.substitute(M, inputs["q"], ca.vertcat(ca.SX(0, 1), *chain.home))
     stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
-    modes = ca.sqrt(twice / stiffness[chain.n_given - chain.n_modes : chain.n_given])
+    springs = stiffness[chain.n_given - chain.n_modes : chain.n_given] if chain.n_modes else ca.SX(0, 1)
+    modes = ca.sqrt(twice / springs)
     ratios, tau = ca.vertcat(ca.SX(0, 1), *chain.ratios(given["p"])), twice * ca.SX.ones(m)
     for k, (ratio, joint) in enumerate(zip(chain.ratios(given["p"]), chain.added_joints, strict=True)):
         if joint in chain.elastic_travels:

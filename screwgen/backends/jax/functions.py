@@ -21,6 +21,7 @@ from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage
 from ...algorithms.parameter_slopes import BY_P
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
+from ...algorithms.robot_programs import held_inputs
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...errors import UsageError
@@ -177,8 +178,10 @@ class Own:
         return jnp.concatenate([jnp.stack([spin[2, 1], spin[0, 2], spin[1, 0]]), moving @ rates])
 
     def step(self, method: Method, x: Values) -> tuple[jax.Array, jax.Array]:
-        """Coordinates and rates after a step of dt seconds, the inputs held."""
+        """Coordinates and rates after a step of dt seconds, the inputs held, efforts within their limits."""
         moves = space.replayed(self.chain, self.replay)
+        if self.chain.holds:
+            x = {**x, "tau": self.run(held_inputs, "held", x)[0]}
         q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], moves)
         return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 

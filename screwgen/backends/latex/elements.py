@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...elements import STOP, TRAVELS, ElementLaw, friction, gear, stop
+from ...elements import STOP, TRAVELS, EffortLimit, ElementLaw, friction, gear, stop
 from ...ir.block import Binding
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
@@ -35,6 +35,7 @@ def equations(chain: Chain) -> list[str]:
     out += [stop.EQUATIONS] if STOP in chain.laws else []
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
+    out += [law.equations() for law in dict.fromkeys(law for laws in chain.laws_of_inputs for law in laws)]
     return out + ([gear.travel_equations(chain.travel_kinds)] if chain.elastic_travels else [])
 
 
@@ -46,6 +47,7 @@ def remarks(key: LinkClass) -> dict[str, object]:
         **{kind.PLURAL: type(kind) in map(type, key.travels.values()) for kind in TRAVELS},
         "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
         "stops": key.stops,
+        EffortLimit.WORDS: key.limited_efforts,
         **{kind.WORDS: True for kind, _ in key.elements},
     }
 

@@ -17,9 +17,9 @@ from ...topology.chain import Chain
 from ..templates import render
 from .breaking import terms
 from .content import Named
-from .law_equations import equations
+from .law_equations import ROOM, equations
 from .law_equations import symbols as number_symbols
-from .layout import equation
+from .layout import fill, width
 
 STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
 TURNED = " External wrenches of pushes in axes of the world have inertial components instead."
@@ -136,5 +136,6 @@ def _laws(chain: Chain) -> Iterator[_Law]:
 
 def _line(left: str, right: str) -> Sequence[str]:
     """A numbered line of an equation, broken where it is long."""
-    rows = [" & ".join(row) for row in equation(left, terms(right))]
+    first, *more = fill(terms(right), ROOM - width(left))
+    rows = [f"{left} &= {first}", *(rf" & \quad {line}" for line in more)]
     return [*rows[:-1], rows[-1] + r" & \qquad & \text{(A#)}"]

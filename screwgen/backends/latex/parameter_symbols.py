@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from ...algorithms.scope import derived
-from ...elements import KINDS, TRAVELS, friction, gear, stop
+from ...elements import KINDS, TRAVELS, EffortLimit, friction, gear, stop
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
@@ -43,7 +43,7 @@ def _of_axis(p: Parameter) -> str:
     """That of what acts on an axis."""
     *_, table, name = ("", *p.field.split("."))
     if p.field.startswith("joint.limits."):
-        return stop.LETTERS.get(name, "")
+        return (stop.LETTERS | {"effort": EffortLimit.table()["most"].symbol}).get(name, "")
     if p.field.startswith("joint.elements."):
         return KINDS[table].table()[name].symbol if table in KINDS else ""
     if ".transmission." in p.field:

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...algorithms import fused
 from ...algorithms.dae_functions import DaeFunctions
-from ...algorithms.functions import Functions
+from ...algorithms.functions import HOLD, Functions
 from ...bodies.validity import BOUNDS
 from ...errors import SingularError
 from ...integrators.method import Method, Motion
@@ -77,7 +77,9 @@ class _Soft:
         world = fused.world(chain, [p.value for p in parameters(chain.robot)])
         apply = evaluation(chain, _rounded, EPSILON)
         self.chain, self.functions = chain, DaeFunctions(chain, fused.baked(chain), world, apply)
-        self.tau, self.w_ext = case["tau"], case["w_ext"]
+        self.holding = Functions(chain, fused.baked(chain, (HOLD,)), world, apply)
+        self.given, self.w_ext = case["tau"], case["w_ext"]
+        self.tau = self.given
         M, K, D, *laws = (np.array(column) for column in fused.columns(chain, self.functions.constants).values())
         modes = slice(chain.n_given - chain.n_inner, chain.n_given)
         fastest = np.sqrt(max(K[modes] / M[modes], default=0.0))
@@ -96,8 +98,15 @@ class _Soft:
 
     def step(self, method: Method, q: np.ndarray, v: np.ndarray, dt: float) -> Motion:
         """A step of the joint form."""
+        self.hold(q, v)
         q, v = method.step(self, q, v, dt, space_of(self.chain))
         return self.chain.unit(q), v
+
+    def hold(self, q: np.ndarray, v: np.ndarray) -> list[float]:
+        """The inputs that a step from here holds."""
+        if self.chain.holds:
+            self.tau = self.holding.held(q.tolist(), v.tolist(), self.given)
+        return self.tau
 
     def parts(self, q: np.ndarray, v: np.ndarray) -> list[np.ndarray]:
         """Coordinates, modal ones apart, and rates likewise."""
@@ -151,9 +160,11 @@ def _steps(
     dae, start = soft.dae(), np.array(soft.functions.place(q.tolist(), v.tolist()))
     start[dae.pose] += defect
     start[dae.twist] += defect
-    held = np.array(soft.tau), np.array(soft.w_ext)
+    rates = v.copy()
+    rates[dae.joints] = dae.joint_rates(start)[0]
     try:
         joint = [[weighted_sum(part) for part in soft.parts(*soft.step(x, q, v, dt))] for x in methods]
+        held = np.array(soft.hold(q, rates)), np.array(soft.w_ext)
         ends = [_sums(dae, dae.project(HeldDae(dae, start, *held, dt).step(x))) for x in methods]
     except SingularError:
         return None
@@ -190,6 +201,7 @@ def _measures(f: Functions, case: Case) -> list[float]:
 def _length(soft: _Soft, q: np.ndarray, v: np.ndarray) -> float:
     """LONGEST, halved until neither joints move far nor accelerations change much."""
     dt, m = LONGEST, soft.chain.eta_q
+    soft.hold(q, v)
     start = soft.explicit(q, v)
     while dt > SHORTEST:
         with contextlib.suppress(SingularError):

@@ -1,0 +1,31 @@
+"""The limit of the effort of a drive: ``min(max(tau, -most), most)``.
+
+It acts on the input itself, so where the drive does: on the motor of an elastic gear, along a cylinder, at a crank. At
+the limit the slope is 1 still, beyond it 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from .axis_element import key
+from .held import HeldLaw
+from .law import Value
+
+
+@dataclass(frozen=True)
+class EffortLimit(HeldLaw):
+    """The limit of the effort of a drive, which a robot file states as ``effort`` of the axis' limits."""
+
+    KIND = "effort"
+    WORDS = "limits of effort"
+    FORMULA = r"\min\left( \max\left( \tau, -\tau_m \right), \tau_m \right)"
+    SAID = "at the limit of its effort"
+
+    most: float = key("N·m", "N", "largest effort of the drive, of either sign", r"\tau_m", sign="positive")
+
+    @staticmethod
+    def held(t: Any, tau: Value, x: Value, w: Value, most: Value) -> Value:
+        above, below = t.named("above", t.call("on", tau - most)), t.named("below", t.call("on", -tau - most))
+        return tau * (1.0 - above - below) + most * (above - below)

@@ -1,0 +1,40 @@
+"""The contract of a law of what a step holds: what every step makes of the input of an axis at its beginning.
+
+An example: a motor gives 50 N·m at most. A controller asks for 80 N·m at the beginning of a step, and the step holds
+50 N·m. Such a law is an element of an axis that states :meth:`HeldLaw.held` in place of a force. All laws of a robot
+are one traced program, which every step of every integrator runs first, as recorders do and the derivatives of steps,
+whose slopes the tracer derives (:mod:`..algorithms.held`).
+"""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+from .axis_element import AxisElement
+from .law import Value
+
+
+class HeldLaw(AxisElement):
+    """A law of what a step holds, to be inherited as :class:`.axis_element.AxisElement` is, with keys in its manner.
+
+    ``FORMULA``: what is held of the input ``\\tau``, in LaTeX; ``SAID``: what a person reads where it acts, behind
+    "an input was held ".
+    """
+
+    SAID: ClassVar[str]
+
+    @staticmethod
+    def held(t: Any, tau: Value, x: Value, w: Value, *values: Value) -> Value:
+        """What is held of the input ``tau``, N·m or N where the drive acts, with the ``values`` of the keys.
+
+        ``x``: the coordinate of the joint, of an elastic gear that of its rotor; ``w``: the rate whose product with
+        the input is the power of the drive. Both are those at the beginning of the step.
+        """
+        raise NotImplementedError
+
+    @classmethod
+    def equations(cls) -> str:
+        """Its section of text in documents."""
+        symbols = ", ".join(f"{one.meaning} ${one.symbol}$" for one in cls.table().values())
+        said = f"Of the input of an axis with {cls.WORDS} a step holds"
+        return f"{said}\n\n$$\n\\tau &\\leftarrow {cls.FORMULA}\n$$\n\nwith {symbols}."

@@ -1,0 +1,63 @@
+"""What steps hold of the inputs of a motion, and of which they held something else: from when, and how often."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..algorithms.law_programs import on_arrays
+from ..algorithms.robot_programs import held_inputs
+from ..ir.replay import run
+from ..robot_model import RobotModel
+from .hits import LimitWarning
+
+
+def held(model: RobotModel, q: np.ndarray, v: np.ndarray, tau: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """What steps that begin at ``q`` (…, nq), ``v`` (…, nv) hold of ``tau`` (…, n_tau); ``p`` (…, parameters)."""
+    if not model.chain.holds:
+        return tau
+    program = model.once("held inputs", lambda: held_inputs(model.chain))
+    given = {"q": q, "v": v, "tau": tau, "p": p}
+    found, _ = run(program, {name: list(np.moveaxis(x, -1, 0)) for name, x in given.items()}, on_arrays)
+    return np.stack(np.broadcast_arrays(*found["held"]), axis=-1)
+
+
+@dataclass
+class LimitedInputs:
+    """Of how many samples each input was held otherwise than it was given, (n_tau,), and the ``first`` such time, s.
+
+    In a run of the C, its loop fills the arrays.
+    """
+
+    first: np.ndarray
+    count: np.ndarray
+    samples: int = 0
+
+    @classmethod
+    def none(cls, model: RobotModel) -> LimitedInputs:
+        """Those before the first sample."""
+        return cls(np.full(model.n_tau, np.nan), np.zeros(model.n_tau, np.int32))
+
+    def take(self, t: np.ndarray, given: np.ndarray, held: np.ndarray) -> LimitedInputs:
+        """Look at samples at ``t`` (N,): the inputs (…, N, n_tau) as they were given, and as they were held."""
+        other = np.not_equal(given, held).reshape(-1, len(t), len(self.count))
+        self.count += other.sum(axis=(0, 1), dtype=np.int32)
+        for k in np.flatnonzero(other.any(axis=(0, 1))):
+            self.first[k] = np.fmin(self.first[k], t[other[:, :, k].any(axis=0)].min())
+        self.samples += other.shape[0] * other.shape[1]
+        return self
+
+    def joined(self, other: LimitedInputs) -> LimitedInputs:
+        """Those of the samples of both."""
+        first, count = np.fmin(self.first, other.first), self.count + other.count
+        return LimitedInputs(first, count, self.samples + other.samples)
+
+    def warn(self, model: RobotModel, stacklevel: int = 2) -> None:
+        """A :class:`LimitWarning` for each axis whose input was held otherwise; ``stacklevel`` as of a function."""
+        said = [", ".join(dict.fromkeys(law.SAID for law in laws)) for laws in model.chain.laws_of_inputs]
+        for k in np.flatnonzero(self.count):
+            share = f"{100 * self.count[k] / self.samples:.3g} % of the samples, first at t = {self.first[k]:.6g} s"
+            what = f"{model.tau_names[k]} was held {said[k]}: in {share}"
+            warnings.warn(f"{what}; ask for less, or state a stronger drive", LimitWarning, stacklevel=stacklevel + 1)

@@ -33,7 +33,7 @@ ROBOTS = {
 }
 SENSORS = {
     "crane": (
-        "cylinder_length tendon_length drive_power strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug "
+        "cylinder_length tendon_length strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug "
         "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug acceleration"
     ).split(),
     "free": (
@@ -71,7 +71,7 @@ def value(robot, name, q, v, tau, w_ext) -> np.ndarray:
         return f.accelerometer(q, v, tau, w_ext)[at]
     if kind.startswith("marker"):
         return f.marker_pose(q)[kind == "marker_position"][at]
-    return f.drive_power(q, v, tau) if kind == "drive_power" else getattr(f, kind)(q)
+    return getattr(f, kind)(q)
 
 
 @pytest.mark.parametrize(("name", "sensor"), [(name, x) for name in SENSORS for x in SENSORS[name]])

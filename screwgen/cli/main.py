@@ -96,10 +96,7 @@ def generate(
     ] = None,
     functions: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="NAME",
-            help="A CasADi function to save, or all; may be given again. Without: dynamics, energy and poses.",
-        ),
+        typer.Option(metavar="NAME", help="A CasADi function, or all; may be given again. Else: dynamics and poses."),
     ] = None,
     quiet: Quiet = False,
 ) -> None:

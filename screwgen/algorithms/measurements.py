@@ -134,7 +134,10 @@ FELT = "acceleration less that of free fall, in the marker's axes: at rest it po
 TURNS = "the marker's quaternion, of either sign; deviations and innovations are turns about its axes"
 AT_MARKERS: tuple[Measurement, ...] = (
     Measurement("gyro", "q v", sensors.turning, AXES, "rad/s", "angular velocity in the marker's axes", (MOVING,)),
-    Measurement("accelerometer", "q v vdot", sensors.felt, AXES, "m/s^2", FELT, (ACCELERATING,)),
+    Measurement(
+        *("accelerometer", "q v vdot", sensors.felt, AXES, "m/s^2", FELT, (ACCELERATING,)),
+        offered=lambda chain: not chain.falls,
+    ),
     Measurement(
         "marker_position", "q", lambda f, q: f.marker_poses(q)[1], AXES, "m", "in the inertial frame", (PLACED,)
     ),

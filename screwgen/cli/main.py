@@ -81,7 +81,7 @@ def generate(
     derivatives: Annotated[
         bool, typer.Option("--derivatives", help="Also C of derivatives: of accelerations, steps and joint wrenches.")
     ] = False,
-    estimator: Annotated[bool, typer.Option("--estimator", help="Also C of a Kalman filter, and --derivatives.")] = False,
+    estimator: Annotated[bool, typer.Option("--estimator", help="Also a Kalman filter, with --derivatives.")] = False,
     measure: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="What the filter is told, as gyro@boom.tip; again: more.")
     ] = None,

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ...spec.parameters import coordinate_names, coordinate_units, force_units
+from ...spec.inputs import input_units
+from ...spec.parameters import coordinate_names, coordinate_units
 from ...topology.chain import Chain
 from .content import DocumentTable, Heading, Item, Paragraph
 from .forces import TURNED
@@ -143,7 +144,7 @@ def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tu
 
 def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
     """One row for each input."""
-    names, units = coordinate_names(chain.robot).tau, force_units(chain.robot)
+    names, units = coordinate_names(chain.robot).tau, input_units(chain.robot)
     out = []
     for k, (name, unit) in enumerate(zip(names, units, strict=True)):
         tendon = k - chain.n_joints

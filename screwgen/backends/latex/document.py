@@ -16,6 +16,7 @@ from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
 from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
+from ...spec.tendons import TENSIONS
 from ...topology.chain import Chain
 from ...version import __version__
 from ..numpy.loop_rows import choose_rows
@@ -80,6 +81,7 @@ def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None
 def chain_of(robot: Robot) -> Chain:
     """The links of a robot, with the rows of its loops that bear forces."""
     chain = Chain(robot)
+    chain.refuse_inputs("document", "leave them out of its robot", TENSIONS)
     choose_rows(chain)
     return chain
 

@@ -24,7 +24,8 @@ class Outside(Case):
         super().__init__({})
         self.expected = [np.asarray(x) for x in (vdot, wrench) if x is not None]
         tolerance = max(1e-10, 50 * EPS * np.linalg.cond(model.numpy().mass_matrix(given[0])))
-        judge = SimpleNamespace(given=given, tolerance=tolerance, errors=self._errors, vdot=self.expected[0])
+        judge = SimpleNamespace(given=given, tolerance=tolerance, errors=self._errors)
+        vars(judge).update(vdot=self.expected[0], forces=np.asarray(given[2]))
         vars(self).update(model=model, judge=judge)
 
     @property

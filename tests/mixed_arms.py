@@ -1,10 +1,11 @@
-"""Random robots with everything at once, held against the oracle: `python tests/mixed_arms.py 0 300`.
+"""Random robots with everything at once, held against the oracle: `python tests/mixed_arms.py 0 300 [--dress]`.
 
 Trees of up to eight links that are carried at tips or along their parents, mixed joints, stops, cylinders, four-bar
 linkages, rigid and elastic drives with friction, modes of all orders, sections that vary, shear, bodies from files,
 segments, damping of the material, fixed and floating bases, couplings, up to two loops, springs and ropes between
-frames, pushes. What the robot file refuses is counted and drawn without. Where loops or couplings close the tree, the
-judge is the oracle's mass matrix and bias with Lagrange multipliers.
+frames, pushes; those that are dressed have ball joints, springs, tendons and markers besides. What the robot file
+refuses is counted and drawn without. Where loops or couplings close the tree, the judge is the oracle's mass matrix and
+bias with Lagrange multipliers.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import copy
 import sys
 import time
 from collections import Counter
+from functools import cached_property
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -22,12 +24,13 @@ import random_robots as rr
 from conformance import numbers
 from conformance.cases import Case
 from conformance.judge import Judge
-from conformance.twin import as_turns
+from conformance.twin import as_turns, first_piece
 from mixed_forces import with_forces
 from mixed_loops import JOINTS, Loops, bridged, coupled, names
 from oracle import Oracle
 from oracle_floating import ANGLE, floating
 from pydantic import ValidationError
+from random_features import dressed
 
 from screwgen.elements import CYLINDER, STOP, FourBarLinkage
 
@@ -51,6 +54,8 @@ LINKS = 8
 CONDITION = 1e8
 EVERY = 8
 """One robot in so many is compiled."""
+STEPS, LEAP = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7), 3.0
+"""Steps, s, and how much more than at their beginning rates may change in one."""
 LAYOUTS = ("auto", "modular")
 STATE = ("q", "v", "tau", "w_ext")
 
@@ -73,6 +78,14 @@ class Mixed(Case):
     @property
     def floating(self) -> bool:
         return "base" in self.judge.robot
+
+    @cached_property
+    def step(self) -> float:
+        """A millisecond, or the longest of its tenths in which Runge–Kutta's method does not begin to diverge."""
+        q, v, tau, w_ext = self.given
+        step, most = self.model.casadi()["step_rk4"], LEAP * np.max(np.abs(self.judge.vdot), initial=0.0)
+        at = lambda h: step(q, v, tau, w_ext.T, self.model.parameter_values, h)[1].full()[:, 0]  # noqa: E731
+        return next(h for h in STEPS if np.max(np.abs(at(h) - v), initial=0.0) <= max(h * most, 1.0))
 
 
 def case_of(robot: dict, state: dict, folder: Path = Path()) -> Mixed:
@@ -111,8 +124,8 @@ def with_coupling(rng, base: dict, judged: dict, state: dict) -> dict:
     return coupled(rng, judged, state, among=free) if len(free) > 1 and rng.random() < COUPLED else judged
 
 
-def drawn(seed: int, folder: Path, most: int = LINKS, **limits) -> Mixed:
-    """A robot of `most` links or fewer whose equations are regular in its state.
+def drawn(seed: int, folder: Path, most: int = LINKS, dress: bool = False, **limits) -> Mixed:
+    """A robot of `most` links or fewer whose equations are regular in its state; `dress`: it is dressed.
 
     What the file refuses is left out and kept as `refused`.
     """
@@ -126,6 +139,8 @@ def drawn(seed: int, folder: Path, most: int = LINKS, **limits) -> Mixed:
         tree = max(count - wanted, 1)
         base = fr.random_arm(rng, tree, **limits) if files else rr.random_robot(rng, tree, **limits)
         base = with_places(rng, with_segments(rng, floating(base) if free else base))
+        if dress:
+            base = dressed([seed, attempt], base)
         case = _case(rng, base, wanted, folder, refused, [40, seed, attempt])
         if case is not None:
             return case
@@ -138,6 +153,7 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str], forces
     state = fr.random_state(rng, judged) if any("cloud" in x for x in judged["links"]) else rr.random_state(rng, judged)
     if free:
         state["q"][3:6], state["tau"][:6] = rr.numbers(rng.uniform(-ANGLE, ANGLE, 3)), [0.0] * 6
+    _turn_balls(rng, base, judged, state)
     among = [x["name"] for x in base["links"]]
     for number in range(wanted):
         oracle = Oracle(judged)
@@ -151,6 +167,7 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str], forces
     base |= {key: judged[key] for key in ("loops", "couplings") if key in judged}
     base = with_forces(forces, base, judged, np.array(state["q"]))
     judge = Judge(base, judged, Oracle(judged), state)
+    judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths)) if judge.tendon_lengths else judge.tensions
     judge.pushes = np.random.default_rng(forces).normal(size=judge.pushes.shape)
     M = judge.oracle.mass_matrix(judge.state["q"])
     if np.linalg.cond(M) > CONDITION or np.linalg.eigvalsh(M)[0] <= 0:
@@ -164,6 +181,16 @@ def _case(rng, base: dict, wanted: int, folder: Path, refused: list[str], forces
         refused.append(message(error))
         return None
     return case
+
+
+def _turn_balls(rng, robot: dict, judged: dict, state: dict) -> None:
+    """Euler angles of ball joints that stay away from the singular ones."""
+    balls, first = {first_piece(x) for x in robot["links"] if x["joint"]["axes"] == "ball"}, 0
+    for link in judged["links"]:
+        count = len(link["joint"]["axes"])
+        if link["name"] in balls:
+            state["q"][first : first + count] = rr.numbers(rng.uniform(-ANGLE, ANGLE, count))
+        first += count
 
 
 def message(error: ValidationError) -> str:
@@ -195,6 +222,10 @@ def described(case: Mixed) -> str:
         "stops": len(chain.acted(STOP)),
         "cylinders": sum(x == CYLINDER for x in chain.travels.values()),
         "linkages": sum(isinstance(x, FourBarLinkage) for x in chain.travels.values()),
+        "balls": sum(x["joint"]["axes"] == "ball" for x in case.robot["links"]),
+        "springs": sum("spring" in x for y in case.robot["links"] for x in y["joint"].get("elements", [])),
+        "tendons": chain.n_tensions,
+        "markers": sum(len(x.get("markers", [])) for x in case.robot["links"]),
         "places": sum(map(len, (k.stations_at for k in keys))),
     }
     return " ".join(f"{k} {n}" for k, n in parts.items() if n)
@@ -209,13 +240,13 @@ def judged(case: Mixed, layout: str | None = None) -> None:
 
 
 def main() -> int:
-    first, last = int(sys.argv[1]), int(sys.argv[2])
+    first, last, dress = int(sys.argv[1]), int(sys.argv[2]), "--dress" in sys.argv
     counts, refused = Counter(), Counter()
     for seed in range(first, last):
         start, text = time.time(), ""
         try:
             with TemporaryDirectory() as folder:
-                case = drawn(seed, Path(folder))
+                case = drawn(seed, Path(folder), dress=dress)
             layout = LAYOUTS[seed // EVERY % 2] if seed % EVERY == 0 else None
             refused.update(set(case.refused))
             said, text = "holds", described(case)

@@ -172,8 +172,9 @@ def names(robot: dict) -> list[str]:
     """The coordinates of all axes that no elastic gear and no transmission drives."""
     found = []
     for x in robot["links"]:
-        drives = x["joint"].get("drives") or [{}] * len(x["joint"]["axes"])
-        for k, (axis, drive) in enumerate(zip(x["joint"]["axes"], drives, strict=True)):
+        axes = [] if x["joint"]["axes"] == "ball" else x["joint"]["axes"]
+        drives = x["joint"].get("drives") or [{}] * len(axes)
+        for k, (axis, drive) in enumerate(zip(axes, drives, strict=True)):
             kind = "slide" if isinstance(axis, dict) and "slide" in axis else "joint"
             if "stiffness" not in drive and "transmission" not in drive:
                 found.append(f"{x['name']}.{kind}[{k}]")

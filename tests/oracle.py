@@ -28,10 +28,13 @@ from oracle_stations import place_of, section
 from oracle_stops import Stops
 
 
-def part_error(reference, value, companion) -> float:
-    """Largest error over the largest entry of `reference`; see `Oracle.errors` for the companion."""
+def part_error(reference, value, companion, taken=()) -> float:
+    """Largest error over the largest entry of `reference`; see `Oracle.errors` for the companion.
+
+    `taken`: what was subtracted from numbers as large to get the reference, such as accelerations that loops take away.
+    """
     largest = lambda x: float(np.max(np.abs(x), initial=0.0))  # noqa: E731
-    return largest(value - reference) / (max(largest(reference), 1e-4 * largest(companion)) or 1.0)
+    return largest(value - reference) / (max(largest(reference), largest(taken), 1e-4 * largest(companion)) or 1.0)
 
 
 def parents_of(links: list[dict]) -> list[int]:

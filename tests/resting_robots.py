@@ -22,6 +22,7 @@ import scipy.linalg
 from helpers import model_of
 from mixed_arms import LIMITS, Mixed, described, drawn
 from pydantic import ValidationError
+from random_features import with_tendons
 
 from screwgen import Equilibrium, Model, ScrewgenError, equilibrium
 
@@ -50,7 +51,7 @@ def case_of(seed: int, folder: Path) -> Case:
         number += 1
         mixed = drawn(number, folder, LINKS, **RESTING)
     try:
-        model = model_of(with_tendons(rng, mixed.robot))
+        model = model_of(with_tendons(rng, mixed.robot, 0.25))
     except ValidationError:
         model = mixed.model
     start = np.zeros(model.nq) if mixed.loops is None else np.array(mixed.given[0])
@@ -59,21 +60,6 @@ def case_of(seed: int, folder: Path) -> Case:
         w_ext = np.where(rng.random((model.n_links, 1)) < 0.5, rng.uniform(-2, 2, (model.n_links, 6)), 0.0)
     hold = bool(rng.random() < 1 / 3)
     return Case(mixed, model, start, loads(rng, model, hold), w_ext, hold)
-
-
-def with_tendons(rng, robot: dict) -> dict:
-    """The robot with a tendon along some of its flexible links, or two that pull against each other."""
-    links = []
-    for link in robot["links"]:
-        bends = any(link.get("modes", {}).get(d) for d in ("bending_y", "bending_z"))
-        if bends and "cloud" not in link and "segments" not in link and rng.random() < 0.25:
-            y, z = rng.uniform(0.005, 0.02, 2).tolist()
-            own = [{"name": f"cord_{link['name']}", "at": [[0.0, y, z], [0.0, y, 0.5 * z]]}]
-            if rng.random() < 0.5:
-                own.append({"name": f"against_{link['name']}", "at": [[0.0, -y, -z], [0.0, -y, -0.5 * z]]})
-            link = link | {"tendons": own}
-        links.append(link)
-    return robot | {"links": links}
 
 
 def loads(rng, model: Model, hold: bool) -> np.ndarray:

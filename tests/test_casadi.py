@@ -67,10 +67,13 @@ def test_steps_are_those_of_the_simulation(method):
         assert np.isfinite(np.array(f.jacobian()(q, v, tau, w_ext, p, 1e-5, *f(q, v, tau, w_ext, p, 1e-5))[0])).all()
 
 
-def test_one_rigid_link_has_steps():
-    """Neither modes nor springs: nothing is implicit, and one coordinate is no row of none."""
-    link = {"name": "bar", "length": 1.0, "section": {"rhoA": 1.0}, "joint": {"axes": ["y"]}}
+@pytest.mark.parametrize("spring", [0.0, 3.0], ids=["free", "sprung"])
+def test_one_rigid_link_has_steps_and_sizes(spring):
+    """Without modes: nothing but a spring is implicit, and one coordinate is no row of none."""
+    joint = {"axes": ["y"]} | ({"stiffness": [spring]} if spring else {})
+    link = {"name": "bar", "length": 1.0, "section": {"rhoA": 1.0}, "joint": joint}
     model = model_of({"name": "one", "gravity": [0.0, 0.0, -9.81], "links": [link]})
+    assert [x.shape for x in model.casadi()["scaling"](model.parameter_values)] == [(1, 1)] * 3
     q, v = model.casadi()["step"](0.1, 0.2, 0.3, np.zeros((6, 1)), model.parameter_values, 1e-4)
     (vdot,), _ = model.numpy().forward_dynamics([0.1], [0.2], [0.3], None)
     assert float(v) == pytest.approx(0.2 + 1e-4 * vdot, abs=1e-7) and float(q) == pytest.approx(0.1 + 2e-5, abs=1e-6)

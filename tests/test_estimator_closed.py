@@ -198,7 +198,8 @@ def test_the_transition_is_that_of_the_step_up_to_its_order():
         step = lambda q, v, h=h: stepper.step(stepper.initial(q, v), tau, w_ext, h)  # noqa: E731
         end = step(q, v)
         e.put(q, v, np.zeros((32, 32)))
-        Phi = e._transition(*e._middle(*end, h), tau, w_ext, h)[0]
+        middle = e._middle(*end, h)
+        Phi = e._transition(*middle, e._slopes(*middle, tau, tau, w_ext), h)[0]
         ends = lambda d: apart(robot, end, step(*changed(robot, q, v, d)))  # noqa: E731, B023
         found = np.array([(ends(1e-5 * x) - ends(-1e-5 * x)) / 2e-5 for x in np.eye(32)]).T
         errors.append(np.max(np.abs(Phi - found)[:, :10]) + np.max(np.abs(Phi - found)[:, 16:26]))

@@ -33,7 +33,7 @@ ROBOTS = {
 }
 SENSORS = {
     "crane": (
-        "cylinder_length tendon_length drive_power strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug "
+        "cylinder_length tendon_length strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug "
         "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug acceleration"
     ).split(),
     "free": (
@@ -71,7 +71,7 @@ def value(robot, name, q, v, tau, w_ext) -> np.ndarray:
         return f.accelerometer(q, v, tau, w_ext)[at]
     if kind.startswith("marker"):
         return f.marker_pose(q)[kind == "marker_position"][at]
-    return f.drive_power(q, v, tau) if kind == "drive_power" else getattr(f, kind)(q)
+    return getattr(f, kind)(q)
 
 
 @pytest.mark.parametrize(("name", "sensor"), [(name, x) for name in SENSORS for x in SENSORS[name]])
@@ -189,13 +189,26 @@ WRONG = [
     ("gyro calibrate", "gyro calibrate: there is no option 'calibrate'; choose calibrated or gated"),
     ("marker_attitude calibrated", "marker_attitude: an attitude has neither scale nor offset; leave 'calibrated' out"),
     ("", "a measurement has no name"),
+    (None, "measurements: there are none; name one at least, such as 'encoder'"),
 ]
 
 
 @pytest.mark.parametrize(("asked", "said"), WRONG)
 def test_a_name_that_is_none_is_refused_in_a_line(asked, said):
     with pytest.raises(UsageError, match=f"^{said}"):
-        Estimator(model("crane"), measurements=[asked])
+        Estimator(model("crane"), measurements=[asked] if asked is not None else [])
+
+
+@pytest.mark.parametrize("kind", FILTERS)
+def test_values_by_position_are_those_of_the_measurements_in_order(kind):
+    robot, (q, v, tau, w_ext) = model("crane"), state("crane")
+    noise = Noise(1.0, encoder=1e-3, cylinder_length=1e-3)
+    e = begun(kind, robot, noise, ["cylinder_length", "encoder"], (q, v))
+    e.update(tau, w_ext, robot.numpy().cylinder_length(q), q[:2])
+    assert all(np.max(np.abs(x.value)) < 1e-14 for x in e.innovations.values()) and e.consistency.entries == 3
+    for values, named in (([[0.1], q[:2], [0.0]], {}), ([[0.1]], {"cylinder_length": [0.1]})):
+        with pytest.raises(UsageError, match=r"^update: more values .* in order they are cylinder_length, encoder$"):
+            e.update(tau, w_ext, *values, **named)
 
 
 def test_the_command_line_names_measurements(tmp_path):

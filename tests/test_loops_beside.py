@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
+from conformance.numbers import judge
 from helpers import arm, link, model_of, quick, quick_batch
 from mechanisms import bennett, beside, carried, parallelogram, place
+from mixed_arms import case_of
 
 from screwgen import assemble, rollout, simulate
 from screwgen.backends.numpy.closing import moving
@@ -50,3 +52,16 @@ def test_assembling_leaves_alone_what_the_loops_leave_free(away):
     found = assemble(model, q)
     assert np.max(model.numpy().mismatch(found)) < 1e-12
     assert found[0] == pytest.approx(0.3, abs=1e-12) and np.max(np.abs(found - q)) < 2 * away
+
+
+def test_a_strip_is_curled_to_a_ring():
+    """No search from straight links closes it, and what those cannot change at first, the way to the tip, counts."""
+    base = {"mount": {"xyz": [0.5, 0.0, 0.0]}}
+    strip = link("strip", modes={"bending_y": 2, "bending_z": 2}, section={"EIz": 0.3}, order="exact", joint=base)
+    pin = link("pin", 0.5, [], parent="world")
+    robot = arm(strip, pin) | {"loops": [{"between": ["strip.tip", "pin.tip"], "joint": {"axes": ["x", "y", "z"]}}]}
+    model = model_of(robot)
+    assert [row.text[-1] for row in model.chain.closing.rows] == ["x", "y", "z"]
+    q = assemble(model, [0.3, 0.7, 0.1, 0.2, 0.1])
+    state = {"q": q, "v": [0.4, 0.5, 0.6, 0.7, 0.8], "tau": [0.2], "w_ext": np.ones((2, 6))}
+    judge(case_of(robot, state))

@@ -58,6 +58,8 @@ def chosen(chain: Chain, asked: bool | Sequence[str | Measurement] = True) -> tu
     if isinstance(asked, bool):
         return tuple(row for row in ROWS if asked and row.offered(chain))
     rows = tuple(measurement(chain, one) if isinstance(one, str) else one for one in asked)
+    if not rows:
+        raise UsageError("measurements: there are none; name one at least, such as 'encoder'")
     names = [name for row in rows for name in (row.name, *(number.name for number in row.numbers))]
     for k, name in enumerate(names):
         if name in names[:k]:

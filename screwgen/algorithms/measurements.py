@@ -187,5 +187,5 @@ ACCELERATION = Measurement(
 STRAIN = strain_row("strain", gauges, "at the base of a link")
 ROWS: tuple[Measurement, ...] = (ENCODER, STRAIN, ACCELERATION, BASE_POSITION, *BASE, *JOINT)
 """What filters know unless they are told otherwise, of robots that have it, in the order of an update's arguments."""
-FURTHER = tuple(function_row(name) for name in ("cylinder_length", "tendon_length", "drive_power"))
+FURTHER = tuple(function_row(name) for name in ("cylinder_length", "tendon_length"))
 """What they know where it is asked for, besides what sits at markers."""

@@ -92,7 +92,7 @@ FUNCTIONS = (
         {name: ROBOT["output"][name] for name in ("vdot", "wrench")},
         fused.forward_dynamics,
         (FORWARD,),
-        "Forward dynamics: the accelerations, and the joint wrenches.",
+        "Forward dynamics: the accelerations, and the joint wrenches, under the inputs as they are given.",
     ),
     RobotFunction(
         "validity",

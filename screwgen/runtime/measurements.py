@@ -38,9 +38,11 @@ class Noise:
     ``calibrated`` has ``<name>_scale`` and ``<name>_offset``: it reads scale × value + offset.
 
     ``gate``: an update refuses an entry whose innovation exceeds so many of its standard deviations; 0: none is
-    refused. ``patience``: so often in a row, then it is taken until it is within the gate again; after refusals as
-    often as it was within the gate since then, if that is less. ``doubt``: between so many standard deviations and the
-    gate an entry counts less, with the weight (doubt / normalised innovation)²; 0: all within the gate count in full.
+    refused. ``patience``: so often in a row, then it is believed until it is within the gate again; after refusals as
+    often as it was within the gate since then, if that is less. What is believed beyond the gate makes all deviations
+    larger, and the first in a row moves what it measures, and nothing else. ``doubt``: between so many standard
+    deviations and the gate an entry counts less, with the weight (doubt / normalised innovation)²; 0: all within the
+    gate count in full.
     A measurement that is ``gated`` has ``<name>_gate``, which counts in place of ``gate`` unless it is 0.
     """
 
@@ -212,9 +214,8 @@ def checked_measurements(
     names = [row.name for row in rows]
     given = dict(zip(names, in_order, strict=False))
     if len(in_order) > len(rows) or given.keys() & named.keys():
-        raise UsageError(
-            f"update: there are {len(in_order)} values by position; the measurements are {', '.join(names)}"
-        )
+        said = "update: more values by position than there are measurements, or the same again by name"
+        raise UsageError(f"{said}; in order they are {', '.join(names)}")
     given |= named
     for name in given.keys() - set(names):
         raise UsageError(_no_measurement(chain, rows, name))

@@ -30,6 +30,9 @@ from .mobility import closing
 
 ROUNDS, CHORDS, CLOSED = 2, 6, 1e4 * EPSILON
 """Corrections with the same directions, and the gap, m or of cosines, at which loops are closed."""
+WIDEN = 3.0
+"""By how much deviations become larger at most in an update that believes what is beyond the gate: more would throw far
+away what is hardly measured."""
 FIRM = 1.0
 """The seconds over which springs and modes resist the closing of a loop, so that joints close it."""
 
@@ -138,11 +141,14 @@ class Estimator(KalmanFilter):
                 weight, judgements[row.name] = self._judged(row, normalised, there)
                 taken = weight > 0
                 more = (1 / weight[taken] - 1) * sizes[taken] ** 2
-                used.append([H[taken], left[taken], variances[taken] + more])
+                excess = np.maximum(np.abs(normalised[taken]) / (gate_of(row, self.noise) or np.inf), 1.0)
+                times, trial = judgements[row.name][:, taken]
+                slips = np.where(times == self.noise.patience - trial + 1, left[taken] * (1 - 1 / excess), 0.0)
+                used.append([H[taken], left[taken], variances[taken] + more, slips, np.minimum(excess, WIDEN)])
             found[row.name] = Innovation(rest, normalised, ~np.isnan(normalised) & (weight == 0), weight)
         if used:
             dx, S, squared = corrected(S, *(np.concatenate(x) for x in zip(*used, strict=True)))
-            n, consistency = self.model.nv, Consistency(squared, sum(len(left) for _, left, _ in used))
+            n, consistency = self.model.nv, Consistency(squared, sum(len(left) for _, left, *_ in used))
             self._accept(self._moved(self._q, dx[:n]), self._v + dx[n:], S @ S.T)
         self._judgements |= judgements
         return found, consistency
@@ -160,7 +166,7 @@ class Estimator(KalmanFilter):
         times, trial = self._judgements[row.name]
         after = np.where(times > 0, noise.patience - 1, np.maximum(trial - 1, 0))
         trial = np.where(made & ~beyond, after, trial)
-        times = np.where(beyond, np.minimum(times + 1, noise.patience + 1), np.where(made, 0, times))
+        times = np.where(beyond, np.minimum(times + 1, noise.patience + 2), np.where(made, 0, times))
         doubted = ~beyond & (sizes > (noise.doubt or np.inf))
         weight = np.where(doubted, noise.doubt / np.where(doubted, sizes, 1.0), 1.0) ** 2
         refused = beyond & (times <= noise.patience - trial)

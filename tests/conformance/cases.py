@@ -25,6 +25,8 @@ DIFFERENCE = 4e-3
 class Case:
     """The robot of a row in a state; what is derived and compiled is kept while checks of one robot follow another."""
 
+    step: float = STEP
+
     def __init__(self, row: Row, seed: int = 0, drawn: bool = False):
         """``drawn``: the robot has numbers of its own, those of `conformance.arms` changed at random."""
         self.row, self.seed, self.drawn = dict(row), seed, drawn
@@ -83,6 +85,12 @@ class Case:
     def agreement(self) -> float:
         """Between back ends in double precision: a hundredth of that, not below 1e-12."""
         return max(1e-12, self.tolerance / 100)
+
+    @property
+    def solved(self) -> float:
+        """The same of what is solved for, accelerations and what follows from them: not below 5 eps cond, as two
+        roundings of one solution differ by some eps cond."""
+        return max(self.agreement, 5 * np.finfo(float).eps * self.judge.condition)
 
     @cached_property
     def compiled(self) -> dict[tuple, Compiled]:

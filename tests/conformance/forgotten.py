@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 SEED = 38
 ALGORITHMS, C, BODIES = "screwgen/algorithms/", "templates/c/", "screwgen/bodies/"
+HELD = "templates/c/features/held.jinja"
 INTERACTIONS = "screwgen/interactions/"
 
 
@@ -228,6 +229,28 @@ TABLE: list[Mutant] = [
     M("rope", "modes", "screwgen/studies/modes.py", " or bool(model.chain.forces)\n", "\n"),
     M("rope", "robot file", "screwgen/spec/forces.py",
       "chosen = {name: True for name, on in self.law.shape.chosen if on}", "chosen: dict[str, bool] = {}"),
+    # ------------------------------------------------------------------------------------------- what a step holds
+    M("limited", "CasADi", "screwgen/backends/casadi/steps.py",
+      'expressions(programs.held_inputs(chain), given)["held"] if chain.holds else given["tau"]', 'given["tau"]'),
+    M("limited", "JAX", "screwgen/backends/jax/functions.py", "if self.chain.holds:", "if False:"),
+    M("limited", "runs", "screwgen/simulation/simulate.py", "held = record.hold(q, v, tau)", "held = tau"),
+    M("limited", "runs", "screwgen/simulation/integrate.py", "tau = self.hold(state.q, state.v, tau)", "pass"),
+    M("limited", "DAE runs", "screwgen/simulation/dae.py", "tau = self.hold(*self.coordinates(x), tau)", "pass"),
+    M("limited", "C, fused", HELD, "    $_hold(c, state, input, &work->held);\n", "    work->held = *input;\n"),
+    M("limited", "C, fused", HELD, "    $_hold(c, 0, input, &work->held);\n", "    work->held = *input;\n"),
+    M("limited", "lanes", HELD, "            hold_inputs(g);\n",
+      "            memcpy(g->u.tau, g->given, sizeof g->given);\n"),
+    M("limited", "derivatives of steps", HELD, "            by_tau[k] *= own[k];\n", "            (void)own[k];\n"),
+    M("limited", "runs", HELD, "$_hold(&m->constants, &m->state, &given, &m->input);", "m->input = given;"),
+    M("limited", "runs", HELD, "$_hold(&m->constants, &m->state, &m->input, &m->input);", "(void)i;"),
+    M("limited", "estimator", HELD, "{% macro predicting_input() %}&work->step.held",
+      "{% macro predicting_input() %}input"),
+    M("limited", "mock-up unit", "templates/fmi/features/held.jinja", "held_input(m){% endmacro %}",
+      "(held_input(m), &m->now.input){% endmacro %}"),
+    M("limited", "mock-up unit", ALGORITHMS + "response.py",
+      'return {**x, "tau": f.held(x["q"], x["v"], x["tau"])} if f.chain.holds else x', "return x"),
+    M("limited", "C folder", "screwgen/backends/numpy/reference_sums.py",
+      "self.tau = self.holding.held(q.tolist(), v.tolist(), self.given)", "pass"),
     # ------------------------------------------------------------------------------------------- what users do with it
     M("ball loop", "runs", C + "features/loops_in_runs.jinja", "power += m->drive_power[i];", "(void)i;"),
     M("coupling", "estimator", "screwgen/simulation/estimator.py",

@@ -19,13 +19,13 @@ import random_robots as rr
 import scipy.linalg
 from mixed_loops import Loops, bridge_of
 from oracle import Oracle, part_error
-from oracle_exact import ExactLink, gauss
 from oracle_floating import ANGLE, column_rates, columns
 from scipy.spatial.transform import Rotation
 
 from conformance.arms import EFFORT, LOOPS
 from conformance.features import Row
 from conformance.outer import Outer
+from conformance.tendons import tendon_length
 from conformance.twin import as_turns, first_piece
 
 CONDITION = 1e8
@@ -59,12 +59,16 @@ class Judge:
         definite = np.linalg.eigvalsh(M / np.outer(sizes, sizes))[0] > DEFINITE and np.linalg.cond(M) < CONDITION
         return bool(definite and (self.rows is None or self.rows.condition(q) < CONDITION))
 
+    @cached_property
+    def condition(self) -> float:
+        """Of the equations that are solved for the accelerations: the mass matrix, and that with the loops' rows."""
+        q = self.state["q"]
+        return max(self.oracle.condition(q), 0.0 if self.rows is None else self.rows.condition(q))
+
     @property
     def tolerance(self) -> float:
         """The larger of 1e-10 and 50 eps cond."""
-        q = self.state["q"]
-        rows = 0.0 if self.rows is None else 50 * np.finfo(float).eps * self.rows.condition(q)
-        return max(self.oracle.tolerance(q), rows)
+        return max(1e-10, 50 * np.finfo(float).eps * self.condition)
 
     # ------------------------------------------------------------------------------------ what the oracle lacks
 
@@ -74,7 +78,7 @@ class Judge:
         out: dict[str, ca.SX] = {}
         for link, table, modal in zip(self.oracle.links, self.twin["links"], self.oracle.modal_slices, strict=True):
             for tendon in table.get("tendons", []):
-                length = _tendon_length(link, table, tendon, self.oracle.q[modal])
+                length = tendon_length(link, self.twin | table, tendon, self.oracle.q[modal])
                 out[tendon["name"]] = out.get(tendon["name"], 0) + length
         return out
 
@@ -117,12 +121,22 @@ class Judge:
         if self.rows is not None:
             self.rows.oracle = oracle
             return self.rows.forward_dynamics(q, v, tau, w_ext)
-        vdot, factors = np.zeros(oracle.nv), scipy.linalg.lu_factor(oracle.mass_matrix(q))
+        return self.open_motion, np.zeros_like(w_ext)
+
+    @cached_property
+    def open_motion(self) -> np.ndarray:
+        """(nv,): the oracle's accelerations without the forces of loops and couplings."""
+        q, v, tau, w_ext = (self.state[name] for name in ("q", "v", "tau", "w_ext"))
+        vdot, factors = np.zeros(self.oracle.nv), scipy.linalg.lu_factor(self.oracle.mass_matrix(q))
         for _ in range(3):
-            vdot = vdot + scipy.linalg.lu_solve(
-                factors, self._forces(q, tau) - oracle.inverse_dynamics(q, v, vdot, w_ext)
-            )
-        return vdot, np.zeros_like(w_ext)
+            left = self._forces(q, tau) - self.oracle.inverse_dynamics(q, v, vdot, w_ext)
+            vdot = vdot + scipy.linalg.lu_solve(factors, left)
+        return vdot
+
+    @cached_property
+    def taken(self) -> np.ndarray:
+        """(nv,): the accelerations of the open tree that the forces of loops and couplings take away."""
+        return np.zeros(self.oracle.nv) if self.rows is None else self.map @ (self.open_motion - self.motion[0])
 
     # ------------------------------------------------------------------------------------ mapped to the product's
 
@@ -221,12 +235,17 @@ class Judge:
         return back.T @ self.oracle.mass_matrix(self.state["q"]) @ back
 
     def errors(self, vdot, wrench=None) -> dict[str, float]:
-        """Errors of base, joints, rotors, modes, moments and forces, each over the largest entry of its kind."""
+        """Errors of base, joints, rotors, modes, moments and forces, each over the largest entry of its kind.
+
+        Where loops take away accelerations of the open tree, entries of these count: in a robot that its loops lock,
+        nothing but rounding of them is left.
+        """
         n, free = self.oracle.n_joint, 6 * ("base" in self.robot)
         ends = np.cumsum([free, n - free, self.oracle.n_rotor])
         cut = lambda x: dict(zip(PARTS, np.split(np.ravel(x), ends), strict=True))  # noqa: E731
         expected, found = cut(self.vdot), cut(vdot)
-        out = {k: part_error(expected[k], found[k], self.vdot) for k in PARTS if len(expected[k])}
+        taken = cut(self.taken)
+        out = {k: part_error(expected[k], found[k], self.vdot, taken[k]) for k in PARTS if len(expected[k])}
         if wrench is not None:
             W, given = self.wrench, np.reshape(wrench, (-1, 6))
             out |= {k: part_error(W[:, s], given[:, s], W) for k, s in (("tau", np.s_[:3]), ("F", np.s_[3:]))}
@@ -317,35 +336,3 @@ def _axes(robot: dict) -> dict[str, int]:
             places[f"{name}.{kind}[{n}]"] = k
             k += 1
     return places
-
-
-def rod_of(link, table: dict) -> SimpleNamespace:
-    """What the shapes of a link of any order need, by the names of those that are exact."""
-    rod = SimpleNamespace(counts=link.counts, basis=table["modes"].get("basis", "polynomial"), length=link.length)
-    rod._tables = lambda s: ExactLink._tables(rod, s)
-    return rod
-
-
-def tables(link, table: dict, s: float) -> dict[str, np.ndarray]:
-    """Of each direction (3, r): the shapes at a section, their slopes and second derivatives with s."""
-    return rod_of(link, table)._tables(s) if table.get("modes") else {}
-
-
-def _tendon_length(link, table: dict, tendon: dict, eta: ca.SX) -> ca.SX:
-    """The length of a piece of a tendon along a link: ``∫ |e_x + gamma + kappa x d + d'| ds``, at Gauss points."""
-    most, rod = max(link.counts.values()), rod_of(link, table)
-    count = table["modes"].get("points", most + 2 if rod.basis == "polynomial" else 2 * most + 4)
-    a, b = tendon.get("from", 0.0), tendon.get("to", 1.0)
-    begin, end = (np.array(x) for x in tendon["at"])
-    slope, total = (end - begin) / ((b - a) * link.length), ca.SX(0)
-    x, w = gauss(count)
-    for s, weight in zip(x, w * (b - a) * link.length, strict=True):
-        _, kappa, gamma = ExactLink.strains(rod, a + (b - a) * s)
-        offset = begin + s * (end - begin)
-        direction = ca.SX([1.0, 0, 0]) + ca.DM(gamma) @ eta + ca.cross(ca.DM(kappa) @ eta, ca.DM(offset)) + slope
-        total += weight * ca.norm_2(direction)
-    if table.get("order", 1) != 1:
-        return total
-    start = ca.substitute(total, eta, ca.SX.zeros(eta.numel()))
-    pull = ca.substitute(ca.gradient(total, eta), eta, ca.SX.zeros(eta.numel()))
-    return start + ca.dot(pull, eta)

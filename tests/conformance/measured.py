@@ -12,8 +12,9 @@ from oracle import parents_of
 from scipy.spatial.transform import Rotation
 
 from conformance.cases import Case
-from conformance.judge import Judge, tables
+from conformance.judge import Judge
 from conformance.numbers import near
+from conformance.tendons import tables
 from conformance.twin import first_piece
 from screwgen.bodies.validity import MEASURES
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ...topology.chain import Chain
 from ..templates import render
+from .algorithm import joint_terms
 from .content import DocumentSection, parse
 from .forces import BORNE
 from .layout import PAGE, matrix, width
@@ -129,5 +130,6 @@ def mass_matrix(chain: Chain) -> DocumentSection:
         "rotors": bool(chain.n_added),
         "ahead": bool(travels),
         "slope": f"{travels[0]}'" if travels else "",
+        **joint_terms(chain),
     }
     return DocumentSection(MASS, parse(render("latex/mass_matrix.tex.jinja", **values)))

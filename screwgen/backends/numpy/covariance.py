@@ -39,15 +39,26 @@ def root(P: np.ndarray, real: type = np.float64) -> np.ndarray:
 
 
 def corrected(
-    S: np.ndarray, H: np.ndarray, innovations: np.ndarray, variances: np.ndarray
+    S: np.ndarray,
+    H: np.ndarray,
+    innovations: np.ndarray,
+    variances: np.ndarray,
+    slips: np.ndarray | float = 0.0,
+    factors: np.ndarray | float = 1.0,
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """The correction (n,) of the mean by measurements, and the root after it, of the root ``S`` before it.
 
-    Carlson's update by one row of ``H`` after the other, which subtracts no variance from another. The third result is
-    the normalised innovation squared of all rows: the sum of squares of what each adds to those before it.
+    Carlson's update by one row of ``H`` after the other, which subtracts no variance from another. Before a row counts,
+    what it measures moves by its slip (rows,), each part in proportion to its variance and nothing else, and all
+    deviations become larger by its factor (rows,), or by what is more than rows before have made of them. The third
+    result is the normalised innovation squared of all rows: the sum of squares of what each adds to those before it.
     """
-    dx, squared = np.zeros(len(S)), 0.0
-    for row, rest, R in zip(H, innovations, variances, strict=True):
+    dx, squared, wider, variance = np.zeros(len(S)), 0.0, 1.0, np.sum(S * S, axis=1)
+    extra = (np.broadcast_to(x, len(H)) for x in (slips, factors))
+    for row, rest, R, slip, factor in zip(H, innovations, variances, *extra, strict=True):
+        if slip:
+            dx = dx + slip * variance * row / (row @ (variance * row) or np.inf)
+        S, wider = S * max(factor / wider, 1.0), max(wider, factor)
         f = S.T @ row
         total = R + np.cumsum(f[::-1] ** 2)[::-1]
         shrink = np.sqrt(np.append(total[1:], R)[: len(f)] / total)

@@ -40,16 +40,17 @@ def choose_rows(chain: Chain) -> None:
     posture, so all rows that any motion changes are kept, and share what they bear.
 
     Judged at postures of straight links with closed loops; where none is found, of bent links; else at postures without
-    pattern. Where a search ends with open loops is no place to judge: rows depend on each other there. Raises
-    UsageError where a row that is left out stays open although those that remain are closed, and where the robot cannot
-    go on in any motion that its rows allow at first.
+    pattern. These are of bent links too: what straight ones cannot change at first, such as the length of a rod without
+    axial modes, bent ones can. Where a search ends with open loops is no place to judge: rows depend on each other
+    there. Raises UsageError where a row that is left out stays open although those that remain are closed, and where
+    the robot cannot go on in any motion that its rows allow at first.
     """
     closing = chain.closing
     if not closing.rows:
         return
     numeric, rng = Numeric(chain), np.random.default_rng(0)
     starts = _starts(chain, rng)
-    slopes = [jacobian(numeric, start) for start in starts]
+    slopes = [jacobian(numeric, posture) for posture in (*starts, *_bent(numeric, starts))]
     rows = max(map(_independent, slopes), key=len)
     places = _closed_places(numeric, starts)
     ranks = [_independent(jacobian(numeric, place)) for place in places]
@@ -80,6 +81,19 @@ def _starts(chain: Chain, rng: np.random.Generator) -> np.ndarray:
     return out
 
 
+def _bent(numeric: Numeric, starts: np.ndarray) -> np.ndarray:
+    """The same postures with bent links, without pattern too; none where no link bends."""
+    bending, rng = modes(numeric.chain), np.random.default_rng(1)
+    if not bending.any():
+        return starts[:0]
+    return starts + BEND * _size(numeric, starts[0]) * bending * rng.standard_normal(starts.shape)
+
+
+def _size(numeric: Numeric, q: np.ndarray) -> float:
+    """The length of the longest link, m; 1 where no link has a length."""
+    return float(np.max(np.abs(numeric.tip_poses(q)[1] - numeric.link_pose(q)[1]), initial=0.0)) or 1.0
+
+
 def _closed_places(numeric: Numeric, starts: np.ndarray) -> list[np.ndarray]:
     """Postures with closed loops near `starts`, of straight links or, where none is found, of bent ones."""
     found: list[np.ndarray] = []
@@ -96,7 +110,7 @@ def _motions(numeric: Numeric, q: np.ndarray, rows: list[int]) -> tuple[np.ndarr
     """The motions (m, n) from `q` that at first keep the `rows` closed, one in each direction, and the reach (n,) of
     the coordinates, over which they are stated."""
     chain, own = numeric.chain, slice(numeric.chain.base_v, None)
-    size = float(np.max(np.abs(numeric.tip_poses(q)[1] - numeric.link_pose(q)[1]), initial=0.0)) or 1.0
+    size = _size(numeric, q)
     reach = np.where(modes(chain), BEND * size, STROLL)[chain.base_q :]
     reach[: chain.n_joints] *= np.where(turning(chain.robot), 1.0, size)
     slopes = jacobian(numeric, q)[rows][:, own] * reach

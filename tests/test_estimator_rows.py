@@ -33,11 +33,12 @@ ROBOTS = {
 }
 SENSORS = {
     "crane": (
-        "cylinder_length tendon_length strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug "
-        "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug acceleration"
+        "cylinder_length tendon_length strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug marker_range "
+        "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug marker_range@hand.tip acceleration"
     ).split(),
     "free": (
-        "gyro@fore.lug accelerometer@arm.tip marker_position@fore.tip marker_velocity@fore.lug marker_attitude@fore.lug"
+        "gyro@fore.lug accelerometer@arm.tip marker_position@fore.tip marker_velocity@fore.lug"
+        " marker_attitude@fore.lug marker_range@fore.lug"
     ).split(),
 }
 
@@ -69,6 +70,8 @@ def value(robot, name, q, v, tau, w_ext) -> np.ndarray:
         return getattr(f, kind)(q, v)[at]
     if kind == "accelerometer":
         return f.accelerometer(q, v, tau, w_ext)[at]
+    if kind == "marker_range":  # every number that a sensor has is 0.02
+        return np.linalg.norm(np.atleast_2d(f.marker_pose(q)[1][at]) - 0.02, axis=1)
     if kind.startswith("marker"):
         return f.marker_pose(q)[kind == "marker_position"][at]
     return getattr(f, kind)(q)
@@ -141,6 +144,20 @@ def test_both_filters_are_told_of_scales_offsets_and_own_gates():
         e.update(tau, w_ext, marker_attitude_boom_lug=-still.as_quat(scalar_first=True), strain_boom_lug=[1e-4, -2e-4])
     assert np.allclose(*(np.concatenate(e.state) for e in filters), rtol=1e-9, atol=1e-12)
     assert filters[0].consistency.squared == pytest.approx(filters[1].consistency.squared, rel=1e-9)
+
+
+def test_both_filters_find_a_tip_by_its_range_from_a_beacon():
+    """Beacon and range come by the names in C; the estimate goes to where the beacon sees the tip."""
+    robot, (q, v, tau, w_ext) = model("crane"), state("crane")
+    beacon, tip = np.array([2.5, -0.4, 0.8]), robot.marker_names.index("hand.tip")
+    far = lambda q: np.linalg.norm(robot.numpy().marker_pose(q)[1][tip] - beacon)  # noqa: E731
+    noise = Noise(1e-3, marker_range_hand_tip=1e-5, marker_range_hand_tip_beacon=beacon)
+    filters = [begun(kind, robot, noise, ["marker_range@hand.tip"], (q, v)) for kind in FILTERS]
+    for e in filters:
+        for _ in range(3):
+            e.update(tau, w_ext, marker_range_hand_tip=[far(q) + 1e-3])
+        assert far(e.state[0]) == pytest.approx(far(q) + 1e-3, abs=1e-5)
+    assert np.allclose(*(np.concatenate(e.state) for e in filters), rtol=1e-11, atol=1e-13)
 
 
 @pytest.mark.parametrize("kind", FILTERS)

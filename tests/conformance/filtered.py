@@ -84,6 +84,7 @@ def measured_by_functions(case: Case, e: Estimator) -> dict[str, np.ndarray]:
         "gyro": f.gyro(q, v),
         "marker_position": f.marker_pose(q)[1],
         "marker_velocity": f.marker_velocity(q, v),
+        "marker_range": np.linalg.norm(f.marker_pose(q)[1] - 0.02, axis=1)[:, None],
     }
     if not case.model.chain.holds:
         found["accelerometer"] = f.accelerometer(q, v, tau, w_ext)

@@ -29,6 +29,8 @@ class Paragraph:
     """Whether the shortest level of a page shows it."""
     repeats: bool = False
     """Whether it only says what other items say."""
+    sought: str = ""
+    """The words by which the search of a page finds it before others."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,8 @@ class Display:
     essential: bool = False
     link: int = 0
     """The number of the one link whose torques it says; 0 if it says none."""
+    sought: str = ""
+    """The words by which the search of a page finds it before others."""
 
 
 @dataclass(frozen=True)

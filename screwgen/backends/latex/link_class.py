@@ -6,7 +6,6 @@ from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from ...algebra.notation import axis_latex
-from ...bases import Shapes
 from ...bodies.collocation import collocation
 from ...bodies.varying_fields import weights
 from ...ir.block import Binding, Block
@@ -221,7 +220,7 @@ def _field(key: LinkClass) -> Iterator[Item]:
         shapes = key.shapes(direction)
         alike.setdefault((shapes.family.name, shapes.family.changes and shapes.count), []).append(direction)
     for directions in alike.values():
-        yield from _family(key.shapes(directions[0]), directions)
+        yield from _family(key, directions)
     printed = all(has_formulas(key.shapes(directions[0])) for directions in alike.values())
     yield from (replace(item, repeats=printed and not pointwise(key)) for item in _constants(key, sheared))
 
@@ -268,16 +267,20 @@ def _from_file(body: Invariants) -> Iterator[Item]:
         )
 
 
-def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:
-    family = shapes.family
+def _family(key: LinkClass, directions: list[str]) -> Iterator[Item]:
+    shapes = key.shapes(directions[0])
+    family, own = shapes.family, [n for n, (direction, _) in enumerate(key.directions, 1) if direction in directions]
+    sought = ", ".join(f"shape of mode {n}" for n in own)
     which, about = " and ".join(DIRECTION[d] for d in directions).capitalize(), f" {family.about}" * bool(family.about)
     yield Paragraph(f"{which}: {family.title}{about},")
     formula = family.formula.replace(r",\quad", r",\qquad", 1)
     parts = [*formula.split(r",\qquad"), family.condition]
-    yield Display(_side_by_side([part.strip() for part in parts]))
-    if has_formulas(shapes):
+    printed = has_formulas(shapes)
+    yield Display(_side_by_side([part.strip() for part in parts]), sought="" if printed else sought)
+    if printed:
         yield Paragraph("which are here")
-        yield Display(tuple(row for k, text in enumerate(shapes.formulas) for row in _polynomial(k, text)))
+        rows = (row for k, text in enumerate(shapes.formulas) for row in _polynomial(k, text))
+        yield Display(tuple(rows), sought=sought)
 
 
 def _side_by_side(formulas: list[str]) -> Formula:

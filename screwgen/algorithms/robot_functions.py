@@ -2,9 +2,8 @@
 
 An example: the power of the drives. It is a function of ``q``, ``v`` and ``tau`` with one result, an entry in W for
 each drive. Its row in ``FUNCTIONS`` says this and names the lines that compute it, which run on values of any algebra.
-From the row come a CasADi function, one on arrays of JAX, one on NumPy's, one of C with its call of the compiled
-library, columns of runs and rollouts, variables of mock-up units, a line of docs/functions.md. CONTRIBUTING.md says
-what one takes.
+From the row come a CasADi function, one on arrays of JAX, one on NumPy's, one of C with its call in the library,
+columns of runs and rollouts, variables of mock-up units, docs/functions.md. CONTRIBUTING.md says what one takes.
 """
 
 from __future__ import annotations

@@ -121,8 +121,9 @@ def motion(chain: Chain) -> DocumentSection:
 
 def _sought(item: Item) -> Item:
     """An item with the words of readers who look for what it says."""
-    says = isinstance(item, Paragraph) and "Gravity enters" in item.text
-    return replace(item, sought="gravity, weight, where it enters") if says else item
+    if isinstance(item, Paragraph) and "Gravity enters" in item.text:
+        return replace(item, sought="gravity, weight, where it enters")
+    return item
 
 
 def mass_matrix(chain: Chain) -> DocumentSection:

@@ -32,6 +32,7 @@ from .spec.drive import Drive as Drive
 from .spec.drive import Friction as Friction
 from .spec.four_bar import FourBar as FourBar
 from .spec.frequencies import Frequencies as Frequencies
+from .spec.input import Input as Input
 from .spec.joint import Joint as Joint
 from .spec.joint import Mount as Mount
 from .spec.limit import Limit as Limit

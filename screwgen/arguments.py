@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+import re
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
@@ -160,6 +161,20 @@ class Parameters:
     def place(self, name: str) -> int:
         """Where a parameter stands among all."""
         return self.names.index(choice(name, self.names, "parameters: there is no"))
+
+    def chosen(self, patterns: str | Sequence[str]) -> tuple[int, ...]:
+        """The places of the parameters that names or patterns stand for, in which `*` is any text; in their order.
+
+        Raises UsageError where one of them stands for none.
+        """
+        found: set[int] = set()
+        for pattern in [patterns] if isinstance(patterns, str) else patterns:
+            whole = re.compile(".*".join(map(re.escape, pattern.split("*"))))
+            own = {k for k, name in enumerate(self.names) if whole.fullmatch(name)}
+            if not own:
+                choice(pattern, self.names, "parameters: there is no")
+            found |= own
+        return tuple(sorted(found))
 
     def refused(self, rows: np.ndarray) -> dict[int, str]:
         """What :meth:`check` says of each of the rows (k, n) that it refuses."""

@@ -104,6 +104,7 @@ class Model(RobotModel):
         methods: Sequence[Method] = (),
         mpc: str | os.PathLike | None = None,
         outputs: bool = False,
+        by_p: str | Sequence[str] = (),
     ) -> list[str]:
         """Write the targets into ``folder``, each into a folder of its own, and return the files' names.
 
@@ -117,7 +118,8 @@ class Model(RobotModel):
         :meth:`casadi` to save, or ``"all"``; without it those whose size grows with the number of links alone and
         that do not follow from another; ``methods``: integrators for the C beside the built-in ones; ``mpc``: the file
         of a predictive controller; ``outputs``: also C of what runs report and sensors measure, and of units these
-        as outputs.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
+        as outputs; ``by_p``: names of parameters, or patterns as ``arm.*``: also C of the derivatives of dynamics,
+        outputs and steps by these.  Writes all or nothing; refuses folders with other files (:class:`UsageError`).
         """
         options: dict[str, Any] = {"parameters": parameters, "layout": layout, "methods": methods}
         more: dict[str, Any] = {
@@ -126,6 +128,7 @@ class Model(RobotModel):
             "estimator": estimator,
             "mpc": mpc,
             "outputs": outputs,
+            "by_p": by_p,
         }
         check_folder(Path(folder))
         makers = {
@@ -158,17 +161,18 @@ class Model(RobotModel):
         cache: bool | str | os.PathLike = True,
         parameters: str = "runtime",
         methods: Sequence[Method] = (),
+        by_p: str | Sequence[str] = (),
     ) -> Compiled:
         """The C, compiled and loaded: a :class:`screwgen.runtime.compiled.Compiled`, functions on NumPy arrays.
 
-        ``layout``, ``parameters``, ``derivatives`` and ``methods``: as :meth:`write` takes them; ``precision``:
+        ``layout``, ``parameters``, ``derivatives``, ``methods``, ``by_p``: as :meth:`write` takes them; ``precision``:
         ``"double"`` or ``"single"``; ``flags`` of the compiler (CC, else cc), -O2 by default; ``cache``: a folder for
         compiled libraries, True for that of the user (SCREWGEN_CACHE, else ``~/.cache/screwgen``), False for none.
         Raises :class:`ScrewgenError` where there is no compiler.
         """
         from .runtime.compiling import compile_model
 
-        return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods)
+        return compile_model(self, layout, precision, derivatives, flags, cache, parameters, methods, by_p)
 
     def mpc(self, file: str | os.PathLike, **options: Any) -> CompiledMpc:
         """The predictive controller of a file in generated C: :class:`screwgen.runtime.mpc.CompiledMpc`."""

@@ -142,26 +142,36 @@ class RobotModel:
         found: LazyFunctions = LazyFunctions(merged("CasADi function", *makers, integrands))
         return found
 
-    def casadi(self, methods: Sequence[Method] = ()) -> Mapping:
+    def casadi(self, methods: Sequence[Method] = (), by_p: str | Sequence[str] = ()) -> Mapping:
         """The CasADi functions by name, with ``ode`` and ``dae`` as dictionaries for casadi.integrator.
 
         Each is made when it is first asked for.  ``step (q, v, tau, w_ext, p, dt) -> (q_next, v_next)`` is a step of
         ``modal_midpoint``, ``step_<method>`` one of :data:`screwgen.integrators.METHODS` or of ``methods``.
         ``tip_jacobian (q, p) -> (J)``: J v is the twist [ω; ṙ] of the last tip in inertial components.
         ``scaling (p) -> (q, v, tau)``: sizes by which an optimisation may divide, so that numbers are of order one.
+        ``by_p``: names of parameters, or patterns as ``arm.*``: then also ``<function>_by_p``, derivatives by these.
         """
+        from .backends.casadi.by_p import by_parameters
         from .backends.casadi.steps import steps
         from .integrators.methods import with_built_in
 
         with_built_in(more := tuple(methods))
-        made = lambda: self._casadi.joined(steps(self.chain, more))  # noqa: E731
-        return self.once(("casadi", more), made) if more else self._casadi
+        found = self.once(("casadi", more), lambda: self._casadi.joined(steps(self.chain, more))) if more else None
+        found, chosen = found or self._casadi, self.chain.parameters.chosen(by_p)
+        made = lambda: found.joined(by_parameters(self.chain, found, chosen))  # noqa: E731
+        return self.once(("casadi", more, chosen), made) if chosen else found
 
-    def jax(self, precision: str = "double", forward_mode: bool = False, methods: Sequence[Method] = ()) -> Mapping:
+    def jax(
+        self,
+        precision: str = "double",
+        forward_mode: bool = False,
+        methods: Sequence[Method] = (),
+        by_p: str | Sequence[str] = (),
+    ) -> Mapping:
         """The functions on arrays of JAX by the names of :meth:`casadi`, pure and jitted; :mod:`.backends.jax`."""
         from .backends.jax import functions
 
-        given = (self.chain, precision, forward_mode, tuple(methods))
+        given = (self.chain, precision, forward_mode, tuple(methods), self.chain.parameters.chosen(by_p))
         return self.once(("jax", given[1:]), partial(functions, *given))
 
     def acados(self, form: str = "joint", parameters: str = "runtime", w_ext: bool = False) -> AcadosExport:
@@ -186,7 +196,7 @@ class RobotModel:
 
     @cached_property
     def tendon_work(self) -> Callable[..., Any]:
-        """The CasADi function ``(q, tension, p) -> (work, force, slope)`` of tendons."""
+        """The CasADi function ``(q, others, p) -> (work, force, slope)`` of tendons."""
         from .backends.casadi.linear import tendon_work
 
         return tendon_work(self.chain)

@@ -36,9 +36,11 @@ class Blocks:
         for axis in state.reading.axes:
             axis.prepare()
         self.envs: list[Env] = [{} for _ in self.links]
+        placed = plain(r"\bar{\mathbf{S}}_k") in self.lines or r"\bar" in self.lines[plain(r"\mathbf{M}_{q_jq_j}")]
+        self.subspace = r"\bar{\mathbf{S}}_j" if placed else r"\mathbf{S}_j"
         for link in self.links:
             self._transport(link)
-        for link in reversed(self.links):
+        for link in reversed(self.links) if plain(r"\mathbf{M}^c_j") in self.lines else ():
             sizes = {r"\mathbf{M}^c_j": 6, r"\mathbf{U}_{q,j}": link.sizes[1], r"\mathbf{U}_{\eta,j}": link.sizes[2]}
             for name, size in sizes.items():
                 found = self._summed(link, self.lines[plain(name)])
@@ -59,7 +61,7 @@ class Blocks:
 
     def _transport(self, link: Link) -> None:
         if link.floats:
-            self.envs[link.number][plain(r"\bar{\mathbf{S}}_j")] = np.eye(6)
+            self.envs[link.number] |= {plain(self.subspace): np.eye(6)}
             return
         known, section = self._known(link), self.state.scopes[link.number].parent
         modes = 0 if link.parent < 0 else self.links[link.parent].sizes[2]
@@ -102,7 +104,7 @@ class Blocks:
         for x, own in (("q", r"\mathbf{U}_{q,j}"), ("e", r"\mathbf{U}_{\eta,j}")):
             given = {plain(r"\mathbf{Y}_{jk}"): product, plain(r"\mathbf{U}_{x,j}"): env[plain(own)]}
             given |= {n: at[of_j(n)] for n in (r"\mathbf{Y}_k", r"\mathbf{Y}_{\eta,k}")}
-            given[plain(r"\bar{\mathbf{S}}_i")] = self.envs[first.number][plain(r"\bar{\mathbf{S}}_j")]
+            given[plain(self.subspace.replace("_j", "_i"))] = self._known(first)(self.subspace)
             for y, name in (("q", r"\mathbf{M}_{q_ix_j}"), ("e", r"\mathbf{M}_{\eta_ix_j}")):
                 out[y, x] = value(self.lines[plain(name)], lambda n, g=given: g[plain(n)])
         return out

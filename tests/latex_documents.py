@@ -15,6 +15,7 @@ from screwgen import Robot, load
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex.content import Document
 from screwgen.backends.latex.steps import BlockView
+from screwgen.backends.latex.style import DocumentStyle
 from screwgen.ir.block import Block
 from screwgen.plugins import plugins
 from screwgen.spec.link_class import LinkClass
@@ -92,9 +93,13 @@ def content(name: str) -> Document:
     return latex.content(robot(name), PLUGINS)
 
 
+WHOLE = DocumentStyle(whole=True)
+"""With the derivation and all further forms."""
+
+
 @cache
-def tex(name: str) -> str:
-    return latex.tex(content(name))
+def tex(name: str, style: DocumentStyle = WHOLE) -> str:
+    return latex.tex(content(name), style)
 
 
 @cache

@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 from screwgen import PD, LimitWarning, Robot, RobotFileError, ScrewgenError, UsageError, equilibrium, simulate
 from screwgen.algorithms.robot_programs import held_inputs
 from screwgen.integrators import METHODS
+from screwgen.plotting.demands import bounds_of
 from screwgen.spec.parameters import parameters
 
 SOFT = {"modes": {"bending_y": 1}, "section": {"EIy": 60.0}}
@@ -76,6 +77,7 @@ def test_a_run_says_once_for_each_axis_when_and_how_often():
         (text,) = (str(x.message) for x in said if name in str(x.message))
         other = given != held
         assert f"in {100 * other.mean():.3g} % of the samples, first at t = {run.t[other][0]:.6g} s" in text
+    assert np.array_equal(bounds_of(run, MODEL, law), MOST)  # which figures draw
     with warnings.catch_warnings():
         warnings.simplefilter("error", LimitWarning)
         simulate(MODEL, 0.01, 1e-3, Q0, None, MOST)  # at the limits, not beyond

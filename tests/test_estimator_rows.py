@@ -33,11 +33,12 @@ ROBOTS = {
 }
 SENSORS = {
     "crane": (
-        "cylinder_length tendon_length drive_power strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug "
-        "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug acceleration"
+        "cylinder_length tendon_length strain strain@boom.lug gyro@boom.lug accelerometer@boom.lug marker_range "
+        "marker_position@hand.tip marker_velocity@hand.tip marker_attitude@boom.lug marker_range@hand.tip acceleration"
     ).split(),
     "free": (
-        "gyro@fore.lug accelerometer@arm.tip marker_position@fore.tip marker_velocity@fore.lug marker_attitude@fore.lug"
+        "gyro@fore.lug accelerometer@arm.tip marker_position@fore.tip marker_velocity@fore.lug"
+        " marker_attitude@fore.lug marker_range@fore.lug"
     ).split(),
 }
 
@@ -69,9 +70,11 @@ def value(robot, name, q, v, tau, w_ext) -> np.ndarray:
         return getattr(f, kind)(q, v)[at]
     if kind == "accelerometer":
         return f.accelerometer(q, v, tau, w_ext)[at]
+    if kind == "marker_range":  # every number that a sensor has is 0.02
+        return np.linalg.norm(np.atleast_2d(f.marker_pose(q)[1][at]) - 0.02, axis=1)
     if kind.startswith("marker"):
         return f.marker_pose(q)[kind == "marker_position"][at]
-    return f.drive_power(q, v, tau) if kind == "drive_power" else getattr(f, kind)(q)
+    return getattr(f, kind)(q)
 
 
 @pytest.mark.parametrize(("name", "sensor"), [(name, x) for name in SENSORS for x in SENSORS[name]])
@@ -143,6 +146,20 @@ def test_both_filters_are_told_of_scales_offsets_and_own_gates():
     assert filters[0].consistency.squared == pytest.approx(filters[1].consistency.squared, rel=1e-9)
 
 
+def test_both_filters_find_a_tip_by_its_range_from_a_beacon():
+    """Beacon and range come by the names in C; the estimate goes to where the beacon sees the tip."""
+    robot, (q, v, tau, w_ext) = model("crane"), state("crane")
+    beacon, tip = np.array([2.5, -0.4, 0.8]), robot.marker_names.index("hand.tip")
+    far = lambda q: np.linalg.norm(robot.numpy().marker_pose(q)[1][tip] - beacon)  # noqa: E731
+    noise = Noise(1e-3, marker_range_hand_tip=1e-5, marker_range_hand_tip_beacon=beacon)
+    filters = [begun(kind, robot, noise, ["marker_range@hand.tip"], (q, v)) for kind in FILTERS]
+    for e in filters:
+        for _ in range(3):
+            e.update(tau, w_ext, marker_range_hand_tip=[far(q) + 1e-3])
+        assert far(e.state[0]) == pytest.approx(far(q) + 1e-3, abs=1e-5)
+    assert np.allclose(*(np.concatenate(e.state) for e in filters), rtol=1e-11, atol=1e-13)
+
+
 @pytest.mark.parametrize("kind", FILTERS)
 def test_the_normalised_innovation_squared_is_the_textbooks(kind):
     """Of all entries of an update together, whose innovations depend on each other: ν S⁻¹ ν."""
@@ -189,13 +206,26 @@ WRONG = [
     ("gyro calibrate", "gyro calibrate: there is no option 'calibrate'; choose calibrated or gated"),
     ("marker_attitude calibrated", "marker_attitude: an attitude has neither scale nor offset; leave 'calibrated' out"),
     ("", "a measurement has no name"),
+    (None, "measurements: there are none; name one at least, such as 'encoder'"),
 ]
 
 
 @pytest.mark.parametrize(("asked", "said"), WRONG)
 def test_a_name_that_is_none_is_refused_in_a_line(asked, said):
     with pytest.raises(UsageError, match=f"^{said}"):
-        Estimator(model("crane"), measurements=[asked])
+        Estimator(model("crane"), measurements=[asked] if asked is not None else [])
+
+
+@pytest.mark.parametrize("kind", FILTERS)
+def test_values_by_position_are_those_of_the_measurements_in_order(kind):
+    robot, (q, v, tau, w_ext) = model("crane"), state("crane")
+    noise = Noise(1.0, encoder=1e-3, cylinder_length=1e-3)
+    e = begun(kind, robot, noise, ["cylinder_length", "encoder"], (q, v))
+    e.update(tau, w_ext, robot.numpy().cylinder_length(q), q[:2])
+    assert all(np.max(np.abs(x.value)) < 1e-14 for x in e.innovations.values()) and e.consistency.entries == 3
+    for values, named in (([[0.1], q[:2], [0.0]], {}), ([[0.1]], {"cylinder_length": [0.1]})):
+        with pytest.raises(UsageError, match=r"^update: more values .* in order they are cylinder_length, encoder$"):
+            e.update(tau, w_ext, *values, **named)
 
 
 def test_the_command_line_names_measurements(tmp_path):

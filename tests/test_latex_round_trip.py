@@ -11,7 +11,8 @@ from screwgen.algorithms.scope import derived
 from screwgen.backends.latex.symbols import written
 from screwgen.topology.chain import Chain
 
-STEPS = re.compile(r"\\step\{([^}]*)\}\{[^\n]*\n\\begin\{alignat\*\}\{\d+\}\n(.*?)\\end\{alignat", re.DOTALL)
+LONG = re.compile(r"\\step\{([^}]*)\}\{[^\n]*\n\\begin\{alignat\*\}\{\d+\}\n(.*?)\\end\{alignat", re.DOTALL)
+BRIEF = re.compile(r"\\brief\{([^}]*)\}\{[^\n]*%\n\{(.*)\}\n")
 
 
 def skew(a):
@@ -102,9 +103,10 @@ def steps_that_come_back(name):
     found = values(block, np.random.default_rng(1))
     signals = {**block.inputs, **{name: step.signal for name, step in block.steps.items()}}
     known = {written(signal): found[name] for name, signal in signals.items()}
-    for step, formula in STEPS.findall(tex("ella").split(r"\section{Link class 1}")[1].split(r"\section{")[0]):
+    text = tex("ella").split(r"\section{Link class 1}")[1].split(r"\section{")[0]
+    for step, formula in [*LONG.findall(text), *BRIEF.findall(text)]:
         step = step.replace(r"\_", "_")
-        right = re.sub(r"\\\\\n.*?& \\quad|\n", " ", formula).partition("& = ")[2].split(" = ")[0]
+        right = re.sub(r"\\\\\n.*?& \\quad|\n", " ", formula).partition(" = ")[2].split(" = ")[0]
         if step not in block.steps or "&" in right:
             continue
         try:

@@ -30,6 +30,10 @@ SEARCHES = {
     "joint 3 mode 1 of link 2": ("M-3-7",),
     "coupling of elbow and first bending in y": ("M-3-5", "M-3-8"),
     "mass matrix": ("{matrix}",),
+    "gravity": ("{gravity}",),
+    "where does gravity enter": ("{gravity}",),
+    "shape of the second mode": ("{shape}",),
+    "second mode shape": ("{shape}",),
 }
 """What readers type, and where the first hits lead; that the forearm's joint is an elbow no file says."""
 
@@ -51,6 +55,8 @@ def test_what_readers_type_is_found(program, tmp_path):
     links = {name: re.findall(r'href="#([^"]+)"', cells) for name, cells in guide}
     places = {f"{{bias {name}}}": found[2] for name, found in links.items()}
     places["{matrix}"] = re.search(r'<h2 id="(s\d+)">\d+\. Mass matrix', body("ella"))[1]
+    places["{gravity}"] = re.search(r'id="([^"]+)" data-find="gravity', body("ella"))[1]
+    places["{shape}"] = re.search(r'id="([^"]+)" data-find="[^"]*shape of mode 2\b', body("ella"))[1]
     places["{first}-M_D"] = f"{first_class()}-M_D"
     places["{eta}"] = re.search(r'<tr id="(y\d+)"><td><math><msub[^>]*><mi>\U0001d73c<', body("ella"))[1]
     with started(program, tmp_path) as browser:

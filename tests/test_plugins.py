@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from helpers import arm, link
+from latex_documents import WHOLE
 
 import screwgen
 from screwgen import Model, Robot, ScrewgenError
@@ -56,7 +57,7 @@ def test_a_model_has_what_its_plug_in_adds(tmp_path):
     assert float(model.casadi()["square"](3.0)) == 9.0
     model.write(tmp_path / "out", ("casadi", "latex"), functions="all")
     assert "`square` is x²." in (tmp_path / "out" / "casadi" / "README.md").read_text(encoding="utf-8")
-    for text in (latex.document(ROBOT, [MINE]), latex.html(ROBOT, [MINE])):
+    for text in (latex.document(ROBOT, [MINE], WHOLE), latex.html(ROBOT, [MINE])):
         for part in ("Of a plug-in", "Twice the speed", "twice a speed", "a symbol of the text"):
             assert part in text
     assert pickle.loads(pickle.dumps(model)).links == ["rod"]

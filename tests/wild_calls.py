@@ -20,7 +20,7 @@ from conformance.arrays import covering, few
 from conformance.c_wild import program
 from conformance.cases import case_of
 from conftest import require_tool
-from test_c_warnings import CONTROL
+from feature_robots import CONTROL
 from test_c_wild import EXAMPLES
 
 from screwgen import Model, ScrewgenError

@@ -137,7 +137,8 @@ class DaeFunctions(Functions):
     def _solve(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> list[dict[str, list]]:
         tau, w_ext = self._borne(x, tau, w_ext)
         state = self._moving(self.unpack(x), DAE_FORWARD[:1])
-        return self._run(DAE_FORWARD, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
+        falling = self.falling(tau)
+        return falling._run(DAE_FORWARD, state, self.of_links(tau), self._wrenches(w_ext), falling._gravity())[0]
 
     def _borne(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[Sequence, Sequence]:
         """Torques and wrenches on the tips, those of the loops and of forces between frames included."""
@@ -180,7 +181,7 @@ class DaeFunctions(Functions):
         links, _ = self._run(DAE_FORWARD[:1], self.unpack(x))
         if self.chain.n_added:
             moving = self._with_terms([a | {"qdot": b["qdot"]} for a, b in zip(self.unpack(x), links, strict=True)])
-            added, _ = self._run(ROTORS, moving, self._torques(tau))
+            added, _ = self._run(ROTORS, moving, self.of_links(tau))
             links = [a | {k: v for k, v in b.items() if k == "thetaddot"} for a, b in zip(links, added, strict=True)]
         n, o = self.chain.n, self.chain.eta_offset
         given = [
@@ -208,7 +209,8 @@ class DaeFunctions(Functions):
         """
         tau, w_ext = self._borne(x, tau, w_ext)
         state = self._with_terms(self.unpack(x), "eta")
-        links, _ = self._run(ASSEMBLY, state, self._torques(tau), self._wrenches(w_ext), self._gravity())
+        falling = self.falling(tau)
+        links, _ = falling._run(ASSEMBLY, state, self.of_links(tau), self._wrenches(w_ext), falling._gravity())
         return self._stacked(links)
 
     def _stacked(self, links: Sequence[Mapping[str, Any]]) -> tuple[Entries, list, list]:

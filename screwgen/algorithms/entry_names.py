@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Sequence
 
-from ..spec.tendons import TENSION
+from ..spec.inputs import KIND, places
+from ..spec.tendons import TENSIONS
 from ..topology.chain import Chain
 from .robot_functions import RobotFunction, shape
 
@@ -19,8 +19,6 @@ PARTS: dict[tuple, list[str]] = {
 """The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
 QUANTITIES = ("NQUANTITIES",)
 """The shape of what forces between frames report."""
-EFFORT = re.compile(r"\.(torque|force|tension)(?=\[|$)")
-"""The kind of an input in its name."""
 SIGNS = str.maketrans("-*23", "1·²³")
 """Signs of units in comments of C, and what stands for them elsewhere."""
 
@@ -42,12 +40,12 @@ def entry_names(
     names of what forces between frames report.
     """
     out: list[str] = []
-    of_drives = {"NTAU": drives, "NTENDONS": [drive for drive in drives if drive.endswith(TENSION)]}
+    of_drives = {"NTAU": drives, "NTENDONS": [drives[k] for k in places(drives, TENSIONS)]}
     of_drives["NCYLINDERS"] = [drives[k] for k in cylinders]
     for name, signal in function.results.items():
         what = f"{function.name}.{name}"
         if len(signal.shape) == 1 and signal.shape[0] in of_drives:
-            out += [EFFORT.sub(f".{name}", drive) for drive in of_drives[str(signal.shape[0])]]
+            out += [of_input(drive, name) for drive in of_drives[str(signal.shape[0])]]
         elif signal.shape == QUANTITIES:
             out += quantities
         elif signal.shape[:1] in (("NMARKERS",), ("NLINKS",)):
@@ -56,6 +54,12 @@ def entry_names(
         else:
             out += [what + part for part in PARTS[signal.shape]]
     return tuple(out)
+
+
+def of_input(name: str, what: str) -> str:
+    """The name of what belongs to an input: `arm.power[0]` of `arm.torque[0]`, `base.yaw.power` of `base.yaw`."""
+    told, count = KIND.subn(f".{what}", name)
+    return told if count else f"{name}.{what}"
 
 
 def unit_text(unit: str) -> str:

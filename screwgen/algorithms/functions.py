@@ -6,19 +6,19 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 
 from ..elements import Law
-from ..errors import UsageError
 from ..ir.program import Value
 from ..spec.link_class import LinkClass
 from ..topology.chain import Chain
-from . import dae, given_motion, tendons, travels, validity
+from . import dae, given_motion, travels, validity
 from . import motions as mo
 from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
-from .axis_terms import drive_power, rotor_accelerations
+from .axis_terms import rotor_accelerations
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
 from .held import hold
+from .input_functions import InputFunctions
 from .joint_moves import rates
 from .law_programs import forces
 from .loop_functions import LoopFunctions
@@ -39,10 +39,7 @@ SENSITIVITY: Algorithm = (Phase(given_motion.motion, OUTWARD), Phase(sy.answers,
 
 LEVERS: Algorithm = (Phase(travels.levers, OUTWARD),)
 CYLINDERS: Algorithm = (Phase(travels.cylinders, OUTWARD),)
-POWER: Algorithm = (Phase(drive_power, OUTWARD), Phase(tendons.power, OUTWARD))
 HOLD: Algorithm = (Phase(hold, OUTWARD),)
-LENGTHS: Algorithm = (Phase(tendons.lengths, OUTWARD),)
-PULLS: Algorithm = (Phase(tendons.write_pulls, OUTWARD),)
 
 DAE_FORWARD: Algorithm = (Phase(dae.dae_kinematics, OUTWARD), *SOLVE, Phase(dae.twist_rates, OUTWARD))
 ROTORS: Algorithm = (Phase(rotor_accelerations, OUTWARD),)
@@ -71,7 +68,7 @@ def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     return out
 
 
-class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions):
+class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the
@@ -174,17 +171,6 @@ class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunction
             out[b] = out[b] + k * x["eta"][a] + d * x["etadot"][a]
         return {"m_below": list(M), "f_eta": out}
 
-    def _torques(self, tau: Sequence) -> list[dict[str, list]]:
-        """The inputs of each link; of torques alone tendons are slack. Raises UsageError for another number of them."""
-        offset, allowed = self.chain.tau_offset, sorted({self.chain.n_joints, self.chain.n_tau})
-        if len(tau) not in allowed:
-            raise UsageError(f"tau has {len(tau)} numbers; it must have {' or '.join(map(str, allowed))}")
-        efforts = [{"tau": list(tau[offset[i] : offset[i + 1]])} for i in range(self.chain.n)]
-        tensions = list(tau[self.chain.n_joints :]) or [0.0] * self.chain.n_tensions
-        for link, own in zip(efforts, self.chain.tensions, strict=True):
-            link |= {"tension": [tensions[k] for k in own]} if own else {}
-        return efforts
-
     def _wrenches(self, w_ext: Sequence) -> list[dict[str, list]]:
         return [{"w_ext": list(w_ext[6 * i : 6 * i + 6])} for i in range(self.chain.n)]
 
@@ -200,7 +186,7 @@ class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunction
 
     def forward(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The links and the nodes of the open tree after forward dynamics."""
-        return self._run(FORWARD, self._state(q, v), self._torques(tau), self._wrenches(w_ext))
+        return self.falling(tau)._run(FORWARD, self._state(q, v), self.of_links(tau), self._wrenches(w_ext))
 
     def measures(self, q: Sequence, wrench: Sequence, motion: Sequence) -> list:
         """How far every link is from the limits of the model, four numbers each; see :mod:`..bodies.validity`."""
@@ -236,15 +222,9 @@ class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunction
         """What the torque of each axis is multiplied by: the travel of its transmission per rad, or 1."""
         return [x for link in self._run(LEVERS, self.chain.split(q, "q", "eta"))[0] for x in link["levers"]]
 
-    def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
-        """The power that each drive gives to the arm, and that each tension does."""
-        links = self._run(POWER, self._motion(q, v), self._torques(tau))[0]
-        of_tendons = self._of_tendons(links, "tendon_power")
-        return [x for link in links for x in link["power"]] + of_tendons
-
     def held(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
-        """What a step that begins here holds of its inputs; tensions are held as they are."""
-        links = self._run(HOLD, self._motion(q, v), self._torques(tau))[0]
+        """What a step that begins here holds of its inputs; those behind torques are held as they are."""
+        links = self._run(HOLD, self._motion(q, v), self.of_links(tau))[0]
         return [x for link in links for x in link["held"]] + list(tau[self.chain.n_joints :])
 
     def cylinder_lengths(self, q: Sequence) -> list:
@@ -253,36 +233,13 @@ class Functions(LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunction
         lengths = [x for link in links for x in link["cylinder_length"]]
         return [lengths[joint] for joint in self.chain.cylinders]
 
-    def tendon_lengths(self, q: Sequence) -> list:
-        """The lengths of all tendons."""
-        links = self._run(LENGTHS, self.chain.split(q, "q", "eta"))[0]
-        return self._of_tendons(links, "tendon_length")
-
-    def pulls(self, q: Sequence) -> list:
-        """The derivative of the length of each tendon with all modes, tendon by tendon."""
-        chain = self.chain
-        out: list[Value] = [0.0] * (chain.n_tensions * chain.n_modes)
-        for i, link in enumerate(self._run(PULLS, chain.split(q, "q", "eta"))[0]):
-            for piece, tendon in enumerate(chain.tensions[i]):
-                for m in range(chain.keys[i].modes):
-                    place = tendon * chain.n_modes + chain.eta_offset[i] + m
-                    out[place] = out[place] + link["pull"][piece * chain.keys[i].modes + m]
-        return out
-
-    def _of_tendons(self, links: Sequence[Mapping[str, list]], name: str) -> list:
-        """The sums over the pieces of each tendon."""
-        out: list[Value] = [0.0] * self.chain.n_tensions
-        for link, own in zip(links, self.chain.tensions, strict=True):
-            for tendon, value in zip(own, link[name], strict=True):
-                out[tendon] = out[tendon] + value
-        return out
-
     def sensitivities(
         self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
     ) -> list[dict[str, list]]:
         """The first-order changes of every link's motion and loads at given accelerations; see :mod:`.linearise`."""
         motion = self.chain.split(vdot, "qddot", "etaddot")
-        return self._run(SENSITIVITY, self._state(q, v), motion, self._wrenches(w_ext), self._torques(tau))[0]
+        given = self._state(q, v), motion, self._wrenches(w_ext), self.of_links(tau)
+        return self.falling(tau)._run(SENSITIVITY, *given)[0]
 
     def poses(self, q: Sequence) -> tuple[list, list]:
         """Rotation (row by row) and position of every link frame and of every tip section."""

@@ -74,7 +74,7 @@ def gauges(chain: Chain, places: Iterable[tuple[int, float]] | None = None) -> l
             chain.eta_offset[i] + bending.modes[0],
             tuple(chain.segments[i].count ** bending.order * weight for weight in bending.weights),
         )
-        for i, at in places or [(i, BASE) for i in chain.firsts]
+        for i, at in ([(i, BASE) for i in chain.firsts] if places is None else places)
         for bending in strains(chain.keys[i], at)
         if bending.direction.startswith("bending")
     ]

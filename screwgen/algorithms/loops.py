@@ -181,13 +181,13 @@ def _offset(demand: Distance | Angle | Alignment, a: Tip, b: Tip) -> tuple[list[
 
 
 class Loads(NamedTuple):
-    """What acts on a tree: torques of axes, perhaps with tensions, and wrenches on all tips in their frames (6 n,)."""
+    """What acts on a tree: torques of axes, perhaps with other inputs, and wrenches on all tips in their axes (6 n)."""
 
     tau: Sequence
     w_ext: Sequence
 
     def plus(self, more: Loads) -> Loads:
-        """The sum of both, of which only the first may have tensions."""
+        """The sum of both, of which only the first may have other inputs."""
         torques, wrenches = ([a + b for a, b in zip(x, y, strict=False)] for x, y in zip(self, more, strict=True))
         return Loads([*torques, *self.tau[len(torques) :]], wrenches)
 

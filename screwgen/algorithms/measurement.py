@@ -67,7 +67,9 @@ class Measurement:
     """A row: what a sensor measures in a state. ``value(f, **given)`` is traced, over `Functions` of the robot.
 
     ``given`` are the ``inputs``, out of ``q v vdot tau w_ext``, and the sensor's ``numbers``; where ``vdot`` is among
-    them it is that of the forward dynamics. Entries are compared by their difference, and each is judged by itself.
+    them it is that of the forward dynamics. Torques and wrenches are as a step holds them, and known: where a limit
+    makes them change with the state, a row that reads them itself has no derivative of that. Entries are compared by
+    their difference, and each is judged by itself.
     """
 
     name: str

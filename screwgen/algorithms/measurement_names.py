@@ -13,7 +13,7 @@ from ..errors import UsageError
 from ..topology.chain import Chain
 from ..topology.markers import PlacedMarker
 from .gauges import gauges
-from .measurement import Attitude, Measurement
+from .measurement import Attitude, Measurement, SensorNumber
 from .measurements import AT_MARKERS, FURTHER, ROWS, strain_row
 
 _Row = TypeVar("_Row", bound=Measurement)
@@ -58,6 +58,8 @@ def chosen(chain: Chain, asked: bool | Sequence[str | Measurement] = True) -> tu
     if isinstance(asked, bool):
         return tuple(row for row in ROWS if asked and row.offered(chain))
     rows = tuple(measurement(chain, one) if isinstance(one, str) else one for one in asked)
+    if not rows:
+        raise UsageError("measurements: there are none; name one at least, such as 'encoder'")
     names = [name for row in rows for name in (row.name, *(number.name for number in row.numbers))]
     for k, name in enumerate(names):
         if name in names[:k]:
@@ -78,18 +80,22 @@ def _strain_at(chain: Chain, marker: PlacedMarker) -> Measurement:
 
 
 def _at(row: _Row, chain: Chain, marker: PlacedMarker) -> _Row:
-    """The row at one marker alone."""
-    number, count = chain.markers.index(marker), len(chain.markers)
+    """The row at one marker alone, with its share of the sensor's numbers."""
+    place, count, name = chain.markers.index(marker), len(chain.markers), _at_name(row.name, marker)
 
     def own(value: Callable[..., Sequence[Any]], *given: Any, **more: Any) -> Sequence[Any]:
-        found = value(*given, **more)
+        shares = {number.keyword for number in row.numbers}
+        found = value(*given, **{key: [*x] * count if key in shares else x for key, x in more.items()})
         size = len(found) // count
-        return found[number * size : (number + 1) * size]
+        return found[place * size : (place + 1) * size]
+
+    def share(number: SensorNumber) -> SensorNumber:
+        size = lambda chain: number.size(chain) // count  # noqa: E731
+        return replace(number, name=name + number.name.removeprefix(row.name), size=size, role=number.keyword)
 
     more: dict[str, Any] = {"turning": partial(own, row.turning)} if isinstance(row, Attitude) else {}
-    return replace(
-        row, name=_at_name(row.name, marker), value=partial(own, row.value), labels=partial(own, row.labels), **more
-    )
+    more["numbers"] = tuple(map(share, row.numbers))
+    return replace(row, name=name, value=partial(own, row.value), labels=partial(own, row.labels), **more)
 
 
 def _at_name(name: str, marker: PlacedMarker) -> str:

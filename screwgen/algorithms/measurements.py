@@ -16,7 +16,7 @@ from . import sensors
 from .functions import Functions
 from .gauges import Gauge, curvatures, gauges
 from .marker_functions import ACCELERATING, GIVEN_MOTION, MOVING, PLACED
-from .measurement import Attitude, Labels, Measurement, SensorNumber
+from .measurement import Attitude, Labels, Measurement, SensorNumber, root
 from .robot_functions import BY_NAME, entries
 
 XYZ = ("x", "y", "z")
@@ -129,12 +129,24 @@ def _labels(parts: Sequence[str]) -> Labels:
     return lambda chain: [f"{m.name}.{part}" for m in chain.markers for part in parts]
 
 
+def _distances(f: Functions, q: Sequence, beacon: Sequence) -> list[Value]:
+    """Of every marker from its own point of the inertial frame."""
+    apart = [a - b for a, b in zip(f.marker_poses(q)[1], beacon, strict=True)]
+    return [root(sum(x * x for x in apart[k : k + 3])) for k in range(0, len(apart), 3)]
+
+
 AXES = _labels(XYZ)
+BEACON = SensorNumber(
+    "marker_range_beacon", lambda chain: 3 * len(chain.markers), "m: a fixed point of the inertial frame", role="beacon"
+)
 FELT = "acceleration less that of free fall, in the marker's axes: at rest it points against gravity"
 TURNS = "the marker's quaternion, of either sign; deviations and innovations are turns about its axes"
 AT_MARKERS: tuple[Measurement, ...] = (
     Measurement("gyro", "q v", sensors.turning, AXES, "rad/s", "angular velocity in the marker's axes", (MOVING,)),
-    Measurement("accelerometer", "q v vdot", sensors.felt, AXES, "m/s^2", FELT, (ACCELERATING,)),
+    Measurement(
+        *("accelerometer", "q v vdot", sensors.felt, AXES, "m/s^2", FELT, (ACCELERATING,)),
+        offered=lambda chain: not chain.falls,
+    ),
     Measurement(
         "marker_position", "q", lambda f, q: f.marker_poses(q)[1], AXES, "m", "in the inertial frame", (PLACED,)
     ),
@@ -157,6 +169,16 @@ AT_MARKERS: tuple[Measurement, ...] = (
         (PLACED, MOVING),
         turning=sensors.turning,
         matrices=True,
+    ),
+    Measurement(
+        "marker_range",
+        "q",
+        _distances,
+        lambda chain: [m.name for m in chain.markers],
+        "m",
+        "distance from a fixed point of the inertial frame",
+        (PLACED,),
+        numbers=(BEACON,),
     ),
 )
 
@@ -184,5 +206,5 @@ ACCELERATION = Measurement(
 STRAIN = strain_row("strain", gauges, "at the base of a link")
 ROWS: tuple[Measurement, ...] = (ENCODER, STRAIN, ACCELERATION, BASE_POSITION, *BASE, *JOINT)
 """What filters know unless they are told otherwise, of robots that have it, in the order of an update's arguments."""
-FURTHER = tuple(function_row(name) for name in ("cylinder_length", "tendon_length", "drive_power"))
+FURTHER = tuple(function_row(name) for name in ("cylinder_length", "tendon_length"))
 """What they know where it is asked for, besides what sits at markers."""

@@ -2,9 +2,8 @@
 
 An example: the power of the drives. It is a function of ``q``, ``v`` and ``tau`` with one result, an entry in W for
 each drive. Its row in ``FUNCTIONS`` says this and names the lines that compute it, which run on values of any algebra.
-From the row come a CasADi function, one on arrays of JAX, one on NumPy arrays, one of C with its declaration, the call
-of the compiled library, the columns of runs and rollouts, the variables of mock-up units and the table of
-docs/functions.md. CONTRIBUTING.md says what a new function takes.
+From the row come a CasADi function, one on arrays of JAX, one on NumPy's, one of C with its call in the library,
+columns of runs and rollouts, variables of mock-up units, docs/functions.md. CONTRIBUTING.md says what one takes.
 """
 
 from __future__ import annotations
@@ -21,8 +20,9 @@ from ..topology.chain import Chain
 from . import fused, sensors
 from . import robot_programs as programs
 from .force_functions import MOTION
-from .functions import CYLINDERS, ENERGY, FORWARD, HOLD, INVERSE, LENGTHS, LEVERS, MEASURING, PLACES, POWER
+from .functions import CYLINDERS, ENERGY, FORWARD, HOLD, INVERSE, LEVERS, MEASURING, PLACES
 from .gauges import strain_names
+from .input_functions import LENGTHS, POWER
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .momentum import CENTRED, MOMENTUM
 from .schedule import Algorithm
@@ -92,7 +92,7 @@ FUNCTIONS = (
         {name: ROBOT["output"][name] for name in ("vdot", "wrench")},
         fused.forward_dynamics,
         (FORWARD,),
-        "Forward dynamics: the accelerations, and the joint wrenches.",
+        "Forward dynamics: the accelerations, and the joint wrenches, under the inputs as they are given.",
     ),
     RobotFunction(
         "validity",
@@ -168,7 +168,7 @@ FUNCTIONS = (
         "q v tau",
         {"power": Signal(("NTAU",), "W", "-", "power that each drive gives to the arm")},
         programs.drive_power,
-        (POWER,),
+        (POWER, INVERSE),
         "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
         c_file=OUTPUTS,
     ),

@@ -41,6 +41,18 @@ def held_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
 
 
 @fused.program("q")
+def exerted(f: Functions, q: Sequence) -> fused.Outputs:
+    """``(q) -> (exerted)``: the generalised forces per unit of each input but torques, (inputs, nv)."""
+    return {"exerted": [x for force in f.exerted(q) for x in force]}
+
+
+@fused.program("tau", constants="constants", algorithms=())
+def free_fall(f: Functions, tau: Sequence) -> fused.Outputs:
+    """``(tau) -> (free_fall)``: its acceleration with what inputs add to it."""
+    return {"free_fall": f.falling(tau).gravity}
+
+
+@fused.program("q")
 def tendon_length(f: Functions, q: Sequence) -> fused.Outputs:
     """``(q) -> (length)`` of every tendon."""
     return {"length": f.tendon_lengths(q)}

@@ -51,7 +51,7 @@ def turning(f: Functions, q: Sequence, v: Sequence) -> list[Value]:
 @program("q v tau w_ext", algorithms=ALL)
 def accelerometer(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> Outputs:
     """``(q, v, tau, w_ext) -> (a)``: of the motion by forward dynamics."""
-    return {"a": felt(f, q, v, f.forward_dynamics(q, v, tau, w_ext)[0])}
+    return {"a": felt(f.falling(tau), q, v, f.forward_dynamics(q, v, tau, w_ext)[0])}
 
 
 def felt(f: Functions, q: Sequence, v: Sequence, vdot: Sequence) -> list[Value]:

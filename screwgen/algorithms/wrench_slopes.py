@@ -116,12 +116,17 @@ def _take_forces(
 
 
 def wrench_program(chain: Chain, constants: str = "constants") -> Program:
-    """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row."""
+    """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row.
+
+    Where inputs change free fall also ``wrench_input`` (inputs, 6 n): what each but torques adds at held accelerations.
+    """
     chain.refuse_loops("derivatives of joint wrenches", "differentiate the CasADi functions")
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"])
-        return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS}
+        of_inputs = [w for wrench in f.wrenches_of_inputs(x["q"]) for w in wrench] if chain.falls else []
+        more = {"wrench_input": of_inputs} if chain.falls else {}
+        return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS} | more
 
     found = fuse(chain, "wrench_slopes", inputs(chain, "q v vdot tau w_ext"), body, constants)
     # The accelerations are of a state at which the forward dynamics found its guards to hold.

@@ -56,8 +56,9 @@ def run_generate(
         what, target = ("CasADi files", "casadi") if name == "functions" else ("C", "c")
         served = (target, *UNITS) if name == "outputs" else (target,)
         if asked and targets and not set(served) & set(targets):
-            said = f"--{name} adds to the {what}, which --target leaves out"
-            raise UsageError(f"{said}; add --target {target} or leave --{name} out")
+            option = f"--{name.replace('_', '-')}"
+            said = f"{option} adds to the {what}, which --target leaves out"
+            raise UsageError(f"{said}; add --target {target} or leave {option} out")
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))

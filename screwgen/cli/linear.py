@@ -11,8 +11,9 @@ import numpy as np
 from ..errors import SingularError, UsageError
 from ..model import Model, derive
 from ..simulation.state import refusals, state_in
+from ..spec.inputs import input_units
 from ..spec.load import one_line
-from ..spec.parameters import coordinate_units, force_units
+from ..spec.parameters import coordinate_units
 from ..spec.ranges import within
 from .output import load_robot
 
@@ -193,7 +194,7 @@ def given_efforts(model: Model, tau: str) -> np.ndarray:
     loads = "joint forces" if model.chain.sliding else "joint torques in N·m"
     if model.n_tau > model.n_joints and len(tau.replace(",", " ").split()) != model.n_joints:
         return numbers("tau", tau, model.n_tau, f"{loads}, and tensions in N behind them")
-    return model.chain.with_tensions(numbers("tau", tau, model.n_joints, loads))
+    return model.chain.with_idle_inputs(numbers("tau", tau, model.n_joints, loads))
 
 
 def with_tensions(model: Model, efforts: np.ndarray, tensions: str, tau: str | None) -> np.ndarray:
@@ -271,7 +272,7 @@ def text(model: Model, e: Equilibrium) -> str:
     """The report."""
     joints = slice(model.chain.base_q, model.chain.base_q + model.n_joints)
     coordinates, torques = ("joint coordinates", FORCES) if model.chain.sliding else WORDS
-    torques = FORCES if "N" in force_units(model.robot) else torques
+    torques = FORCES if "N" in input_units(model.robot) else torques
     every = set(model.q_names[joints]) == {*e.held_joints, *e.passive, *e.following}
     angles = coordinates + ", held" * (e.held and every)
     torques += " that hold them" if e.held and every else " given" if not e.held else ""
@@ -282,7 +283,7 @@ def text(model: Model, e: Equilibrium) -> str:
         told |= dict.fromkeys(e.held_joints, ", held")
     units = [unit + told.get(name, "") for name, unit in named]
     lines += table(angles, model.q_names[joints], e.q[joints], units)
-    lines += table(torques, model.tau_names, e.tau, force_units(model.robot))
+    lines += table(torques, model.tau_names, e.tau, input_units(model.robot))
     lines += [f"{'tip in the inertial frame':29}" + heads(1)]
     lines += [f"{'  position, m':29}" + row(e.tip_position), f"{'  deflection, mm':29}" + row(1e3 * e.tip_deflection)]
     titles = ("deflection of its tip, mm", "joint moment, N·m", "joint force, N")

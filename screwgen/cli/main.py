@@ -81,16 +81,14 @@ def generate(
     derivatives: Annotated[
         bool, typer.Option("--derivatives", help="Also C of derivatives: of accelerations, steps and joint wrenches.")
     ] = False,
-    estimator: Annotated[
-        bool, typer.Option("--estimator", help="Also C of a Kalman filter. Brings --derivatives.")
-    ] = False,
+    estimator: Annotated[bool, typer.Option("--estimator", help="Also a Kalman filter, with --derivatives.")] = False,
     measure: Annotated[
-        list[str] | None,
-        typer.Option(metavar="NAME", help="What the filter is told, as gyro@boom.tip; may be given again."),
+        list[str] | None, typer.Option(metavar="NAME", help="What the filter is told, as gyro@boom.tip; again: more.")
     ] = None,
     outputs: Annotated[
         bool, typer.Option("--outputs", help="Also C of what runs report, such as energies, and sensors measure.")
     ] = False,
+    by_p: Annotated[list[str] | None, typer.Option(metavar="NAME", help="Also C of derivatives by parameters.")] = None,
     mpc: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also C of the predictive controller of FILE, TOML.")
     ] = None,
@@ -110,7 +108,7 @@ def generate(
     from .commands import run_generate
 
     more = {"batch": batch, "derivatives": derivatives, "estimator": measure or estimator, "outputs": outputs}
-    said = {"mpc": mpc, "functions": functions or None}
+    said = {"mpc": mpc, "functions": functions or None, "by_p": by_p or ()}
     run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)
 
 
@@ -305,12 +303,15 @@ def latex(
         str | None, typer.Option(metavar="NAME|FILE", help="Letters: paper, featherstone, or a TOML table of your own.")
     ] = None,
     at: Annotated[str | None, typer.Option(metavar="FILE", help="Of a page: a state, for its mass matrix.")] = None,
+    whole: Annotated[
+        bool, typer.Option("--all", help="Of .tex and .pdf: also the derivation and further forms of the equations.")
+    ] = False,
     quiet: Quiet = False,
 ) -> None:
     """Write the robot's equations as LaTeX, as a PDF or as a page for the browser."""
     from .typesetting import run_latex
 
-    run_latex(robot, output, scalar, about, documentclass, fragment, notation, at, quiet=quiet or context.obj)
+    run_latex(robot, output, scalar, about, documentclass, fragment, notation, at, whole, quiet=quiet or context.obj)
 
 
 exchange.register(app, EPILOG)

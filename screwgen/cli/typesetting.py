@@ -41,6 +41,7 @@ def run_latex(
     fragment: bool,
     notation: str | None,
     at: str | None,
+    whole: bool,
     quiet: bool,
 ) -> None:
     """Write the equations in the format of the suffix."""
@@ -56,9 +57,11 @@ def run_latex(
         raise UsageError(
             "--at: only a page for the browser has the mass matrix in numbers; write .html without --scalar"
         )
+    if whole and (scalar or kind == ".html"):
+        raise UsageError("--all: equations in scalars and pages for the browser are whole; leave it out")
     if fragment and kind != ".tex":
         raise UsageError(f"--fragment: is LaTeX for \\input, not {kind}; write .tex")
-    around, letters = style(documentclass, fragment), None if notation is None else named(notation)
+    around, letters = style(documentclass, fragment, whole), None if notation is None else named(notation)
     if kind == ".pdf":
         engine()
     loaded = load_robot(robot, quiet)

@@ -112,8 +112,12 @@ class Interaction:
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
-        """The wrench in a state. Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, ``sqrt``, ``sin`` or
-        ``on`` (1 where x > 0, else 0), and ``t.named(name, x)``, which names a value in generated code."""
+        """The wrench in a state.
+
+        Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, and ``t.named(name, x)``, which names a value in
+        generated code. Functions are ``sqrt``, ``sin``, ``cos`` and ``on``, which is 1 where x > 0, else 0; all of them
+        stand in :data:`..ir.program.FUNCTIONS`. A root of what may vanish needs a small number below it.
+        """
         raise NotImplementedError
 
     @staticmethod

@@ -76,7 +76,7 @@ class ZFunctions(DaeFunctions):
     def _links(
         self, algorithm: Algorithm, state: Sequence[Mapping], tau: Sequence, w_ext: Sequence
     ) -> list[dict[str, list]]:
-        return self._run(algorithm, state, self._torques(tau), self._wrenches(w_ext), self._gravity())[0]
+        return self._run(algorithm, state, self.of_links(tau), self._wrenches(w_ext), self._gravity())[0]
 
     def assemble_z(
         self, x_c: Sequence, q: Sequence, tau: Sequence, w_ext: Sequence

@@ -36,7 +36,8 @@ def z_chapter(chain: Chain) -> Chapter:
     block = z_form_block()
     view = block_view(block)
     prose = render("z_form.tex.jinja", TEMPLATES, pattern=pattern(chain, "Z"), size=cauchy_size(chain))
-    section = DocumentSection("The Z-form", list(_items(prose, {step.name: step for step in view.steps})))
+    steps = {step.name: step for step in view.steps}
+    section = DocumentSection("The Z-form", list(_items(prose, steps)), appendix=True)
     return Chapter((section,), ((block, view),), SYMBOLS)
 
 

@@ -75,8 +75,10 @@ def thin(t: np.ndarray, values: np.ndarray, most: int = MOST_POINTS) -> tuple[np
 
 
 def prefixed(size: float, unit: str) -> tuple[float, str]:
-    """The factor to, and the name of, the unit that suits values up to `size` SI units: mm, kN, mrad; kg·m/s stays."""
+    """Factor to, and name of, the unit that suits values up to `size` SI units: mm, kN, mrad; kg·m/s and "" stay."""
     power = 0
+    if not unit:
+        return 1.0, unit
     while power > -12 and not unit.startswith("k") and size * 10.0**-power < 0.2:
         power -= 3
     while power < 9 and size * 10.0**-power >= 2e4 and unit != "rad" and not unit.startswith("k"):

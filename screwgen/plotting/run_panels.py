@@ -16,10 +16,12 @@ from ..errors import UsageError, one_line
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run, segments
+from ..spec.input import Input
+from ..spec.inputs import KIND, input_units, places
 from ..spec.modes import DIRECTIONS
 from ..spec.reduced import ELASTIC
 from ..spec.segments import owner
-from ..spec.tendons import TENSION
+from ..spec.tendons import TENSIONS
 from .curves import AXIS_CURVES, NOTHING, AxisCurves
 from .demands import axis_word, bounds_of, place_names, set_points
 
@@ -93,7 +95,7 @@ def motion_panels(
             for x in AXIS_CURVES
             if x.array in run.arrays
         ),
-        *_tendons(run),
+        *_other_inputs(run),
         *(_tips(run, model) if model else _modes(partial(_lines, run, model, run.q, run.q_names))),
         Panel("Energy", "E", "J", energy),
         *_of_forces(run),
@@ -102,21 +104,29 @@ def motion_panels(
     ]
 
 
-def _tendons(run: Run) -> Iterator[Panel]:
-    """The inputs and the power of tendons, which are no link's."""
-    for title, symbol, unit, array in (
-        ("Tensions of tendons", "T", "N", "tau"),
-        ("Power of tendons", "P", "W", "drive_power"),
+def _other_inputs(run: Run) -> Iterator[Panel]:
+    """The inputs that are no link's, and their power."""
+    for row, title, symbol, unit, array in (
+        (TENSIONS, "Tensions of tendons", "T", "N", "tau"),
+        (TENSIONS, "Power of tendons", "P", "W", "drive_power"),
+        (None, "Other inputs", "u", _unit(run), "tau"),
+        (None, "Power of other inputs", "P", "W", "drive_power"),
     ):
-        kept = [k for k, name in enumerate(run.tau_names) if name.endswith(TENSION)]
-        if array in run.arrays and kept:
-            pairs = zip(run.arrays[array][:, kept].T, _of_tendons(run), strict=True)
+        if array in run.arrays and (kept := places(run.tau_names, row)):
+            pairs = zip(run.arrays[array][:, kept].T, _owners(run, row), strict=True)
             yield Panel(title, symbol, unit, [PanelCurve(x, k, name) for k, (x, name) in enumerate(pairs)])
 
 
-def _of_tendons(run: Run) -> list[str]:
-    """Their names."""
-    return [name.removesuffix(TENSION) for name in run.tau_names if name.endswith(TENSION)]
+def _unit(run: Run) -> str:
+    """The unit of the other inputs; none where they have several, or where the run does not know its robot."""
+    units = dict(zip(run.tau_names, input_units(run.robot), strict=True)) if run.robot is not None else {}
+    own = {units.get(run.tau_names[k], "") for k in places(run.tau_names, None)}
+    return own.pop() if len(own) == 1 else ""
+
+
+def _owners(run: Run, row: Input | None) -> list[str]:
+    """The names of the inputs of a kind without the words of the kind."""
+    return [KIND.sub("", run.tau_names[k]) for k in places(run.tau_names, row)]
 
 
 def _reported(run: Run) -> Iterator[Panel]:
@@ -126,7 +136,7 @@ def _reported(run: Run) -> Iterator[Panel]:
         rows, first = run.told[name].reshape(len(run.t), -1).T, 0
         for result, signal in BY_NAME[name].results.items():
             of_links = signal.shape == ("NLINKS",)
-            shape, whole = signal.shape, {("NLINKS",): pieces, ("NTENDONS",): _of_tendons(run)}
+            shape, whole = signal.shape, {("NLINKS",): pieces, ("NTENDONS",): _owners(run, TENSIONS)}
             labels = whole[shape] if shape in whole else [part.lstrip("._") or result for part in PARTS[shape]]
             own = rows[first : first + len(labels)]
             whose = lambda k, a: links.index(owner(a)) if of_links else a if a in "xyz" else k  # noqa: E731, B023

@@ -36,8 +36,7 @@ class Compiled(CompiledDerivatives):
     ``tip_rotation`` (3, 3), ``tip_position`` (3,) are views of those structs after the last call.
 
     An instance keeps its state in memory of its own.  Threads may share one: their calls take turns.  To compute at
-    the same time, give each a :meth:`fresh` one.  A pickled one is compiled again, or found in the cache,
-    where it arrives.
+    the same time, give each a :meth:`fresh` one.  A pickled one is compiled, or found in the cache, again.
 
     ``cache``: as :func:`.library.load` takes it.  Raises :class:`ScrewgenError` where there is no C compiler or
     a call does not return OK, :class:`SingularError` naming the link whose joint is singular, and
@@ -55,11 +54,12 @@ class Compiled(CompiledDerivatives):
         derivatives: bool = False,
         cache: bool | str | os.PathLike = False,
         methods: Sequence[Method] = (),
+        by_p: tuple[str, ...] = (),
     ):
-        self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods))
+        self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods), by_p)
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
-        options: dict[str, Any] = {"derivatives": derivatives, "methods": methods, "outputs": True}
+        options: dict[str, Any] = {"derivatives": derivatives, "methods": methods, "outputs": True, "by_p": by_p}
         self.project = RuntimeProject(self.chain, model.version, parameters, layout, **options)
         define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
         files = self.project.files() | shims(self.project)
@@ -78,7 +78,7 @@ class Compiled(CompiledDerivatives):
     def fresh(self, parameters: Given = None) -> Compiled:
         """Another instance with memory of its own in the same library, at ``parameters`` (None: the file's)."""
         out = object.__new__(Compiled)
-        out.__dict__.update({k: v for k, v in self.__dict__.items() if k != "_scratch"})
+        out.__dict__.update({k: v for k, v in self.__dict__.items() if k not in ("_scratch", "_prepared_for")})
         out._place()
         out.prepare(parameters)
         return out
@@ -153,7 +153,7 @@ class Compiled(CompiledDerivatives):
         """What the C reports, by name: :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`."""
         row = BY_NAME.get(name)
         if row is None or not row.c_file:
-            raise AttributeError(f"'Compiled' has no attribute '{name}'", name=name, obj=self)
+            return super().__getattr__(name)
         return partial(self._report, row)
 
     def _report(

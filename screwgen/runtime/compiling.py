@@ -25,6 +25,7 @@ def compile_model(
     cache: bool | str | os.PathLike = True,
     parameters: str = "runtime",
     methods: Sequence[Method] = (),
+    by_p: str | Sequence[str] = (),
 ) -> Compiled:
     """The implementation of :meth:`screwgen.Model.compile`."""
     choices = (("layout", layout, LAYOUTS), ("precision", precision, PRECISIONS), ("parameters", parameters, BINDINGS))
@@ -34,4 +35,5 @@ def compile_model(
     if isinstance(flags, str):
         raise UsageError("flags is a string; give a sequence such as ('-O3', '-march=native')")
     single = precision == "single"
-    return Compiled(model, layout, parameters, single, tuple(flags), None, derivatives, cache, tuple(methods))
+    chosen = (by_p,) if isinstance(by_p, str) else tuple(by_p)
+    return Compiled(model, layout, parameters, single, tuple(flags), None, derivatives, cache, tuple(methods), chosen)

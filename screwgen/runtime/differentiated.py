@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from ..arguments import Loads, Numbers, seconds
+from ..algorithms.parameter_slopes import BY_P, Differentiable
+from ..arguments import Loads, Numbers, choice, seconds
+from ..backends.c.by_p import STEPS, rows
 from ..backends.numpy.numeric import singular
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
@@ -58,6 +61,9 @@ class CompiledDerivatives(Memory):
 
     project: RuntimeProject
     single: bool
+    p: np.ndarray | None
+    _prepared_for: object = ()
+    """The parameters that the slopes of the constants are of."""
 
     def linearise(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Derivatives:
         """``vdot`` (nv,) and its partial derivatives with q, v (nv, nv) and tau (nv, n_tau).
@@ -105,6 +111,40 @@ class CompiledDerivatives(Memory):
             call = getattr(self.library, f"shim_{name}")
             self.check(call(self.memory, self._scratch[name], *more, *map(pointer, arrays)))
         return a, b, c, d
+
+    def __getattr__(self, name: str) -> Callable:
+        """Derivatives by the parameters ``by_p`` that the model was compiled with, ``<function>_by_p``, by name."""
+        known = {row.name + BY_P: row for row in rows(self.chain)} if name.endswith(BY_P) else {}
+        if name not in known:
+            raise AttributeError(f"'Compiled' has no attribute '{name}'", name=name, obj=self)
+        shapes = Differentiable.of(self.chain, known[name]).results.values()
+        return lambda q, v=None, tau=None, w_ext=None: self._by_p(name, tuple(shapes), (q, v, tau, w_ext))
+
+    def step_by_p(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads, dt: float, method: str = "modal_midpoint"
+    ) -> tuple[Array, ...]:
+        """The derivatives of coordinates (nq, k) and rates (nv, k) after a step by those parameters."""
+        choice(method, STEPS, "in C there are no derivatives by parameters of")
+        shapes = (self.chain.nq,), (self.chain.nv,)
+        return self._by_p(f"step_{method}{BY_P}", shapes, (q, v, tau, w_ext), seconds(dt, "dt"))
+
+    def _by_p(self, name: str, shapes: tuple[tuple[int, ...], ...], given: tuple, dt: float = 0.0) -> Any:
+        """What such a function writes, an array for each result, the last axis that of the parameters."""
+        if not (count := len(self.project.chosen)):
+            raise UsageError('this model was compiled without parameters to differentiate by; give by_p=("arm.*",)')
+        sizes = [math.prod(shape) * count for shape in shapes]
+        found = np.zeros(sum(sizes), self.real)
+        q, v, tau, w_ext = given
+        with self._lock:
+            self._set(q, self._no_v if v is None else v, tau, w_ext)
+            own = self._scratch["by_p"]
+            if self._prepared_for is not self.p:
+                self.check(self.library.shim_prepare_by_p(self.memory, own))
+                self._prepared_for = self.p
+            self.check(getattr(self.library, f"shim_{name}")(self.memory, own, self._real(dt), pointer(found)))
+        parts = np.split(found, np.cumsum(sizes)[:-1])
+        out = tuple(part.reshape(*shape, count) for part, shape in zip(parts, shapes, strict=True))
+        return out if len(out) > 1 else out[0]
 
     def _needs_derivatives(self) -> None:
         if not self.project.with_derivatives:

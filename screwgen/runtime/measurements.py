@@ -214,9 +214,8 @@ def checked_measurements(
     names = [row.name for row in rows]
     given = dict(zip(names, in_order, strict=False))
     if len(in_order) > len(rows) or given.keys() & named.keys():
-        raise UsageError(
-            f"update: there are {len(in_order)} values by position; the measurements are {', '.join(names)}"
-        )
+        said = "update: more values by position than there are measurements, or the same again by name"
+        raise UsageError(f"{said}; in order they are {', '.join(names)}")
     given |= named
     for name in given.keys() - set(names):
         raise UsageError(_no_measurement(chain, rows, name))

@@ -76,7 +76,7 @@ class Holding:
             if settled and np.abs(changed).max(initial=0.0) <= self.SETTLED * np.abs(forces).max(initial=0.0):
                 break
         torques = self.chain.at_efforts(np.where(self.stated, force[:m], 0.0), self.p)
-        return self.chain.with_tensions(efforts(self.chain, torques, x[:m], self.p))
+        return self.chain.with_idle_inputs(efforts(self.chain, torques, x[:m], self.p))
 
     def _solved(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
         if self.chain.closing.overconstrained:  # rows share what they bear, so their forces are not unique
@@ -105,7 +105,7 @@ class PD:
     the joint's, and its torque acts on the rotor, less by the ratio. A cylinder is given the force that exerts the
     torque; its limit in `tau_max` is that of the force, N. So is a crank the torque at its pivot, N·m. Behind an
     elastic gear the law measures the joint where a rigid one would have it, to first order in the stretch.
-    Tendons stay slack: `through` counts them.
+    Other inputs stay zero, so tendons slack: `through` counts them.
     Raises UsageError where gains are negative, limits or the duration not positive, or the lengths differ.
     """
 
@@ -122,7 +122,7 @@ class PD:
     ratios: tuple[float, ...] | None = None
     efforts: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
     ahead_of_joints: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
-    slack: int = 0
+    idle: int = 0
 
     def __post_init__(self) -> None:
         for name in ("kd", "kp", "tau_max", "q_start"):
@@ -166,7 +166,7 @@ class PD:
             ratios=tuple(ratios.tolist()),
             efforts=through,
             ahead_of_joints=own,
-            slack=chain.n_tensions,
+            idle=chain.n_tau - chain.n_joints,
         )
 
     def _stretched(self, q: np.ndarray, x: np.ndarray) -> np.ndarray | float:
@@ -222,7 +222,7 @@ class PD:
         tau = (np.array(self.kp) * (q_ref - there) + np.array(self.kd) * (v_ref - rate)) / self.own_ratios
         if self.efforts is not None:
             tau = self.efforts(tau, there)
-        tau = np.append(tau, np.zeros(self.slack))
+        tau = np.append(tau, np.zeros(self.idle))
         if self.gravity is not None:
             tau = tau + self.gravity(there)
         if most is not None:

@@ -55,7 +55,8 @@ class Estimator(KalmanFilter):
         super().__init__(model, parameters, measurements)
         chain, n = model.chain, model.nv
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
-        self._space, self._hold, self._chained = self._stepper.space, self._stepper.hold, HeldChain(chain, self._p)
+        self._space, self._hold = self._stepper.space, self._stepper.hold
+        self._chained = HeldChain(chain, self._p) if chain.holds else None
         self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
         self._judgements = self._none_yet()
 
@@ -123,7 +124,7 @@ class Estimator(KalmanFilter):
     ) -> tuple[np.ndarray, np.ndarray]:
         """The derivatives of the accelerations with coordinates and rates, under inputs as a step holds them."""
         found = self._numeric.derivatives(q, v, held, w_ext)
-        return self._chained(q, v, tau, *found)[:2] if self.model.chain.holds else found[:2]
+        return self._chained(q, v, tau, *found)[:2] if self._chained else found[:2]
 
     # ------------------------------------------------------------------------------ update
 

@@ -113,7 +113,7 @@ def _smooth(G: np.ndarray, other: np.ndarray) -> bool:
 
 
 def _by_joint(G: np.ndarray, law: PD | None, model: RobotModel) -> list[Gain]:
-    """Each row of the derivatives in its halves, those of tensions left out."""
+    """Each row of the derivatives in its halves, those of other inputs left out."""
     chain, out = model.chain, []
     for j, row in enumerate(G[: model.n_joints]):
         joint = model.q_names[chain.base_q + j]

@@ -68,8 +68,10 @@ class Source:
 
     def limited(self, t: np.ndarray, q: np.ndarray, v: np.ndarray) -> LimitedInputs:
         """Which inputs the samples hold otherwise than they were given."""
-        given, found = self._at_samples("tau", q.shape[1]), LimitedInputs.none(self.model)
-        return found.take(t, given, self.applied(q, v)) if self.model.chain.holds else found
+        found = LimitedInputs.none(self.model)
+        if not (self.model.chain.holds and self.given["tau"].shape[1]):
+            return found
+        return found.take(t, self._at_samples("tau", q.shape[1]), self.applied(q, v))
 
     def measured(self, name: str, q: np.ndarray, v: np.ndarray) -> np.ndarray | tuple[np.ndarray, ...]:
         """What sensors measure at the samples (batch, samples, …); a tuple where a function has several results."""

@@ -18,8 +18,9 @@ from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, OUTPUTS
 from ..errors import UsageError
 from ..files import Arrays, open_arrays
 from ..robot_model import RobotModel
+from ..spec.inputs import TORQUES, places
 from ..spec.load import dump, one_line
-from ..spec.tendons import TENSION
+from ..spec.tendons import TENSIONS
 from ..unfinished import claimed, part_of, remove_parts
 from .hits import Hit
 from .measured import MEASURED, measured
@@ -110,9 +111,9 @@ class Run:
         return RobotModel(self.robot) if self.model is None else self.model
 
     def __repr__(self) -> str:
-        tendons = sum(name.endswith(TENSION) for name in self.tau_names)
-        joints = self.tau.shape[1] - tendons
-        counts = {"joint": joints, "mode": self.q.shape[1] - joints} | ({"tendon": tendons} if tendons else {})
+        joints, tendons, others = (len(places(self.tau_names, row)) for row in (TORQUES, TENSIONS, None))
+        counts = {"joint": joints, "mode": self.q.shape[1] - joints}
+        counts |= {word: count for word, count in (("tendon", tendons), ("other input", others)) if count}
         early = ", ended early" if self.ended else ""
         size = ", ".join(f"{count} {word}{'s' * (count != 1)}" for word, count in counts.items())
         return f"<Run of {self.name}: {len(self.t)} samples to {self.t[-1]:.6g} s{early}, {size}>"

@@ -16,6 +16,7 @@ from pydantic_core import PydanticCustomError
 from ..errors import UsageError
 from ..files import NotRegularError, open_regular
 from ..robot_model import RobotModel
+from ..spec.inputs import quantities
 from ..spec.load import one_line
 from ..spec.messages import key_path, unknown
 from ..spec.ranges import within
@@ -67,7 +68,9 @@ def state_of(data: Any, model: RobotModel, file: str = "state") -> State:
             if key not in KEYS:
                 raise refuse(unknown(key, KEYS), (key,))
         coordinates = {key: motion(given.get(key, []), key, model) for key in ("q", "v")}
-        tau = sized(given.get("tau", [0.0] * model.n_tau), ("tau",), model.n_tau, "torques", within("tau"))
+        named = quantities(model.robot)
+        check = lambda x, at: within(named[at[-1]])(x, at=at)  # noqa: E731
+        tau = sized(given.get("tau", [0.0] * model.n_tau), ("tau",), model.n_tau, "torques", check)
         w_ext = wrenches(given["w_ext"], model) if "w_ext" in given else np.zeros((model.n_links, 6))
         return State(**coordinates, tau=np.array(tau, float), w_ext=w_ext)
 

@@ -22,7 +22,7 @@ class Limit(Part):
     in simulations, but nothing holds the joint in it.
 
     `effort` is the largest torque of the drive, N·m, or force, N, of either sign, where it acts: at the motor of an
-    elastic gear, along a cylinder, at a crank. Every step takes less of a larger input; dynamics take what they get.
+    elastic gear, along a cylinder, at a crank. Every step holds at most that; dynamics take what they are given.
     """
 
     lower: Annotated[float, Stated("limit", "least coordinate of the joint")] | None = None

@@ -130,6 +130,8 @@ def dump(robot: Robot) -> str:
     related = [k for k, coupling in enumerate(robot.couplings) if coupling.relation is not None]
     if related:
         raise UsageError(f"couplings[{related[0]}]: relation is an object made in Python; a robot file cannot state it")
+    if robot.inputs:
+        raise UsageError("inputs are objects made in Python; a robot file cannot state them")
     stated = robot.model_dump(exclude_none=True, exclude_defaults=True, by_alias=True)
     tables = [(key, table) for key in TABLES for table in stated.pop(key, ())]
     return "\n".join([assignments(stated), *(f"[[{key}]]\n{assignments(table)}" for key, table in tables)])

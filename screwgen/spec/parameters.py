@@ -9,6 +9,7 @@ from ..elements import Added, Travel
 from .axis_elements import numbers_of
 from .base import CHANGE, CHANGE_UNITS, POSE, POSE_UNITS, TWIST
 from .fields import FIELDS, SLIDING, of_axis
+from .inputs import input_names
 from .joint import Joint, Mount
 from .part import Part
 from .reduced import of_link as directions
@@ -17,7 +18,6 @@ from .section import Section
 from .segments import segments
 from .stated import stated_numbers
 from .stations import Stations
-from .tendons import TENSION, tendon_names
 
 Index = tuple[int, ...]
 Value = float | tuple[float, ...] | None
@@ -188,7 +188,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
             *per_added(robot, "_rate"),
             *per_mode(robot, "eta_rate"),
         ),
-        tau=(*(f"{link.name}.{name}[{j}]" for link, j, name, _ in efforts(robot)), *tensions(robot)),
+        tau=tuple(input_names(robot)),
         wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
     )
 
@@ -220,23 +220,6 @@ def rate_units(robot: Robot) -> list[str]:
 def turning(robot: Robot) -> list[bool]:
     """Whether the link turns about each joint axis; about one that slides it does not."""
     return [screw.turn for link in robot.links for screw in link.joint.screws]
-
-
-def force_units(robot: Robot) -> list[str]:
-    """The units of tau: N·m for axes that turn and for rotors, N for axes that slide, cylinders and tendons."""
-    return [*(unit for *_, unit in efforts(robot)), *("N" for _ in tensions(robot))]
-
-
-def tensions(robot: Robot) -> list[str]:
-    """The names of the tensions of tendons, the last entries of tau."""
-    return [f"{name}{TENSION}" for name in tendon_names(robot)]
-
-
-def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:
-    """Link and number of every axis, and what its input is called, with its unit: that of the axis, or of its drive."""
-    for link in robot.links:
-        for j, (screw, own) in enumerate(zip(link.joint.screws, link.joint.driven, strict=True)):
-            yield link, j, *own.effort(screw)
 
 
 def travels(robot: Robot) -> list[Travel]:

@@ -15,6 +15,7 @@ from .base import FIXED, FLOATING, check_floating
 from .couplings import Coupling, refuse_couplings
 from .forces import Force, Push, refuse_forces
 from .frequencies import Frequencies
+from .input import made_in_python
 from .joint import XYZ, Joint
 from .loops import Loop, refuse_loops
 from .markers import TIP, Marker, Place, carried_at, check_markers, marker, written
@@ -217,6 +218,9 @@ class Robot(Part):
     loops: tuple[Loop, ...] = Field((), description="joints between markers of two links, [[loops]] tables")
     couplings: tuple[Coupling, ...] = Field(
         (), description="axes that follow others in a fixed ratio, [[couplings]] tables"
+    )
+    inputs: Annotated[tuple[Any, ...], PlainValidator(made_in_python)] = Field(
+        (), description="in Python: further kinds of input", exclude=True
     )
     forces: tuple[Force, ...] = Field(
         (), description="forces between two markers, or a marker and the world, [[forces]] tables"

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
 
+from .input import Input
 from .names import link_name
 from .part import Part
 from .ranges import within
@@ -108,6 +109,28 @@ def offset_label(number: int, end: int, axis: str) -> str:
 def tendon_names(robot: Robot) -> list[str]:
     """The names of the tendons that something pulls, in order of appearance."""
     return list(dict.fromkeys(own.name for link in robot.links for own in link.tendons if own.actuated))
+
+
+class Tensions(Input):
+    """Tensions of tendons; a link reads those of the pieces along it."""
+
+    words = "tendons"
+    kinds = (TENSION[1:],)
+    signal = "tension"
+
+    def names(self, robot: Robot) -> list[str]:
+        return [f"{name}{TENSION}" for name in tendon_names(robot)]
+
+    def units(self, robot: Robot) -> list[str]:
+        return ["N"] * len(tendon_names(robot))
+
+    def of_links(self, chain: Any) -> list[list[int]]:
+        every, links = tendon_names(chain.robot), chain.robot.links
+        pairs = zip(chain.segments, chain.keys, strict=True)
+        return [[every.index(links[s.link].tendons[x.number].name) for x in key.tendons] for s, key in pairs]
+
+
+TENSIONS = Tensions()
 
 
 def refuse_tendons(links: Sequence[Link]) -> None:

@@ -134,6 +134,7 @@ def equilibrium(
     refuse_followers(model, wanted, stated)
     held = wanted.held & stated
     torques = efforts_beside(model, tau, held, wanted.at_all)
+    values = model.chain.fallen(values, torques)
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
     statics, b = rest(model, values, torques, w_ext, held, start)
     found = _report(statics, b, held, wanted, stated)
@@ -172,10 +173,10 @@ def closed_start(
 def _statics(model: RobotModel, p: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, held: np.ndarray) -> Statics:
     """The forces under `tau` (n_tau,) where it acts, with the drives of the axes in `held` (n_joints,) at rest."""
     load, still = np.zeros(model.nq), np.zeros(model.nq, bool)
-    torques, tensions = np.split(tau, [model.n_joints])
+    torques, others = np.split(tau, [model.n_joints])
     load[model.chain.held_places], still[model.chain.held_places] = torques, held
     kind = StaticsWithLoops if model.chain.closing.rows else Statics
-    return kind(model, p, load, w_ext, np.flatnonzero(~still), tensions)
+    return kind(model, p, load, w_ext, np.flatnonzero(~still), others)
 
 
 def _balanced(
@@ -196,8 +197,8 @@ def _rested(
     chain, stiff = model.chain, model.once("rigid gears", lambda: RobotModel(rigid(model.robot)))
     values = dict(zip(model.parameter_names, p, strict=True))
     own, added = np.array([values[name] for name in stiff.parameter_names]), range(chain.n_joints, chain.eta_q)
-    at_joints, held = tau / chain.at_efforts(np.ones(chain.n_tau), p), np.append(held, np.zeros(chain.n_tensions, bool))
-    m = chain.n_joints
+    m, at_joints = chain.n_joints, tau / chain.at_efforts(np.ones(chain.n_tau), p)
+    held = np.append(held, np.zeros(chain.n_tau - m, bool))
     _, b = _balanced(stiff, own, at_joints, w_ext, held[:m], np.delete(start, added))
     holding = efforts(chain, np.where(held[:m], b.force[:m], 0.0), b.q[:m], p)
     torques = np.where(held[:m], holding, at_joints[:m])
@@ -223,7 +224,7 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, wanted: Asked, state
     named = lambda which: tuple(name for name, there in zip(model.q_names[:m], which, strict=True) if there)  # noqa: E731
     return Equilibrium(
         q=b.q,
-        tau=np.append(np.where(held, holding + 0.0, statics.load[driven]), statics.tensions),
+        tau=np.append(np.where(held, holding + 0.0, statics.load[driven]), statics.others),
         held=wanted.at_all,
         held_joints=named(held),
         passive=named(wanted.joints & ~held & (statics.springs[:m] > 0)),

@@ -73,9 +73,9 @@ def refuse_followers(model: RobotModel, wanted: Asked, stated: np.ndarray) -> No
 def efforts_beside(model: RobotModel, tau: Numbers | None, held: np.ndarray, at_all: bool) -> np.ndarray:
     """The torques and tensions (n_tau,) that are given; those of joints in `held` (n_joints,) are found, so zero here.
 
-    `at_all`: whether joints are held; then `tau` may be the tensions alone.
+    `at_all`: whether joints are held; then `tau` may be the inputs behind torques alone.
     """
-    if tau is not None and at_all and np.size(tau) == model.chain.n_tensions != model.n_tau:
+    if tau is not None and at_all and np.size(tau) == model.n_tau - model.n_joints != model.n_tau:
         tau = np.append(np.zeros(model.n_joints), np.ravel(tau))
     out = checked(tau, "tau", model.n_tau)
     if (given := np.flatnonzero(held & (out[: model.n_joints] != 0))).size:

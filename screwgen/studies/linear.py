@@ -17,8 +17,9 @@ from ..errors import UnknownNameError, UsageError
 from ..robot_model import RobotModel
 from ..simulation.definiteness import check_definite
 from ..simulation.mobility import motions
+from ..spec.inputs import input_units
 from ..spec.load import one_line
-from ..spec.parameters import WRENCH, changes, coordinate_names, coordinate_units, force_units, rate_units
+from ..spec.parameters import WRENCH, changes, coordinate_names, coordinate_units, rate_units
 from ..topology.chain import Chain
 
 OUTPUTS = ("joint_angles", "tip_position")
@@ -240,7 +241,7 @@ Groups = dict[str, dict[str, str]]
 def input_groups(chain: Chain) -> Groups:
     """The inputs in the order of u = [tau; w_ext]; `tip_wrench` is that on the last tip."""
     wrenches = [(f"{s.tipped}.w_ext.{part}", unit) for s in chain.segments for part, unit in WRENCH_UNITS]
-    torques = dict(zip(coordinate_names(chain.robot).tau, force_units(chain.robot), strict=True))
+    torques = dict(zip(coordinate_names(chain.robot).tau, input_units(chain.robot), strict=True))
     return {"torques": torques, "wrenches_on_tips": dict(wrenches), "tip_wrench": dict(wrenches[-6:])}
 
 

@@ -62,14 +62,14 @@ def _behind(chain: Chain) -> np.ndarray:
     return out
 
 
-def largest_loads(model: RobotModel, p: np.ndarray, w_ext: np.ndarray, tensions: np.ndarray, of: Carried) -> np.ndarray:
+def largest_loads(model: RobotModel, p: np.ndarray, w_ext: np.ndarray, others: np.ndarray, of: Carried) -> np.ndarray:
     """(nq,): what weight, wrenches on tips and tensions do to each coordinate at most, before any of them cancel."""
     moments, forces = (np.linalg.norm(part, axis=1) for part in np.split(w_ext, 2, axis=1))
     force = of.mass * np.linalg.norm(p[:3]) + of.links @ forces
     out = force * of.lever + (of.links @ moments) * of.turn
     straight = np.zeros(model.nq)
-    for k in np.flatnonzero(tensions):
-        alone = np.where(np.arange(len(tensions)) == k, tensions, 0.0)
+    for k in np.flatnonzero(others):
+        alone = np.where(np.arange(len(others)) == k, others, 0.0)
         out = out + np.abs(np.array(model.tendon_work(straight, alone, p)[1])[:, 0])
     return out
 

@@ -68,7 +68,7 @@ class Balance:
 
 
 class Statics:
-    """The forces on an arm at rest under torques `load` (nq,), `tensions`, wrenches on its tips, weight and springs."""
+    """The forces on an arm at rest under torques `load` (nq,), `others` of its inputs, wrenches, weight and springs."""
 
     straight = True
     """Whether the directions in which it moves stay the same on the way."""
@@ -80,10 +80,10 @@ class Statics:
         load: np.ndarray,
         w_ext: np.ndarray,
         moving: np.ndarray,
-        tensions: np.ndarray = NONE,
+        others: np.ndarray = NONE,
     ):
         self.model, self.p, self.load, self.w_ext, self.moving = model, p, load, w_ext, moving
-        self.tensions = tensions
+        self.others = others
         self.springs = stiffness(model, p)
         self.turning = turns(model)
         self.bending = ~(self.turning | (np.arange(model.nq) < model.chain.eta_q))
@@ -103,8 +103,8 @@ class Statics:
         The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
         Behind an elastic gear it acts on the rotor's travel, see :meth:`_from_travels`.
         """
-        if self.tensions.any():
-            work, force, own = (x.full() for x in self.model.tendon_work(q, self.tensions, self.p))
+        if self.others.any():
+            work, force, own = (x.full() for x in self.model.tendon_work(q, self.others, self.p))
             rest = self._by_drives(q)
             return rest[0] + work.item(), rest[1] + force[:, 0], rest[2] + own
         return self._by_drives(q)
@@ -161,7 +161,7 @@ class Statics:
     @cached_property
     def largest(self) -> np.ndarray:
         """(nq,): the loads before they cancel, see :func:`.static_scales.largest_loads`."""
-        return largest_loads(self.model, self.p, self.w_ext, self.tensions, carried(self.model, self.p, self.reach))
+        return largest_loads(self.model, self.p, self.w_ext, self.others, carried(self.model, self.p, self.reach))
 
     @cached_property
     def units(self) -> np.ndarray:
@@ -198,7 +198,7 @@ class Statics:
     def share(self, part: float, wrenches: float) -> Statics:
         """The same with a part of gravity and torques, and one of the wrenches."""
         p = np.concatenate([part * self.p[:3], self.p[3:]])
-        loads = part * self.load, wrenches * self.w_ext, self.moving, part * self.tensions
+        loads = part * self.load, wrenches * self.w_ext, self.moving, part * self.others
         return type(self)(self.model, p, *loads)
 
     def bounded(self, b: Balance, step: np.ndarray) -> np.ndarray:

@@ -93,7 +93,7 @@ def steady(
     if np.linalg.eigvalsh(M[np.ix_(moving, moving)])[0] <= 0:
         raise SingularError(f"the mass matrix is singular in this posture; lock the joints{model.chain.caution}")
     force = numeric.inverse_dynamics(q, v, None, None)
-    tau = chain.with_tensions(efforts(chain, force[chain.held_places], q[: chain.n_joints], p, held=True))
+    tau = chain.with_idle_inputs(efforts(chain, force[chain.held_places], q[: chain.n_joints], p, held=True))
     if chain.travels:
         M, K, C = numeric.slopes(q, v, None, None, tau)
     if v.any():

@@ -26,7 +26,7 @@ def hanging(model: RobotModel, q: np.ndarray, p: np.ndarray) -> Steady:
     b = rest(model, p, np.zeros(model.n_tau), np.zeros((model.n_links, 6)), stated, start)[1]
     assert isinstance(b, BalanceWithLoops)
     torques = np.where(stated, b.force[model.chain.held_places], 0.0)
-    tau = model.chain.with_tensions(efforts(model.chain, torques, b.q[: model.n_joints], p, held=True))
+    tau = model.chain.with_idle_inputs(efforts(model.chain, torques, b.q[: model.n_joints], p, held=True))
     return about(model, b.q, p, dict(zip(model.chain.closing.rows, b.forces, strict=True)), tau)
 
 

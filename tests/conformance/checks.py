@@ -40,6 +40,10 @@ CHECKS: dict[str, Check] = {
     "derivatives": Check(slopes.dynamics, "exact slopes of accelerations, in C and NumPy, equal differences"),
     "derivatives of wrenches": Check(slopes.wrenches, "exact slopes of joint wrenches equal differences"),
     "derivatives of steps": Check(slopes.steps, "exact slopes of every step equal differences"),
+    "derivatives by parameters": Check(
+        slopes.by_parameters,
+        "exact slopes with numbers of the file, in NumPy, CasADi and C, equal differences in 40 digits",
+    ),
     "linear model": Check(slopes.linear, "A, B, C and D are these slopes, by coordinates that loops leave free"),
     "runs": Check(uses.runs, "a run by C equals one by CasADi and a rollout, with what they report"),
     "DAE runs": Check(uses.dae_runs, "a run of the DAE form equals one of the joint form by the same method"),

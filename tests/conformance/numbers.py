@@ -259,7 +259,8 @@ def by_elimination(case: Case, c: Compiled) -> None:
     vdot, wrench = f.forward_dynamics(q, v, tau, w_ext)
     near(c.accelerations(q, v, tau, w_ext), vdot, case.solved, "accelerations alone")
     loads = w_ext + f.loop_wrenches(q, v, tau, w_ext) if case.model.chain.closing.rows else w_ext
-    near(c.inverse_dynamics(q, v, vdot, loads)[1], wrench, case.tolerance, "wrenches of inverse dynamics")
+    if not case.model.chain.falls:  # inverse dynamics is that of a base at rest
+        near(c.inverse_dynamics(q, v, vdot, loads)[1], wrench, case.tolerance, "wrenches of inverse dynamics")
     near(c.mass_matrix(q), f.mass_matrix(q), case.agreement, "mass matrix")
     x = f.dae_state(q, v)
     for found, wanted, what in zip(c.assemble(x, tau, w_ext), f.assemble(x, tau, w_ext), "MHW", strict=True):

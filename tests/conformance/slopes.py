@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import itertools
 
+import mpmath
 import numpy as np
 
 from conformance.cases import DIFFERENCE, STEP, Case
 from conformance.numbers import near
 from conformance.uses import closed
+from screwgen.algorithms import fused
+from screwgen.algorithms.functions import Functions
 from screwgen.backends.numpy.closing import closed as shut
 from screwgen.backends.numpy.closing import jacobian
 from screwgen.integrators import METHODS
+from screwgen.ir.replay import run
 
 OUTPUTS = ("tip_position", "tip_velocity", "tip_acceleration", "wrenches", "base_strain")
 
@@ -53,9 +57,47 @@ def steps(case: Case) -> None:
             return np.concatenate([case.change(after, there), rates])
 
         by_q, by_v, by_tau = case.differences(moved)
-        for found, wanted in ((A[:, :nv], by_q), (A[:, nv:], by_v), (B, by_tau)):
+        # beside what inputs within their limits do: beyond these rounding may be all that is left
+        within = c.step_derivatives(q, v, case.acting, w_ext, STEP, method)[-1]
+        for found, wanted, most in ((A[:, :nv], by_q, by_q), (A[:, nv:], by_v, by_v), (B, by_tau, within)):
             for half in (slice(None, nv), slice(nv, None)):
-                near(found[half], wanted[half], smooth(case), f"a step of {method}")
+                size = np.abs(most[half]).max(initial=0.0)
+                pair = (np.append(x[half], size) for x in (found, wanted))
+                near(*pair, smooth(case), f"a step of {method}")
+
+
+def exact_dynamics(case: Case, p: list) -> np.ndarray:
+    """Accelerations and joint wrenches at parameters with 50 digits."""
+    chain, given = case.model.chain, [[mpmath.mpf(float(x)) for x in np.ravel(x)] for x in case.given]
+    links = fused.prepared(chain, p, lambda _, program, values: run(program, values, fused.precise)[0])
+    apply = lambda _, __, program, values: run(program, values, fused.precise, mpmath.mpf(10) ** -45)[0]  # noqa: E731
+    vdot, wrench = Functions(chain, links, fused.world(chain, p), apply).forward_dynamics(*given)
+    return np.array([*vdot, *wrench])
+
+
+def by_parameters(case: Case) -> None:
+    """Accelerations and wrenches with a parameter at random; a step with it, alike in all back ends."""
+    model, f, (q, v, tau, w_ext) = case.model, case.model.numpy(), case.given
+    k = int(np.random.default_rng(case.seed).choice(len(model.parameter_names)))
+    name, number = model.parameter_names[k], model.parameter_values[k]
+    found, whole = f.forward_dynamics_by_p(*case.given, of=name), f.forward_dynamics(*case.given)
+    with mpmath.workdps(50):
+        h = mpmath.mpf(10) ** -15 * (abs(number) or 1)
+        ends = ([mpmath.mpf(x) + (j == k) * way * h for j, x in enumerate(model.parameter_values)] for way in (1, -1))
+        up, down = (exact_dynamics(case, p) for p in ends)
+        expected = np.split(((up - down) / (2 * h)).astype(float), [model.nv])
+    for x, wanted, values in zip(found, expected, whole, strict=True):
+        least = 1e-4 * np.abs(values).max(initial=0.0) / max(abs(number), 1e-3)  # of one that changes nothing
+        error = np.abs(np.ravel(x) - wanted).max(initial=0.0)
+        assert error <= 1e-9 * max(np.abs(wanted).max(initial=0.0), least), f"{name}: {error}"
+    c, functions, after = case.c(by_p=(name,)), model.casadi(by_p=name), f.step_by_p(*case.given, STEP, of=name)
+    stated = q, v, tau, w_ext.T, model.parameter_values
+    pairs = [*zip(c.forward_dynamics_by_p(*case.given), found, strict=True)]
+    pairs += [(functions["forward_dynamics_by_p"](*stated)[0], found[0])]
+    pairs += [*zip(c.step_by_p(*case.given, STEP), after, strict=True)]
+    pairs += [*zip(functions["step_by_p"](*stated, STEP), after, strict=True)]
+    for one, other in pairs:
+        near(one, other, case.tolerance, f"by {name}")
 
 
 def kinematic(case: Case, q: np.ndarray, v: np.ndarray, h: float = 1e-4) -> np.ndarray:

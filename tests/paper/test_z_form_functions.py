@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 from conftest import swept
 from helpers import arm, example, flat, link, model_of
-from latex_documents import PLUGINS, page, tex
+from latex_documents import PLUGINS, WHOLE, page, tex
 
 from screwgen.algebra.components import components
 from screwgen.algebra.expression import Symbol
@@ -83,15 +83,15 @@ def test_relation_of_the_rates_is_the_derivative_of_the_twist():
 @pytest.mark.parametrize("name", swept(["ella", "six_link", "strange"], "ella"))
 def test_documents_have_the_section(name):
     text = tex(name)
-    section = text.split(r"\section{The Z-form}")[1].split(r"\section{")[0]
+    section = text.split(r"\section{The Z-form}")[1].split(r"\section{")[0].replace(" & = ", " = ")
     for formula in (
-        r"\mathbf{J}(\boldsymbol{\theta}_i) & = \mathbf{I}_{3} - \mathrm{c}_2\,\tilde{\boldsymbol{\theta}}_i",
-        r"\kappa & = \tfrac{1}{4}\,\mathrm{c}_{1}\left(y_i\right)^{-1}\,\left(\mathrm{c}_{2}\left(y_i\right) -",
-        r"\dot{\boldsymbol{\theta}}_i & = \mathbf{J}(\boldsymbol{\theta}_i)^{-1}\,\boldsymbol{\omega}_i",
-        r"\mathbf{T}_{\gamma_i} & = \begin{bmatrix} \mathbf{0} & \mathbf{0} \\ -\tilde{\mathbf{r}}_i & \mathbf{0}",
+        r"\mathbf{J}(\boldsymbol{\theta}_i) = \mathbf{I}_{3} - \mathrm{c}_2\,\tilde{\boldsymbol{\theta}}_i",
+        r"\kappa = \tfrac{1}{4}\,\mathrm{c}_{1}\left(y_i\right)^{-1}\,\left(\mathrm{c}_{2}\left(y_i\right) -",
+        r"\dot{\boldsymbol{\theta}}_i = \mathbf{J}(\boldsymbol{\theta}_i)^{-1}\,\boldsymbol{\omega}_i",
+        r"\mathbf{T}_{\gamma_i} = \begin{bmatrix} \mathbf{0} & \mathbf{0} \\ -\tilde{\mathbf{r}}_i & \mathbf{0}",
         r"\left(\mathbf{I}_{6} + \mathbf{T}_{\gamma_i}\right)\,\dot{\mathbf{Z}}_i + \boldsymbol{\gamma}_i^{*}",
-        r"\mathbf{M}_{dyn} & = (\mathbf{M}_s + \mathbf{M}_{D\Psi})\,(\mathbf{I} + \mathbf{T}_{\gamma})",
-        r"\mathbf{A}_c & = \begin{bmatrix}",
+        r"\mathbf{M}_{dyn} = (\mathbf{M}_s + \mathbf{M}_{D\Psi})\,(\mathbf{I} + \mathbf{T}_{\gamma})",
+        r"\mathbf{A}_c = \begin{bmatrix}",
     ):
         assert formula in section, formula
     assert "The Z-form" in page(name) and "Rows of the Z-form" in text
@@ -101,8 +101,8 @@ def test_documents_have_the_section(name):
 def test_pattern_shows_the_robots_links_while_they_fit(count, modes):
     """A row for each joint, link and flexible link; long arms show the first two links; nothing is too wide."""
     model = model_of(arm(*(link(f"l{i}", 0.3, "y", modes=modes) for i in range(count))))
-    section = latex.document(model.robot, PLUGINS).split(r"\section{The Z-form}")[1]
-    pattern = section.split(r"\mathbf{M}_{sys}^{Z} & = \begin{bmatrix}")[-1].split(r"\end{bmatrix}")[0]
+    section = latex.document(model.robot, PLUGINS, WHOLE).split(r"\section{The Z-form}")[1].replace(" & = ", " = ")
+    pattern = section.split(r"\mathbf{M}_{sys}^{Z} = \begin{bmatrix}")[-1].split(r"\end{bmatrix}")[0]
     assert pattern.count(r"\\") + 1 == {1: 2, 2: 4, 3: 9, 9: 7}[count]
     assert ("ddots" in pattern) == ("in the same way" in section) == (count == 9)
     assert width(r"\begin{bmatrix}" + pattern + r"\end{bmatrix}") < PAGE

@@ -14,8 +14,8 @@ from ...topology.chain import Chain
 from ..templates import FEATURES
 from . import forces, held
 from .code import Place, entries, literal, singular
+from .inputs import features
 from .pieces import piece_place, pieces
-from .tendons import TENDONS
 
 OPEN = 1e-5
 """m, or of cosines: the gap of such a row from which parameters count as those of another robot."""
@@ -35,7 +35,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
 
     ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
     """
-    written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + TENDONS * bool(chain.n_tensions)
+    written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + features(chain)
     written += held.HELD * chain.holds
     acting = forces.content(chain, baked, place)
     out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}

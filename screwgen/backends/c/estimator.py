@@ -76,7 +76,7 @@ def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Rou
         "size": f"$$_LENGTH($$_{row.count})" if row.count else max(n, 1),
         "n_flags": n // row.group,
         "n_values": row.n_values(chain),
-        "variance": row.unit + "^2" if row.unit.isalpha() else f"({row.unit})^2",
+        "variance": {"1": "dimensionless", "m": "m^2", "rad": "rad^2"}.get(row.unit, f"({row.unit})^2"),
         "labels": row.labels(chain),
         "spans": found.spans if found else [],
         "accelerates": found is not None and "by_vdot" in found.program.outputs,

@@ -20,7 +20,7 @@ from ...spec.link_class import LinkClass
 from ...spec.markers import TIP, carried_at
 from ...spec.parents import parents
 from ...topology.chain import Chain
-from . import tendons
+from . import inputs, tendons
 from .code import entries, literal
 from .curved import turns
 
@@ -59,19 +59,19 @@ def structs(chain: Chain) -> dict[str, list[StructMember]]:
     inner = "NINNER" if chain.n_added else "NMODES"
 
     def field(struct: str, name: str, s: Signal) -> StructMember:
-        axes = "NAXES" if chain.n_tensions else "NTAU"
+        axes = "NAXES" if chain.other_inputs else "NTAU"
         sizes: dict[int | str, str] = {"NINERTIA": inertia, "NAXES": axes}
         sizes |= {} if chain.base_v else {"NRATES": axes}
         sizes |= {} if chain.n_redundant != chain.n_joints else {"NREDUNDANT": axes}
         sizes |= {"NMODES": inner} if struct.startswith("dae") else {}
-        comment = joint_comment(s, chain.sliding) + (effort(chain) + tendons.note(chain)) * (name == "tau")
+        comment = joint_comment(s, chain.sliding) + (effort(chain) + inputs.note(chain)) * (name == "tau")
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return StructMember(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
-    more: dict[str, Signal] = tendons.gathered(chain)
+    more: dict[str, Signal] = inputs.scratch(chain)
     more |= {"start_rate": START_RATE} if has_axis_terms(chain) else {}
     more |= {"qrate": COORDINATE_RATE} if chain.n_redundant != chain.n_joints else {}
-    own = ROBOT | {"dae_work": ROBOT["dae_work"] | more, "work": ROBOT["work"] | tendons.gathered(chain)}
+    own = ROBOT | {"dae_work": ROBOT["dae_work"] | more, "work": ROBOT["work"] | inputs.scratch(chain)}
     return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
 
 
@@ -181,7 +181,8 @@ def given_coordinates(chain: Chain) -> dict[str, object]:
     parts = [text for text, there in (("of coupled modes", coupled), ("of gears", chain.n_added)) if there]
     return {
         "tendons": tendons.content(chain),
-        "axes": "$$_NAXES" if chain.n_tensions else "$$_NTAU",
+        "inputs": inputs.content(chain, fused_place),
+        "axes": "$$_NAXES" if chain.other_inputs else "$$_NTAU",
         "n_given": chain.n_given,
         "n_inertia": chain.n_inertia,
         "inertia": "$$_NINERTIA" if parts else "$$_NGIVEN",

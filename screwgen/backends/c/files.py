@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from .batch import FILES as BATCH
+from .by_p import FILES as BY_P
 from .derivatives import FILES as DERIVATIVES
 from .estimator import FILES as ESTIMATOR
 
@@ -25,14 +26,17 @@ BESIDE = ("check.c", "main.c", "Makefile", "CMakeLists.txt", "README.md")
 """The files besides the library, under these names."""
 
 
-def library(
-    name: str, closing: Sequence[str], derivatives: bool, estimator: bool, batch: bool, reports: Sequence[str]
-) -> dict[str, str]:
+OPTIONS = DERIVATIVES, ESTIMATOR, BATCH, BY_P
+"""The files that options add."""
+
+
+def library(name: str, closing: Sequence[str], asked: Sequence[bool], reports: Sequence[str]) -> dict[str, str]:
     """The files of a robot's library, with the template of each.
 
-    ``closing``: the files of what closes its tree; ``reports``: those of what it reports.
+    ``closing``: the files of what closes its tree; ``asked``: whether each of ``OPTIONS`` is; ``reports``: those of
+    what it reports.
     """
-    options = ((derivatives, DERIVATIVES), (estimator, ESTIMATOR), (batch, BATCH))
-    files = [*LIBRARY, *closing, *(file for asked, more in options if asked for file in more)]
+    more = (file for wanted, own in zip(asked, OPTIONS, strict=True) if wanted for file in own)
+    files = [*LIBRARY, *closing, *more]
     files += [f"{part}.{end}" for part in reports for end in "hc"]
     return {f"{name}.h": "model.h"} | {f"{name}_{file}": file for file in files}

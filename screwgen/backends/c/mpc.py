@@ -77,7 +77,7 @@ class Fitted:
             (bool(chain.curved), "a ball joint"),
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
-            (bool(chain.n_tensions), "tendons"),
+            *((True, row.words) for row in chain.other_inputs),
             (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
         ):
             if asked:

@@ -43,10 +43,11 @@ def _function(row: RobotFunction, chain: Chain, baked: bool, place: Place) -> di
     program = row.program(chain, "baked" if baked else "constants")
     results, first = [], 0
     for name, signal in row.results.items():
-        sizes = {"size": _count(signal), "scalar": not signal.shape, "first": first}
+        sizes = {"size": count(signal), "scalar": not signal.shape, "first": first}
         results.append({"name": name, "comment": signal.comment, **sizes})
         first += prod(shape(signal, chain))
     shown = {"name": row.name, "about": row.about, "given": given, "results": results, "length": length_of(row)}
+    shown["more"] = ""
     made = pieces(program, placed, ("c", *given, "kept", *row.results), fail=_singular)
     pointers = [f"!{name}" for name in ("c", *given, "work", *row.results)]
     return made | shown | {"pointers": pointers}
@@ -63,9 +64,9 @@ def _singular(test: str, _: int) -> str:
 
 def length_of(row: RobotFunction) -> str:
     """The number of entries of all results, as C has it."""
-    return " + ".join(map(_count, row.results.values()))
+    return " + ".join(map(count, row.results.values()))
 
 
-def _count(signal: Signal) -> str:
+def count(signal: Signal) -> str:
     """The number of entries of a result, as C has it."""
     return " * ".join(f"$$_{n}" if isinstance(n, str) else str(n) for n in signal.shape) or "1"

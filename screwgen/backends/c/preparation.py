@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from ...algorithms import fused
 from ...algorithms.schedule import BUILT_IN, COLUMNS, is_column
 from ...ir.program import Program
+from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from .code import Writer, trimmed, with_unused
+from .code import Writer, literal, trimmed, with_unused
 from .fields import columns
 from .parameters import members
 
@@ -25,6 +26,14 @@ def content(chain: Chain, labels: Labels) -> dict[str, list]:
     used = [i for i in range(chain.n) if _prepares(chain, labels, i)]
     functions = [_function(chain, labels, i) for i in used if first[i] == i]
     return {"prepare": functions, "prepare_calls": [_call(chain, i, first[i]) for i in used]}
+
+
+def tables(chain: Chain, baked: Sequence[dict] | None) -> dict[str, list[str]] | None:
+    """Gravity and the robot's columns where all constants are numbers, as C has them; else None."""
+    if baked is None:
+        return None
+    gravity, found = [literal(p.value) for p in parameters(chain.robot)[:3]], fused.columns(chain, baked)
+    return {"gravity": gravity} | {name: [literal(x) for x in values] or ["0"] for name, values in found.items()}
 
 
 def _prepares(chain: Chain, labels: Labels, i: int) -> bool:

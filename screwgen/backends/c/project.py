@@ -21,6 +21,8 @@ from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
 from . import batch, check, closing, curved, derivatives, estimator, files, laws, levers, outputs, preparation, steps
+from .by_p import algorithms as differentiated
+from .by_p import content as by_parameters
 from .check import Recorded
 from .code import Writer, literal, singular, sizes, with_unused
 from .columns import rendered
@@ -79,12 +81,13 @@ class CProject:
         estimator: bool | Sequence[str | Measurement] = False,
         methods: Sequence[Method] = (),
         outputs: bool | Collection[str] = False,
+        by_p: str | Sequence[str] = (),
     ):
         self.chain, self.version, self.binding, self.with_batch = chain, version, binding, batch
         self.with_estimator, self.measurements = estimator is not False, chosen(chain, estimator)
         self.with_derivatives = derivatives or self.with_estimator
         self.reports = PARTS if outputs is True else tuple(outputs or ())
-        self.name, self.methods = chain.robot.name, with_built_in(methods)
+        self.name, self.methods, self.chosen = chain.robot.name, with_built_in(methods), chain.parameters.chosen(by_p)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
         self.layout = self._layout(layout)
@@ -115,8 +118,8 @@ class CProject:
     @property
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
-        options = self.with_derivatives, self.with_estimator, self.with_batch
-        return files.library(self.name, closing.files(self.chain), *options, self.reports)
+        options = self.with_derivatives, self.with_estimator, self.with_batch, bool(self.chosen)
+        return files.library(self.name, closing.files(self.chain), options, self.reports)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -175,7 +178,7 @@ class CProject:
             "defaults": defaults(robot),
             "places": [place(p) for p in parameters(robot)],
             **(preparation.content(self.seen, self.labels) if self.baked is None else preparation.NONE),
-            "baked": self.baked_tables,
+            "baked": preparation.tables(chain, self.baked),
             **topology(chain),
             "q_offset": chain.q_offset[:-1],
             **curved.content(chain),
@@ -198,6 +201,7 @@ class CProject:
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": levers.content(chain, baked, fused_place),
             "batch": self._batch if self.with_batch else None,
+            "by_p": by_parameters(chain, self.chosen, baked, fused_place, self.methods),
         }
 
     @cached_property
@@ -290,7 +294,8 @@ class CProject:
         """The algorithms that the C runs."""
         told = (a for part in self.reports for row in in_file(part, self.chain) for a in row.algorithms)
         measured = (a for row in self.measurements for a in row.algorithms)
-        return *(run.algorithm for run in RUNS.values()), *told, *measured, functions.HOLD, *self.further
+        more = (*told, *measured, functions.HOLD, *differentiated(self.chain, self.chosen), *self.further)
+        return *(run.algorithm for run in RUNS.values()), *more
 
     @property
     def seen(self) -> Chain:
@@ -311,14 +316,6 @@ class CProject:
         for segment, key, labels in zip(self.chain.segments, self.seen.keys, self.labels, strict=True):
             names[segment.link] |= {n[2:] for n in fused.preparation(key, labels).inputs}
         return parameter_structs(self.chain.robot, [frozenset(n) for n in names])
-
-    @property
-    def baked_tables(self) -> dict | None:
-        if self.baked is None:
-            return None
-        gravity = [literal(p.value) for p in parameters(self.chain.robot)[:3]]
-        found = fused.columns(self.chain, self.baked).items()
-        return {"gravity": gravity} | {name: [literal(x) for x in values] or ["0"] for name, values in found}
 
     @property
     def bytes(self) -> dict[str, int]:

@@ -46,7 +46,8 @@ def views(chain: Chain) -> tuple[str, ...]:
 
 def shims(project: CProject) -> dict[str, str]:
     """The files beside a robot's C, which has outputs, that its shared library is made of."""
-    names, chain = FILES + (("derivatives_shim.c",) if project.with_derivatives else ()), project.chain
+    names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
+    names, chain = names + (("by_p_shim.c",) if project.chosen else ()), project.chain
     told = [(f"m->{row.name}", length_of(row)) for row in reported(chain)]
     values = dict(
         views=views(chain),

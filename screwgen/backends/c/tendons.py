@@ -16,17 +16,15 @@ TENDONS = ("tendons",)
 
 def content(chain: Chain) -> dict[str, object] | None:
     """The templates' context: ``pieces``, the tension of every piece, link by link, and the first piece of every link,
-    ``offset``; whether several pieces have one, ``shared``; whether no loops close the ``tree``."""
+    ``offset``; whether several pieces have one, ``shared``."""
     if not chain.n_tensions:
         return None
     offset = [0, *accumulate(len(own) for own in chain.tensions)]
     return {
-        "axes": chain.n_joints,
         "names": tendon_names(chain.robot),
         "pieces": _pieces(chain),
         "offset": offset[:-1],
         "shared": _shared(chain),
-        "tree": not chain.closing.rows,
     }
 
 

@@ -16,6 +16,7 @@ from typing import Any
 import casadi as ca
 
 from ...algorithms import fused
+from ...algorithms import robot_programs as programs
 from ...algorithms.dae_functions import unknown_size
 from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
@@ -162,6 +163,12 @@ def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
 def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
     """``dq/dt``, which is v but for joints whose coordinates do not add up."""
     return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.curved else v
+
+
+def exerted(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
+    """(nv, inputs): the generalised forces per unit of each input but torques of axes."""
+    found = expressions(programs.exerted(chain), {"q": q, "p": p})["exerted"]
+    return ca.densify(ca.reshape(found, chain.nv, chain.n_tau - chain.n_joints))
 
 
 def side_by_side(entries: ca.SX, rows: int, columns: int) -> ca.SX:

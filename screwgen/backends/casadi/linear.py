@@ -28,13 +28,16 @@ def closing(chain: Chain) -> ca.Function:
 
 
 def tendon_work(chain: Chain) -> ca.Function:
-    """``(q, tension, p) -> (work, force, slope)``: what tensions do from straight tendons of no length to ``q``, J, its
-    derivative with q (nq), which is their generalised force, and the derivative of that (nq, nq)."""
+    """``(q, others, p) -> (work, force, slope)``: what tensions do from straight tendons of no length to ``q``, J, its
+    derivative with q (nq), which is their generalised force, and the derivative of that (nq, nq).
+
+    ``others``: the inputs behind torques of axes, tensions among them.
+    """
     given = symbols(chain, "q p")
-    tension = ca.SX.sym("tension", chain.n_tensions)
-    work = -ca.dot(tension, expressions(tendon_length(chain), given)["length"])
+    others = ca.SX.sym("others", chain.n_tau - chain.n_joints)
+    work = -ca.dot(others[: chain.n_tensions], expressions(tendon_length(chain), given)["length"])
     slope, force = ca.hessian(work, given["q"])
-    return ca.Function("tendon_work", [given["q"], tension, given["p"]], [work, force, slope])
+    return ca.Function("tendon_work", [given["q"], others, given["p"]], [work, force, slope])
 
 
 def statics(chain: Chain) -> ca.Function:

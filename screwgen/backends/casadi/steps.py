@@ -17,7 +17,7 @@ from ...integrators.methods import METHODS
 from ...integrators.space import replayed
 from ...topology.chain import Chain
 from .expressions import expressions
-from .functions import coordinate_rates, function, side_by_side, symbols
+from .functions import coordinate_rates, exerted, function, side_by_side, symbols
 
 STEP = "modal_midpoint"
 """The method of the function `step`, which is that of a simulation."""
@@ -103,8 +103,8 @@ def scaling(chain: Chain) -> ca.Function:
     """``(p) -> (q, v, tau)``: the size of a coordinate, rate and input; divided by it they are of order one.
 
     Each is what the energy E says, that of the stretched arm whose heaviest joint moves at 1 rad/s or 1 m/s: a mode
-    bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle, a tension 2 E as the mode
-    that it moves most bends.  Joints turn by 1 rad or slide by 1 m, and rotors with them; the gear of a transmission
+    bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle, another input 2 E as what
+    it moves most moves.  Joints turn by 1 rad or slide by 1 m, and rotors with them; the gear of a transmission
     stretches as a mode bends.  E is 1 J where there are no joints.
     """
     given, m, first = symbols(chain, "p"), chain.n_joints, chain.base_v
@@ -123,14 +123,7 @@ def scaling(chain: Chain) -> ca.Function:
         else:
             tau[joint] /= ratio
     q = ca.vertcat(ca.SX.ones(chain.q_offset[-1]), ratios, modes)
-    tensions = [twice / ca.mmax(ca.fabs(row.T) * modes) for row in ca.vertsplit(_pulls(chain, inputs))]
-    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=ca.vertcat(tau, *tensions))
-
-
-def _pulls(chain: Chain, given: Mapping[str, ca.SX]) -> ca.SX:
-    """(tensions, n_modes): the change of each tendon's length with each mode of the straight arm."""
-    if not chain.n_tensions:
-        return ca.SX(0, chain.n_modes)
-    slopes = ca.jacobian(expressions(programs.tendon_length(chain), given)["length"], given["q"])
-    straight = ca.vertcat(ca.SX(0, 1), *chain.home)
-    return ca.densify(ca.substitute(slopes, given["q"], straight))[:, chain.nq - chain.n_modes :]
+    moves, at_home = ca.vertcat(ca.SX.ones(first + m), ratios, modes), ca.SX(ca.DM(list(chain.home)))
+    forces = ca.horzsplit(ca.fabs(exerted(chain, at_home, given["p"]))) if chain.other_inputs else []
+    others = [twice / ca.mmax(force * moves) for force in forces]
+    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=ca.vertcat(tau, *others))

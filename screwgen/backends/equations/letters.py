@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...spec.parameters import Parameter, coordinate_names, coordinate_units, efforts, force_units
+from ...spec.inputs import efforts, input_units
+from ...spec.parameters import Parameter, coordinate_names, coordinate_units
 from ...topology.chain import Chain
 from ..latex.content import DocumentTable
 from ..latex.tables import DIRECTION, NONE, axis_text, decimal
@@ -71,7 +72,7 @@ def _link(chain: Chain, i: int) -> str:
 
 
 def _efforts(chain: Chain) -> Iterator[Row]:
-    known = zip(effort_names(chain), coordinate_names(chain.robot).tau, force_units(chain.robot), strict=True)
+    known = zip(effort_names(chain), coordinate_names(chain.robot).tau, input_units(chain.robot), strict=True)
     for axis, ((letter, name, unit), (_, _, word, _)) in enumerate(zip(known, efforts(chain.robot), strict=True)):
         on = letters(chain)[chain.effort_places[axis]]
         yield f"${letter.latex}$", f"{word} of the drive, on ${on.latex}$", unit, f"`{name}`"

@@ -17,7 +17,8 @@ from ...algorithms.robot_functions import SENSED
 from ...bodies.validity import MEASURES
 from ...errors import UsageError
 from ...spec.base import POSE
-from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, force_units, parameters, rate_units
+from ...spec.inputs import input_units
+from ...spec.parameters import WRENCH, coordinate_names, coordinate_units, parameters, rate_units
 from ...topology.chain import Chain
 
 STEP, METHOD = 1e-3, "modal_implicit"
@@ -122,7 +123,7 @@ def _pose(name: str) -> str:
 
 def _inputs(chain: Chain) -> Iterator[Variable]:
     names = coordinate_names(chain.robot).tau
-    for name, unit in zip(names, force_units(chain.robot), strict=True):
+    for name, unit in zip(names, input_units(chain.robot), strict=True):
         yield Variable("tau", name, unit, "what the drive exerts", "input", initial=None, start=0.0)
     for segment in chain.segments:
         for part, unit in WRENCH_UNITS.items():

@@ -8,7 +8,7 @@ gradient of a function is NaN.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial, wraps
 from typing import Any
 
@@ -19,6 +19,7 @@ import numpy as np
 from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage
+from ...algorithms.parameter_slopes import BY_P
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
 from ...algorithms.robot_programs import held_inputs
 from ...algorithms.schedule import COLUMNS
@@ -34,11 +35,13 @@ from ..lazy import LazyFunctions
 from .programs import JaxProgram, Values, straight
 
 PRECISIONS = {"double": jnp.float64, "single": jnp.float32}
-STEP = "modal_midpoint"
+STEP, STEP_INPUTS = "modal_midpoint", "q v tau w_ext p dt"
 """The method of the function `step`, which is that of a simulation."""
 
 
-def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterable[Method]) -> LazyFunctions:
+def functions(
+    chain: Chain, precision: str, forward_mode: bool, methods: Iterable[Method], by_p: Sequence[int] = ()
+) -> LazyFunctions:
     """The functions by name, each made when it is first asked for; see :meth:`screwgen.Model.jax`."""
     choice(precision, PRECISIONS, "there is no precision")
     if precision == "double" and not jax.config.read("jax_enable_x64"):
@@ -46,8 +49,13 @@ def functions(chain: Chain, precision: str, forward_mode: bool, methods: Iterabl
         raise UsageError(f"JAX is set to single precision; {said}")
     own = Own(chain, PRECISIONS[precision], straight if forward_mode else JaxProgram)
     found = with_built_in(methods)
-    steps: dict[str, Callable] = {f"step_{name}": partial(own.step, method) for name, method in found.items()}
-    return LazyFunctions({**own.makers(), "step": partial(own.step, found[STEP]), **steps})
+    bodies = {"step": found[STEP], **{f"step_{name}": method for name, method in found.items()}}
+    steps = {name: (STEP_INPUTS, partial(own.step, method)) for name, method in bodies.items()}
+    made: dict[str, Callable] = {name: partial(own.function, *x) for name, x in own.bodies().items()}
+    made |= {name: partial(own.old_step, *x) for name, x in steps.items()}
+    differentiated = own.functions_of_robot() | steps if by_p else {}
+    slopes = {n + BY_P: partial(own.function, x, own.by_p(body, by_p)) for n, (x, body) in differentiated.items()}
+    return LazyFunctions({**made, **slopes})
 
 
 def old_order_too(step: Callable) -> Callable:
@@ -122,17 +130,29 @@ class Own:
             raise UsageError(f"{name} has the shape {out.shape}; {wanted}")
         return out
 
-    def makers(self) -> dict[str, Callable[[], Callable]]:
-        """What makes all but the steps, by name."""
-        own: list[tuple[str, str, Callable]] = [
-            ("mass_matrix", "q p", self._mass_matrix),
-            ("tip_jacobian", "q p", self._tip_jacobian),
-            ("coordinate_rates", "q v p", self._coordinate_rates),
-        ]
+    def old_step(self, inputs: str, body: Callable[[Values], Any]) -> Callable:
+        """A step as :meth:`function` makes it, which also takes the order of earlier versions."""
+        return old_order_too(self.function(inputs, body))
+
+    def bodies(self) -> dict[str, tuple[str, Callable]]:
+        """The inputs and the body of all but the steps, by name."""
+        own: dict[str, tuple[str, Callable]] = {
+            "mass_matrix": ("q p", self._mass_matrix),
+            "tip_jacobian": ("q p", self._tip_jacobian),
+            "coordinate_rates": ("q v p", self._coordinate_rates),
+        }
         if self.chain.closing.rows:
-            own.append(("correct", "q v p", lambda x: tuple(self.run(tip_programs.correction, "new_q new_v", x))))
-        own += [(row.name, f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)]
-        return {name: partial(self.function, inputs, body) for name, inputs, body in own}
+            own["correct"] = "q v p", lambda x: tuple(self.run(tip_programs.correction, "new_q new_v", x))
+        return own | self.functions_of_robot()
+
+    def functions_of_robot(self) -> dict[str, tuple[str, Callable]]:
+        """Those of the functions that every back end offers."""
+        return {row.name: (f"{row.inputs} p", partial(self._results, row)) for row in offered(self.chain)}
+
+    def by_p(self, body: Callable[[Values], Any], chosen: Sequence[int]) -> Callable[[Values], Any]:
+        """The derivatives of results by the chosen parameters, which number the last axis."""
+        places = jnp.array(chosen, int)
+        return lambda x: jax.jacrev(lambda own: body({**x, "p": x["p"].at[places].set(own)}))(x["p"][places])
 
     def _results(self, row: RobotFunction, x: Values) -> Any:
         """The results of a function of the robot, a tuple where they are several."""
@@ -157,17 +177,13 @@ class Own:
         spin = jnp.einsum("ijk,kl,mj->iml", turning, rates, R)
         return jnp.concatenate([jnp.stack([spin[2, 1], spin[0, 2], spin[1, 0]]), moving @ rates])
 
-    def step(self, method: Method) -> Callable:
-        """``(q, v, tau, w_ext, p, dt) -> (q, v)``: the inputs held over dt seconds, efforts within their limits."""
-
-        def body(x: Values) -> tuple[jax.Array, jax.Array]:
-            moves = space.replayed(self.chain, self.replay)
-            if self.chain.holds:
-                x = {**x, "tau": self.run(held_inputs, "held", x)[0]}
-            q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], moves)
-            return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
-
-        return old_order_too(self.function("q v tau w_ext p dt", body))
+    def step(self, method: Method, x: Values) -> tuple[jax.Array, jax.Array]:
+        """Coordinates and rates after a step of dt seconds, the inputs held, efforts within their limits."""
+        moves = space.replayed(self.chain, self.replay)
+        if self.chain.holds:
+            x = {**x, "tau": self.run(held_inputs, "held", x)[0]}
+        q, v = method.step(JaxAccelerations(self, x), x["q"], x["v"], x["dt"], moves)
+        return q * jnp.where(jnp.all(jnp.isfinite(v)), 1, jnp.nan).astype(self.real), v
 
 
 class JaxAccelerations:

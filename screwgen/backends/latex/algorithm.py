@@ -7,11 +7,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import count
 
+import sympy as sp
+
+from ...algebra.notation import latex
+from ...algebra.rewrite import symbols
+from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from ..templates import render
 from . import elements, forces
-from .content import Display, DocumentTable, Item, Paragraph, parse, words
+from .content import Display, DocumentTable, Item, Paragraph, parse
 from .layout import Row
+from .link_class import pointwise
 from .steps import BlockView, StepView
 
 ALGORITHM = "Algorithm"
@@ -27,10 +33,13 @@ SHARED = ("tip", "link_rows")
 """Those of them with steps for further forms, too."""
 
 
-def lines(chain: Chain) -> list[Item]:
-    """The text and the numbered lines; a place is left for the table of what they take as given."""
+def lines(chain: Chain, biased: bool) -> list[Item]:
+    """The text and the numbered lines; a place is left for the table of what they take as given.
+
+    ``biased``: whether the velocities cause accelerations at a joint.
+    """
     number = count(1)
-    text = NUMBER.sub(lambda _: f"(A{next(number)})", render("latex/algorithm.tex.jinja", **_values(chain)))
+    text = NUMBER.sub(lambda _: f"(A{next(number)})", render("latex/algorithm.tex.jinja", **_values(chain, biased)))
     return parse(text)
 
 
@@ -41,18 +50,25 @@ def items(lines: Sequence[Item], views: Iterable[BlockView]) -> Iterator[Item]:
 
 
 def _given(lines: Sequence[Item], views: Iterable[BlockView]) -> DocumentTable:
-    """The symbols of the lines that the steps of the classes define, in the order in which lines need them."""
-    own = {plain(row[0]) for row in _rows(lines)}
+    """The symbols of the lines that the steps of the classes define, by the part of the class that has them."""
+    own = defined(lines)
     steps = {plain(step.formula[0][0]): (step, view) for view in reversed(list(views)) for step in view.steps}
-    rows: dict[str, tuple[str, ...]] = {}
+    seen: set[str] = set()
+    rows: dict[str, list[str]] = {}
     for row in (row for row in _rows(lines) if row[-1].startswith(LABEL)):
-        for symbol in (s for s in steps if s not in own and s not in rows and occurs(s, row[1])):
+        for symbol in (s for s in steps if s not in own and s not in seen and occurs(s, row[1])):
+            seen.add(symbol)
             step, view = steps[symbol]
             number = row[-1].removeprefix(LABEL).removesuffix("}")
-            rows[symbol] = (f"${step.formula[0][0]}$", words(step.meaning), view.title, number)
-    widths = (0.16, 0.48, 0.22, 0.14)
-    head = ("quantity", "meaning", "its part of the class", "first needed in")
-    return DocumentTable(head, widths, tuple(rows.values()), essential=True)
+            rows.setdefault(view.title, []).append(f"${step.formula[0][0]}$ {number}")
+    head = ("part of a class", "what the lines take from it, and the line that first needs it")
+    return DocumentTable(head, (0.2, 0.8), tuple((t, ", ".join(x)) for t, x in rows.items()), essential=True)
+
+
+def defined(lines: Sequence[Item]) -> set[str]:
+    """The symbols that lines define, each by itself or as a part of a column."""
+    lefts = [plain(row[0]) for row in _rows(lines)]
+    return {plain(part) for left in lefts for part in re.split(r";(?:\\ )?", left.strip("[]"))}
 
 
 def _rows(lines: Sequence[Item]) -> list[Row]:
@@ -70,57 +86,109 @@ def occurs(symbol: str, formula: str) -> bool:
     return re.search(r"(?<![\\A-Za-z])" + re.escape(plain(symbol)) + r"(?!\}?[\w{]|\}_)", plain(formula)) is not None
 
 
-def parted(lines: Sequence[Item], views: Sequence[BlockView]) -> tuple[list[BlockView], list[BlockView]]:
+def parted(
+    lines: Sequence[Item], views: Sequence[BlockView], key: LinkClass
+) -> tuple[list[BlockView], list[BlockView]]:
     """The steps that the lines need, and all others: further forms of the equations.
 
-    Of the tip and of the rows of a link some steps serve such forms alone.
+    What lines define needs no step, but for a link that floats. Of a link whose blocks are evaluated at points along it
+    all steps are needed but those of `SHARED`.
     """
-    text = " ".join(plain(row[1]) for row in _rows(lines))
-    kept = {step for view in views if view.name in MAIN and view.name not in SHARED for step in view.steps}
+    text = " ".join(plain(cell) for row in _rows(lines) for cell in row[1:])
+    known = set() if key.floats else defined(lines)
+    left = [step for view in views if view.name in MAIN for step in view.steps]
+    left = [step for step in left if plain(step.formula[0][0]) not in known]
+    along = {step for view in views if pointwise(key) and view.name not in SHARED for step in view.steps}
+    kept = along & set(left)
     text += "".join(map(_text, kept))
-    left = [step for view in views if view.name in SHARED for step in view.steps]
+    left = [step for step in left if step not in kept]
     while found := [step for step in left if occurs(step.formula[0][0], text)]:
         kept |= set(found)
         left = [step for step in left if step not in found]
         text = "".join(map(_text, found))
     main, others = [], []
     for view in views:
-        own, rest = (tuple(s for s in view.steps if (s in kept) == needed) for needed in (True, False))
+        needed_steps, rest = (tuple(s for s in view.steps if (s in kept) == needed) for needed in (True, False))
         if view.name in MAIN:
-            main.append(replace(view, steps=own))
+            main.append(replace(view, steps=needed_steps))
         if rest:
             others.append(replace(view, steps=rest, zeros=(), identities=()))
     return main, others
 
 
 def _text(step: StepView) -> str:
-    """All that a step says, but for its symbol."""
+    """All that a step says, but for its symbol, and the symbols of which it is made."""
     cells = [cell for row in (*step.formula, *step.components) for cell in row]
-    return " " + plain(" ".join(cells[1:]))
+    own = step.definition
+    labels = sorted({s.name for e in own.entries.flat for s in sp.sympify(e).free_symbols})
+    made = [own.labels[name][0] for name in labels] + [latex(symbol) for symbol in symbols(own.right)]
+    return " ".join(map(plain, ["", *cells[1:], *made, ""]))
 
 
-def _values(chain: Chain) -> Mapping[str, object]:
-    keys = chain.keys
+AXES = (
+    ("armature", r"\mathbf{J}_m", r"\mathbf{j}_m", r"\ddot{\mathbf{q}}_i"),
+    ("damping", r"\mathbf{D}_q", r"\mathbf{d}_q", r"\dot{\mathbf{q}}_i"),
+    ("stiffness", r"\mathbf{K}_q", r"\mathbf{k}_q", r"\mathbf{q}_i"),
+)
+"""What acts on axes linearly: its name, its diagonal matrix, the vector of that, and what it acts with."""
+BIAS = r" + \hat{\mathbf{M}}_i\,\boldsymbol{\beta}_i"
+
+
+def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
+    keys, loops, several = chain.keys, bool(chain.closing.rows), chain.n > 1
     return {
-        "several": chain.n > 1,
+        "several": several,
+        "carrying": several or loops or chain.floating or forces.acting(chain),
         "floating": chain.floating,
         "jointed": any(not key.floats for key in keys),
         "welded": any(not key.floats and not key.joints for key in keys),
         "bodies": any(key.bodies_at("tip") for key in keys),
         "slides": chain.slides,
-        "point": "J" if chain.slides else "M",
+        "biased": biased,
+        "bias": BIAS if biased else "",
+        "carried_bias": r" + \boldsymbol{\beta}_i" if biased else "",
         "tension": TENSION if chain.n_tensions else "",
         "effort": elements.effort(chain),
         "acting": elements.acting(chain),
         "elements": elements.equations(chain),
         "forces": forces.lines(chain),
         "inputs": _inputs(chain),
-        "loops": bool(chain.closing.rows),
+        "loops": loops,
         "joined": bool(chain.robot.loops),
         "couplings": bool(chain.robot.couplings),
         "markers": any(segment.marker is not None for segment in chain.segments),
         "relations": bool(chain.closing.related),
         "shared": chain.closing.overconstrained,
+        **joint_terms(chain),
+    }
+
+
+def joint_terms(chain: Chain) -> Mapping[str, object]:
+    """What formulas have of joints: what no joint of a robot has, they are written without."""
+    keys = [key for key in chain.keys if not key.floats]
+    stated = {
+        "armature": any(key.armature for key in keys),
+        "damping": any(key.joint_damping for key in keys),
+        "stiffness": any(key.stiffness for key in keys),
+    }
+    driven = elements.driven(chain)
+    terms = [term for term in AXES if stated[term[0]] or driven]
+    mounted, placed = chain.slides or any(key.mount_xyz for key in keys), any(key.frame_at for key in keys)
+    said = [f"the {name} ${vector}$" for name, _, vector, _ in terms]
+    said += [r"the point $\mathbf{r}_M$ of its mount on the section that carries it"] if mounted else []
+    said += [r"its point $\mathbf{r}_B$ in $\mathcal{F}_i$"] if placed else []
+    return {
+        "mounted": mounted,
+        "placed": placed,
+        "point": "J" if chain.slides else "M",
+        "of_joints": " and ".join(filter(None, (", ".join(said[:-1]), *said[-1:]))),
+        "axis_terms": [{"matrix": matrix, "vector": vector} for _, matrix, vector, _ in terms],
+        "armature": r" + \mathbf{J}_m" if AXES[0] in terms else "",
+        "resisting": "".join(rf" - {matrix}\,{with_}" for _, matrix, _, with_ in terms if matrix != AXES[0][1]),
+        "S": r"\bar{\mathbf{S}}" if placed else r"\mathbf{S}",
+        "back_k": r"\mathbf{J}_{B,k}^{-1}\," if placed else "",
+        "back": r"\mathbf{J}_B^{-1}\," if placed else "",
+        "back_wrench": r"\mathbf{J}_B^{-\top}\," if placed else "",
     }
 
 

@@ -15,13 +15,15 @@ from .content import DocumentTable, Heading, Item, Paragraph
 from .tables import exact
 
 TURN = (0.3, -0.5, 0.7, 0.2, -0.4, 0.6)
-RATE = (0.5, -0.3, 0.4, -0.6, 0.2, 0.7)
+RATE = (4.0, -3.0, 3.5, -4.5, 2.5, 5.0)
 EFFORT = (1.0, -2.0, 1.5, 0.5, -1.0, 2.5)
 OTHER = (-0.05, 0.15, 0.1, 0.5, 1.0, -0.8)
 WRENCH = (0.1, -0.2, 0.3, 1.0, -2.0, 1.5)
 QUATERNION = (0.8, 0.4, 0.4, 0.2)
-MODE, LARGE, MODE_RATE, SLACK = 0.01, 0.3, 1.0, 1e-4
-"""Sizes of first modes, also of rods that bend far, and of their rates, further ones a tenth; the twist of gears."""
+MODES: dict[int | str, float] = {1: 0.15, 2: 0.03, EXACT: 0.3}
+"""Sizes of first modes over the length of a link, by its order (2 is for small ones); further ones a tenth."""
+MODE_RATE, SLACK = 20.0, 1e-4
+"""The size of their rates, so large that every term shows in the first digits of a result; the twist of gears."""
 NEARER = (1.0, 0.4, 0.1, 0.0)
 """By what the posture is scaled until the robot has accelerations there."""
 PLACES = 12
@@ -30,6 +32,9 @@ CANCELLED = 1e-25
 """Smaller parts of the largest value are the last digits of values that cancel."""
 ACROSS = 4
 """How many links have their wrenches side by side."""
+ALONE, BESIDE = (0.1, 0.28, 0.14, 0.14, 0.34), (0.08, 0.22, 0.11, 0.11, 0.22, 0.07, 0.19)
+"""The columns of the state: alone, and beside the wrench of a single link."""
+LETTERS = [rf"$\tau_{{w,{x}}}$" for x in "xyz"] + [f"$F_{x}$" for x in "xyz"]
 MANY = 8
 """Of more links only the wrenches of the first are given."""
 
@@ -74,22 +79,27 @@ def _tables(
     )
     where, besides = "s of the first and the last link" * (chain.n > 1), _besides(chain)
     yield Paragraph(f"{about} At the tip{where}, {acting}; at others nothing acts{besides}.")
-    size = max(len(q), len(v), len(u))
-    columns = [[exact(x) for x in column] + [""] * (size - len(column)) for column in (q, v, u, vdot)]
-    rows = tuple((f"{k + 1}", *row) for k, row in enumerate(zip(*columns, strict=True)))
-    head = ("entry", r"$\mathbf{q}$", r"$\mathbf{v}$", r"$\mathbf{u}$", r"$\dot{\mathbf{v}}$")
-    yield DocumentTable(head, (0.1, 0.28, 0.14, 0.14, 0.34), rows)
+    head = ["entry", r"$\mathbf{q}$", r"$\mathbf{v}$", r"$\mathbf{u}$", r"$\dot{\mathbf{v}}$"]
+    columns = [[exact(x) for x in column] for column in (q, v, u, vdot)]
+    size = max(map(len, columns)) if chain.n > 1 else max(len(wrench[0]), *map(len, columns))
+    columns = [[f"{k + 1}" if k < len(v) else "" for k in range(size)], *columns]
+    if chain.n == 1:
+        head += ["", r"$\mathbf{w}_1$"]
+        columns += [LETTERS, list(map(exact, wrench[0]))]
+    rows = zip(*(column + [""] * (size - len(column)) for column in columns), strict=True)
+    yield DocumentTable(tuple(head), BESIDE if chain.n == 1 else ALONE, tuple(rows))
+    if chain.n == 1:
+        return
     yield Paragraph(r"The joint wrenches $\mathbf{w}_i$ there:")
-    letters = [rf"$\tau_{{w,{x}}}$" for x in "xyz"] + [f"$F_{x}$" for x in "xyz"]
     for first in range(0, min(chain.n, MANY), ACROSS):
         links = range(first, min(first + ACROSS, chain.n, MANY))
-        lines = tuple((letter, *(exact(wrench[i][k]) for i in links)) for k, letter in enumerate(letters))
+        lines = tuple((letter, *(exact(wrench[i][k]) for i in links)) for k, letter in enumerate(LETTERS))
         widths = (0.1, *[0.9 / ACROSS] * len(links))
         yield DocumentTable(("entry", *(rf"$\mathbf{{w}}_{{{i + 1}}}$" for i in links)), widths, lines)
 
 
 def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[float], np.ndarray]:
-    """``q, v, u, w_ext``; joints are ``nearer`` to their home than 1."""
+    """``q, v, u, w_ext``; joints and modes are ``nearer`` to their home than 1."""
     q = np.array(chain.home, float)
     for k, place in enumerate(chain.axis_places):
         q[place] = nearer * TURN[k % len(TURN)]
@@ -101,12 +111,20 @@ def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[f
         q[: chain.eta_q] = chain.with_added(q[: chain.eta_q - chain.n_added], p)
         q[chain.eta_q - chain.n_added : chain.eta_q] += SLACK
     v = np.array([RATE[k % len(RATE)] for k in range(chain.nv)])
-    modes = [(number, key.order == EXACT) for key in chain.keys for _, number in key.directions]
-    for k, (number, whole) in enumerate(modes):
-        q[chain.eta_q + k] = (-1) ** k * (LARGE if whole else MODE) / 10.0**number
-        v[chain.eta_v + k] = MODE_RATE * RATE[k % len(RATE)] / 10.0**number
+    modes = [(number, i) for i, key in enumerate(chain.keys) for _, number in key.directions]
+    for k, (number, i) in enumerate(modes):
+        size = _length(chain, i) / 10.0**number
+        q[chain.eta_q + k] = (-1) ** k * (nearer or 1.0) * MODES.get(chain.keys[i].order, MODES[1]) * size
+        v[chain.eta_v + k] = MODE_RATE * RATE[k % len(RATE)] * size
     u = [EFFORT[k % len(EFFORT)] for k in range(chain.n_tau)]
     w_ext = np.zeros((chain.n, 6))
     w_ext[0], w_ext[-1] = OTHER, WRENCH
     rounded = [float(f"{x:.12g}") for x in q]
     return rounded, [float(f"{x:.12g}") for x in v], u, w_ext
+
+
+def _length(chain: Chain, i: int) -> float:
+    """The length of a link or segment that modes are measured by; that of a body from a file is its reach."""
+    link, key = chain.robot.links[chain.segments[i].link], chain.keys[i]
+    length = link.length if key.elastic is None else key.elastic.reach
+    return float(length or 1.0) / link.pieces

@@ -27,6 +27,10 @@ class Paragraph:
     text: str
     essential: bool = False
     """Whether the shortest level of a page shows it."""
+    repeats: bool = False
+    """Whether it only says what other items say."""
+    sought: str = ""
+    """The words by which the search of a page finds it before others."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +40,8 @@ class Display:
     essential: bool = False
     link: int = 0
     """The number of the one link whose torques it says; 0 if it says none."""
+    sought: str = ""
+    """The words by which the search of a page finds it before others."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +70,8 @@ class DocumentTable:
     widths: tuple[float, ...]
     rows: tuple[tuple[str, ...], ...]
     essential: bool = False
+    repeats: bool = False
+    """Whether it only says what other items say."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +84,17 @@ class DrawingItem:
     essential: bool = False
 
 
-Item = Paragraph | Display | Heading | StepEquation | DocumentTable | DrawingItem
+@dataclass(frozen=True)
+class NumberedLine:
+    """A line of an algorithm as it is printed, with the meaning of what it defines; without one where it is long."""
+
+    kind: ClassVar[str] = "line"
+    number: str
+    formula: Formula
+    about: str
+
+
+Item = Paragraph | Display | Heading | StepEquation | DocumentTable | DrawingItem | NumberedLine
 
 
 @dataclass
@@ -188,6 +206,8 @@ def unit(text: str) -> str:
 
 
 def _unit(text: str) -> str:
+    if text == "-":
+        return "1"
     above, _, below = text.replace("(", "").replace(")", "").partition("/")
     side = lambda s: r"\,".join(_powered(f) for f in s.split("*"))  # noqa: E731
     return side(above) + (f"/{side(below)}" if below and "*" not in below else rf"/({side(below)})" if below else "")

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...spec.parameters import coordinate_names, coordinate_units, force_units
+import numpy as np
+
+from ...spec.inputs import input_units
+from ...spec.parameters import coordinate_names, coordinate_units
 from ...topology.chain import Chain
 from .content import DocumentTable, Heading, Item, Paragraph
 from .forces import TURNED
@@ -16,8 +19,10 @@ ROWS = 60
 ABOUT = (
     r"The entries of $\mathbf{q}$ and of the rates $\mathbf{v}$ in their order, as all functions of the tool take "
     r"and give them. $\mathbf{q}_i$, $\dot{\mathbf{q}}_i$ and $\boldsymbol{\eta}_i$ are those of the joint and of the "
-    r"modes of link $i$; in the section of a class their entries are numbered within the link; "
-    r"of a ball joint those of $\mathbf{q}_i$ are its quaternion, those of $\dot{\mathbf{q}}_i$ its angular velocity."
+    r"modes of link $i$; in the section of a class their entries are numbered within the link."
+)
+BALL = (
+    r" Those of $\mathbf{q}_i$ of a ball joint are its quaternion, those of $\dot{\mathbf{q}}_i$ its angular velocity."
 )
 INPUTS = (
     r"The entries of the inputs $\mathbf{u}$ in their order. Besides, an external wrench "
@@ -29,7 +34,9 @@ INPUTS = (
 def tables(chain: Chain) -> Iterator[Item]:
     """The table of the coordinates, and that of the inputs."""
     yield Heading("Coordinates and inputs")
-    yield Paragraph(ABOUT, essential=True)
+    sizes = zip(np.diff(chain.q_offset), np.diff(chain.v_offset), chain.keys, strict=True)
+    balls = any(nq != nv and not key.floats for nq, nv, key in sizes)
+    yield Paragraph(ABOUT + BALL * balls, essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
     yield Paragraph(INPUTS + TURNED * bool(chain.turned_wrenches), essential=True)
     rows = inputs(chain)
@@ -137,7 +144,7 @@ def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tu
 
 def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
     """One row for each input."""
-    names, units = coordinate_names(chain.robot).tau, force_units(chain.robot)
+    names, units = coordinate_names(chain.robot).tau, input_units(chain.robot)
     out = []
     for k, (name, unit) in enumerate(zip(names, units, strict=True)):
         tendon = k - chain.n_joints

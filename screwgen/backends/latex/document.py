@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,12 +16,14 @@ from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
 from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
+from ...spec.tendons import TENSIONS
 from ...topology.chain import Chain
 from ...version import __version__
 from ..numpy.loop_rows import choose_rows
 from ..templates import render
 from . import algorithm, check_value, coordinates, elements, forces, motion, numbers, tables, text
 from .algorithm import ALGORITHM
+from .at_rest import at_rest
 from .blocks import LETTERS
 from .content import (
     CITATION,
@@ -31,11 +32,9 @@ from .content import (
     SYMBOLS,
     Document,
     DocumentSection,
-    DocumentTable,
     Heading,
     Item,
     Paragraph,
-    StepEquation,
     parse,
 )
 from .drawing_writers import picture
@@ -49,6 +48,7 @@ from .page import math_font as math_font
 from .page import page as page
 from .parameter_symbols import with_symbols
 from .pattern import pattern
+from .printed import USUAL, WHOLE_ROWS, is_short, printed, room
 from .robot_tables import besides
 from .sketch import figure
 from .steps import KEY_STEPS, BlockView, Seen, block_view
@@ -60,6 +60,8 @@ PLAIN = DocumentStyle()
 TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
 """What the tensions of tendons do to the rows of a link."""
 DERIVATION = "Derivation"
+BIASES = ("beta_omega", "beta_v")
+"""The steps of the accelerations that velocities cause at a joint."""
 OF_BODIES = ("S_T", "I_T", "h_T_tau")
 """What point masses at the tip have none of, which is said."""
 
@@ -79,6 +81,7 @@ def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None
 def chain_of(robot: Robot) -> Chain:
     """The links of a robot, with the rows of its loops that bear forces."""
     chain = Chain(robot)
+    chain.refuse_inputs("document", "leave them out of its robot", TENSIONS)
     choose_rows(chain)
     return chain
 
@@ -86,26 +89,10 @@ def chain_of(robot: Robot) -> Chain:
 def tex(shown: Document, style: DocumentStyle = PLAIN) -> str:
     """A document in LaTeX, or a fragment of one."""
     template = "latex/fragment.tex.jinja" if style.fragment else "latex/document.tex.jinja"
-    printed = replace(shown, sections=tuple(map(partial(_printed, _defined(shown)), shown.sections)))
-    return render(template, document=printed, style=style, text=text.tex, rows=text.tex_rows, picture=picture)
-
-
-def _defined(shown: Document) -> set[str]:
-    """The symbols that steps define, where their meaning, unit and frame stand."""
-    items = (item for section in shown.sections for item in section.items)
-    return {f"${item.step.formula[0][0]}$" for item in items if isinstance(item, StepEquation)}
-
-
-def _printed(defined: Set[str], section: DocumentSection) -> DocumentSection:
-    """A section as it is printed: its table of symbols without those that steps define."""
-    if section.title != SYMBOLS:
-        return section
-    items: list[Item] = [Paragraph("Those that a step defines have their meaning, unit and frame there.")]
-    for item in section.items:
-        if isinstance(item, DocumentTable):
-            item = replace(item, rows=tuple(row for row in item.rows if row[0] not in defined))
-        items.append(item)
-    return replace(section, items=items)
+    values = {"text": text.tex, "rows": text.tex_rows, "picture": picture, "is_short": is_short, "room": room}
+    return render(
+        template, document=printed(shown, style.whole), style=style, usual=USUAL, whole_rows=WHOLE_ROWS, **values
+    )
 
 
 def notebook(robot: Robot) -> str:
@@ -132,10 +119,11 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     plugins = [p for p in plugins if p.trees or (chain.serial and not chain.n_added)]
     chapters = [chapter for p in plugins if (chapter := p.chapter(chain)) is not None]
     blocks = {key: class_blocks(key, plugins) for key in chain.classes}
+    if alone(chain):
+        blocks = {key: at_rest(own) for key, own in blocks.items()}
     carrying = {chain.keys[parent] for parent in chain.tree.parents if parent >= 0}
     views = {key: class_views(key, blocks[key], key in carrying) for key in chain.classes}
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
-    known += [pair for chapter in chapters for pair in chapter.views]
     named = [
         *THEORY,
         *(SLIDING if chain.slides else ()),
@@ -144,9 +132,11 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
         *(symbol for chapter in chapters for symbol in chapter.symbols),
     ]
     symbols = entries(known, named)
+    further = [pair for chapter in chapters for pair in chapter.views]
+    symbols += [e for e in entries(further) if e.display not in {entry.display for entry in symbols}]
     sections = [_robot(robot, chain), _conventions(robot, chain), motion.motion(chain)]
-    lines = algorithm.lines(chain)
-    parts = {key: algorithm.parted(lines, views[key]) for key in chain.classes}
+    lines = algorithm.lines(chain, any(step.name in BIASES for own in views.values() for v in own for step in v.steps))
+    parts = {key: algorithm.parted(lines, views[key], key) for key in chain.classes}
     given = algorithm.items(lines, [view for key in chain.classes for view in parts[key][0]])
     sections.append(DocumentSection(ALGORITHM, [*given, *check_value.items(chain)]))
     sections.append(motion.mass_matrix(chain))
@@ -165,7 +155,8 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     shown = Document(robot.name, __version__, tuple(sections))
     if notation is None:
         return shown
-    signals = [s for block, _ in known for s in (*block.inputs.values(), *(x.signal for x in block.steps.values()))]
+    own = [block for block, _ in (*known, *further)]
+    signals = [s for block in own for s in (*block.inputs.values(), *(x.signal for x in block.steps.values()))]
     return respelled(shown, notation, signals)
 
 
@@ -182,6 +173,11 @@ def _classes(
 def class_blocks(key: LinkClass, plugins: Sequence[Plugin] = ()) -> dict[str, Block]:
     """The blocks that the section of a class shows."""
     return merged("block", derived(key), *(p.blocks(key) for p in plugins))
+
+
+def alone(chain: Chain) -> bool:
+    """Whether a robot is one link on a base at rest."""
+    return chain.n == 1 and not chain.floating
 
 
 def class_views(key: LinkClass, blocks: Mapping[str, Block], carrying: bool = True) -> tuple[BlockView, ...]:
@@ -254,7 +250,8 @@ def _conventions(robot: Robot, chain: Chain) -> DocumentSection:
         gravity=rf"[{gravity}]^{{\top}}".replace(", ", r",\ "),
         citation=CITATION,
         assumptions=chain.assumptions("`"),
-        shear=any(len(key.counts) > 4 for key in chain.keys),
+        placed=any(key.frame_at for key in chain.keys),
+        modes=bool(chain.n_modes),
         turning=robot.section_rotation and any(key.modes for key in chain.keys),
     )
     return DocumentSection("Conventions", parse(text))
@@ -281,4 +278,4 @@ def _derivation(robot: Robot, chain: Chain) -> DocumentSection:
         tension=TENSION if chain.n_tensions else "",
         S=r"\mathbf{S}_i\," if chain.slides else r"\begin{bmatrix} \mathbf{A}_i \\ \mathbf{0} \end{bmatrix} ",
     )
-    return DocumentSection(DERIVATION, parse(text))
+    return DocumentSection(DERIVATION, parse(text), appendix=True)

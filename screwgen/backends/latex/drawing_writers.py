@@ -99,20 +99,38 @@ def _pieces(label: str, look: str) -> Iterator[TextRun]:
         level = run.level
 
 
-def _curves(stroke: Stroke) -> Iterator[tuple[int, str]]:
-    """The parabolas of a line: how many dots make them, and their points. Each goes through three points in a row."""
-    lines = dashes(stroke.points, *DASHES[stroke.look]) if stroke.look in DASHES else [stroke.points]
-    for points in lines:
-        start = 0
-        while start < len(points) - 1:
-            end = min(start + (2 if _smooth(points[start : start + 3]) else 1), len(points) - 1)
-            a, b = points[start], points[end]
-            between = points[start + 1] if end > start + 1 else ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-            middle = tuple(rounded(2 * m - (x + y) / 2) for m, x, y in zip(between, a, b, strict=True))
-            length = sum(np.hypot(y[0] - x[0], y[1] - x[1]) for x, y in ((a, between), (between, b)))
-            count = int(np.ceil(length / (TOUCH * THIN * WIDTHS[stroke.look])))
-            yield max(count, 1), "".join(f"({_number(x)},{_number(y)})" for x, y in (a, middle, b))
-            start = end
+def _curves(stroke: Stroke) -> Iterator[str]:
+    """The commands that draw a line; one draws all dashes of a straight one, of which the last ends where it ends."""
+    if stroke.look not in DASHES:
+        yield from _parabolas(stroke.points, stroke.look)
+        return
+    (on, off), (first, *_, last) = DASHES[stroke.look], stroke.points
+    way = np.subtract(last, first)
+    length = float(np.hypot(*way))
+    count = round((length + off) / (on + off))
+    if len(stroke.points) > 2 or count < 2:
+        for points in dashes(stroke.points, on, off):
+            yield from _parabolas(points, stroke.look)
+        return
+    step, dash = way * (length - on) / (length * (count - 1)), way * on / length
+    (one,) = _parabolas([(0.0, 0.0), (rounded(dash[0]), rounded(dash[1]))], stroke.look)
+    at, by = (",".join(f"{x:.4g}" for x in pair) for pair in (first, step))
+    yield rf"\multiput({at})({by}){{{count}}}{{{one}}}"
+
+
+def _parabolas(points: Sequence[tuple[float, float]], look: str) -> Iterator[str]:
+    """Those of a line without gaps, each through three points in a row: how many dots make it, and its points."""
+    start = 0
+    while start < len(points) - 1:
+        end = min(start + (2 if _smooth(points[start : start + 3]) else 1), len(points) - 1)
+        a, b = points[start], points[end]
+        between = points[start + 1] if end > start + 1 else ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+        middle = tuple(rounded(2 * m - (x + y) / 2) for m, x, y in zip(between, a, b, strict=True))
+        length = sum(np.hypot(y[0] - x[0], y[1] - x[1]) for x, y in ((a, between), (between, b)))
+        count = int(np.ceil(length / (TOUCH * THIN * WIDTHS[look])))
+        start = end
+        if a != b:
+            yield rf"\qbezier[{count}]" + "".join(f"({_number(x)},{_number(y)})" for x, y in (a, middle, b))
 
 
 def _smooth(points: Sequence[tuple[float, float]]) -> bool:

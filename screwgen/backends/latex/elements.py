@@ -11,7 +11,7 @@ from .content import Named
 
 def symbols(chain: Chain) -> list[Named]:
     """Their symbols."""
-    stated = [*gear.SYMBOLS, *friction.SYMBOLS] if _drives(chain) else []
+    stated = [*gear.SYMBOLS, *friction.SYMBOLS] if driven(chain) else []
     stated += [symbol for kind in chain.travel_kinds for symbol in kind.SYMBOLS]
     stated += gear.TRAVEL_SYMBOLS if chain.elastic_travels else ()
     stated += stop.SYMBOLS if STOP in chain.laws else ()
@@ -21,7 +21,7 @@ def symbols(chain: Chain) -> list[Named]:
 
 def acting(chain: Chain) -> bool:
     """Whether anything acts on the axes but torques, and springs and dampers with one end at rest."""
-    return _drives(chain) or bool(chain.laws) or bool(chain.robot.couplings)
+    return driven(chain) or bool(chain.laws) or bool(chain.robot.couplings)
 
 
 def effort(chain: Chain) -> str:
@@ -31,7 +31,7 @@ def effort(chain: Chain) -> str:
 
 def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
-    out = [gear.EQUATIONS] if _drives(chain) else []
+    out = [gear.EQUATIONS] if driven(chain) else []
     out += [stop.EQUATIONS] if STOP in chain.laws else []
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
@@ -52,5 +52,6 @@ def remarks(key: LinkClass) -> dict[str, object]:
     }
 
 
-def _drives(chain: Chain) -> bool:
+def driven(chain: Chain) -> bool:
+    """Whether axes have drives."""
     return any(key.drives for key in chain.keys)

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from ...algebra.notation import axis_latex
-from ...bases import Shapes
-from ...bases.polynomial import polynomial_latex
 from ...bodies.collocation import collocation
 from ...bodies.varying_fields import weights
 from ...ir.block import Binding, Block
 from ...reduction.invariants import Invariants
 from ...spec.link_class import AXIS, EXACT, LinkClass
 from ..templates import render
+from .all_digits import constants, exact_shapes, has_formulas
 from .content import Display, DocumentSection, DocumentTable, Heading, Item, Paragraph, StepEquation, equation, parse
 from .layout import PAGE, Formula, fill, matrix, width
 from .layout import equation as broken
-from .steps import DIGITS, BlockView
+from .steps import BlockView
 from .tables import DIRECTION, decimal, modes, named_axes, stations
 
 ORDER = (
@@ -38,10 +36,10 @@ DISPLACEMENT: dict[int | str, str] = {
 OTHERS = "Not needed for the algorithm: energies, poses, the rows of the stacked system, limits of the model."
 """What the further forms of the equations are."""
 
-TERM = re.compile(r" (?=[+-] )")
-"""Where a sum goes on with its next term."""
-FORMULAS = 6
-"""Of up to that many polynomial shapes the coefficients are printed."""
+
+def pointwise(key: LinkClass) -> bool:
+    """Whether steps are evaluated at points along a link, so that they are read in their order."""
+    return key.order == EXACT or bool(key.tendons)
 
 
 def ordered(blocks: Mapping[str, Block]) -> list[str]:
@@ -87,8 +85,7 @@ def class_section(
         if (title, below) not in printed.parts:
             printed.parts[title, below] = number
             own = _once(title, below, shown)
-            whole = key.order == EXACT or key.tendons  # what is computed point by point is read in its order
-            items += [Heading(title), *(own if whole else _others(title, own, number, printed.steps))]
+            items += [Heading(title), *(own if pointwise(key) else _others(title, own, number, printed.steps))]
     return DocumentSection(f"Link class {number}{', other forms' * appendix}", items, number, appendix)
 
 
@@ -138,41 +135,9 @@ def _parts(key: LinkClass, views: Sequence[BlockView], appendix: bool) -> Iterat
             if steps or view.zeros or view.identities:
                 yield title, (*_plain(view), *named, *map(equation, steps))
     digits = [row for view in views for step in view.steps for row in step.digits]
-    digits += _exact_shapes(key)
+    digits += exact_shapes(key)
     if digits and not appendix:
-        yield "Constants with all digits", tuple(_digits(digits))
-
-
-def _exact_shapes(key: LinkClass) -> Iterator[tuple[str, str]]:
-    """The polynomial shapes whose coefficients are printed, with all digits."""
-    for direction in dict.fromkeys(d for d, _ in key.directions) if key.elastic is None else ():
-        shapes = key.shapes(direction)
-        if shapes.family.changes and shapes.count <= FORMULAS:
-            for k, form in enumerate(shapes.functions):
-                number = next(n for n, pair in enumerate(key.directions, 1) if pair == (direction, k))
-                yield rf"\varphi_{{{number}}} = \psi_{{{k + 1}}}(s)", polynomial_latex(form, DIGITS)
-
-
-def _by_terms(formula: str) -> str:
-    """A formula that may be broken before each term, also in brackets."""
-    parts = TERM.split(formula.replace(r"\left(", "(").replace(r"\right)", ")"))
-    out = parts[0]
-    for part in parts[1:]:
-        out += ("$ $" if out.count("{") == out.count("}") else " ") + part
-    return out
-
-
-def _digits(rows: Sequence[tuple[str, str]]) -> Iterator[Item]:
-    """The entries of the constants that have numbers, two in a row of the table if they are short."""
-    yield Paragraph(
-        "The entries of the constants above, and the shapes, whose numbers are printed there with fewer digits:"
-    )
-    found = dict(rows)
-    count = 2 if all(width(f"{left} = {right}") <= PAGE / 2 - 2.0 for left, right in found.items()) else 1
-    cells = [f"${left} =$ ${_by_terms(right)}$" for left, right in found.items()]
-    cells += [""] * (-len(cells) % count)
-    lines = tuple(tuple(cells[k : k + count]) for k in range(0, len(cells), count))
-    yield DocumentTable(("entry",) * count, (1.0 / count,) * count, lines)
+        yield "Constants with all digits", tuple(constants(digits))
 
 
 def _essential(item: Item) -> Item:
@@ -255,7 +220,13 @@ def _field(key: LinkClass) -> Iterator[Item]:
         shapes = key.shapes(direction)
         alike.setdefault((shapes.family.name, shapes.family.changes and shapes.count), []).append(direction)
     for directions in alike.values():
-        yield from _family(key.shapes(directions[0]), directions)
+        yield from _family(key, directions)
+    printed = all(has_formulas(key.shapes(directions[0])) for directions in alike.values())
+    yield from (replace(item, repeats=printed and not pointwise(key)) for item in _constants(key, sheared))
+
+
+def _constants(key: LinkClass, sheared: bool) -> Iterator[Paragraph | DocumentTable]:
+    """The constants of the shapes; shapes whose coefficients are printed do not need them."""
     yield Paragraph(
         f"Constants of the shapes; $p$ is 1 for axial{', shear' * sheared} and torsion shapes and 2 for bending, "
         r"so that the last but two "
@@ -296,16 +267,20 @@ def _from_file(body: Invariants) -> Iterator[Item]:
         )
 
 
-def _family(shapes: Shapes, directions: list[str]) -> Iterator[Item]:
-    family = shapes.family
+def _family(key: LinkClass, directions: list[str]) -> Iterator[Item]:
+    shapes = key.shapes(directions[0])
+    family, own = shapes.family, [n for n, (direction, _) in enumerate(key.directions, 1) if direction in directions]
+    sought = ", ".join(f"shape of mode {n}" for n in own)
     which, about = " and ".join(DIRECTION[d] for d in directions).capitalize(), f" {family.about}" * bool(family.about)
     yield Paragraph(f"{which}: {family.title}{about},")
     formula = family.formula.replace(r",\quad", r",\qquad", 1)
     parts = [*formula.split(r",\qquad"), family.condition]
-    yield Display(_side_by_side([part.strip() for part in parts]))
-    if family.changes and shapes.count <= FORMULAS:
+    printed = has_formulas(shapes)
+    yield Display(_side_by_side([part.strip() for part in parts]), sought="" if printed else sought)
+    if printed:
         yield Paragraph("which are here")
-        yield Display(tuple(row for k, text in enumerate(shapes.formulas) for row in _polynomial(k, text)))
+        rows = (row for k, text in enumerate(shapes.formulas) for row in _polynomial(k, text))
+        yield Display(tuple(rows), sought=sought)
 
 
 def _side_by_side(formulas: list[str]) -> Formula:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from ...topology.chain import Chain
 from ..templates import render
-from .content import DocumentSection, parse
+from .algorithm import joint_terms
+from .content import DocumentSection, Item, Paragraph, parse
 from .forces import BORNE
 from .layout import PAGE, matrix, width
 
@@ -113,7 +115,14 @@ def motion(chain: Chain) -> DocumentSection:
         "besides": besides,
         "borne": BORNE * bool(chain.forces),
     }
-    return DocumentSection(MOTION, parse(render("latex/motion.tex.jinja", **values)))
+    items = parse(render("latex/motion.tex.jinja", **values))
+    return DocumentSection(MOTION, [_sought(item) for item in items])
+
+
+def _sought(item: Item) -> Item:
+    """An item with the words of readers who look for what it says."""
+    says = isinstance(item, Paragraph) and "Gravity enters" in item.text
+    return replace(item, sought="gravity, weight, where it enters") if says else item
 
 
 def mass_matrix(chain: Chain) -> DocumentSection:
@@ -129,5 +138,6 @@ def mass_matrix(chain: Chain) -> DocumentSection:
         "rotors": bool(chain.n_added),
         "ahead": bool(travels),
         "slope": f"{travels[0]}'" if travels else "",
+        **joint_terms(chain),
     }
     return DocumentSection(MASS, parse(render("latex/mass_matrix.tex.jinja", **values)))

@@ -19,7 +19,18 @@ from typing import Any
 from ...errors import UsageError, one_line
 from ...ir.block import NamedSignal
 from .breaking import fitted
-from .content import SYMBOLS, Display, Document, DocumentTable, DrawingItem, Heading, Item, Paragraph, StepEquation
+from .content import (
+    SYMBOLS,
+    Display,
+    Document,
+    DocumentTable,
+    DrawingItem,
+    Heading,
+    Item,
+    NumberedLine,
+    Paragraph,
+    StepEquation,
+)
 from .layout import Formula
 from .scalars import entry
 from .tables import NONE
@@ -296,10 +307,13 @@ def _item(item: Item, chosen: Notation, entries: Entries) -> Item:
         case Display():
             return replace(item, formula=rows(item.formula))
         case StepEquation():
-            step = replace(item.step, formula=rows(item.step.formula), components=rows(item.step.components))
+            formula, components, alone = map(rows, (item.step.formula, item.step.components, item.step.alone))
+            step = replace(item.step, formula=formula, components=components, alone=alone)
             return replace(item, step=step, meaning=text(item.meaning), frame=text(item.frame))
         case DrawingItem():
             return replace(item, drawing=item.drawing.respelled(text), caption=text(item.caption))
         case DocumentTable():
             return replace(item, rows=tuple(tuple(map(text, row)) for row in item.rows))
+        case NumberedLine():
+            return replace(item, formula=rows(item.formula), about=text(item.about))
     return replace(item, text=text(item.text))

@@ -5,7 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from .content import Display, DocumentSection, DocumentTable, DrawingItem, Heading, Item, Paragraph, StepEquation
+from .content import (
+    Display,
+    DocumentSection,
+    DocumentTable,
+    DrawingItem,
+    Heading,
+    Item,
+    NumberedLine,
+    Paragraph,
+    StepEquation,
+)
 from .layout import Formula
 from .symbols import Entry
 
@@ -21,7 +31,7 @@ SCRIPT = re.compile(r"[_^]")
 
 def occurring(entries: Iterable[Entry], sections: Iterable[DocumentSection]) -> list[Entry]:
     """The entries whose symbols stand in a formula of the sections."""
-    text = " ".join(formula for section in sections for item in section.items for formula in _formulas(item))
+    text = " ".join(formula for section in sections for item in section.items for formula in formulas(item))
     return [entry for entry in entries if pattern(entry.display).search(text)]
 
 
@@ -44,10 +54,10 @@ def _scripts(symbol: str) -> int:
     return len(symbol)
 
 
-def _formulas(item: Item) -> Iterator[str]:
+def formulas(item: Item) -> Iterator[str]:
     """The LaTeX of the formulas of an item."""
     match item:
-        case Display():
+        case Display() | NumberedLine():
             yield from _cells(item.formula)
         case StepEquation():
             yield from _cells((*item.step.formula, *item.step.components))

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ...elements import FourBarLinkage
 from ...joints.constraints import Angle, Distance
-from ...spec.parameters import coordinate_names, efforts, per_axis
+from ...spec.inputs import efforts
+from ...spec.parameters import coordinate_names, per_axis
 from ...topology.chain import Chain
 from ...topology.loops import ClosingRow
 from .content import DocumentTable, Heading, Item, Paragraph

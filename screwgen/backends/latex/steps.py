@@ -61,6 +61,8 @@ class StepView:
     definition: Definition
     digits: tuple[tuple[str, str], ...] = ()
     """The entries that have numbers, each with its LaTeX with all digits."""
+    alone: Formula = ()
+    """The equation without its components, where they only write out its products and sums; else empty."""
 
 
 @dataclass(frozen=True)
@@ -181,7 +183,17 @@ def _view(
     own = tuple(e for e in entries.flat if has_integral(right) or sp.sympify(e).has(sp.Float))
     definition = Definition(s, right, entries, labels, own)
     digits = _digits(s, entries, write) if s.binding <= Binding.PARAMETER else ()
-    return StepView(s.name, s.meaning, s.unit, s.frame, step.equation, s.binding, formula, below, definition, digits)
+    alone = equation(left, *sides) if sides and (bracket or below) and _repeats(block, right) else ()
+    about = (s.name, s.meaning, s.unit, s.frame, step.equation, s.binding)
+    return StepView(*about, formula, below, definition, digits, alone)
+
+
+def _repeats(block: Block, right: ex.Expression) -> bool:
+    """Whether components of an equation say no more than it: sums and products of symbols that have steps."""
+    if isinstance(right, ex.Symbol):
+        return right.name in block.inputs or right.name in block.steps
+    simple = (ex.Sum, ex.Product, ex.Negative, ex.Transpose, ex.Hat, ex.Trace, ex.Diagonal, ex.Constant, ex.BlockMatrix)
+    return isinstance(right, simple) and all(_repeats(block, child) for child in right.children)
 
 
 def _digits(signal: NamedSignal, entries: Array, write: Scalars) -> tuple[tuple[str, str], ...]:
@@ -237,7 +249,7 @@ def _worth_showing(block: Block, step: Step, right: ex.Expression, entries: np.n
     if step.signal.binding <= Binding.PARAMETER:
         if isinstance(right, ex.Negative) and ex.is_identity(right.arg):
             return False
-        aliases = entries.shape[1] == 1 and len(entries) > 6 and not step.assignments
+        aliases = entries.shape[1] == 1 and len(entries) > 1 and not step.assignments and symbols(right)
         return not aliases and (entries.shape != (1, 1) or not _says_it_all(right))
     if not step.assignments or is_elementwise(right) or is_symbols_product(right):
         return False

@@ -22,6 +22,8 @@ class DocumentStyle:
     documentclass: str = ""
     options: str = ""
     fragment: bool = False
+    whole: bool = False
+    """Whether the derivation and further forms of the equations follow those that the algorithm needs."""
 
     @property
     def margin(self) -> str:
@@ -32,10 +34,10 @@ class DocumentStyle:
         return MARGINS.get(stated[-1] if stated else own, "22mm")
 
 
-def style(documentclass: str | None, fragment: bool) -> DocumentStyle:
+def style(documentclass: str | None, fragment: bool, whole: bool = False) -> DocumentStyle:
     """The style that options state, ``NAME[options]``; raises UsageError for what is none."""
     if documentclass is None:
-        return DocumentStyle(fragment=fragment)
+        return DocumentStyle(fragment=fragment, whole=whole)
     if fragment:
         raise UsageError("--documentclass: a fragment has no class of its own; leave out one of the two options")
     match = CLASS.fullmatch(documentclass)
@@ -43,4 +45,4 @@ def style(documentclass: str | None, fragment: bool) -> DocumentStyle:
         raise UsageError(
             f"--documentclass: '{one_line(documentclass)}' is no class; write NAME or 'NAME[option,option]'"
         )
-    return DocumentStyle(match["name"], match["options"] or "")
+    return DocumentStyle(match["name"], match["options"] or "", whole=whole)

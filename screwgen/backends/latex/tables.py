@@ -182,7 +182,7 @@ def parameters(items: Sequence[tuple[Parameter, str]]) -> DocumentTable:
         (f"`{p.name}`", f"${symbol}$" if symbol else NONE, exact(p.value), plain_unit(p.unit), p.description)
         for p, symbol in items
     )
-    head, widths = ("parameter", "symbol", "value", "unit", "meaning"), (0.28, 0.09, 0.26, 0.12, 0.25)
+    head, widths = ("parameter", "symbol", "value", "unit", "meaning"), (0.23, 0.09, 0.245, 0.12, 0.315)
     return DocumentTable(head, widths, tuple(rows))
 
 

@@ -69,10 +69,17 @@ def tex(text: str) -> str:
 
 def _tex_piece(piece: str) -> str:
     if piece.startswith("$"):
-        return piece
+        return _tex_unit(piece[1:-1]) or piece
     if piece.startswith("`"):
         return rf"\texttt{{{_breakable(piece[1:-1])}}}"
     return _escaped(piece)
+
+
+def _tex_unit(formula: str) -> str:
+    """A unit as text, which is shorter; empty for other formulas."""
+    if "mathrm" not in formula or not UNIT.fullmatch(formula):
+        return ""
+    return re.sub(r"\^\{(\d)\}", r"$^\1$", re.sub(UPRIGHT, r"\1", formula))
 
 
 def _escaped(text: str) -> str:

@@ -74,6 +74,8 @@ ELEMENT: tuple[Named, ...] = (
 """Of an element of a link."""
 
 PLACES: tuple[Named, ...] = (
+    (r"\mathbf{R}_{oi}", "takes components in F_i to inertial ones", "-", "3 × 3", "-", STATE),
+    (r"\mathbf{r}_{oi}", "position of the origin of F_i", "m", "3", "inertial", STATE),
     (r"\mathbf{V}_T", "twist of the tip section", TWIST, "6", "tip", STATE),
     (r"\mathbf{V}_{T,i-1}", "twist of the section that carries link $i$", TWIST, "6", "parent's tip", STATE),
     (r"\mathbf{R}_{oT}", "takes components in the tip frame to inertial ones", "-", "3 × 3", "-", STATE),

@@ -22,12 +22,13 @@ from ...algorithms.functions import (
     PLACEMENT,
     PLACES,
     PROJECTION,
-    PULLS,
     SENSITIVITY,
 )
 from ...algorithms.gauges import strain_names
+from ...algorithms.input_functions import PULLS
 from ...algorithms.linearise import closed_slopes, slopes
 from ...algorithms.marker_functions import STRAINED
+from ...algorithms.parameter_slopes import BY_P
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, results
 from ...algorithms.schedule import Algorithm
 from ...arguments import Loads, Numbers, array
@@ -35,6 +36,7 @@ from ...errors import ScrewgenError, SingularError
 from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
+from . import by_p
 from .python import Function, compiled
 from .rates import ValuesPerRate
 
@@ -84,6 +86,7 @@ class Numeric:
         self.chain = chain
         self.p = [x.value for x in parameters(chain.robot)] if p is None else [float(x) for x in p]
         self._made: dict[tuple[Algorithm, ...], DaeFunctions] = {}
+        self._whole: dict[object, Program] = {}
         self._failure: Callable[[Chain, int], SingularError] = partial(singular, p=self.p)
 
     @cached_property
@@ -114,14 +117,39 @@ class Numeric:
             raise self._failure(self.chain, link)
         return outputs
 
+    def whole(self, key: object, program: Callable[[], Program], inputs: Mapping[str, Sequence]) -> dict[str, list]:
+        """The outputs of a program of the whole robot, which is made once for ``key``; see :meth:`_apply`."""
+        if key not in self._whole:
+            self._whole[key] = program()
+        made = self._whole[key]
+        outputs, guards = function_of(made)(inputs, EPSILON)
+        for guard, link in zip(guards, made.origins, strict=True):
+            if not guard > 0:
+                raise self._failure(self.chain, link)
+        return outputs
+
+    def step_by_p(
+        self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads, dt: float, of: by_p.Chosen = "*", **method: Any
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The derivatives of a step, of ``modal_midpoint`` or of ``method=``, by parameters; see :mod:`.by_p`."""
+        return by_p.of_step(self, q, v, tau, w_ext, dt, of, **method)
+
     @property
     def _closing(self) -> tuple[Algorithm, ...]:
         """The algorithms that loops and what acts on tips need besides."""
         acted = self.chain.closing.rows or self.chain.acts_on_tips
         return (FORWARD, MOTION, DAE_FORWARD, PLACEMENT) if acted else ()
 
+    @property
+    def _exerting(self) -> tuple[Algorithm, ...]:
+        """The algorithms that the forces of inputs need."""
+        return (PULLS, INVERSE) if self.chain.falls else (PULLS,)
+
     def __getattr__(self, name: str) -> Callable:
-        """The functions of :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`, by name."""
+        """The functions of :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`, by name, and as
+        ``forward_dynamics_by_p(q, v, tau, w_ext, of="arm.*")`` their derivatives by parameters, see :mod:`.by_p`."""
+        if name.endswith(BY_P) and name.removesuffix(BY_P) in BY_NAME:
+            return partial(by_p.of_function, self, BY_NAME[name.removesuffix(BY_P)])
         if name not in BY_NAME:
             raise AttributeError(f"'Numeric' has no attribute '{name}'", name=name, obj=self)
         return partial(self._results, BY_NAME[name])
@@ -132,7 +160,7 @@ class Numeric:
     def _results(self, row: RobotFunction, *given: Loads, **more: Loads) -> Any:
         """The results of a function of the robot: arrays, numbers, a tuple where they are several."""
         arguments = dict(zip(row.names, given, strict=False)) | more
-        values = dict(zip(row.names, self._rows(**{x: arguments.pop(x, None) for x in row.names}), strict=True))
+        values = dict(zip(row.names, self.rows(**{x: arguments.pop(x, None) for x in row.names}), strict=True))
         if arguments or len(given) > len(row.names):
             raise TypeError(f"the arguments of {row.name} are ({', '.join(row.names)})")
         closing = self._closing if "tau" in values else ()
@@ -147,7 +175,7 @@ class Numeric:
 
     def gaps(self, q: Numbers, v: Numbers | None) -> tuple[np.ndarray, np.ndarray]:
         """The gaps (rows,) of the loops, m or differences of cosines, and their rates."""
-        gap, rate = self._functions(MOTION).gaps(*self._rows(q=q, v=v))
+        gap, rate = self._functions(MOTION).gaps(*self.rows(q=q, v=v))
         return np.array(gap, float), np.array(rate, float)
 
     def gap_slopes(self, q: Numbers) -> np.ndarray:
@@ -156,7 +184,7 @@ class Numeric:
 
     def offsets(self, q: Numbers) -> np.ndarray:
         """Differences of points, m, and of directions that vanish where all loops are closed, and only there."""
-        found = self._functions(MOTION).offsets(*self._rows(q=q, v=None))
+        found = self._functions(MOTION).offsets(*self.rows(q=q, v=None))
         return np.array([x for loop in found for x in (*loop.places, *loop.turns)], float)
 
     def offset_slopes(self, q: Numbers) -> np.ndarray:
@@ -167,12 +195,12 @@ class Numeric:
     def mismatch(self, q: Numbers) -> np.ndarray:
         """(loops, 2): how far the frames of each loop are apart where its joint does not let them, in m, and how far
         turned, in rad; of an angle θ it is 2 sin(θ/2)."""
-        found = self._functions(MOTION).offsets(*self._rows(q=q, v=None))
+        found = self._functions(MOTION).offsets(*self.rows(q=q, v=None))
         return np.array([[np.linalg.norm(np.array(x, float)) for x in loop[:2]] for loop in found]).reshape(-1, 2)
 
     def _by_rates(self, rates: Callable, q: Numbers) -> np.ndarray:
         """Rates that are linear in v, by one pass with units of all its entries."""
-        (values,) = self._rows(q=q)
+        (values,) = self.rows(q=q)
         units = [ValuesPerRate(unit) for unit in np.eye(self.chain.nv)]
         functions = copy(self._functions(MOTION))
         functions.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given  # forces are not linear in v
@@ -182,11 +210,11 @@ class Numeric:
     def validity_at_rest(self, q: Numbers, w_ext: Loads = None) -> np.ndarray:
         """The measures (n, 4) with joints and modes held at ``q`` (nq,) against gravity and ``w_ext`` (n, 6)."""
         functions = self._functions(INVERSE, MEASURING)
-        return np.array(functions.measures_at_rest(*self._rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
+        return np.array(functions.measures_at_rest(*self.rows(q=q, w_ext=w_ext)), float).reshape(self.chain.n, -1)
 
     def mass_matrix(self, q: Numbers) -> np.ndarray:
         """``M`` (nv, nv), column by column from the inverse dynamics."""
-        nv, (q, rest, w_ext) = self.chain.nv, self._rows(q=q, v=None, w_ext=None)
+        nv, (q, rest, w_ext) = self.chain.nv, self.rows(q=q, v=None, w_ext=None)
         still = self._functions(INVERSE).alone()
         stiff = still.constants
         still.constants = [dict(c) | {name: [0.0] * len(c[name]) for name in SPRINGS if name in c} for c in stiff]
@@ -200,19 +228,19 @@ class Numeric:
         """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, n_tau); with the pose by ``pose exp(δ)``."""
         given = self._by_inputs(q)
         if self.chain.closing.rows:
-            return self._closed_derivatives(given, *self._rows(q=q, v=v, tau=tau, w_ext=w_ext))
+            return self._closed_derivatives(given, *self.rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)
         return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
 
     def _by_inputs(self, q: Numbers) -> np.ndarray:
-        """(nv, n_tau): the generalised forces per unit of each torque and tension."""
+        """(nv, n_tau): the generalised forces per unit of each input."""
         chain = self.chain
         out = np.zeros((chain.nv, chain.n_tau))
         out[:, : chain.n_joints] = np.eye(chain.nv)[:, chain.effort_places] * self.levers(q)
         out[list(chain.elastic_travels.values()), list(chain.elastic_travels)] = 1.0
-        pulls = np.reshape(self._functions(PULLS).pulls(*self._rows(q=q)), (chain.n_tensions, chain.n_modes))
-        out[chain.eta_v :, chain.n_joints :] = -pulls.T
+        exerted = self._functions(*self._exerting).exerted(*self.rows(q=q))
+        out[:, chain.n_joints :] = np.array(exerted, float).reshape(-1, chain.nv).T
         return out
 
     def _closed_derivatives(
@@ -243,14 +271,14 @@ class Numeric:
 
         ``tau`` counts where drives have transmissions: what their efforts do changes with the posture.
         """
-        q, v, vdot, w_ext, tau = self._rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
+        q, v, vdot, w_ext, tau = self.rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
         found = slopes(self._functions(INVERSE, SENSITIVITY), q, v, vdot, w_ext, tau)
         M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
         return np.tril(M) + np.tril(M, -1).T, f_q, f_v
 
     def tip_poses(self, q: Numbers) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
-        return self._stacked(self._functions(PLACES).poses(*self._rows(q=q))[1])
+        return self._stacked(self._functions(PLACES).poses(*self.rows(q=q))[1])
 
     # DAE form ---------------------------------------------------------------------------------
 
@@ -261,31 +289,31 @@ class Numeric:
 
     def dae_state(self, q: Numbers, v: Numbers) -> np.ndarray:
         """The state ``x`` of the DAE form on the joints."""
-        return np.array(self._functions(PLACEMENT).place(*self._rows(q=q, v=v)))
+        return np.array(self._functions(PLACEMENT).place(*self.rows(q=q, v=v)))
 
     def dae_rates(self, x: Numbers, tau: Loads, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:
         """``xdot`` and the joint wrenches (n, 6), by block elimination."""
-        xdot, _, wrench = self.dae_functions.rates(*self._rows(x=x, tau=tau, w_ext=w_ext))
+        xdot, _, wrench = self.dae_functions.rates(*self.rows(x=x, tau=tau, w_ext=w_ext))
         return np.array(xdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def project(self, x: Numbers) -> np.ndarray:
         """``x`` taken back onto the joints."""
-        return np.array(self._functions(PROJECTION, *self._closing).project(*self._rows(x=x)))
+        return np.array(self._functions(PROJECTION, *self._closing).project(*self.rows(x=x)))
 
     def assemble(self, x: Numbers, tau: Loads, w_ext: Loads) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``M_sys`` (dense), ``H_sys`` and ``W_sys``, rows and columns in the paper's order."""
-        entries, H, W = self._functions(ASSEMBLY, *self._closing).assemble(*self._rows(x=x, tau=tau, w_ext=w_ext))
+        entries, H, W = self._functions(ASSEMBLY, *self._closing).assemble(*self.rows(x=x, tau=tau, w_ext=w_ext))
         M = np.zeros((unknown_size(self.chain),) * 2)
         M[tuple(np.array(list(entries)).T)] = np.array(list(entries.values()), float)
         return M, np.array(H), np.array(W)
 
     def dae_forward_dynamics(self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:
         """``vdot`` and the joint wrenches (n, 6) through the DAE form."""
-        q, v, tau, w_ext = self._rows(q=q, v=v, tau=tau, w_ext=w_ext)
+        q, v, tau, w_ext = self.rows(q=q, v=v, tau=tau, w_ext=w_ext)
         _, vdot, wrench = self.dae_functions.rates(self._functions(PLACEMENT).place(q, v), tau, w_ext)
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
-    def _rows(self, **given: Loads) -> list[list[float]]:
+    def rows(self, **given: Loads) -> list[list[float]]:
         """Arrays of the right shapes, flat; zeros for None."""
         sizes = _sizes(self.chain)
         return [array(x, name, sizes[name], finite=False).ravel().tolist() for name, x in given.items()]

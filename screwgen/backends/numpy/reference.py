@@ -10,7 +10,7 @@ import mpmath
 import numpy as np
 
 from ...algorithms import fused
-from ...algorithms.functions import Functions
+from ...algorithms.functions import FORWARD, MOTION, Functions
 from ...algorithms.schedule import Apply
 from ...elements import STOP
 from ...errors import ScrewgenError, SingularError
@@ -56,7 +56,7 @@ def accelerations(
     Raises :class:`SingularError` as :func:`evaluation` does.
     """
     with mpmath.workdps(fused.DIGITS):
-        p, constants = fused.exact(chain)
+        p, constants = fused.exact(chain, (FORWARD, MOTION))
         functions = Functions(chain, constants, fused.world(chain, p), evaluation(chain, _real, 0.0))
         exactly = lambda values: [mpmath.mpf(float(x)) for x in values]  # noqa: E731
         wrenches = exactly(x for row in w_ext for x in row)

@@ -220,4 +220,4 @@ def holding(model: RobotModel, q: np.ndarray) -> np.ndarray:
     chain, p, still = model.chain, model.parameter_values, np.zeros(model.nv)
     straight = np.append(q[: chain.base_q], chain.with_inner(q[chain.base_q : chain.q_offset[-1]], p))
     force = chain.of_joints(model.numpy().bias(straight, still, loads_of_loops(model, straight, p)), rates=True)
-    return chain.with_tensions(efforts(chain, chain.at_efforts(force, p), chain.of_joints(q), p))
+    return chain.with_idle_inputs(efforts(chain, chain.at_efforts(force, p), chain.of_joints(q), p))

@@ -1,0 +1,137 @@
+"""What inputs do: how their entries reach links and base, what forces they exert, what power they give."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import copy
+from typing import Self
+
+from ..errors import UsageError
+from ..ir.program import Value
+from ..spec.input import Input
+from ..spec.inputs import TORQUES
+from ..spec.tendons import TENSIONS
+from ..topology.chain import Chain
+from . import matrices as mx
+from . import tendons
+from .axis_terms import drive_power
+from .schedule import OUTWARD, Algorithm, Phase
+
+POWER: Algorithm = (Phase(drive_power, OUTWARD), Phase(tendons.power, OUTWARD))
+LENGTHS: Algorithm = (Phase(tendons.lengths, OUTWARD),)
+PULLS: Algorithm = (Phase(tendons.write_pulls, OUTWARD),)
+
+Rows = list[list[Value]]
+
+
+class InputFunctions:
+    """What :class:`.functions.Functions` has besides for inputs; the attributes are set there."""
+
+    chain: Chain
+    world: Sequence
+    given: tuple[Sequence, Sequence] | None
+    alone: Callable[[], Self]
+    loads: Callable[..., tuple[list, list]]
+    energy: Callable[..., tuple[Value, Value]]
+    _run: Callable[..., tuple[list, list]]
+    _motion: Callable[..., list[dict[str, list]]]
+
+    def entries(self, tau: Sequence) -> Iterator[tuple[Input, list]]:
+        """The kinds of input, each with its entries; of torques alone the others are zero.
+
+        Raises UsageError for another number of them.
+        """
+        allowed = sorted({self.chain.n_joints, self.chain.n_tau})
+        if len(tau) not in allowed:
+            raise UsageError(f"tau has {len(tau)} numbers; it must have {' or '.join(map(str, allowed))}")
+        every = [*tau, *[0.0] * (self.chain.n_tau - len(tau))]
+        return ((row, every[own]) for row, own in self.chain.inputs.items())
+
+    def of_links(self, tau: Sequence) -> list[dict[str, list]]:
+        """The entries that each link reads, by the signals that hold them."""
+        out: list[dict[str, list]] = [{} for _ in range(self.chain.n)]
+        for row, values in self.entries(tau):
+            for link, own in zip(out, row.of_links(self.chain), strict=True):
+                link |= {row.signal: [values[k] for k in own]} if own or row is TORQUES else {}
+        return out
+
+    def falling(self, tau: Sequence) -> Self:
+        """The same functions with the free fall that inputs change."""
+        out = self
+        for row, values in self.entries(tau):
+            if row.free_fall is not None:
+                out = copy(out)
+                fall = [g + x for g, x in zip(out.world[:3], row.free_fall(values), strict=True)]
+                out.world = [*fall, *out.world[3:]]
+        return out
+
+    def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
+        """The power that each entry of ``tau`` gives to the arm."""
+        links = self._run(POWER, self._motion(q, v), self.of_links(tau))[0]
+        told: dict[Input, list] = {TORQUES: [x for link in links for x in link["power"]]}
+        told[TENSIONS] = self._of_tendons(links, "tendon_power")
+        for row, values in self.entries(tau):
+            if row not in told:
+                forces = self._exerted(row, q)
+                told[row] = [x * mx.dot(force, v) for x, force in zip(values, forces, strict=True)]
+        return [x for row in self.chain.inputs for x in told[row]]
+
+    def exerted(self, q: Sequence) -> Rows:
+        """The generalised forces (nv,) per unit of each input, those of torques left out."""
+        return [force for row in self.chain.other_inputs for force in self._exerted(row, q)]
+
+    def _exerted(self, row: Input, q: Sequence) -> Rows:
+        if row is TENSIONS:
+            joints = [0.0] * self.chain.eta_v
+            return [[*joints, *(-x for x in pull)] for pull in self.pulls(q)]
+        return [[-x for x in self._fallen(row, q, unit)[0]] for unit in self._units(row)]
+
+    def wrenches_of_inputs(self, q: Sequence) -> Rows:
+        """The joint wrenches (6 n,) that a unit of each input adds while nothing moves, those of torques left out."""
+        n, borne = self.chain.n, 6 * self.chain.floating
+        out: Rows = []
+        for row in self.chain.other_inputs:
+            for unit in self._units(row):
+                wrench: list[Value] = [0.0] * (6 * n)
+                wrench[borne:] = wrench[borne:] if row.free_fall is None else self._fallen(row, q, unit)[1][borne:]
+                out.append(wrench)
+        return out
+
+    def _units(self, row: Input) -> Rows:
+        count = len(row.names(self.chain.robot))
+        return [[float(i == k) for i in range(count)] for k in range(count)]
+
+    def _fallen(self, row: Input, q: Sequence, entries: Sequence) -> tuple[list, list]:
+        """The loads at rest that a change of free fall needs: what they are under it less what they are without."""
+        assert row.free_fall is not None
+        still, rest = self.alone(), [0.0] * self.chain.nv
+        still.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given
+        under = copy(still)
+        under.world = row.free_fall(entries)
+        pairs = zip(*(f.loads(q, rest, rest, [0.0] * (6 * self.chain.n)) for f in (still, under)), strict=True)
+        force, wrench = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
+        return force, wrench
+
+    def tendon_lengths(self, q: Sequence) -> list:
+        """The lengths of all tendons."""
+        links = self._run(LENGTHS, self.chain.split(q, "q", "eta"))[0]
+        return self._of_tendons(links, "tendon_length")
+
+    def pulls(self, q: Sequence) -> Rows:
+        """The derivative of the length of each tendon with all modes (n_modes,)."""
+        chain = self.chain
+        out: Rows = [[0.0] * chain.n_modes for _ in range(chain.n_tensions)]
+        for i, link in enumerate(self._run(PULLS, chain.split(q, "q", "eta"))[0]):
+            for piece, tendon in enumerate(chain.tensions[i]):
+                for m in range(chain.keys[i].modes):
+                    place = chain.eta_offset[i] + m
+                    out[tendon][place] = out[tendon][place] + link["pull"][piece * chain.keys[i].modes + m]
+        return out
+
+    def _of_tendons(self, links: Sequence[Mapping[str, list]], name: str) -> list:
+        """The sums over the pieces of each tendon."""
+        out: list[Value] = [0.0] * self.chain.n_tensions
+        for link, own in zip(links, self.chain.tensions, strict=True):
+            for tendon, value in zip(own, link[name], strict=True):
+                out[tendon] = out[tendon] + value
+        return out

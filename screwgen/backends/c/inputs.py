@@ -1,0 +1,42 @@
+"""Inputs besides torques in generated C: what they write in the files of every robot; empty where there are none."""
+
+from __future__ import annotations
+
+from ...algorithms.robot_programs import free_fall
+from ...algorithms.signals import CALL, Signal
+from ...topology.chain import Chain
+from . import tendons
+from .code import Place, entries
+from .pieces import piece_place, pieces
+
+INPUTS = ("inputs",)
+"""What they write, as :class:`..templates.TemplatePlaces` finds it."""
+
+
+def features(chain: Chain) -> tuple[str, ...]:
+    """Those of a robot."""
+    return INPUTS * bool(chain.other_inputs) + tendons.TENDONS * bool(chain.n_tensions)
+
+
+def content(chain: Chain, place: Place) -> dict[str, object] | None:
+    """The templates' context: how many ``others`` there are than ``axes``; the statements that find the free fall that
+    inputs change, None where none does; whether no loops close the ``tree``."""
+    if not chain.other_inputs:
+        return None
+    own = {"tau": entries("tau"), "free_fall": entries("free_fall")}
+    placed = piece_place(chain, "kept", own, place)
+    lines = pieces(free_fall(chain), placed, ("c", "tau"))["pieces"][0] if chain.falls else None
+    others = chain.n_tau - chain.n_joints
+    return {"axes": chain.n_joints, "others": others, "free_fall": lines, "tree": not chain.closing.rows}
+
+
+def scratch(chain: Chain) -> dict[str, Signal]:
+    """The members of a call's scratch that inputs need."""
+    falling = {"free_fall": CALL["gravity"]._replace(meaning="acceleration of free fall with that of inputs")}
+    return tendons.gathered(chain) | (falling if chain.falls else {})
+
+
+def note(chain: Chain) -> str:
+    """What is added to the comment of ``tau``."""
+    made = "".join(f"; then {row.words}" for row in chain.other_inputs if row.signal != "tension")
+    return tendons.note(chain) + made

@@ -1,0 +1,71 @@
+"""A time step in programs: the traced accelerations that a :class:`~.method.Method` asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from copy import copy
+from typing import Any
+
+import numpy as np
+
+from ..algorithms.axis_laws import of_robot
+from ..algorithms.columns import columns
+from ..algorithms.functions import EVERYTHING, HOLD, Functions
+from ..algorithms.fused import Outputs, inputs
+from ..algorithms.law_programs import stage
+from ..algorithms.parameter_slopes import Differentiable
+from ..algorithms.schedule import COLUMNS
+from ..ir.program import Array, Program, Value
+from ..topology.chain import Chain
+from .method import Method, Motion
+from .space import replayed
+
+
+class TracedAccelerations:
+    """Accelerations of nodes at held inputs: a :class:`~.method.Accelerations`."""
+
+    def __init__(self, f: Functions, tau: Sequence[Value], w_ext: Sequence[Value]):
+        self.f, self.held = f, (tau, w_ext)
+        self.properties = {name: _array(own) for name, own in columns(f.chain, f.constants).items()}
+
+    def explicit(self, q: Array, v: Array) -> Array:
+        return self.implicit(q, v, 0.0)
+
+    def implicit(self, q: Array, v: Array, h: Any, there: Motion | None = None) -> Array:
+        chain, (q_there, v_there) = self.f.chain, there or (q, v)
+        x = q[list(chain.given_places)]
+        rate, later = (values[len(values) - chain.n_given :] for values in (v, v_there))
+        M, K, D = (self.properties[name] for name in COLUMNS["eta"])
+        times = chain.modal_product
+        inertia, force = M + h * (D + h * K), times(K, x + h * rate) + times(D, rate)
+        for law, coordinates, sides in of_robot(chain):
+            for k, (i, side) in enumerate(zip(coordinates, sides, strict=True)):
+                given = {name: [self.properties[name][k]] for name in law.constants}
+                given |= {"side": [float(side)], "x": [x[i]], "w": [rate[i]], "there": [later[i]], "h": [h]}
+                found = self.f.apply(0, -1, stage(law), given)
+                inertia[i], force[i] = inertia[i] + found["inertia"][0], force[i] + found["force"][0]
+        under = copy(self.f)
+        under.given = list(inertia), list(force)
+        return _array(under.forward_dynamics(list(q_there), list(v_there), *self.held)[0])
+
+
+def step(chain: Chain, method: Method) -> Differentiable:
+    """``(q, v, tau, w_ext, dt) -> (q_next, v_next)``, the inputs held, efforts within their limits."""
+
+    def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> Outputs:
+        def run(program: Program, given: dict[str, Any]) -> dict[str, Any]:
+            found = f.apply(0, -1, program, {name: list(values) for name, values in given.items()})
+            return {name: _array(values) for name, values in found.items()}
+
+        tau = f.held(x["q"], x["v"], x["tau"]) if chain.holds else x["tau"]
+        held = TracedAccelerations(f, tau, x["w_ext"])
+        q, v = method.step(held, _array(x["q"]), _array(x["v"]), x["dt"][0], replayed(chain, run))
+        return {"q_next": list(q), "v_next": list(v)}
+
+    given = inputs(chain, "q v tau w_ext") | {"dt": 1}
+    shapes = {"q_next": (chain.nq,), "v_next": (chain.nv,)}
+    return Differentiable(f"step_{method}", given, shapes, body, (*EVERYTHING, HOLD))
+
+
+def _array(values: Sequence[Value]) -> Array:
+    return np.fromiter(values, object)

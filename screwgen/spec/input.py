@@ -1,0 +1,61 @@
+"""What a kind of input is: the contract of all entries of `tau`.
+
+An example: a winch that moves the base of a robot. It has three accelerations as inputs. A class says their names and
+units, and what they add to the acceleration of free fall. From that every back end has them, with derivatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from .values import array, quoted, refuse, shown
+
+if TYPE_CHECKING:
+    from .robot import Robot
+
+
+class Input:
+    """A kind of input: entries of `tau` that act on a robot in one way.
+
+    A robot has it where :meth:`names` has any. Torques of axes come first in `tau`, tensions of tendons follow, then
+    kinds that a `Robot` of Python holds in `inputs`. What gives torques alone leaves all others at zero.
+
+    The entries reach the equations through a signal of links (``signal``, :meth:`of_links`), or with
+    :attr:`free_fall`. Their power is linear in rates and entries; derivatives by entries follow from it.
+    """
+
+    words: ClassVar[str] = ""
+    """What they are, as in "robot 'arm' has tendons"."""
+    kinds: ClassVar[tuple[str, ...]] = ()
+    """The words behind the owner in the names of the product's own, as `torque` in `arm.torque[0]`."""
+    signal: ClassVar[str] = ""
+    """The signal of links that holds their own entries, one of ``algorithms.signals.CALL``."""
+    quantity: ClassVar[str] = "tau"
+    """The key of `ranges.RANGES` with the sizes and signs that files may state."""
+    free_fall: Callable[[Sequence], Sequence] | None = None
+    """``(entries) -> (x, y, z)``: what they add to the acceleration of free fall, m/s², inertial axes; linear."""
+
+    def names(self, robot: Robot) -> Sequence[str]:
+        """The names of the entries in a robot, none where it has no such input."""
+        raise NotImplementedError
+
+    def units(self, robot: Robot) -> Sequence[str]:
+        """The unit of each."""
+        raise NotImplementedError
+
+    def of_links(self, chain: Any) -> list[list[int]]:
+        """For every link the numbers of the entries that it reads, among those of this kind."""
+        return [[]] * chain.n
+
+
+def made_in_python(value: Any) -> tuple[Input, ...]:
+    """The check of `inputs`: objects of subclasses of :class:`Input`, of which equal ones are refused."""
+    own = tuple(array(value, "an array of objects made in Python"))
+    for k, one in enumerate(own):
+        if not isinstance(one, Input):
+            what = f"is {shown(one)}; it must be an object of a subclass of screwgen.Input; a file cannot state one"
+            raise refuse(what, (k,))
+        if one in own[:k]:
+            raise refuse(f"is {quoted(one.words)} again; leave one of them out", (k,))
+    return own

@@ -1,0 +1,69 @@
+"""What `tau` holds: a row for each kind of input, in the order of their entries."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+from .input import Input
+from .robot import Link, Robot
+from .tendons import TENSIONS
+
+
+class Torques(Input):
+    """Torques of joint axes, of those that slide forces; where drives are elastic they act on rotors."""
+
+    words = "torques of axes"
+    kinds = ("torque", "force")
+    signal = "tau"
+
+    def names(self, robot: Robot) -> list[str]:
+        return [f"{link.name}.{name}[{j}]" for link, j, name, _ in efforts(robot)]
+
+    def units(self, robot: Robot) -> list[str]:
+        return [unit for *_, unit in efforts(robot)]
+
+    def of_links(self, chain: Any) -> list[list[int]]:
+        return [list(range(*ends)) for ends in pairwise(chain.tau_offset)]
+
+
+TORQUES = Torques()
+OTHERS: tuple[Input, ...] = (TENSIONS,)
+"""Those that a robot file may state besides."""
+KIND = re.compile(rf"\.({'|'.join(kind for row in (TORQUES, *OTHERS) for kind in row.kinds)})(?=\[|$)")
+"""The kind of an input in its name."""
+
+
+def inputs(robot: Robot) -> tuple[Input, ...]:
+    """The kinds of input of a robot, torques of axes first."""
+    return TORQUES, *(row for row in (*OTHERS, *robot.inputs) if row.names(robot))
+
+
+def places(names: Sequence[str], row: Input | None) -> list[int]:
+    """Which of the names of inputs are of a kind; None: of none that a robot file may state."""
+    found = [KIND.search(name) for name in names]
+    return [k for k, kind in enumerate(found) if (kind and kind[1]) in (row.kinds if row else (None,))]
+
+
+def input_names(robot: Robot) -> list[str]:
+    """The names of the entries of `tau`."""
+    return [name for row in inputs(robot) for name in row.names(robot)]
+
+
+def input_units(robot: Robot) -> list[str]:
+    """Their units: N·m for axes that turn and for rotors, N for axes that slide, cylinders and tendons."""
+    return [unit for row in inputs(robot) for unit in row.units(robot)]
+
+
+def quantities(robot: Robot) -> list[str]:
+    """The key of `ranges.RANGES` of each."""
+    return [row.quantity for row in inputs(robot) for _ in row.names(robot)]
+
+
+def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:
+    """Link and number of every axis, and what its input is called, with its unit: that of the axis, or of its drive."""
+    for link in robot.links:
+        for j, (screw, own) in enumerate(zip(link.joint.screws, link.joint.driven, strict=True)):
+            yield link, j, *own.effort(screw)

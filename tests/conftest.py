@@ -142,11 +142,20 @@ def pytest_addoption(parser):
 def pytest_collection_modifyitems(config, items):
     """The slowest files first: with several workers, none of them is begun when all the rest is done."""
     items.sort(key=lambda item: item.path.stem.removeprefix("test_") not in SLOWEST)
+    _row_by_row(items)
     if config.getoption("--short"):
         lines = (Path(__file__).parent / "thorough.txt").read_text(encoding="utf-8").splitlines()
         left_out = _left_out(items, dict(reversed(line.split(" ", 1)) for line in lines))
         config.hook.pytest_deselected(items=[item for item in items if item in left_out])
         items[:] = [item for item in items if item not in left_out]
+
+
+def _row_by_row(items) -> None:
+    """A robot of the matrix is derived and compiled once for all its checks, those that take long among them."""
+    places = [k for k, item in enumerate(items) if "test_every_feature_meets_every" in item.nodeid]
+    ordered = sorted((items[k] for k in places), key=lambda item: item.callspec.params["row"])
+    for k, item in zip(places, ordered, strict=True):
+        items[k] = item
 
 
 def _left_out(items, said) -> set:

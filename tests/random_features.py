@@ -22,9 +22,9 @@ def with_balls(rng, robot: dict) -> dict:
 
 
 def with_springs(rng, robot: dict) -> dict:
-    """The robot with springs on some axes of links behind the first."""
+    """The robot with springs on some axes."""
     links = copy.deepcopy(robot["links"])
-    for link in links[1:]:
+    for link in links:
         axes = link["joint"]["axes"]
         if axes != "ball" and any(springs := [chance(rng, SPRING) for _ in axes]):
             numbers = [{"stiffness": float(rng.uniform(1, 50)), "rest": float(rng.uniform(-1, 1))} for _ in axes]

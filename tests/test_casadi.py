@@ -261,7 +261,7 @@ def test_torques_of_a_wrong_number_are_refused(torques):
         lambda: f["forward_dynamics"](*(given[k] for k in ("q", "v", "tau", "w_ext", "p"))),
         lambda: f["drive_power"](**{k: given[k] for k in ("q", "v", "tau", "p")}),
         lambda: f["step"].call([*(given[k] for k in ("q", "v", "tau", "w_ext", "p")), 1e-3]),
-        lambda: Functions(model.chain, [], [], None)._torques([0.0] * count),
+        lambda: Functions(model.chain, [], [], None).of_links([0.0] * count),
     ):
         with pytest.raises(UsageError, match=f"^tau has {count} numbers?; it must have 3"):
             call()

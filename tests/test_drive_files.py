@@ -10,7 +10,8 @@ from screwgen.backends.latex import document as latex
 from screwgen.elements import FRICTION
 from screwgen.plugins import plugins
 from screwgen.spec import dump
-from screwgen.spec.parameters import coordinate_units, force_units, parameters
+from screwgen.spec.inputs import input_units
+from screwgen.spec.parameters import coordinate_units, parameters
 
 UPPER = "links[0].joint.drives"
 BARE = link("bare", joint={"armature": [0.1]})
@@ -75,7 +76,7 @@ def test_names_and_units():
     assert model.q_names[7:10] == rotors and model.v_names[8] == "boom.theta_rate[1]"
     assert model.tau_names[0] == "cart.torque[0]" and model.tau_names[-1] == "tool.force[0]"
     assert coordinate_units(model.robot)[:10] == ["m", *["rad"] * 5, "m", *["rad"] * 3]
-    assert force_units(model.robot) == [*["N·m"] * 6, "N"]
+    assert input_units(model.robot) == [*["N·m"] * 6, "N"]
     assert model.chain.effort_places == [7, 1, 8, 9, 4, 5, 6] and [
         x.coordinate for x in model.chain.acted(FRICTION)
     ] == [1, 8, 9, 6]

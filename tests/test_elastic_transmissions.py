@@ -15,7 +15,8 @@ from screwgen.algorithms.travels import travels
 from screwgen.backends.latex import document as latex
 from screwgen.plotting import plot
 from screwgen.plugins import plugins
-from screwgen.spec.parameters import coordinate_units, force_units, parameters
+from screwgen.spec.inputs import input_units
+from screwgen.spec.parameters import coordinate_units, parameters
 from screwgen.studies.stiffness import stiffness_matrix
 
 # -------- a Lagrangian whose coordinates are the joint's angle and the rotor's
@@ -160,12 +161,12 @@ def test_an_elastic_gear_does_not_carry_a_linkage_through_the_end_of_its_reach()
 def test_names_units_and_parameters():
     cylinder, linkage = model_of(lift(k=2e5)), model_of(lift(k=3e3, linkage=True))
     assert cylinder.q_names[2] == "boom.stretch[0]" and cylinder.v_names[2] == "boom.stretch_rate[0]"
-    assert linkage.q_names[2] == "boom.gear[0]" and force_units(linkage.robot) == ["N·m", "N"]
+    assert linkage.q_names[2] == "boom.gear[0]" and input_units(linkage.robot) == ["N·m", "N"]
     assert coordinate_units(cylinder.robot)[2] == "m" and coordinate_units(linkage.robot)[2] == "rad"
     units = [
         {x.name: x.unit for x in parameters(m.robot)}["boom.joint.drives[0].stiffness"] for m in (cylinder, linkage)
     ]
-    assert units == ["N/m", "N·m/rad"] and force_units(cylinder.robot) == ["N", "N"]
+    assert units == ["N/m", "N·m/rad"] and input_units(cylinder.robot) == ["N", "N"]
 
 
 @pytest.mark.parametrize("kind", ["crank = 0.3, base = 0.8, angle = 1.0", "four_bar"])

@@ -11,7 +11,8 @@ from screwgen.backends.c.project import CProject
 from screwgen.backends.latex import document as latex
 from screwgen.elements import FourBarLinkage
 from screwgen.plugins import plugins
-from screwgen.spec.parameters import coordinate_units, force_units, parameters
+from screwgen.spec.inputs import input_units
+from screwgen.spec.parameters import coordinate_units, parameters
 
 FINE = 'four_bar = { ground = 0.4, crank = 0.22, coupler = 0.47, rocker = 0.25, angle = 1.3, branch = "open" }'
 UPPER = "links[0].joint.drives"
@@ -78,7 +79,7 @@ def test_parts_made_in_python_are_refused_alike():
 
 def test_names_units_and_parameters():
     model = boom()
-    assert model.tau_names == ["boom.force[0]", "bucket.torque[0]"] and force_units(model.robot) == ["N", "N·m"]
+    assert model.tau_names == ["boom.force[0]", "bucket.torque[0]"] and input_units(model.robot) == ["N", "N·m"]
     assert coordinate_units(model.robot)[:2] == ["rad", "rad"]
     of, drive = {x.name: x for x in parameters(model.robot)}, "bucket.joint.drives[0]"
     assert [of[f"{drive}.transmission.four_bar.{x}"].unit for x in FourBarLinkage.KEYS] == ["m", "m", "m", "m", "rad"]

@@ -21,7 +21,8 @@ from screwgen.backends.latex import document as latex
 from screwgen.plotting import plot
 from screwgen.plugins import plugins
 from screwgen.simulation.controllers import read_pd
-from screwgen.spec.parameters import coordinate_units, force_units, parameters
+from screwgen.spec.inputs import input_units
+from screwgen.spec.parameters import coordinate_units, parameters
 
 # -------- a Lagrangian by hand
 
@@ -175,7 +176,7 @@ def test_cylinders_of_axes_that_slide_are_refused(tmp_path, axis):
 
 def test_names_units_and_parameters():
     model = boom()
-    assert model.tau_names == ["boom.force[0]", "jib.force[0]"] and force_units(model.robot) == ["N", "N"]
+    assert model.tau_names == ["boom.force[0]", "jib.force[0]"] and input_units(model.robot) == ["N", "N"]
     assert model.q_names[0] == "boom.joint[0]" and coordinate_units(model.robot)[:2] == ["rad", "rad"]
     of = {x.name: x for x in parameters(model.robot)}
     assert of["boom.joint.drives[0].transmission.crank"].unit == "m"

@@ -88,9 +88,10 @@ class Judge:
         q, tension = self.oracle.q, ca.SX.sym("tension", len(self.tendon_lengths))
         energy, places = ca.SX(0), _axes(self.twin)
         for link in self.twin["links"]:
+            owner = link["name"].removesuffix("_0") + "."
             for k, element in enumerate(link["joint"].get("elements", [])):
                 if spring := element.get("spring"):
-                    at = next(p for name, p in places.items() if name.startswith(link["name"]) and name[-2] == str(k))
+                    at = next(p for name, p in places.items() if name.startswith(owner) and name[-2] == str(k))
                     energy += spring["stiffness"] * (q[at] - spring["rest"]) ** 2 / 2
         force = -ca.gradient(energy, q) if q.numel() else ca.SX.zeros(0)
         lengths = ca.vertcat(ca.SX(0, 1), *self.tendon_lengths.values())

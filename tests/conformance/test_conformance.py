@@ -14,6 +14,7 @@ from conformance.arrays import covering, few, random_rows
 from conformance.cases import case_of
 from conformance.checks import CHECKS, outcome
 from conformance.features import FACTOR_OF, FACTORS, FEATURES, IMPOSSIBLE, features, pairs, possible_pairs
+from conformance.forgotten import TABLE
 from conformance.refusals import REFUSALS
 from conformance.table import page
 
@@ -75,6 +76,13 @@ def test_what_cannot_stand_together_is_refused(pair):
 def test_every_refusal_stands_in_a_row():
     for refusal in REFUSALS:
         assert any(set(refusal.features) <= set(features(row)) for row in ROWS), refusal
+
+
+def test_every_mutant_of_forgetting_finds_its_place():
+    """A table that the product has outgrown tries nothing; `mutants` says whether each is noticed."""
+    for mutant in TABLE:
+        text = (Path(__file__).parents[2] / mutant.file).read_text(encoding="utf-8")
+        assert mutant.applied(text) != text
 
 
 def test_the_page_of_features_is_made_from_the_tables():

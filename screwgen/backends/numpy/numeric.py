@@ -240,7 +240,7 @@ class Numeric:
         out[:, : chain.n_joints] = np.eye(chain.nv)[:, chain.effort_places] * self.levers(q)
         out[list(chain.elastic_travels.values()), list(chain.elastic_travels)] = 1.0
         exerted = self._functions(*self._exerting).exerted(*self.rows(q=q))
-        out[:, chain.n_joints :] = np.array(exerted, float).reshape(-1, chain.nv).T
+        out[:, chain.n_joints :] = np.array(exerted, float).reshape(chain.n_tau - chain.n_joints, chain.nv).T
         return out
 
     def _closed_derivatives(

@@ -6,7 +6,7 @@ import pytest
 from bad_robot_files import FORCES, GOOD, refused
 
 from screwgen import RobotFileError, dump
-from screwgen.interactions import Interaction, Quantity, number
+from screwgen.interactions import Interaction, ReportedQuantity, number
 from screwgen.spec.forces import Force
 from screwgen.spec.load import loads
 
@@ -80,7 +80,7 @@ class Twice(Interaction):
 
     KIND = "twice"
     WORDS = "laws"
-    QUANTITIES = {"length": Quantity("m", "length")}  # noqa: RUF012
+    QUANTITIES = {"length": ReportedQuantity("m", "length")}  # noqa: RUF012
 
     length: float = number("m", "length", "l")
 

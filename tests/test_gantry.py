@@ -6,8 +6,10 @@ from functools import partial
 import numpy as np
 import pytest
 from helpers import QUICK, example, quick
+from latex_documents import WHOLE
 
 from screwgen import PD, NoEquilibriumError, equilibrium, simulate
+from screwgen.backends.latex import document as latex
 from screwgen.cli.main import main
 from screwgen.plotting import plot
 from screwgen.runtime.compiled import CompiledStepper
@@ -97,7 +99,7 @@ def test_an_analysis_takes_rates_of_slides_for_no_turning(model):
 
 
 def test_the_header_of_the_generated_c_states_units(model, tmp_path):
-    model.write(tmp_path / "out", targets=("c", "casadi", "latex"), estimator=True)
+    model.write(tmp_path / "out", targets=("c", "casadi"), estimator=True)
     header = (tmp_path / "out" / "c" / "gantry.h").read_text()
     for line in (
         " *   q[0], v[0]  bridge.slide[0] (m)\n",
@@ -109,9 +111,9 @@ def test_the_header_of_the_generated_c_states_units(model, tmp_path):
     ):
         assert line in header
     measured = (tmp_path / "out" / "c" / "gantry_estimator.h").read_text()
-    assert "/* rad, of slides m: joint coordinates, in the order of q */" in measured
+    assert "encoder (rad, of slides m): the coordinates of axes" in measured
     assert "forces of slides" in (tmp_path / "out" / "casadi" / "README.md").read_text()
-    text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
+    text = latex.document(model.robot, (), WHOLE)
     assert r"\mathbf{I}_6 - \mathbf{S}_i\mathbf{S}_i^{+}" in text and r"\mathbf{A}_i^{+}\,\boldsymbol{\tau}" not in text
 
 

@@ -27,7 +27,7 @@ from screwgen.backends.latex.parameter_symbols import with_symbols
 from screwgen.backends.latex.robot_tables import besides
 from screwgen.backends.latex.sketch import figure
 from screwgen.backends.latex.tables import links, parameters
-from screwgen.interactions import KINDS, Interaction, Wrench, number
+from screwgen.interactions import KINDS, Interaction, WrenchOnSecond, number
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Rubber(Interaction):
         tilt = sum(x.d[a] * x.R[a][b] * w[b] for a in range(3) for b in range(3) for w in (x.d, x.v))
         spins = zip(keys["turning"], turn, x.omega, strict=True)
         torque = [-0.5 * (k * (t.call("sin", a) + 0.1 * w)) * (1.0 + tilt * tilt) for k, a, w in spins]
-        return Wrench(torque, [-(stiff * a + keys["damping"] * b) for a, b in zip(x.d, x.v, strict=True)])
+        return WrenchOnSecond(torque, [-(stiff * a + keys["damping"] * b) for a, b in zip(x.d, x.v, strict=True)])
 
     @staticmethod
     def energy(t, x, **keys):

@@ -8,6 +8,7 @@ import pytest
 from bad_robot_files import GOOD, refusal, refused
 from conftest import swept
 from helpers import casadi_forward, model_of
+from latex_documents import WHOLE
 from mixed_arms import case_of
 from mixed_loops import JOINTS, looped
 from oracle_robots import relative
@@ -15,6 +16,7 @@ from test_loop_derivatives import error, moved
 
 from screwgen import Robot, assemble, dump, equilibrium, simulate
 from screwgen.algorithms.fused import forward_dynamics
+from screwgen.backends.latex import document as latex
 from screwgen.plotting.strands import strands
 from screwgen.simulation.motion import centrelines
 
@@ -143,14 +145,13 @@ def test_a_weight_below_the_tip_buckles_a_column_by_the_square_of_its_height(pla
 def test_the_header_and_the_document_say_where_links_are_carried(tmp_path):
     trunk = rod("trunk", ["y"], markers=[{"name": "hook", "at": 0.4}])
     left, low = (rod(name, ["z"], parent="trunk", modes={}, at=at) for name, at in (("left", "hook"), ("low", "base")))
-    arm(trunk, left, low, rod("fore", ["y"], parent="trunk", modes={})).write(
-        tmp_path / "out", targets=("c", "latex"), layout="modular"
-    )
+    branched = arm(trunk, left, low, rod("fore", ["y"], parent="trunk", modes={}))
+    branched.write(tmp_path / "out", targets=("c",), layout="modular")
     header = (tmp_path / "out" / "c" / "arm.h").read_text()
     assert "ARM_LINK_LEFT = 1, /* on trunk at s = 0.4 */" in header and "ARM_LINK_FORE = 3 /* on trunk */" in header
-    text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
+    text = latex.document(branched.robot, (), WHOLE)
     assert r"The link carries others at $s = 0, 0.4$ too." in text and "that section stands for the tip" in text
-    base, rest = text.partition(r"\subsection{Section at $s = 0$}")[2].split(r"\subsection{Section at $s = 0.4$}")
+    base, rest, *_ = text.partition(r"\subsection{Section at $s = 0$}")[2].split(r"\subsection{Section at $s = 0.4$}")
     zeros = re.search(r"Zero at this section: (.*)\.", base)[1]
     assert all(f"${name}$" in zeros for name in (r"\mathbf{r}_T", r"\boldsymbol{\phi}_c", r"\mathbf{b}_{v}"))
     assert r"The identity at this section: $\mathbf{J}_l$, $\mathbf{R}_T$." in base

@@ -55,6 +55,7 @@ TEXTS["stabilisation"] = (
 )
 COUPLED = f'couplings = [{{ axis = "fore.joint[0]", of = "upper.joint[0]", ratio = 2.0, offset = 0.5 }}]\n{GOOD}'
 TEXTS |= dict.fromkeys(("coupling ratio", "coupling offset"), COUPLED)
+TEXTS["effort"] = GOOD.replace(FREE, f"{FREE}, limits = {{ effort = 50.0 }}")
 TEXTS["damping time"] = GOOD.replace("{ ratio = 0.01 }", "{ time = 0.01 }")
 TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""

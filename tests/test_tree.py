@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from conformance import slopes
 from helpers import model_of
+from latex_documents import WHOLE
 from matplotlib.text import Text
 from mixed_arms import case_of
 from random_robots import random_state
 
 from screwgen import Robot, UsageError, derive, simulate
 from screwgen.algorithms.fused import forward_dynamics
+from screwgen.backends.latex import document as latex
 from screwgen.plotting import mode_plot, plot
 from screwgen.simulation.motion import centrelines
 from screwgen.spec import dump
@@ -100,10 +102,10 @@ def test_pictures_draw_every_branch_from_the_tip_that_carries_it(forked):
 
 
 def test_the_header_and_the_document_of_a_tree_name_its_parents(forked, tmp_path):
-    forked.write(tmp_path / "out", targets=("c", "latex"), layout="modular")
+    forked.write(tmp_path / "out", targets=("c",), layout="modular")
     header = (tmp_path / "out" / "c" / "tree.h").read_text()
     assert "TREE_LINK_RIGHT = 2 /* on trunk */" in header and "TREE_LINK_TRUNK = 0, /* on the base */" in header
-    text = next((tmp_path / "out" / "latex").glob("*.tex")).read_text()
+    text = latex.document(forked.robot, (), WHOLE)
     assert "The links form a tree." in text and r"on \texttt{trunk}" in text and "Z-form" not in text
     assert r"\mathbf{P}_{\mathcal{W},3}" in text
 

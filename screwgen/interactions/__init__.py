@@ -6,16 +6,16 @@ from .drag import Drag
 from .interaction import FORCE as FORCE
 from .interaction import POTENTIAL as POTENTIAL
 from .interaction import TORQUE as TORQUE
-from .interaction import Equation as Equation
 from .interaction import Interaction as Interaction
 from .interaction import InteractionClass as InteractionClass
+from .interaction import LawEquation as LawEquation
 from .interaction import Number as Number
-from .interaction import Quantity as Quantity
 from .interaction import Relative as Relative
-from .interaction import Wrench as Wrench
+from .interaction import ReportedQuantity as ReportedQuantity
+from .interaction import WrenchOnSecond as WrenchOnSecond
 from .interaction import choice as choice
 from .interaction import number as number
-from .line import Line
+from .line import SpringLine
 
-KINDS: dict[str, type[Interaction]] = {one.KIND: one for one in (Line, Bushing, Contact, Drag)}
+KINDS: dict[str, type[Interaction]] = {one.KIND: one for one in (SpringLine, Bushing, Contact, Drag)}
 """The interactions that a robot file may state, by its keys."""

@@ -11,7 +11,18 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
-from .interaction import FORCE, POTENTIAL, TORQUE, Equation, Interaction, Relative, Value, Vector, Wrench, number
+from .interaction import (
+    FORCE,
+    POTENTIAL,
+    TORQUE,
+    Interaction,
+    LawEquation,
+    Relative,
+    Value,
+    Vector,
+    WrenchOnSecond,
+    number,
+)
 from .vectors import cross
 
 AXES = ("along x", "along y", "along z", "about x", "about y", "about z")
@@ -39,14 +50,14 @@ class Bushing(Interaction):
     )
 
     @staticmethod
-    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+    def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         K, C = keys["stiffness"], keys["damping"]
         h, e = _quaternion(t, x)
         stressed = [K[3 + k] * e[k] for k in range(3)]
         across = cross(e, stressed)
         force = [-(K[k] * x.d[k] + C[k] * x.v[k]) for k in range(3)]
         torque = [-(2.0 * (h * stressed[k] + across[k]) + C[3 + k] * x.omega[k]) for k in range(3)]
-        return Wrench(torque, force)
+        return WrenchOnSecond(torque, force)
 
     @staticmethod
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
@@ -55,14 +66,14 @@ class Bushing(Interaction):
         return 0.5 * along + 2.0 * sum(K[3 + k] * (e[k] * e[k]) for k in range(3))
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+    def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
         damped = "damping" in has
         return (
-            Equation(
+            LawEquation(
                 r"[\mathbf{k}_{b,F};\ \mathbf{k}_{b,\tau}]", r"\mathbf{k}_b", "N/m, N*m/rad", "stiffness by axes of A"
             ),
             *[
-                Equation(
+                LawEquation(
                     r"[\mathbf{c}_{b,F};\ \mathbf{c}_{b,\tau}]",
                     r"\mathbf{c}_b",
                     "N*s/m, N*m*s/rad",
@@ -70,17 +81,17 @@ class Bushing(Interaction):
                 )
             ]
             * damped,
-            Equation("h", _COSINE, "-", "cosine of half the turn of B relative to A"),
-            Equation(r"\mathbf{e}_{AB}", _SINES, "-", "axis of that turn times the sine of its half"),
-            Equation(
+            LawEquation("h", _COSINE, "-", "cosine of half the turn of B relative to A"),
+            LawEquation(r"\mathbf{e}_{AB}", _SINES, "-", "axis of that turn times the sine of its half"),
+            LawEquation(
                 r"\mathbf{m}_{AB}",
                 r"\mathrm{diag}(\mathbf{k}_{b,\tau})\,\mathbf{e}_{AB}",
                 "N*m",
                 "stiffness about the axes times $\\mathbf{e}_{AB}$",
             ),
-            Equation(TORQUE, _MOMENT + r" - \mathrm{diag}(\mathbf{c}_{b,\tau})\,\boldsymbol{\omega}_{AB}" * damped),
-            Equation(FORCE, _LOAD + r" - \mathrm{diag}(\mathbf{c}_{b,F})\,\mathbf{v}_{AB}" * damped),
-            Equation(POTENTIAL, _STORED),
+            LawEquation(TORQUE, _MOMENT + r" - \mathrm{diag}(\mathbf{c}_{b,\tau})\,\boldsymbol{\omega}_{AB}" * damped),
+            LawEquation(FORCE, _LOAD + r" - \mathrm{diag}(\mathbf{c}_{b,F})\,\mathbf{v}_{AB}" * damped),
+            LawEquation(POTENTIAL, _STORED),
         )
 
 

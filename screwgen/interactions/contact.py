@@ -17,13 +17,13 @@ from .interaction import (
     FORCE,
     POTENTIAL,
     TORQUE,
-    Equation,
     Interaction,
-    Quantity,
+    LawEquation,
     Relative,
+    ReportedQuantity,
     Value,
     Vector,
-    Wrench,
+    WrenchOnSecond,
     number,
 )
 from .vectors import cross, dot
@@ -44,8 +44,8 @@ class Contact(Interaction):
     KIND = "contact"
     WORDS = "contact of spheres"
     QUANTITIES: ClassVar = {
-        "depth": Quantity("m", "how far the sphere is beyond the surface"),
-        "press": Quantity("N", "force along the normal"),
+        "depth": ReportedQuantity("m", "how far the sphere is beyond the surface"),
+        "press": ReportedQuantity("N", "force along the normal"),
     }
 
     radius: float = number(
@@ -78,12 +78,12 @@ class Contact(Interaction):
     )
 
     @staticmethod
-    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+    def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         n, _, press, arm, slip = _pressed(t, x, keys)
         small = keys["velocity"] if keys["velocity"] != 0.0 else SLOW
         grip = keys["friction"] * press / t.call("sqrt", dot(slip, slip) + small * small)
         force = [-(press * n[k] + grip * slip[k]) for k in range(3)]
-        return Wrench(cross(arm, force), force)
+        return WrenchOnSecond(cross(arm, force), force)
 
     @property
     def fault(self) -> tuple[str, str] | None:
@@ -106,7 +106,7 @@ class Contact(Interaction):
         return keys["stiffness"] * (low * low * low - high * high * high) / (12.0 * keys["width"])
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+    def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
         press = rf"k_c\,\frac{{{_softened_latex(2)}}}{{4\,w_c}}"
         press += r"\,\max\left( 0,\ 1 + c_c\,\dot{p}_c \right)" * ("damping" in has)
         force, contact = r"-f_c\,\mathbf{n}_{AB}", (_PLANE if "normal" in has else _spheres(has))
@@ -117,48 +117,50 @@ class Contact(Interaction):
             *contact,
             _ARM,
             *[_TOUCHING, _RATE] * ("damping" in has or bool(rubs)),
-            Equation("f_c", press, "N", "pressing force of the contact"),
+            LawEquation("f_c", press, "N", "pressing force of the contact"),
             *rubs,
-            Equation(FORCE, force),
-            Equation(TORQUE, r"\mathbf{a}_{AB} \times \mathbf{F}_{AB}"),
-            Equation(POTENTIAL, rf"k_c\,\frac{{{_softened_latex(3)}}}{{12\,w_c}}"),
+            LawEquation(FORCE, force),
+            LawEquation(TORQUE, r"\mathbf{a}_{AB} \times \mathbf{F}_{AB}"),
+            LawEquation(POTENTIAL, rf"k_c\,\frac{{{_softened_latex(3)}}}{{12\,w_c}}"),
         )
 
 
 _PLANE = (
-    Equation(
+    LawEquation(
         r"\mathbf{n}_{AB}",
         r"\frac{1}{\sqrt{\mathbf{n}_c^{\top}\,\mathbf{n}_c}}\,\mathbf{R}_{AB}\,\mathbf{n}_c",
         "-",
         "normal of the contact towards A",
     ),
-    Equation("p_c", r"r_c + \mathbf{n}_{AB}^{\top}\,\mathbf{d}_{AB}", "m", "depth of the contact"),
+    LawEquation("p_c", r"r_c + \mathbf{n}_{AB}^{\top}\,\mathbf{d}_{AB}", "m", "depth of the contact"),
 )
 _SPHERES = (
-    Equation.smallest(SHORTEST, "m^2", "the direction between centres that coincide"),
-    Equation("d_c", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "distance of the centres"),
-    Equation(r"\mathbf{n}_{AB}", r"-\frac{1}{d_c}\,\mathbf{d}_{AB}", "-", "normal of the contact towards A"),
+    LawEquation.smallest(SHORTEST, "m^2", "the direction between centres that coincide"),
+    LawEquation("d_c", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "distance of the centres"),
+    LawEquation(r"\mathbf{n}_{AB}", r"-\frac{1}{d_c}\,\mathbf{d}_{AB}", "-", "normal of the contact towards A"),
 )
-_ARM = Equation(r"\mathbf{a}_{AB}", r"-r_c\,\mathbf{n}_{AB} - \mathbf{d}_{AB}", "m", "point of contact from point B")
-_TOUCHING = Equation(
+_ARM = LawEquation(r"\mathbf{a}_{AB}", r"-r_c\,\mathbf{n}_{AB} - \mathbf{d}_{AB}", "m", "point of contact from point B")
+_TOUCHING = LawEquation(
     r"\mathbf{u}_{AB}",
     r"\mathbf{v}_{AB} + \boldsymbol{\omega}_{AB} \times \mathbf{a}_{AB}",
     "m/s",
     "velocity of B at the point of contact, as seen from A",
 )
-_RATE = Equation(r"\dot{p}_c", r"\mathbf{n}_{AB}^{\top}\,\mathbf{u}_{AB}", "m/s", "rate of the depth")
-_SLIP = Equation(r"\mathbf{s}_{AB}", r"\mathbf{u}_{AB} - \dot{p}_c\,\mathbf{n}_{AB}", "m/s", "its part along the plane")
-_SLOW = Equation("v_c", rf"10^{{{round(log10(SLOW))}}}", "m/s", "sliding velocity over which friction sets in")
+_RATE = LawEquation(r"\dot{p}_c", r"\mathbf{n}_{AB}^{\top}\,\mathbf{u}_{AB}", "m/s", "rate of the depth")
+_SLIP = LawEquation(
+    r"\mathbf{s}_{AB}", r"\mathbf{u}_{AB} - \dot{p}_c\,\mathbf{n}_{AB}", "m/s", "its part along the plane"
+)
+_SLOW = LawEquation("v_c", rf"10^{{{round(log10(SLOW))}}}", "m/s", "sliding velocity over which friction sets in")
 
 
 def _softened_latex(power: int) -> str:
     return " - ".join(rf"\max\left( 0,\ p_c {sign} w_c \right)^{power}" for sign in "+-")
 
 
-def _spheres(has: Collection[str]) -> tuple[Equation, ...]:
+def _spheres(has: Collection[str]) -> tuple[LawEquation, ...]:
     """The depth of two spheres, or of one and a point."""
     depth = "r_c + r_o - d_c" if "other" in has else "r_c - d_c"
-    return *_SPHERES, Equation("p_c", depth, "m", "depth of the contact")
+    return *_SPHERES, LawEquation("p_c", depth, "m", "depth of the contact")
 
 
 def _pressed(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Vector, Value, Value, Vector, Vector]:

@@ -10,7 +10,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
-from .interaction import FORCE, TORQUE, Equation, Interaction, Relative, Wrench, number
+from .interaction import FORCE, TORQUE, Interaction, LawEquation, Relative, WrenchOnSecond, number
 from .vectors import cross, dot
 
 SLOWEST = 1e-24
@@ -45,27 +45,27 @@ class Drag(Interaction):
         return "none"
 
     @staticmethod
-    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+    def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         u = [a - b for a, b in zip(cross(x.omega, x.d), x.v, strict=True)]
         speed = t.call("sqrt", dot(u, u) + SLOWEST)
         force = [(keys["linear"][k] + keys["quadratic"] * speed) * u[k] for k in range(3)]
         # the opposite acts on the first frame at its origin, which is -d from the second
-        return Wrench(cross(force, x.d), force)
+        return WrenchOnSecond(cross(force, x.d), force)
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+    def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
         u, force = r"\mathbf{u}_{AB}", []
         force += [rf"\mathrm{{diag}}(\mathbf{{c}}_d)\,{u}"] * ("linear" in has)
         force += [rf"b_d\,u_d\,{u}"] * ("quadratic" in has)
-        speed = Equation("u_d", rf"\sqrt{{{u}^{{\top}}\,{u} + \varepsilon}}", "m/s", "its size")
+        speed = LawEquation("u_d", rf"\sqrt{{{u}^{{\top}}\,{u} + \varepsilon}}", "m/s", "its size")
         return (
-            Equation(
+            LawEquation(
                 u,
                 r"\boldsymbol{\omega}_{AB} \times \mathbf{d}_{AB} - \mathbf{v}_{AB}",
                 "m/s",
                 "velocity of point A in the fluid that rests in B, in axes of A",
             ),
-            *[Equation.smallest(SLOWEST, "m^2/s^2", "the slope of the speed at rest"), speed] * ("quadratic" in has),
-            Equation(FORCE, " + ".join(force) or r"\mathbf{0}"),
-            Equation(TORQUE, r"\mathbf{F}_{AB} \times \mathbf{d}_{AB}"),
+            *[LawEquation.smallest(SLOWEST, "m^2/s^2", "the slope of the speed at rest"), speed] * ("quadratic" in has),
+            LawEquation(FORCE, " + ".join(force) or r"\mathbf{0}"),
+            LawEquation(TORQUE, r"\mathbf{F}_{AB} \times \mathbf{d}_{AB}"),
         )

@@ -43,7 +43,7 @@ class Number(NamedTuple):
         return units[entry * len(units) // len(self.entries)]
 
 
-class Quantity(NamedTuple):
+class ReportedQuantity(NamedTuple):
     """A number that runs report of an interaction: unit and meaning."""
 
     unit: str
@@ -73,7 +73,7 @@ class Relative(NamedTuple):
     omega: Vector
 
 
-class Wrench(NamedTuple):
+class WrenchOnSecond(NamedTuple):
     """What acts on the second frame at its origin, in the first frame's axes: N·m and N, (3,) each."""
 
     torque: Vector
@@ -84,7 +84,7 @@ TORQUE, FORCE, POTENTIAL = r"\boldsymbol{\tau}_{AB}", r"\mathbf{F}_{AB}", "U"
 """The LaTeX of the parts of a wrench, and of the potential."""
 
 
-class Equation(NamedTuple):
+class LawEquation(NamedTuple):
     """An equation of a law in LaTeX: symbol and right side; of a symbol of the law's own also unit and meaning."""
 
     symbol: str
@@ -93,7 +93,7 @@ class Equation(NamedTuple):
     meaning: str = ""
 
     @classmethod
-    def smallest(cls, square: float, unit: str, what: str) -> Equation:
+    def smallest(cls, square: float, unit: str, what: str) -> LawEquation:
         """What is added to the square of a size, so that a vector without any has a direction."""
         return cls(r"\varepsilon", rf"10^{{{round(log10(square))}}}", unit, f"keeps {what} from 0/0")
 
@@ -108,10 +108,10 @@ class Interaction:
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
-    QUANTITIES: ClassVar[Mapping[str, Quantity]] = {}
+    QUANTITIES: ClassVar[Mapping[str, ReportedQuantity]] = {}
 
     @staticmethod
-    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+    def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         """The wrench in a state.
 
         Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, and ``t.named(name, x)``, which names a value in
@@ -126,7 +126,7 @@ class Interaction:
         return 0.0
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+    def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
         r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``.
 
         What has no equation is zero. ``has``: the numbers that are stated, and the choices that are true.
@@ -187,7 +187,7 @@ class InteractionClass:
     """The names of the numbers that are stated."""
     chosen: tuple[tuple[str, bool], ...]
 
-    def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Wrench:
+    def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> WrenchOnSecond:
         """The wrench of the numbers that are stated, entry by entry."""
         return self.kind.wrench(t, x, **self._keys(numbers))
 
@@ -201,7 +201,7 @@ class InteractionClass:
         return (*self.stated, *(name for name, on in self.chosen if on))
 
     @property
-    def equations(self) -> tuple[Equation, ...]:
+    def equations(self) -> tuple[LawEquation, ...]:
         """The law in LaTeX, if its kind states it."""
         return self.kind.equations(self.has)
 

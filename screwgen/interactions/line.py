@@ -13,12 +13,12 @@ from typing import Any, ClassVar
 from .interaction import (
     FORCE,
     POTENTIAL,
-    Equation,
     Interaction,
-    Quantity,
+    LawEquation,
     Relative,
+    ReportedQuantity,
     Value,
-    Wrench,
+    WrenchOnSecond,
     choice,
     number,
 )
@@ -29,14 +29,14 @@ SHORTEST = 1e-24
 
 
 @dataclass(frozen=True)
-class Line(Interaction):
+class SpringLine(Interaction):
     """A spring with a damper between two points."""
 
     KIND = "line"
     WORDS = "springs and dampers along lines"
     QUANTITIES: ClassVar = {
-        "length": Quantity("m", "distance of the ends"),
-        "pull": Quantity("N", "force that pulls the ends together"),
+        "length": ReportedQuantity("m", "distance of the ends"),
+        "pull": ReportedQuantity("N", "force that pulls the ends together"),
     }
 
     stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
@@ -49,10 +49,10 @@ class Line(Interaction):
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
 
     @staticmethod
-    def wrench(t: Any, x: Relative, **keys: Any) -> Wrench:
+    def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         length, pull = _pulled(t, x, keys)
         share = t.named("pull_over_length", pull / length)
-        return Wrench((0.0, 0.0, 0.0), tuple(-(share * y) for y in x.d))
+        return WrenchOnSecond((0.0, 0.0, 0.0), tuple(-(share * y) for y in x.d))
 
     @staticmethod
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
@@ -61,21 +61,21 @@ class Line(Interaction):
         return t.call("on", stretch) * stored if keys["slack"] else stored
 
     @staticmethod
-    def equations(has: Collection[str]) -> tuple[Equation, ...]:
+    def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
         stretch = r"(\ell - \ell_0)" if "rest" in has else r"\ell"
         pull = rf"k_\ell\,{stretch}" + r" + c_\ell\,\dot{\ell}" * ("damping" in has)
         taut = r"\mathrm{H}(\ell - \ell_0)\," * ("rest" in has)
         pull, taut = (rf"{taut}\max\left( 0,\ {pull} \right)", taut) if "slack" in has else (pull, "")
-        rate = Equation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
+        rate = LawEquation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
         return (
-            Equation.smallest(SHORTEST, "m^2", "the direction of a line without length"),
-            Equation(
+            LawEquation.smallest(SHORTEST, "m^2", "the direction of a line without length"),
+            LawEquation(
                 r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"
             ),
             *[rate] * ("damping" in has),
-            Equation("T", pull, "N", "pull of the line"),
-            Equation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
-            Equation(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
+            LawEquation("T", pull, "N", "pull of the line"),
+            LawEquation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
+            LawEquation(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
         )
 
     @staticmethod

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..arguments import Numbers, Parameters, array, choice
 from ..errors import SingularError, UsageError
-from ..interactions import Quantity
+from ..interactions import ReportedQuantity
 from ..spec.assumptions import assumptions
 from ..spec.input import Input
 from ..spec.inputs import TORQUES, inputs
@@ -147,7 +147,7 @@ class Chain(Coordinates):
         return sum(force.count for force in self.forces)
 
     @property
-    def force_quantities(self) -> dict[str, Quantity]:
+    def force_quantities(self) -> dict[str, ReportedQuantity]:
         """What runs report of the forces between frames, by the names of its entries, `spring.length`."""
         kinds = [(force.name, force.shape.kind.QUANTITIES) for force in self.forces]
         return {f"{name}.{own}": quantity for name, of in kinds for own, quantity in of.items()}

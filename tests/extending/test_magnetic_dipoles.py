@@ -10,7 +10,7 @@ from helpers import arm, link, model_of, quick, relative
 from outside import Outside, every_check
 
 from screwgen import Robot, RobotFileError, ScrewgenError, UsageError, dump, simulate
-from screwgen.interactions import Interaction, Quantity, Wrench, number
+from screwgen.interactions import Interaction, ReportedQuantity, WrenchOnSecond, number
 from screwgen.spec.forces import Force
 
 K = 1e-7
@@ -37,7 +37,7 @@ class Dipole(Interaction):
 
     KIND = "dipole"
     WORDS = "magnets"
-    QUANTITIES = {"distance": Quantity("m", "distance of the magnets")}  # noqa: RUF012
+    QUANTITIES = {"distance": ReportedQuantity("m", "distance of the magnets")}  # noqa: RUF012
 
     first: float = number("A·m²", "moment of the first magnet", "m_1")
     second: float = number("A·m²", "moment of the second magnet", "m_2")
@@ -47,7 +47,7 @@ class Dipole(Interaction):
         a, b, e, k, r = seen(t, x, first, second)
         ae, be = dot(a, e), dot(b, e)
         force = [3.0 * k / r * (ae * b[i] + be * a[i] + (dot(a, b) - 5.0 * ae * be) * e[i]) for i in range(3)]
-        return Wrench(cross(b, [k * (3.0 * ae * e[i] - a[i]) for i in range(3)]), force)
+        return WrenchOnSecond(cross(b, [k * (3.0 * ae * e[i] - a[i]) for i in range(3)]), force)
 
     @staticmethod
     def energy(t, x, first, second):

@@ -17,7 +17,7 @@ IN_TREE = ("forces_in_tree",)
 """What they write besides where no loops close the tree, whose rows take them along."""
 
 
-class Group(NamedTuple):
+class ForceStruct(NamedTuple):
     """The numbers of one force, as the header declares them."""
 
     name: str
@@ -71,7 +71,7 @@ def _refused(p: Parameter) -> str:
     return f"!(p->{place(p)} {'>' if p.sign == 'positive' else '>='} 0)"
 
 
-def _groups(chain: Chain, stated: list[Parameter]) -> list[Group]:
+def _groups(chain: Chain, stated: list[Parameter]) -> list[ForceStruct]:
     out = []
     for force in chain.robot.forces:
         own = [p for p in stated if p.name.startswith(f"{force.name}.")]
@@ -84,5 +84,5 @@ def _groups(chain: Chain, stated: list[Parameter]) -> list[Group]:
             of = f" [{', '.join(p.description.rpartition(', ')[2] for p in entries)}]" if first.index else ""
             members.append((f"{name}[{len(entries)}]" if first.index else name, f"{units}: {about}{of}"))
             values.append(f"{{ {', '.join(numbers)} }}" if first.index else numbers[0])
-        out.append(Group(force.name, members, values))
+        out.append(ForceStruct(force.name, members, values))
     return out

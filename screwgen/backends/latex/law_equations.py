@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 
 from ...algebra.stumpff import stumpff
-from ...interactions import FORCE, POTENTIAL, TORQUE, Equation, InteractionClass, Number, Relative
+from ...interactions import FORCE, POTENTIAL, TORQUE, InteractionClass, LawEquation, Number, Relative
 from ...ir.block import Binding
 from .layout import PAGE, width
 from .scalars import ELLIPSIS_ABOVE, Scalars, subscripted
@@ -31,7 +31,7 @@ BESIDE = 4.0
 """em: what a left side has of it."""
 
 
-def equations(shape: InteractionClass) -> tuple[Equation, ...]:
+def equations(shape: InteractionClass) -> tuple[LawEquation, ...]:
     """The equations in the order of evaluation."""
     return shape.equations or tuple(_Written(shape).equations())
 
@@ -116,7 +116,7 @@ class _Written:
         symbols = [self._symbol(subscripted(letter, place)) for place in places]
         return np.array(symbols, dtype=object).reshape(size)
 
-    def equations(self) -> Iterator[Equation]:
+    def equations(self) -> Iterator[LawEquation]:
         """The values in the order of evaluation, then the entries of the wrench and the potential that are not zero."""
         self._cut()
         order = self._ordered()
@@ -124,8 +124,8 @@ class _Written:
         for s in order:
             name = self.values[s].name.replace("_", " ")
             about = f"{name}, a value of the program" if name else "a value of the program"
-            yield Equation(named[s], self._latex(self.values[s].right, named), "-", about)
-        yield from (Equation(left, self._latex(x, named)) for left, x in self.sides.items())
+            yield LawEquation(named[s], self._latex(self.values[s].right, named), "-", about)
+        yield from (LawEquation(left, self._latex(x, named)) for left, x in self.sides.items())
 
     def _rights(self) -> list[sp.Expr]:
         return [*(value.right for value in self.values.values()), *self.sides.values()]

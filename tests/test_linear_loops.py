@@ -153,7 +153,8 @@ def test_a_propped_beam_has_the_published_frequencies(end):
     axes, roots = BEAMS[end]
     model = propped(axes, 8)
     found = 2 * np.pi * natural_frequencies(model)
-    assert len(found) == model.nv - len(model.chain.closing.rows)
+    left = np.linalg.matrix_rank(model.numpy().gap_slopes(model.chain.home))  # the row along a straight beam is idle
+    assert len(found) == model.nv - left
     assert found[:2] == pytest.approx(roots[:2], rel=1e-5)
 
 

@@ -19,6 +19,7 @@ from screwgen.simulation.simulate import stepper
 
 def near(found, expected, tolerance: float, what: str = "", size: float = 0.0) -> None:
     """Fails where arrays differ by more than a share of the largest entry, or of a `size` that is larger."""
+    found, expected = np.broadcast_arrays(np.asarray(found, float), np.asarray(expected, float))
     error = relative(np.append(found, size), np.append(expected, size))
     assert error <= tolerance, f"{what}: {error:.1e} of {tolerance:.1e}"
 

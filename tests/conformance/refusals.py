@@ -50,6 +50,15 @@ REFUSALS: tuple[Refusal, ...] = (
         for x in BETWEEN
     ),
     *(Refusal("modes", ("ball", x), "there is no modes under load yet", "about a deflection") for x in BETWEEN),
+    *(
+        Refusal("equilibrium", ("rope", base), "on the floating base", "a rope to the world pulls a base that floats")
+        for base in ("floating", "afloat")
+    ),
+    Refusal(
+        *("modes", ("second order", "rope"), "is not positive definite"),
+        why="without gravity the rope bends a link of second order farther than its model goes",
+        large=True,
+    ),
     Refusal("equilibrium", ("ball",), "there is no equilibrium yet", "the search adds coordinates, quaternions do not"),
 )
 

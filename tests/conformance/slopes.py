@@ -56,7 +56,7 @@ def steps(case: Case) -> None:
             there, rates = c.step(q, v, tau, w_ext, STEP, method)
             return np.concatenate([case.change(after, there), rates])
 
-        by_q, by_v, by_tau = case.differences(moved)
+        by_q, by_v, by_tau = case.differences(moved, 3e-3)
         # beside what inputs within their limits do: beyond these rounding may be all that is left
         within = c.step_derivatives(q, v, case.acting, w_ext, STEP, method)[-1]
         for found, wanted, most in ((A[:, :nv], by_q, by_q), (A[:, nv:], by_v, by_v), (B, by_tau, within)):

@@ -42,7 +42,7 @@ FULL_TURN = 6.28
 HASTE = 3.0
 """The factor of the case's rates, which makes terms of higher order visible."""
 
-FAR = 0.1
+FAR = 0.03
 """m or rad: how far loads may bend a mode where rest is sought."""
 
 DEFECT, SLIGHT = 0.01, 1e-4

@@ -27,14 +27,19 @@ from oracle_link import read_link
 from oracle_stations import place_of, section
 from oracle_stops import Stops
 
+LOCKED = 1e-8
+"""The share of what was subtracted from it below which a number counts as rounding."""
+
 
 def part_error(reference, value, companion, taken=()) -> float:
     """Largest error over the largest entry of `reference`; see `Oracle.errors` for the companion.
 
-    `taken`: what was subtracted from numbers as large to get the reference, such as accelerations that loops take away.
+    `taken`: what was subtracted from numbers as large to get the reference, such as accelerations that loops take away;
+    it counts where nothing else is left.
     """
     largest = lambda x: float(np.max(np.abs(x), initial=0.0))  # noqa: E731
-    return largest(value - reference) / (max(largest(reference), largest(taken), 1e-4 * largest(companion)) or 1.0)
+    locked = largest(taken) if largest(reference) < LOCKED * largest(taken) else 0.0
+    return largest(value - reference) / (max(largest(reference), locked, 1e-4 * largest(companion)) or 1.0)
 
 
 def parents_of(links: list[dict]) -> list[int]:

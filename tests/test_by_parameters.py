@@ -5,6 +5,8 @@ Differences in 40 digits of many robots, in NumPy, CasADi and C: `conformance.sl
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from conformance.c_warnings import compile_cleanly
@@ -13,6 +15,7 @@ from every_command import DONE, called, checked
 from helpers import arm, link, model_of, quick, relative, unfolded
 
 from screwgen import UsageError
+from screwgen.integrators import METHODS
 
 jax = package("jax")
 SOFT = {"modes": {"bending_y": 1, "bending_z": 1}, "section": {"EIy": 300.0, "EIz": 200.0}}
@@ -61,6 +64,23 @@ def test_a_step_of_every_method_in_jax_and_casadi_has_those_of_numpy(double):
         others = by_casadi[f"step_{method}_by_p"](Q, V, TAU, W_EXT.T, P, 1e-3)
         for one, other, x in zip(by_jax[f"step_{method}_by_p"](Q, V, TAU, W_EXT, P, 1e-3), others, wanted, strict=True):
             assert relative(one, x) < 1e-10 and relative(other, x) < 1e-10
+
+
+def test_methods_of_one_name_have_their_own():
+    numeric, whole = MODEL.numpy(), METHODS["semi_implicit"]
+    other = replace(METHODS["rk4"], name=whole.name)
+    found = [numeric.step_by_p(Q, V, TAU, W_EXT, 1e-2, OF, method=method) for method in (whole, other, whole)]
+    wanted = numeric.step_by_p(Q, V, TAU, W_EXT, 1e-2, OF, method="rk4")
+    assert relative(found[1][0], wanted[0]) < 1e-14 and relative(found[0][0], wanted[0]) > 1e-6
+    assert np.array_equal(found[2][0], found[0][0])
+
+
+@pytest.mark.parametrize("of", ["gravity[2]", OF])
+def test_slopes_of_constants_are_made_where_some_depend_on_a_parameter(of):
+    c, expected = quick(MODEL, by_p=of), MODEL.numpy().forward_dynamics_by_p(Q, V, TAU, W_EXT, of=of)
+    c.prepare(None)
+    for found, wanted in zip(c.forward_dynamics_by_p(Q, V, TAU, W_EXT), expected, strict=True):
+        assert relative(found, wanted) < 1e-11
 
 
 def test_compiled_ones_follow_new_parameters_and_are_those_of_a_fresh_model():

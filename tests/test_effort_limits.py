@@ -4,11 +4,11 @@ import warnings
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of, quick, relative
+from helpers import arm, link, model_of, quick, quick_batch, relative
 from oracle import Oracle
 from scipy.integrate import solve_ivp
 
-from screwgen import PD, LimitWarning, Robot, RobotFileError, ScrewgenError, UsageError, equilibrium, simulate
+from screwgen import PD, LimitWarning, Robot, RobotFileError, ScrewgenError, UsageError, equilibrium, rollout, simulate
 from screwgen.algorithms.robot_programs import held_inputs
 from screwgen.integrators import METHODS
 from screwgen.plotting.demands import bounds_of
@@ -93,6 +93,29 @@ def test_a_law_in_the_c_of_a_run_is_cut_off_too():
         runs.append((run.tau, run.q, [str(x.message) for x in said if x.category is LimitWarning]))
     assert relative(runs[0][0], runs[1][0]) < 1e-9 and relative(runs[0][1], runs[1][1]) < 1e-12
     assert runs[0][2] == runs[1][2] and (np.abs(runs[0][0]).max(axis=0) == MOST)[:2].all()
+
+
+def test_a_number_that_is_none_is_no_limited_input():
+    """Of two scenarios within the limits one has a NaN: that fails, and nothing is said of limits."""
+    tau = np.full((2, 8, 3), 0.1)
+    tau[1, 4, 0] = np.nan
+    quick_batch(MODEL)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", LimitWarning)
+        run = rollout(MODEL, np.tile(np.append(Q0, np.zeros(5)), (2, 1)), tau, step=1e-3, steps=8)
+    assert run.ok.tolist() == [True, False]
+
+
+def test_a_posture_that_a_drive_cannot_hold_says_so():
+    """7.848 N·m at the shoulder, of which the drive has 6: the equilibrium names both, and the remedy."""
+    boom = link("boom", 1.0, ("y",), joint={"limits": [{"effort": 6.0}]}, section={"rhoA": 2.0})
+    heavy = model_of(arm(boom, gravity=[0.0, 0.0, -7.848]))
+    said = r"boom.torque\[0\] is -?7.848 in this posture, and -?6 as a step holds it; state a stronger drive"
+    with pytest.warns(LimitWarning, match=said):
+        equilibrium(heavy, [0.0], hold=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", LimitWarning)
+        equilibrium(heavy, [0.8], hold=True)
 
 
 def test_inputs_far_beyond_are_held_at_the_limit_exactly():

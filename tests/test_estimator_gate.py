@@ -112,6 +112,29 @@ def test_a_measurement_that_stays_beyond_the_gate_is_taken_again(kind, within):
     assert abs(e.state[0][0] - 0.3) < 1e-6 and abs(e.state[0][1]) < 1e-5
 
 
+@pytest.mark.parametrize("kind", FILTERS)
+def test_a_patience_that_becomes_less_leaves_the_gate_there(kind):
+    """22 samples of a slip and 3 right ones, then 5 in place of 20: a sample that is 9 rad off is refused."""
+    e, noise = begun(kind, replace(NOISE, gate=5.0)), replace(NOISE, gate=5.0, patience=5)
+    for z in [0.3] * 22 + [e.state[0][0]] * 3:
+        e.update([0.0], REST, [z])
+    before = e.state
+    e.set(noise)
+    e.update([0.0], REST, [9.0])
+    assert e.innovations["encoder"].refused.all() and np.array_equal(e.state[0], before[0])
+
+
+def test_the_gate_of_a_sensor_alone_bounds_its_doubt():
+    for kind in FILTERS:
+        more = {"flags": QUICK} if kind is CompiledEstimator else {}
+        e = kind(model(), measurements=["encoder gated"], **more)
+        e.start(np.zeros(3), np.zeros(3), SPREAD, SPREAD, Noise(0.0, encoder=1e-3, encoder_gate=5.0, doubt=3.0))
+        e.update([0.0], REST, [4.0 * np.hypot(SPREAD[0], 1e-3)])
+        assert e.innovations["encoder"].weight[0] == pytest.approx(9 / 16)
+        with pytest.raises(UsageError, match=r"^doubt: must be a number from 0 to the gate"):
+            e.set(Noise(0.0, encoder=1e-3, encoder_gate=2.0, doubt=3.0))
+
+
 @pytest.mark.parametrize("names", [("encoder",), ("encoder", "strain", "acceleration")], ids=len)
 def test_an_estimate_that_is_wrong_and_sure_of_it_comes_back(names):
     """The joint is 0.3 rad off and turns at 3 rad/s; both filters are sure to 0.1 mrad that it rests."""
@@ -237,6 +260,8 @@ NO_CALL = [
     (lambda e: e.update([0.0], REST, [np.inf]), UsageError, "encoder is not finite; give NaN for what was not"),
     (lambda e: e.start(np.zeros(2), np.zeros(3), 1, 1, NOISE), UsageError, "q has 2 numbers; it must have 3"),
     (lambda e: e.start(np.zeros(3), np.zeros(3), [1, 2], 1, NOISE), UsageError, "deviation_q: must be a number >= 0"),
+    (lambda e: e.put(np.zeros(2), np.zeros(3), np.eye(6)), UsageError, "q has 2 numbers; it must have 3"),
+    (lambda e: e.put(np.zeros(3), np.zeros(3), np.eye(3)), UsageError, "P has 9 numbers; it must have 36"),
     (lambda e: (e.set(Noise(0.0)), e.update([0.0], REST, [1.0])), UsageError, "noise: encoder has no standard deviat"),
     (
         lambda e: (e.put(np.zeros(3), np.zeros(3), np.diag([1.0, -1, 1, 1, 1, 1])), e.predict([0.0], REST, STEP)),

@@ -146,6 +146,25 @@ def test_both_filters_are_told_of_scales_offsets_and_own_gates():
     assert filters[0].consistency.squared == pytest.approx(filters[1].consistency.squared, rel=1e-9)
 
 
+@pytest.mark.parametrize("axis", range(3))
+def test_a_marker_upside_down_is_a_false_sample_of_its_own(axis):
+    """Half a turn and nearly so: refused, and what else was measured counts."""
+    robot, given = model("crane"), state("crane")
+    q, v, tau, w_ext = given
+    still = Rotation.from_matrix(robot.numpy().marker_pose(q)[0][-2])
+    noise = Noise(1.0, gate=5.0, encoder=1e-3, marker_attitude_boom_lug=1e-2)
+    for kind in FILTERS:
+        for angle in (np.pi, np.pi - 1e-9, -np.pi + 1e-5, 3.0):
+            e = begun(kind, robot, noise, ["marker_attitude@boom.lug", "encoder"], (q, v))
+            turned = still * Rotation.from_rotvec(angle * np.eye(3)[axis])
+            e.update(tau, w_ext, turned.as_quat(scalar_first=True), q[: robot.n_joints] + 1e-4)
+            found = e.innovations["marker_attitude_boom_lug"]
+            assert found.refused.all() and e.consistency.entries == robot.n_joints
+            expected = np.zeros(3)
+            expected[axis] = 2 * np.sin(angle / 2)
+            assert np.allclose(np.abs(found.value), np.abs(expected), atol=1e-7)
+
+
 def test_both_filters_find_a_tip_by_its_range_from_a_beacon():
     """Beacon and range come by the names in C; the estimate goes to where the beacon sees the tip."""
     robot, (q, v, tau, w_ext) = model("crane"), state("crane")

@@ -33,6 +33,7 @@ WRONG = (
     ('name = "hand"', 'name = "spring"', "pushes[0].name", "the name of an earlier one; choose another name"),
     ('name = "hand"', 'name = "tip"', "pushes[0].name", 'is "tip", a marker of fore; choose another name'),
     (NORMAL, f"{NORMAL}, other = 0.1", "forces[1].contact.other", "is stated beside a normal, of a plane; leave one"),
+    (NORMAL, f"{NORMAL}, velocity = 0.1", "forces[1].contact.velocity", "is stated without friction, whose velocity"),
     (LINE, "", "forces[0]", "does not state what acts; state one of line = { … }"),
     (LINE, f"drag = {{ quadratic = 1.0 }}\n{LINE}", "forces[0]", "states line and drag; state one of line"),
     ("line =", "lines =", "forces[0].lines", "is an unknown key; did you mean line? known here: name, between, line"),

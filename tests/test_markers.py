@@ -9,8 +9,9 @@ from bad_robot_files import GOOD, refusal, refused
 from conftest import swept
 from helpers import casadi_forward, model_of
 from latex_documents import WHOLE
-from mixed_arms import case_of
+from mixed_arms import CONDITION, case_of
 from mixed_loops import JOINTS, looped
+from oracle import part_error
 from oracle_robots import relative
 from test_loop_derivatives import error, moved
 
@@ -77,8 +78,8 @@ def test_where_segments_meet_a_link_is_carried_by_a_tip():
 @pytest.mark.parametrize("seed", swept(range(1, 7), 1))
 def test_a_loop_at_a_marker_equals_the_oracle(seed):
     rng = np.random.default_rng([902, seed])
-    robot, state = looped(rng, JOINTS[(2 * seed + 2) % len(JOINTS)], 3, s=0.2 + 0.1 * seed)
-    case = case_of(robot, state)
+    draw = lambda: case_of(*looped(rng, JOINTS[(2 * seed + 2) % len(JOINTS)], 3, s=0.2 + 0.1 * seed))  # noqa: E731
+    case = next(case for case in (draw() for _ in range(20)) if case.judge.condition < CONDITION)
     numeric, given = case.model.numpy(), case.given
     assert np.max(np.abs(numeric.gaps(given[0], None)[0])) < 1e-12
     found = [numeric.forward_dynamics(*given), casadi_forward(case.model, *given), numeric.dae_forward_dynamics(*given)]
@@ -86,9 +87,9 @@ def test_a_loop_at_a_marker_equals_the_oracle(seed):
         found += [case.c("modular").forward_dynamics(*given, form=form) for form in ("joint", "dae")]
     for vdot, wrench in found:
         assert max(case.judge.errors(vdot).values()) <= case.tolerance
-        links = case.judge.outer.links
-        near = np.abs(wrench[links] - case.judge.wrench[links]).max()
-        assert near <= case.tolerance * np.abs(case.judge.wrench).max()
+        links = case.judge.outer.links  # the judge has other wrenches in the rows of markers
+        for part in (np.s_[links, :3], np.s_[links, 3:]):
+            assert part_error(case.judge.wrench[part], wrench[part], case.judge.wrench) <= case.tolerance
 
 
 def linkage(last: str):

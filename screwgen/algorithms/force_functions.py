@@ -51,7 +51,11 @@ class ForceFunctions:
         return out
 
     def with_forces(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Sequence:
-        """The wrenches on all tips (6 n,) in their frames, those of forces between frames included."""
+        """The wrenches on all tips (6 n,) in their frames, those of forces between frames included.
+
+        Rows of `chain.turned_wrenches` are given in axes of the inertial frame. The result is for `Functions` without
+        forces, which would add them again.
+        """
         if not self.acts:
             return w_ext
         tips = self._tips(q, v)

@@ -170,8 +170,27 @@ def turn_of_quaternion(Q: np.ndarray, Z: np.ndarray) -> list[Value]:
 def turn_of_matrix(R: np.ndarray, Z: np.ndarray) -> list[Value]:
     """The same from a rotation (9,), row by row."""
     E = mx.multiply(R.reshape(3, 3).T, np.array([rotated(Z, axis) for axis in np.eye(3)]).T)
-    cosine = root(1.0 + E[0, 0] + E[1, 1] + E[2, 2])
-    return [(E[k, j] - E[j, k]) / cosine for j, k in ((1, 2), (2, 0), (0, 1))]
+    between = _along_quaternion(E)
+    size = 0.5 * root(mx.dot(between, between)) * (1.0 - 2.0 * between[0].tracer.call("on", -between[0]))
+    return [x / size for x in between[1:]]
+
+
+def _along_quaternion(E: np.ndarray) -> np.ndarray:
+    """What is parallel to the quaternion Q of a rotation: the column of ``4 Q Qᵀ`` with the largest diagonal entry.
+
+    At every turn one of the columns vanishes, the first at half a turn.
+    """
+    trace = E[0, 0] + E[1, 1] + E[2, 2]
+    between = np.array([E[k, j] - E[j, k] for j, k in ((1, 2), (2, 0), (0, 1))])
+    sizes, columns = [1.0 + trace], [np.array([1.0 + trace, *between])]
+    for k in range(3):
+        sizes.append(1.0 + 2.0 * E[k, k] - trace)
+        columns.append(np.array([between[k], *(sizes[-1] if j == k else E[j, k] + E[k, j] for j in range(3))]))
+    largest, size = columns[0], sizes[0]
+    for column, own in zip(columns[1:], sizes[1:], strict=True):
+        here = trace.tracer.call("on", own - size)
+        largest, size = (1.0 - here) * largest + here * column, (1.0 - here) * size + here * own
+    return largest
 
 
 def root(x: Value) -> Value:

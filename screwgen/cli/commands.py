@@ -47,7 +47,7 @@ def run_generate(
     quiet: bool,
     **more: Any,
 ) -> None:
-    """Write the folder and list its files; ``more`` holds further arguments of :meth:`screwgen.Model.write`."""
+    """Write the folder and list its files; ``more``: further options, as :meth:`screwgen.Model.write` has them."""
     for target in targets or ():
         check_choice("--target", target, (*TARGETS, *UNITS))
     check_choice("--parameters", parameters, PARAMETERS)
@@ -59,6 +59,7 @@ def run_generate(
             option = f"--{name.replace('_', '-')}"
             said = f"{option} adds to the {what}, which --target leaves out"
             raise UsageError(f"{said}; add --target {target} or leave {option} out")
+    more["estimator"] = more.pop("measure") or more["estimator"]
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))

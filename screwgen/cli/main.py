@@ -107,8 +107,8 @@ def generate(
     """
     from .commands import run_generate
 
-    more = {"batch": batch, "derivatives": derivatives, "estimator": measure or estimator, "outputs": outputs}
-    said = {"mpc": mpc, "functions": functions or None, "by_p": by_p or ()}
+    more = {"batch": batch, "derivatives": derivatives, "estimator": estimator, "outputs": outputs}
+    said = {"measure": measure or (), "mpc": mpc, "functions": functions or None, "by_p": by_p or ()}
     run_generate(robot, output, target, parameters, layout, quiet or context.obj, **said, **more)
 
 

@@ -1,7 +1,7 @@
 """The limit of the effort of a drive: ``min(max(tau, -most), most)``.
 
 It acts on the input itself, so where the drive does: on the motor of an elastic gear, along a cylinder, at a crank. At
-the limit the slope is 1 still, beyond it 0.
+the limit the slope is 1 still, beyond it 0. The input must be finite: of one that is not, no step gives a result.
 """
 
 from __future__ import annotations

@@ -29,6 +29,9 @@ class HeldLaw(AxisElement):
 
         ``x``: the coordinate of the joint, of an elastic gear that of its rotor; ``w``: the rate whose product with
         the input is the power of the drive. Both are those at the beginning of the step.
+
+        An input within the law is returned as it is, to the bit: one that differs counts as limited. Functions
+        of ``t`` are those that :mod:`.law` names; a divisor that may vanish, as a rate, must be kept away from 0.
         """
         raise NotImplementedError
 

@@ -89,6 +89,8 @@ class Contact(Interaction):
     def fault(self) -> tuple[str, str] | None:
         if self.normal is not None and self.other is not None:
             return "other", "is stated beside a normal, of a plane; leave one of them out"
+        if self.velocity is not None and self.friction is None:
+            return "velocity", "is stated without friction, whose velocity it is; state friction too, or leave it out"
         return ("normal", "has no direction; state one that is not zero") if self.normal == (0.0,) * 3 else None
 
     @staticmethod

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..algorithms.measurement import Measurement
-from ..arguments import Given, Numbers
+from ..arguments import Given
 from ..backends.numpy.covariance import LOST, root
 from ..errors import DivergedError, SingularError, UsageError
 from ..robot_model import RobotModel
@@ -128,8 +128,7 @@ class CompiledEstimator(KalmanFilter):
         """After :class:`SingularError`: the link whose joint is singular, or -1 for the filter itself."""
         return self.library.shim_fault(self._memory)
 
-    def put(self, q: Numbers, v: Numbers, P: Any) -> None:
-        """Set mean and covariance."""
+    def _put(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None:
         self._write({"estimator.state.q": q, "estimator.state.v": v, "estimator.P": P})
 
     def _kind(self, name: str) -> Any:

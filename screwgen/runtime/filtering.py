@@ -10,7 +10,7 @@ import numpy as np
 
 from ..algorithms.measurement import Measurement
 from ..algorithms.measurement_names import chosen, measurement
-from ..arguments import Given, Loads, Numbers
+from ..arguments import Given, Loads, Numbers, array
 from ..robot_model import RobotModel
 from .measurements import (
     Consistency,
@@ -93,12 +93,16 @@ class KalmanFilter(ABC):
     def covariance(self) -> np.ndarray:
         """``P`` of [q; v], (2 nv, 2 nv); of the pose of a floating base that of a change [turn; shift]."""
 
-    @abstractmethod
     def put(self, q: Numbers, v: Numbers, P: Any) -> None:
-        """Set mean and covariance."""
+        """Set mean, q (nq,) and v (nv,), and covariance (2 nv, 2 nv)."""
+        n, nq = self.model.nv, self.model.nq
+        self._put(array(q, "q", (nq,)), array(v, "v", (n,)), array(P, "P", (2 * n, 2 * n)))
 
     @abstractmethod
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None: ...
+
+    @abstractmethod
+    def _put(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None: ...
 
     @abstractmethod
     def _predict(self, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> None: ...

@@ -168,9 +168,9 @@ def check_noise(chain: Chain, rows: Sequence[Measurement], noise: Noise) -> None
         deviations(chain, row, noise)
     for row in rows:
         numbers(chain, row, noise)
-        gate_of(row, noise)
-    gate, doubt = _gate(noise.gate, "gate"), real_numbers(noise.doubt)
-    if doubt is None or doubt.shape or not 0 <= doubt <= gate:
+    gates, doubt = [_gate(noise.gate, "gate")], real_numbers(noise.doubt)
+    gates = [gate_of(row, noise) for row in rows] or gates
+    if doubt is None or doubt.shape or not 0 <= doubt <= min(gates):
         raise UsageError("doubt: must be a number from 0 to the gate, of standard deviations")
     whole(noise.patience, "patience", 1)
     for name in noise.sensors.keys() - {*known(rows), *IN_ORDER}:

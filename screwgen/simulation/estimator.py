@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..algorithms.measurement import Measurement, SensorNumber, comparison
-from ..arguments import Given, Numbers
+from ..arguments import Given
 from ..backends.numpy.covariance import corrected, root
 from ..backends.numpy.covariance import deviations as of_innovations
 from ..backends.numpy.held import HeldChain
@@ -66,10 +66,9 @@ class Estimator(KalmanFilter):
         S = T @ self._conditioned(np.diag(np.concatenate([deviation_q, deviation_v])))
         P = S @ S.T
         self._judgements = self._none_yet()
-        self.put(q, v, P)
+        self._put(q, v, P)
 
-    def put(self, q: Numbers, v: Numbers, P: Any) -> None:
-        """Set mean and covariance."""
+    def _put(self, q: np.ndarray, v: np.ndarray, P: np.ndarray) -> None:
         self._q, self._v, self._P = np.array(q, float), np.array(v, float), np.array(P, float)
 
     @property
@@ -165,6 +164,7 @@ class Estimator(KalmanFilter):
         sizes = np.repeat(sizes, row.group)
         beyond = sizes > (gate or np.inf)
         times, trial = self._judgements[row.name]
+        trial = np.minimum(trial, noise.patience - 1)  # patience may have become less
         after = np.where(times > 0, noise.patience - 1, np.maximum(trial - 1, 0))
         trial = np.where(made & ~beyond, after, trial)
         times = np.where(beyond, np.minimum(times + 1, noise.patience + 2), np.where(made, 0, times))
@@ -220,7 +220,7 @@ class Estimator(KalmanFilter):
             P = S @ S.T
         if not all(np.isfinite(x).all() for x in (q, v, P)):
             raise DivergedError(NOT_FINITE)
-        self.put(q, v, P)
+        self._put(q, v, P)
 
     def _shut(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The closed state, and the projection (2 nv, 2 nv) of changes onto motions that keep it closed."""

@@ -13,6 +13,9 @@ from ..ir.replay import run
 from ..robot_model import RobotModel
 from .hits import LimitWarning
 
+SLIGHT = 1e-9
+"""The share of an input by which what is found for a posture may be beyond a limit."""
+
 
 def held(model: RobotModel, q: np.ndarray, v: np.ndarray, tau: np.ndarray, p: np.ndarray) -> np.ndarray:
     """What steps that begin at ``q`` (…, nq), ``v`` (…, nv) hold of ``tau`` (…, n_tau); ``p`` (…, parameters)."""
@@ -22,6 +25,14 @@ def held(model: RobotModel, q: np.ndarray, v: np.ndarray, tau: np.ndarray, p: np
     given = {"q": q, "v": v, "tau": tau, "p": p}
     found, _ = run(program, {name: list(np.moveaxis(x, -1, 0)) for name, x in given.items()}, on_arrays)
     return np.stack(np.broadcast_arrays(*found["held"]), axis=-1)
+
+
+def warn_at_rest(model: RobotModel, q: np.ndarray, tau: np.ndarray, p: np.ndarray, stacklevel: int = 2) -> None:
+    """A :class:`LimitWarning` for each input that steps which begin at rest at `q` hold otherwise than as `tau`."""
+    most = held(model, q, np.zeros(model.nv), tau, p)
+    for k in np.flatnonzero(np.abs(most - tau) > SLIGHT * np.abs(tau)):
+        what = f"{model.tau_names[k]} is {tau[k]:.6g} in this posture, and {most[k]:.6g} as a step holds it"
+        warnings.warn(f"{what}; state a stronger drive, or rest elsewhere", LimitWarning, stacklevel=stacklevel + 1)
 
 
 @dataclass
@@ -42,7 +53,7 @@ class LimitedInputs:
 
     def take(self, t: np.ndarray, given: np.ndarray, held: np.ndarray) -> LimitedInputs:
         """Look at samples at ``t`` (N,): the inputs (…, N, n_tau) as they were given, and as they were held."""
-        other = np.not_equal(given, held).reshape(-1, len(t), len(self.count))
+        other = (np.not_equal(given, held) & ~np.isnan(given)).reshape(-1, len(t), len(self.count))
         self.count += other.sum(axis=(0, 1), dtype=np.int32)
         for k in np.flatnonzero(other.any(axis=(0, 1))):
             self.first[k] = np.fmin(self.first[k], t[other[:, :, k].any(axis=0)].min())

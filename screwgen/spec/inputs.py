@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
+from ..errors import UsageError
 from .input import Input
 from .robot import Link, Robot
 from .tendons import TENSIONS
@@ -38,6 +39,10 @@ KIND = re.compile(rf"\.({'|'.join(kind for row in (TORQUES, *OTHERS) for kind in
 
 def inputs(robot: Robot) -> tuple[Input, ...]:
     """The kinds of input of a robot, torques of axes first."""
+    for row in robot.inputs:
+        if taken := next((name for name in row.names(robot) if KIND.search(name)), None):
+            what = f"is a name that the product's own inputs have; end the names of {row.words} otherwise"
+            raise UsageError(f"inputs: '{taken}' {what}")
     return TORQUES, *(row for row in (*OTHERS, *robot.inputs) if row.names(robot))
 
 

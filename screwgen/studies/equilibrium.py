@@ -16,6 +16,7 @@ from ..arguments import Given, Numbers, parameters_keyword
 from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from ..simulation.limited_inputs import warn_at_rest
 from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity, validity_at_rest
@@ -116,7 +117,8 @@ def equilibrium(
     have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
     then `stability` says so. A floating base is kept as in `q` and needs a robot without gravity: the others settle
     relative to it. `parameters`: their values. A :class:`ModelValidityWarning` says where a link is past the
-    bounds of the model, in which a column beyond its buckling load is "stable". Raises UsageError, and
+    bounds of the model, in which a column beyond its buckling load is "stable"; a :class:`LimitWarning` where a drive
+    does not have the effort that the posture takes. Raises UsageError, and
     NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
     model.chain.refuse_quaternion_joints("equilibrium", "simulate it with dampers")
@@ -139,6 +141,7 @@ def equilibrium(
     statics, b = rest(model, values, torques, w_ext, held, start)
     found = _report(statics, b, held, wanted, stated)
     found.validity.warn()
+    warn_at_rest(model, found.q, found.tau, values)
     return found
 
 

@@ -67,7 +67,8 @@ class Judge:
 
     @property
     def tolerance(self) -> float:
-        """The larger of 1e-10 and 50 eps cond."""
+        """The larger of 1e-10 and 50 eps cond, of a state that has a solution."""
+        assert self.condition < 100 * CONDITION, "the judge's rows depend on each other: draw another robot"
         return max(1e-10, 50 * np.finfo(float).eps * self.condition)
 
     # ------------------------------------------------------------------------------------ what the oracle lacks
@@ -238,8 +239,8 @@ class Judge:
     def errors(self, vdot, wrench=None) -> dict[str, float]:
         """Errors of base, joints, rotors, modes, moments and forces, each over the largest entry of its kind.
 
-        Where loops take away accelerations of the open tree, entries of these count: in a robot that its loops lock,
-        nothing but rounding of them is left.
+        In a robot that its loops lock nothing but rounding is left of the accelerations that these take away: there
+        the largest of those counts.
         """
         n, free = self.oracle.n_joint, 6 * ("base" in self.robot)
         ends = np.cumsum([free, n - free, self.oracle.n_rotor])

@@ -67,6 +67,7 @@ def content(
         "kept": max(one["kept"] for one in made),
         "prepare": pieces(slopes.program, piece_place(chain, f"{SLOPES}->kept", {}, placed), ("p", SLOPES)),
         "count": max(slopes.count, 1),
+        "filled": slopes.count,
         "names": [own[k].name for k in chosen],
         "stumpff": stumpff([one["program"] for one in made]),
     }

@@ -63,7 +63,8 @@ def recorded(chain: Chain) -> list[Recorded]:
 def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
-    ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones.
+    ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones; where inputs change the
+    free fall they are not compared.
     Raises :class:`UsageError` if double precision does not suffice.
     """
     errors = {name: [state.errors[name] for state in states] for name in USUAL}
@@ -76,7 +77,8 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     larger = any(float(more[name]) > float(tolerance[name]) for name in USUAL)
     lost = percent(needed["single"]) if needed["single"] > LOOSEST else ""
     extent = max((x for state in states for x in state.case["extent"]), default=1.0)
-    found: dict[str, object] = {"tolerance": tolerance, "inverse": more if larger else {}, "lost": lost}
+    inverses = more if larger and not chain.falls else {}
+    found: dict[str, object] = {"tolerance": tolerance, "inverse": inverses, "lost": lost}
     return found | {"extent": repr(float(f"{extent:.6g}"))}
 
 

@@ -81,7 +81,7 @@ def _row(row: Measurement, chain: Chain, found: Comparison | None, routines: Rou
         "spans": found.spans if found else [],
         "accelerates": found is not None and "by_vdot" in found.program.outputs,
         "not_zero": [number.name for number in row.numbers if number.zero],
-        "gate": f"e->{row.name}_gate > 0 ? e->{row.name}_gate : e->gate" if row.gated else "e->gate",
+        "gate": f"(e->{row.name}_gate > 0 ? e->{row.name}_gate : e->gate)" if row.gated else "e->gate",
     }
 
 

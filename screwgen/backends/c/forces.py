@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ...algorithms import tip_programs
+from ...algorithms.force_programs import energy, quantities, wrenches
 from ...spec.parameters import Parameter, of_forces
 from ...topology.chain import Chain
 from .code import Place, literal, singular
@@ -53,11 +54,16 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
             "refused": [_refused(p) for p in numbers if p.sign != "any"],
             "quantities": [f"{name} ({ascii_unit(x.unit)})" for name, x in chain.force_quantities.items()],
             "groups": _groups(chain, numbers),
-            "switches": any(node.op == "on" for node in program.nodes),
             "turned_links": list(chain.turned_wrenches),
             "turned": [chain.names[i] for i in chain.turned_wrenches],
         }
     }
+
+
+def switches(chain: Chain) -> bool:
+    """Whether any law of a force, its energy or what runs report of it calls `on`."""
+    made = (wrenches, energy, quantities)
+    return any("on" in make(force.shape).operations for force in chain.forces for make in made)
 
 
 def scratch(chain: Chain, content: dict) -> dict[str, int]:
@@ -84,5 +90,6 @@ def _groups(chain: Chain, stated: list[Parameter]) -> list[ForceStruct]:
             of = f" [{', '.join(p.description.rpartition(', ')[2] for p in entries)}]" if first.index else ""
             members.append((f"{name}[{len(entries)}]" if first.index else name, f"{units}: {about}{of}"))
             values.append(f"{{ {', '.join(numbers)} }}" if first.index else numbers[0])
-        out.append(ForceStruct(force.name, members, values))
+        if members:  # C has no struct without any
+            out.append(ForceStruct(force.name, members, values))
     return out

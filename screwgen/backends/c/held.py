@@ -22,7 +22,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
 
     ``words``: what the laws are called; ``lines``, ``lane_lines``: the body of the function that finds what is held;
     ``slopes``: that of its derivatives, ``inputs`` and ``columns`` of those with the motion, which ``moving`` says
-    whether there are; ``switches``: whether they call `on`; ``refused``: what the laws' constants may not be.
+    whether there are; ``refused``: what the laws' constants may not be.
     """
     constants = "baked" if baked else "constants"
     program, (slopes, places) = held_inputs(chain, constants), held_slopes(chain, constants)
@@ -33,7 +33,6 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         "words": ", ".join(law.WORDS for law in laws),
         "operations": program.operation_count,
         "moving": chain.holds_by_motion,
-        "switches": "on" in program.operations,
         "lines": _body(chain, program, {"held": entries("held->tau")}, place),
         "lane_lines": _body(chain, program, of_lanes, place, FunctionOfLanes),
         "slopes": _body(chain, slopes, of_slopes, place),
@@ -41,6 +40,12 @@ def content(chain: Chain, baked: bool, place: Place) -> dict:
         "columns": [column for _, column in places],
         "refused": list(_refused(chain)) if not baked else [],
     }
+
+
+def switches(chain: Chain) -> bool:
+    """Whether any of the laws or their slopes calls `on`."""
+    made = (held_inputs(chain, "constants"), held_slopes(chain, "constants")[0]) if chain.holds else ()
+    return any("on" in program.operations for program in made)
 
 
 def _body(chain: Chain, program: Program, own: dict, place: Place, writer: type[Writer] = Writer) -> list[str]:

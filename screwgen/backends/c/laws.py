@@ -41,6 +41,11 @@ def content(chain: Chain) -> list[dict]:
     return [_law(chain, one) for one in of_robot(chain)]
 
 
+def switches(chain: Chain) -> bool:
+    """Whether any of the laws calls `on`."""
+    return any("on" in stage(one.law).operations for one in of_robot(chain))
+
+
 def _law(chain: Chain, one: LawsOfRobot) -> dict:
     terms, slopes = stage(one.law), stage_slopes(one.law)
     return {
@@ -54,7 +59,6 @@ def _law(chain: Chain, one: LawsOfRobot) -> dict:
         "slopes": _body(Writer, slopes),
         "reads": {name: _reads(terms, name) for name in STAGE},
         "slopes_read": {name: _reads(slopes, name) for name in STAGE},
-        "switches": "on" in terms.operations,
         "columns": {name: _comment(chain, key) for name, key in one.law.table.items()},
         "refused": [
             test.format(f"c->{name}[k]")

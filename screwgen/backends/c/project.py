@@ -20,7 +20,22 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import batch, check, closing, curved, derivatives, estimator, files, laws, levers, outputs, preparation, steps
+from . import (
+    batch,
+    check,
+    closing,
+    curved,
+    derivatives,
+    estimator,
+    files,
+    forces,
+    held,
+    laws,
+    levers,
+    outputs,
+    preparation,
+    steps,
+)
 from .by_p import algorithms as differentiated
 from .by_p import content as by_parameters
 from .check import Recorded
@@ -146,6 +161,7 @@ class CProject:
             "rates_first": chain.needs_rates_first,
             **given_coordinates(chain),
             "acting": laws.content(chain),
+            "switches": laws.switches(chain) or forces.switches(chain) or held.switches(chain),
             "spring": laws.spring,
             "springs": laws.springs,
             "nx": state_size(chain),

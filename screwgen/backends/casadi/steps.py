@@ -125,5 +125,6 @@ def scaling(chain: Chain) -> ca.Function:
     q = ca.vertcat(ca.SX.ones(chain.q_offset[-1]), ratios, modes)
     moves, at_home = ca.vertcat(ca.SX.ones(first + m), ratios, modes), ca.SX(ca.DM(list(chain.home)))
     forces = ca.horzsplit(ca.fabs(exerted(chain, at_home, given["p"]))) if chain.other_inputs else []
-    others = [twice / ca.mmax(force * moves) for force in forces]
+    sizes = [ca.mmax(force * moves) for force in forces]  # nothing where an input does nothing at home
+    others = [ca.if_else(size > 0, twice / size, 1.0) for size in sizes]
     return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=ca.vertcat(tau, *others))

@@ -184,8 +184,7 @@ def _view(
     definition = Definition(s, right, entries, labels, own)
     digits = _digits(s, entries, write) if s.binding <= Binding.PARAMETER else ()
     alone = equation(left, *sides) if sides and (bracket or below) and _repeats(block, right) else ()
-    number = step.equation if step.equation[:1].isdigit() else ""  # the paper numbers no others
-    about = (s.name, s.meaning, s.unit, s.frame, number, s.binding)
+    about = (s.name, s.meaning, s.unit, s.frame, step.equation, s.binding)
     return StepView(*about, formula, below, definition, digits, alone)
 
 

@@ -45,13 +45,20 @@ def of_step(
     """The derivatives of coordinates (nq, k) and rates (nv, k) after a step by the parameters ``of``."""
     values = numeric.rows(q=q, v=v, tau=tau, w_ext=w_ext)
     given = dict(zip(("q", "v", "tau", "w_ext"), values, strict=True)) | {"dt": [seconds(dt, "dt")]}
-    return _found(numeric, step(numeric.chain, method_of(method)), given, of)
+    own = method_of(method)  # of which two may have one name
+    return _found(numeric, step(numeric.chain, own), given, of, own)
 
 
-def _found(numeric: Numeric, what: Differentiable, given: Mapping[str, Sequence[float]], of: Chosen) -> Any:
+def _found(
+    numeric: Numeric,
+    what: Differentiable,
+    given: Mapping[str, Sequence[float]],
+    of: Chosen,
+    method: Method | None = None,
+) -> Any:
     chosen = numeric.chain.parameters.chosen(of)
     inputs = {**given, "p": numeric.p, "d_p": list(np.eye(len(chosen)))}
-    outputs = numeric.whole((what.name, chosen), lambda: along(numeric.chain, what, chosen), inputs)
+    outputs = numeric.whole((what.name, method, chosen), lambda: along(numeric.chain, what, chosen), inputs)
     parts = []
     for name, shape in what.results.items():
         rows = [np.broadcast_to(x, len(chosen)) for x in outputs[f"d_{name}"]]

@@ -28,7 +28,11 @@ MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, O
 
 
 class ForceFunctions:
-    """What :class:`.functions.Functions` has besides for what acts on tips; the attributes are set there."""
+    """What :class:`.functions.Functions` has besides for what acts on tips; the attributes are set there.
+
+    ``world`` has gravity, three entries, and behind it the numbers of all forces: ``PlacedForce.numbers`` says which
+    of these are a force's own, ``PlacedForce.point`` which are the coordinates of its end in the world.
+    """
 
     chain: Chain
     world: Sequence

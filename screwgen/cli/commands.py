@@ -59,7 +59,8 @@ def run_generate(
             option = f"--{name.replace('_', '-')}"
             said = f"{option} adds to the {what}, which --target leaves out"
             raise UsageError(f"{said}; add --target {target} or leave {option} out")
-    more["estimator"] = more.pop("measure") or more["estimator"]
+    if measure := more.pop("measure", ()):
+        more["estimator"] = measure
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))

@@ -1,9 +1,7 @@
-"""What closes the loops of a robot in generated C, and what other features of some robots write: files, programs,
-scratch; all empty for a robot without any."""
+"""What closes the loops of a robot in generated C."""
 
 from __future__ import annotations
 
-from collections import Counter
 from functools import partial
 from typing import Any
 
@@ -11,10 +9,7 @@ from ...algorithms import tip_programs
 from ...algorithms.loop_functions import ROUNDS
 from ...algorithms.loops import COMPLIANCE, LEAST, SHARES
 from ...topology.chain import Chain
-from ..templates import FEATURES
-from . import forces, held
 from .code import Place, entries, literal, singular
-from .inputs import features
 from .pieces import piece_place, pieces
 
 OPEN = 1e-5
@@ -25,30 +20,7 @@ IDLE_ROWS = ("idle_rows",)
 """What rows write that no motion changes."""
 
 
-def files(chain: Chain) -> tuple[str, ...]:
-    """The files that loops add, without the robot's name; their templates have the same names."""
-    return forces.files(chain) + ("loops.c",) * bool(chain.closing.rows)
-
-
-def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
-    """The templates' context; ``place`` is that of the fused function.
-
-    ``scratch``: how many structs of a name the closing keeps during a call, and of numbers under an empty name.
-    """
-    written = LOOPS * bool(chain.closing.rows) + IDLE_ROWS * bool(chain.closing.idle) + features(chain)
-    written += held.HELD * chain.holds
-    acting = forces.content(chain, baked, place)
-    out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
-    kept = forces.scratch(chain, acting)
-    if chain.closing.rows:
-        loops = _loops(chain, baked, place)
-        kept, out = {"input": 1, "state": 2, "": 1 + loops["kept"]}, out | {"loops": loops}
-    out |= {"held": held.content(chain, baked, place) if chain.holds else None}
-    out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))
-    return out | ({"idle": _idle_rows(chain, place)} if chain.closing.idle else {})
-
-
-def _loops(chain: Chain, baked: bool, place: Place) -> dict[str, Any]:
+def loops(chain: Chain, baked: bool, place: Place) -> dict[str, Any]:
     """Their wrenches on the tips, the correction of an open state, and how far they are open, as programs."""
     own = {
         "m_eta": lambda k: f"m_eta[{k}]",
@@ -94,7 +66,7 @@ def _gaps(chain: Chain, constants: str, place: Place) -> list[list[str]]:
     return pieces(program, placed, ("c", "state", "work"), program.operation_count, fail=singular)["pieces"]
 
 
-def _idle_rows(chain: Chain, place: Place) -> dict[str, object]:
+def idle_rows(chain: Chain, place: Place) -> dict[str, object]:
     """The statements that find their gaps in ``gap``."""
     placed = piece_place(chain, "kept", {"gaps": lambda k: f"gap[{k}]"}, place)
     (lines,) = pieces(tip_programs.idle_gaps(chain, "constants"), placed, ("c",))["pieces"]

@@ -20,22 +20,7 @@ from ...ir.program import Program
 from ...spec.parameters import coordinate_names, coordinate_units, parameters
 from ...topology.chain import Chain
 from ..numpy.reference import Case
-from . import (
-    batch,
-    check,
-    closing,
-    curved,
-    derivatives,
-    estimator,
-    files,
-    forces,
-    held,
-    laws,
-    levers,
-    outputs,
-    preparation,
-    steps,
-)
+from . import batch, check, curved, derivatives, estimator, features, files, laws, levers, outputs, preparation, steps
 from .by_p import algorithms as differentiated
 from .by_p import content as by_parameters
 from .check import Recorded
@@ -134,7 +119,7 @@ class CProject:
     def library(self) -> dict[str, str]:
         """The files of the library, with the templates that they are made from."""
         options = self.with_derivatives, self.with_estimator, self.with_batch, bool(self.chosen)
-        return files.library(self.name, closing.files(self.chain), options, self.reports)
+        return files.library(self.name, features.files(self.chain), options, self.reports)
 
     def shim(self, template: str, views: Sequence[str] = ()) -> str:
         """A source for callers in other languages, not part of the folder; ``views`` are the members that they see."""
@@ -161,7 +146,6 @@ class CProject:
             "rates_first": chain.needs_rates_first,
             **given_coordinates(chain),
             "acting": laws.content(chain),
-            "switches": laws.switches(chain) or forces.switches(chain) or held.switches(chain),
             "spring": laws.spring,
             "springs": laws.springs,
             "nx": state_size(chain),
@@ -212,7 +196,7 @@ class CProject:
             "cases": self.reference,
             "sums": check.sums(chain, self._cases, self.methods.values()),
             "stumpff": {order: stumpff_terms(order) for order in (4, 5)},
-            **self._closing,
+            **self._features,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
             "levers": levers.content(chain, baked, fused_place),
@@ -338,11 +322,11 @@ class CProject:
         """The scratch in double precision."""
         parts = node_fields(self._programs), store_fields(self._programs, self.chain)
         states, modular = 1 + len(steps.registers(self.methods)), self.layout == "modular"
-        return scratch(self.chain, *parts, states, modular, self._closing["scratch"])
+        return scratch(self.chain, *parts, states, modular, self._features["scratch"])
 
     @cached_property
-    def _closing(self) -> dict:
-        return closing.content(self.chain, self.baked is not None, fused_place)
+    def _features(self) -> dict:
+        return features.content(self.chain, self.baked is not None, fused_place)
 
     @cached_property
     def check(self) -> dict[str, object]:

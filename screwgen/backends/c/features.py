@@ -1,0 +1,35 @@
+"""What features of some robots add to generated C: files, programs, scratch; all empty for a robot without any."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from ...topology.chain import Chain
+from ..templates import FEATURES
+from . import closing, forces, held, inputs, laws
+from .code import Place
+
+
+def files(chain: Chain) -> tuple[str, ...]:
+    """The files that they add, without the robot's name; their templates have the same names."""
+    return forces.files(chain) + ("loops.c",) * bool(chain.closing.rows)
+
+
+def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
+    """The templates' context; ``place`` is that of the fused function.
+
+    ``scratch``: how many structs of a name they keep during a call, and of numbers under an empty name; ``switches``:
+    whether a law calls `on`.
+    """
+    written = closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
+    written += inputs.features(chain) + held.HELD * chain.holds
+    acting = forces.content(chain, baked, place)
+    out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
+    kept = forces.scratch(chain, acting)
+    if chain.closing.rows:
+        loops = closing.loops(chain, baked, place)
+        kept, out = {"input": 1, "state": 2, "": 1 + loops["kept"]}, out | {"loops": loops}
+    out |= {"held": held.content(chain, baked, place) if chain.holds else None}
+    out["switches"] = laws.switches(chain) or forces.switches(chain) or held.switches(chain)
+    out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))
+    return out | ({"idle": closing.idle_rows(chain, place)} if chain.closing.idle else {})

@@ -119,7 +119,9 @@ class Case:
         return np.where(np.arange(self.model.nv) < self.model.chain.eta_v, 1.0, 0.05)
 
     def differences(self, f, h: float = DIFFERENCE) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Slopes of ``f(q, v, tau) -> (m,)`` with q, v (m, nv), tau (m, n_tau), by differences extrapolated twice."""
+        """Slopes of ``f(q, v, tau) -> (m,)`` with q, v (m, nv), tau (m, n_tau), by differences extrapolated twice.
+
+        A step is shortened where its two extrapolations do not agree, as beside the corner of a stop that lets go."""
         q, v, tau, _ = self.given
         nv = self.model.nv
 
@@ -127,15 +129,27 @@ class Case:
             return np.ravel(f(self.moved(q, x[:nv]), v + x[nv : 2 * nv], tau + x[2 * nv :]))
 
         # inputs act all but linearly, and over a step so little that short differences are those of rounding
-        rows, sizes = [], np.concatenate([self.sizes, self.sizes, np.full(len(tau), 25.0)])
-        for k, size in enumerate(sizes):
-            e = np.zeros(len(sizes))
-            e[k] = h * size
-            a, b, c = ((at(e * s) - at(-e * s)) / (2 * s * h * size) for s in (1.0, 0.5, 0.25))
-            once, twice = (4 * b - a) / 3, (4 * c - b) / 3
-            rows.append((16 * twice - once) / 15)
-        found = np.array(rows).reshape(len(sizes), -1).T
+        sizes = np.concatenate([self.sizes, self.sizes, np.full(len(tau), 25.0)])
+        found = np.array(
+            [slope(at, h * size * e) / (h * size) for size, e in zip(sizes, np.eye(len(sizes)), strict=True)]
+        )
+        found = found.reshape(len(sizes), -1).T
         return found[:, :nv], found[:, nv : 2 * nv], found[:, 2 * nv :]
+
+
+def slope(f, x: np.ndarray, smooth: float = 1e-6) -> np.ndarray:
+    """The slope of f at 0 along x, by differences extrapolated twice: of the steps 1, 1/8 and 1/64 the first whose
+    extrapolations agree within a share of the largest entry, or else the one that comes closest to that."""
+    best, least = np.zeros(0), np.inf
+    for way in (1.0, 0.125, 0.015625):
+        a, b, c = ((f(x * s) - f(-x * s)) / (2 * s) for s in (way, way / 2, way / 4))
+        once, twice = (4 * b - a) / 3, (4 * c - b) / 3
+        apart = np.abs(twice - once).max(initial=0.0) / max(np.abs(twice).max(initial=0.0), np.finfo(float).tiny)
+        if apart < least:
+            best, least = (16 * twice - once) / 15, apart
+        if least <= smooth:
+            break
+    return best
 
 
 @lru_cache(maxsize=3)

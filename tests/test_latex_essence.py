@@ -13,9 +13,10 @@ from conftest import swept
 from document_reader import accelerations_from_document, reading
 from document_state import State
 from document_symbols import equations, number, plain
-from helpers import example, example_file, model_of
+from helpers import example, example_dict, example_file, model_of
 from latex_documents import PLUGINS, ROOT
-from latex_formula import SYMBOL
+from latex_formula import SYMBOL, value
+from oracle import Oracle
 from test_document_reader import EXAMPLES
 from test_document_reader import state as random_state
 
@@ -23,6 +24,7 @@ from screwgen import load
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex.check_value import state
 from screwgen.backends.latex.content import Display, DocumentTable, Heading, Paragraph, StepEquation
+from screwgen.backends.latex.mass_matrix import coordinates, formulas
 from screwgen.backends.latex.style import DocumentStyle
 from screwgen.cli.main import main
 
@@ -137,7 +139,8 @@ def test_a_page_has_the_mass_matrix_in_numbers_at_a_posture(tmp_path, capsys):
     assert main(given) == 0
     page = (tmp_path / "ella.html").read_text(encoding="utf-8")
     M = ella.numpy().mass_matrix([*q, *[0.0] * (ella.nq - 3)])
-    shown = {tuple(map(int, m[:2])): float(m[2]) for m in re.findall(r'<td id="M-(\d+)-(\d+)">([^<]*)</td>', page)}
+    cells = re.findall(r'<td id="M-(\d+)-(\d+)"[^>]*>([^<]*)</td>', page.replace("−", "-"))
+    shown = {(int(i), int(j)): float(x) for i, j, x in cells}
     for (i, j), x in shown.items():
         assert x == pytest.approx(M[i - 1, j - 1], rel=1e-4, abs=1e-9)
     assert len(shown) == ella.nv**2 and "first bending in y" in page
@@ -145,3 +148,30 @@ def test_a_page_has_the_mass_matrix_in_numbers_at_a_posture(tmp_path, capsys):
         assert f'class="formula l1" id="{anchor}"' in page
     assert main([*given[:3], str(tmp_path / "ella.pdf"), *given[4:]]) == 2
     assert "--at: only a page" in capsys.readouterr().err
+
+
+SHORT = {"ella": 6, "six_link": 3, "flexible_arm": 7}
+"""How many entries have short formulas at least."""
+
+
+@pytest.mark.parametrize("name", swept(SHORT, "ella", "six_link"))
+def test_short_entries_of_the_mass_matrix_are_those_of_the_oracle(name):
+    """Their formulas, read with the values of the table below them: six digits; zeros are zeros in every posture."""
+    own, oracle, rng = example(name), Oracle(example_dict(name)), np.random.default_rng(3)
+    found = formulas(own.chain)
+    names = {row[0].strip("$"): rf"\mathrm{{p{k}}}" for k, row in enumerate(found.letters.rows)}
+    known = {names[row[0].strip("$")]: number(row[3]) for row in found.letters.rows}
+    for _ in range(3):
+        q = rng.uniform(-1.0, 1.0, own.nq)
+        q[own.nq - own.chain.n_modes :] *= 0.05
+        here = known | {plain(x.name.latex): x_ for x, x_ in zip(coordinates(own.chain), q, strict=True)}
+        M = oracle.mass_matrix(q)
+        scale = np.sqrt(np.outer(np.diag(M), np.diag(M)))
+        for (i, j), rows in found.entries.items():
+            text = re.sub(r"\\Big[lr]", "", "".join(cell for row in rows for cell in row)).partition("=")[2]
+            for symbol in sorted(names, key=len, reverse=True):
+                text = text.replace(symbol, names[symbol])
+            entry = value(text, lambda n, here=here: np.full((1, 1), here[plain(n)]))
+            assert entry == pytest.approx(M[i - 1, j - 1], abs=1e-5 * scale[i - 1, j - 1]), (i, j)
+        assert all(abs(M[i - 1, j - 1]) < 1e-12 * scale[i - 1, j - 1] for i, j in found.zeros)
+    assert len(found.entries) >= SHORT[name]

@@ -27,8 +27,8 @@ SEARCHES = {
     "M_D": ("{first}-M_D",),
     "eta": ("{eta}",),
     "M_12": ("M-1-2",),
-    "joint 3 mode 1 of link 2": ("M-3-7",),
-    "coupling of elbow and first bending in y": ("M-3-5", "M-3-8"),
+    "joint 3 mode 1 of link 2": ("M-3-7-is",),
+    "coupling of elbow and first bending in y": ("M-3-5", "M-3-8-is"),
     "mass matrix": ("{matrix}",),
     "gravity": ("{gravity}",),
     "where does gravity enter": ("{gravity}",),
@@ -36,6 +36,12 @@ SEARCHES = {
     "second mode shape": ("{shape}",),
 }
 """What readers type, and where the first hits lead; that the forearm's joint is an elbow no file says."""
+ENTRIES = {
+    "M-6-1": ("M_16 = ", "kg", "mode 3 of link 1", "row 1, column 3 of the block Mq1 η1, with j\u00a0=\u00a01 in", "⊤"),
+    "M-3-7": ("M_37 = 0 kg m", "joint 3", "first axial", "0.958641"),
+    "M-7-8": ("M_78 = 0 kg", "zero in every posture"),
+}
+"""What the cards of entries of the mass matrix say."""
 
 
 def test_a_search_knows_joints_of_links_without_telling_names():
@@ -76,3 +82,6 @@ def test_what_readers_type_is_found(program, tmp_path):
         )
         told = browser.run("words(card)")
         assert all(part in told for part in ("unit kg, kg\u00a0m", "frame \u2131i", "shape 6\u00d7")), told
+        for place, said in ENTRIES.items():
+            browser.run(f"tellEntry(byId('{place}'))")
+            assert all(part in browser.run("words(card)") for part in said), place

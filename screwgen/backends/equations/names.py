@@ -117,7 +117,7 @@ def parameter_names(chain: Chain, used: Sequence[int]) -> dict[int, Name]:
     taken: dict[Name, int] = {}
     for k in used:  # what is left alike, such as axes of one link, is told apart by its full name
         if names[k] in taken:
-            names[k] = _spelled(known[k])
+            names[k] = spelled(known[k])
         taken[names[k]] = k
     return names
 
@@ -125,7 +125,7 @@ def parameter_names(chain: Chain, used: Sequence[int]) -> dict[int, Name]:
 def _name(chain: Chain, p: Parameter, shown: Sequence[Parameter]) -> Name:
     letter = LETTERS.get(p.field)
     if letter is None:
-        return _spelled(p)
+        return spelled(p)
     robot, places = chain.robot, []
     if p.field.startswith("joint.") and not p.field.startswith("joint.mount") and p.link is not None:
         places.append(str(chain.tau_offset[_first(chain, p.link)] + p.index[0] + 1) if chain.n_joints > 1 else "")
@@ -145,7 +145,7 @@ def _first(chain: Chain, link: int) -> int:
     return next(k for k, segment in enumerate(chain.segments) if segment.link == link)
 
 
-def _spelled(p: Parameter) -> Name:
+def spelled(p: Parameter) -> Name:
     """The whole name of a parameter."""
     words = re.sub(r"[^A-Za-z0-9]+", "_", p.name).strip("_")
     return Name(words, rf"\mathit{{{words}}}".replace("_", r"\_"))

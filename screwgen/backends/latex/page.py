@@ -150,7 +150,7 @@ def _mass(sections: Sequence[PageSection], mass: MassMatrix) -> str:
         "own": _anchor_of(sections, r"\mathbf{M}_{q_jq_j}"),
         "carried": _anchor_of(sections, r"\mathbf{M}_{q_ix_j}"),
     }
-    return render("latex/mass.html.jinja", mass=mass, places=places)
+    return render("latex/mass.html.jinja", mass=mass, places=places, text=text.in_html, rows=text.html_rows)
 
 
 SAFE = {ord(c): f"\\u{ord(c):04x}" for c in "<>&"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from functools import cache
 
 from ...algorithms.scope import derived
@@ -10,7 +11,9 @@ from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
 from ...topology.parameters import label
+from ..equations.names import spelled
 from . import forces
+from .joints import instance
 from .scalars import entry
 
 BLOCKS = ("link", "tip", "tip_body", "joint", "joint_rows")
@@ -22,6 +25,24 @@ OF_AXES = {"joint.armature": "j_{m", "joint.damping": "d_{q", "joint.stiffness":
 def with_symbols(chain: Chain) -> list[tuple[Parameter, str]]:
     """All parameters of a robot, each with its LaTeX; empty where a parameter only makes others."""
     return [(p, _symbol(chain, p)) for p in parameters(chain.robot)]
+
+
+def of_links(chain: Chain) -> list[str]:
+    """The same with the number of the link in the place of ``i``, or as the last index; no two are alike."""
+    own = [_of_link(chain, p, symbol) for p, symbol in with_symbols(chain)]
+    times = Counter(own)
+    every = zip(own, parameters(chain.robot), strict=True)
+    return [symbol if symbol and times[symbol] == 1 else spelled(p).latex for symbol, p in every]
+
+
+def _of_link(chain: Chain, p: Parameter, symbol: str) -> str:
+    if p.link is None or not symbol:
+        return symbol
+    if p.field.startswith("joint.drives.") and len(chain.robot.links[p.link].joint.axes) > 1:
+        symbol = instance(symbol, p.index[0] + 1)
+    number = chain.firsts[p.link] + 1
+    own = symbol.replace("_i", f"_{number}" if number < 10 else f"_{{{number}}}").replace(",i}", f",{number}}}")
+    return own if own != symbol else instance(symbol, number)
 
 
 def _symbol(chain: Chain, p: Parameter) -> str:

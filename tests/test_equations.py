@@ -252,16 +252,23 @@ def symbols(texts: list[str]) -> set[str]:
 
 @pytest.mark.parametrize("name", ["flexible_arm", "elastic_joint", "crane"])
 def test_the_document_explains_its_letters_before_it_uses_them(name):
-    """Every letter of the formulas has a row, the coordinates come in their order; vectors are bold."""
+    """Every letter of formulas and sketch has a row, the coordinates come in their order; vectors are bold."""
     e = equations(name)
     shown = content(model(name).chain, e)
     first, formulas = shown.sections
     rows = [row for item in first.items if item.kind == "table" for row in item.rows]
+    labels = [x.text for x in first.items[0].drawing.labels if x.look in ("q", "body", "mode", "drive", "force")]
     explained = [row[0].strip("$") for row in rows]
     names = [x.latex for x in e.coordinates]
-    assert explained[: len(names)] == names and len(explained) == len(set(explained)) and all(row[1] for row in rows)
+    assert (
+        explained[: len(names)] == names
+        and len(explained) == len(set(explained))
+        and all(row[1] and ",," not in row[1] for row in rows)
+    )
     cells = [cell for x in formulas.items if x.kind == "display" for row in x.formula for cell in row]
-    assert symbols(cells) <= symbols(explained), symbols(cells) - symbols(explained)
+    drawn = symbols([x.strip("$") for x in labels])
+    assert symbols(cells) | drawn <= symbols(explained), (symbols(cells) | drawn) - symbols(explained)
+    assert symbols(names) <= drawn, "the sketch has all coordinates"
     text = latex.tex(shown)
     assert r"\mathbf{M}(\mathbf{q})" in text and "M_{11}" in text and r"\tableofcontents" not in text
 

@@ -8,8 +8,9 @@ from ...topology.chain import Chain
 from ...version import __version__
 from ..latex.content import Display, Document, DocumentSection, Heading, Item, Paragraph
 from ..latex.layout import columns
+from ..latex.sketch import figure
 from .equations import Equations, Shown
-from .letters import coordinates, parameters
+from .letters import coordinates, parameters, sketched
 from .shapes import shapes
 
 MATRICES = {
@@ -33,8 +34,8 @@ def content(chain: Chain, equations: Equations, linear: Shown | None = None, tak
     ``taken``: sentences on how the posture that was stated is understood.
     """
     name = chain.robot.name
-    # The figure of the robot stands first here.
-    robot: list[Item] = [Paragraph(LETTERS), coordinates(chain, equations), *shapes(chain)]
+    drawn = figure(chain, sketched(chain, equations))
+    robot: list[Item] = [drawn, Paragraph(LETTERS), coordinates(chain, equations), *shapes(chain)]
     if equations.stated:
         robot += [Heading("Parameters"), parameters(equations)]
     sections = [DocumentSection("The robot and its letters", robot)]

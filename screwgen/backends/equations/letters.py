@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from ...spec.inputs import efforts, input_units
 from ...spec.parameters import Parameter, coordinate_names, coordinate_units
 from ...topology.chain import Chain
+from ..latex import coordinate_symbols
 from ..latex.content import DocumentTable
+from ..latex.sketch_acting import masses
 from ..latex.tables import DIRECTION, NONE, axis_text, decimal
 from .equations import Equations
 from .names import coordinate_names as letters
@@ -41,6 +43,19 @@ def parameters(equations: Equations) -> DocumentTable:
     return DocumentTable(head, (0.12, 0.33, 0.11, 0.32, 0.12), tuple(rows))
 
 
+def sketched(chain: Chain, equations: Equations) -> dict[str, str]:
+    """The letters of coordinates, efforts, masses and gravity by those that a sketch has of its own."""
+    own = [
+        *coordinate_symbols.axes(chain),
+        *coordinate_symbols.rotors(chain).values(),
+        *coordinate_symbols.modes(chain),
+    ]
+    known = [*own, *coordinate_symbols.inputs(chain)]
+    out = dict(zip(known, (name.latex for name in (*letters(chain), *effort_names(chain))), strict=True))
+    stated = {(p.link, p.index[0]): name.latex for name, _, p in equations.stated if p.field == "bodies.mass"}
+    return out | {letter: stated.get(body, "") for body, letter in masses(chain).items()} | {r"\mathbf{g}": "g"}
+
+
 def _described(p: Parameter, value: float) -> str:
     """What a parameter is; gravity against an axis is stated by its size."""
     return p.description if value == p.value else f"acceleration of free fall, along −{'xyz'[p.index[0]]}"
@@ -64,7 +79,7 @@ def _meanings(chain: Chain) -> Iterator[str]:
         yield f"angle of the rotor whose drive turns ${names[joint].latex}$"
     for i, key in enumerate(chain.keys):
         for direction, k in key.directions:
-            yield f"mode {k + 1} of {_link(chain, i)}, {DIRECTION[direction]}"
+            yield f"mode {k + 1} of {_link(chain, i).removesuffix(',')}, {DIRECTION[direction]}"
 
 
 def _link(chain: Chain, i: int) -> str:

@@ -6,7 +6,7 @@ side that show them apart. Deflections are far larger than a robot's.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from .drawing import Drawing
 from .sketch_acting import bodies, drives, gravity, loops, masses, tendons, wrenches
 from .sketch_forces import forces, pushes
 from .sketch_joints import foot, joint, names, on_world
-from .sketch_pen import Pen
+from .sketch_pen import Pen, respelled
 from .sketch_pose import MOST_LINKS, LinkShape, SketchPose, SketchView, drawn_lengths, poses, true_lengths
 from .sketch_view import chosen
 
@@ -43,11 +43,15 @@ MOST_NAMED = 6
 """Coordinates of a posture that the caption says one by one."""
 
 
-def figure(chain: Chain) -> DrawingItem:
-    """The sketch of a robot with its caption."""
+def figure(chain: Chain, letters: Mapping[str, str] | None = None) -> DrawingItem:
+    """The sketch of a robot with its caption.
+
+    ``letters``: those of equations that have letters of their own, and no external wrenches, by those of a document.
+    """
     pose, view = chosen(poses(chain), chain.robot.gravity)
-    pen = _whole(chain, pose, view)
-    return DrawingItem(pen.drawing(), _caption(chain, pose, pen.shortened), essential=True)
+    pen = _whole(chain, pose, view, letters)
+    caption = respelled(_caption(chain, pose, pen.shortened), pen.letters)
+    return DrawingItem(pen.drawing(), caption, essential=True)
 
 
 def sketch(chain: Chain) -> Drawing:
@@ -55,13 +59,13 @@ def sketch(chain: Chain) -> Drawing:
     return figure(chain).drawing
 
 
-def _whole(chain: Chain, pose: SketchPose, view: SketchView) -> Pen:
+def _whole(chain: Chain, pose: SketchPose, view: SketchView, letters: Mapping[str, str] | None) -> Pen:
     """The picture of a robot in a posture; a smaller one where what is drawn beside the links needs room."""
     scale = _scale(pose, view)
-    pen = _drawn(chain, pose, Pen(view, scale))
+    pen = _drawn(chain, pose, Pen(view, scale, letters))
     width, height = np.ptp(pen.corners(), axis=0)
     share = min(1.0, (WIDEST + BESIDE) / width, (HIGHEST + BESIDE) / height)
-    pen = pen if share == 1.0 else _drawn(chain, pose, Pen(view, share * scale))
+    pen = pen if share == 1.0 else _drawn(chain, pose, Pen(view, share * scale, letters))
     gravity(pen, chain.robot.gravity, chain.floating)
     return pen
 
@@ -81,7 +85,8 @@ def _drawn(chain: Chain, pose: SketchPose, pen: Pen) -> Pen:
     loops(pen, chain, pose)
     forces(pen, chain, pose)
     pushes(pen, chain, pose)
-    wrenches(pen, chain, pose)
+    if not pen.letters:
+        wrenches(pen, chain, pose)
     for i, parent in enumerate(chain.tree.parents):
         carrier = pose.part(parent)
         if chain.segments[i].link >= MOST_LINKS and carrier is not None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -34,10 +35,13 @@ class Line(NamedTuple):
 
 
 class Pen:
-    """Draws in space by a view at ``scale`` px per m; lengths that are called sizes are in px."""
+    """Draws in space by a view at ``scale`` px per m; lengths that are called sizes are in px.
 
-    def __init__(self, view: SketchView, scale: float):
-        self.view, self.scale = view, scale
+    ``letters``: those of labels that are not a document's own, by these.
+    """
+
+    def __init__(self, view: SketchView, scale: float, letters: Mapping[str, str] | None = None):
+        self.view, self.scale, self.letters = view, scale, letters or {}
         self.lines: list[Line] = []
         self.dots: list[Dot] = []
         self.wishes: list[Wish] = []
@@ -122,6 +126,7 @@ class Pen:
 
     def wish(self, look: str, text: str, place: np.ndarray, **more: object) -> None:
         """A label at a point in space, or on paper."""
+        text = respelled(text, self.letters)
         anchor = self.point(place) if len(place) == 3 else (float(place[0]), float(place[1]))
         self.wishes.append(Wish(look, text, anchor, **more))  # type: ignore[arg-type]
 
@@ -147,6 +152,12 @@ class Pen:
             yield _stroke(line.look, piece)
         if line.head and _span(pieces[-1]) > SHORT:
             yield _stroke(line.look, head(pieces[-1]))
+
+
+def respelled(text: str, letters: Mapping[str, str]) -> str:
+    """Text with other letters in its formulas."""
+    known = sorted(letters, key=len, reverse=True)
+    return re.sub("|".join(map(re.escape, known)), lambda m: letters[m[0]], text) if known else text
 
 
 def _span(points: np.ndarray) -> float:

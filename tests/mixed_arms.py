@@ -231,6 +231,11 @@ def described(case: Mixed) -> str:
     return " ".join(f"{k} {n}" for k, n in parts.items() if n)
 
 
+def layout_of(seed: int) -> str | None:
+    """The layout of the C of a seed, which most have not."""
+    return LAYOUTS[seed // EVERY % 2] if seed % EVERY == 0 else None
+
+
 def judged(case: Mixed, layout: str | None = None) -> None:
     """Every back end and form; `layout`: of the C, which is left out without one."""
     for check in (numbers.judge, numbers.numpy_dae, numbers.casadi):
@@ -247,10 +252,9 @@ def main() -> int:
         try:
             with TemporaryDirectory() as folder:
                 case = drawn(seed, Path(folder), dress=dress)
-            layout = LAYOUTS[seed // EVERY % 2] if seed % EVERY == 0 else None
             refused.update(set(case.refused))
             said, text = "holds", described(case)
-            judged(case, layout)
+            judged(case, layout_of(seed))
         except AssertionError as error:
             said, text = "FAILS", f"{text}: {error}"
         except Exception as error:  # the sweep goes on; what was raised is a failure

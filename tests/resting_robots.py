@@ -2,8 +2,9 @@
 
 The robots are those of :mod:`mixed_arms` on fixed bases, small, with rods of all orders, and besides with tendons. A
 third has its joints held, a quarter wrenches that turn with the tips, the others dead loads alone. The judge is the
-oracle's potential energy, less the work of torques and tensions: at the posture found its gradient vanishes along what
-may move, its Hessian there has the signs of the verdict, and no lower minimum is beside it.
+oracle's potential energy and that of forces between frames, less the work of torques and tensions: at the posture found
+its gradient vanishes along what may move, its Hessian there has the signs of the verdict, and no lower minimum is
+beside it.
 """
 
 from __future__ import annotations
@@ -57,7 +58,9 @@ def case_of(seed: int, folder: Path) -> Case:
     start = np.zeros(model.nq) if mixed.loops is None else np.array(mixed.given[0])
     w_ext = np.zeros((model.n_links, 6))
     if rng.random() < 0.25:
-        w_ext = np.where(rng.random((model.n_links, 1)) < 0.5, rng.uniform(-2, 2, (model.n_links, 6)), 0.0)
+        outer = mixed.judge.outer
+        tips = np.where(rng.random((len(outer.links), 1)) < 0.5, rng.uniform(-2, 2, (len(outer.links), 6)), 0.0)
+        w_ext = outer.laid(tips, np.zeros((len(outer.rows), 6)))
     hold = bool(rng.random() < 1 / 3)
     return Case(mixed, model, start, loads(rng, model, hold), w_ext, hold)
 
@@ -82,21 +85,26 @@ def joint_stiffness(model: Model) -> list[float]:
 
 
 class Energy:
-    """The oracle's potential energy less the work of torques and tensions, and the rows that stay zero."""
+    """The oracle's potential energy with that of springs between frames, less the work of torques and tensions, and the
+    rows that stay zero."""
 
     def __init__(self, case: Case):
         oracle, model, m = case.mixed.oracle, case.model, case.model.n_joints
         q = oracle.q
         places = model.chain.held_places
-        energy = oracle.potential - sum(float(t) * q[k] for t, k in zip(case.tau, places, strict=False) if t)
+        outer = case.mixed.judge.outer
+        added = outer.acting(q, ca.SX.zeros(oracle.nv), ca.SX.zeros(6, len(outer.rows)))[1]
+        added -= sum(float(t) * q[k] for t, k in zip(case.tau, places, strict=False) if t)
         if case.tau[m:].any():
-            energy -= model.tendon_work(q, case.tau[m:], model.parameter_values)[0]
+            added -= model.tendon_work(q, case.tau[m:], model.parameter_values)[0]
+        energy = oracle.potential + added
         loops = case.mixed.loops
         gap = ca.SX.zeros(0, 1) if loops is None else loops.rows(q, ca.SX.zeros(oracle.nv))[0]
         forces = ca.SX.sym("forces", gap.shape[0])
         hessian, gradient = ca.hessian(energy, q)
         bend = ca.SX.zeros(hessian.shape) if loops is None else ca.hessian(ca.dot(gap, forces), q)[0]
         self._at = ca.Function("at", [q], [energy, gradient, hessian, ca.jacobian(gap, q)])
+        self.added = ca.Function("added", [q], [ca.gradient(added, q)])
         self._bend = ca.Function("bend", [q, forces], [bend])
 
     def at(self, q) -> list[np.ndarray]:
@@ -159,10 +167,9 @@ def bias_left(case: Case, e: Equilibrium) -> float:
     """Under wrenches that turn with the tips: the oracle's forces that are left over, over the largest."""
     oracle, moving = case.mixed.oracle, moving_in(case, e)
     rest = np.zeros(oracle.nv)
-    force = oracle.bias(e.q, rest, case.w_ext)
-    _, g0, _, J = Energy(case).at(e.q)
-    _, g1, *_ = Energy(case._replace(tau=np.zeros_like(case.tau))).at(e.q)
-    force = force + (g0 - g1)[:, 0]
+    energy = Energy(case)
+    _, g0, _, J = energy.at(e.q)
+    force = oracle.bias(e.q, rest, case.w_ext[case.mixed.judge.outer.links]) + energy.added(e.q).full()[:, 0]
     forces = scipy.linalg.lstsq(J[:, moving].T, force[moving], cond=1e-9)[0] if len(J) else np.zeros(0)
     left = force[moving] - J[:, moving].T @ forces
     made = (oracle.K @ e.q, g0, case.w_ext)

@@ -165,8 +165,10 @@ def refusal(path, *more) -> str:
     return str(error.value)
 
 
-def test_the_good_file_is_good(tmp_path):
-    (tmp_path / "bot.urdf").write_text(GOOD)
+@pytest.mark.parametrize("blank", ["", "\n \n"])
+def test_the_good_file_is_good(tmp_path, blank):
+    """Also behind blank lines, which XML does not allow before its declaration."""
+    (tmp_path / "bot.urdf").write_text(blank + GOOD)
     assert len(import_urdf(tmp_path / "bot.urdf").robot.links) == 2
 
 

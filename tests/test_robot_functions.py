@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from helpers import example, quick
+from helpers import arm, example, link, model_of, quick
 
 from docs.tools import functions_page
 from screwgen import rollout, simulate
@@ -26,6 +26,14 @@ def test_entries_of_vectors_have_names_and_units():
     names = ["momentum.linear.x", "momentum.linear.y", "momentum.linear.z", "momentum.turn"]
     assert list(entry_names(row, ())) == names
     assert entry_units(row, example("bucket").chain) == ["kg·m/s"] * 3 + ["kg·m²/s"]
+
+
+def test_a_row_that_names_no_algorithm_is_told_where_to_name_it(monkeypatch):
+    """Constants are prepared for the algorithms that rows name."""
+    monkeypatch.setitem(BY_NAME, "validity", dataclasses.replace(BY_NAME["validity"], algorithms=()))
+    model = model_of(arm(link("boom", modes={"bending_y": 1}, section={"EIz": 20.0})))
+    with pytest.raises(LookupError, match=r"'Psi_c_\w+' was not prepared.*name its algorithm in the row"):
+        model.numpy().validity([0.1] * model.nq, [0.0] * model.nv, [0.0], None)
 
 
 def test_what_nothing_reports_is_no_attribute():

@@ -1,8 +1,9 @@
 """Wild calls of generated C at length: `python tests/wild_calls.py 0 12 [--calls 10000] [--seeds 3] [--valgrind]`.
 
-The robots are those of the matrix that hold every feature, by their numbers; each is built with runtime parameters in
-double and with baked ones in float, with all options, and with a predictive controller where it can have one. What is
-asked of every call stands in :mod:`conformance.c_wild`; sanitizers watch, or valgrind.
+The robots are those of the matrix that hold every feature, by their numbers, then the same without what predictive
+control refuses. Each is built with runtime parameters in double and with baked ones in float, with all options, and
+with a predictive controller where it can have one. What is asked of every call stands in :mod:`conformance.c_wild`;
+sanitizers watch, or valgrind.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ from tempfile import TemporaryDirectory
 from c_tools import SANITIZERS, VALGRIND
 from conformance.arrays import covering, few
 from conformance.c_wild import program
-from conformance.cases import case_of
+from conformance.cases import Case, case_of
+from conformance.features import FACTOR_OF
 from conftest import require_tool
 from feature_robots import CONTROL
 from test_c_wild import EXAMPLES
@@ -26,12 +28,25 @@ from test_c_wild import EXAMPLES
 from screwgen import Model, ScrewgenError
 
 BUILDS = (("runtime", "double"), ("baked", "float"))
+BY_P = 2
+"""Derivatives by so many parameters, the last ones."""
+UNCONTROLLED = ("base", "closing", "tendon", "drive")
+"""Factors most of whose features predictive control refuses; it refuses ball joints besides."""
+
+
+def robots() -> list[Case]:
+    """Those that hold every feature, and as many that have a controller."""
+    cases = [case_of(tuple(row.items()), covering().index(row)) for row in few()]
+    refused = {"ball", *(feature for feature, factor in FACTOR_OF.items() if factor in UNCONTROLLED)}
+    return cases + [case.without(refused & set(case.features)) for case in cases]
 
 
 def write(model: Model, folder: Path, binding: str) -> bool:
     """The C of a robot with all options and the program of its calls; whether it has a predictive controller."""
     (folder / "control.toml").write_text(CONTROL)
-    options = dict(batch=True, estimator=True, outputs=True)
+    options = dict(batch=True, estimator=True, outputs=True, derivatives=True)
+    if binding == "runtime":
+        options |= dict(by_p=model.parameter_names[-BY_P:])
     try:
         files, controlled = model.c_files(binding, "auto", folder / "control.toml", **options), True
     except ScrewgenError:
@@ -67,9 +82,8 @@ def main() -> int:
     parser.add_argument("--valgrind", action="store_true")
     given, failed = parser.parse_args(), 0
     flags, guard = ((), (require_tool("valgrind"), *VALGRIND)) if given.valgrind else (SANITIZERS, ())
-    for number in range(given.first, min(given.last, len(few()))):
-        row = few()[number]
-        model = case_of(tuple(row.items()), covering().index(row)).model
+    for number in range(given.first, min(given.last, len(robots()))):
+        model = robots()[number].model
         for binding, precision in BUILDS:
             with TemporaryDirectory() as place, warnings.catch_warnings():
                 warnings.simplefilter("ignore")

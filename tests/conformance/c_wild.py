@@ -157,11 +157,12 @@ def _call(number: int, function: Prototype, name: str) -> list[str]:
         if not argument.pointer:
             given.append({"real": "wild_step()", "int": "whole_number()"}.get(short, "0"))
         elif short == "real":
-            lines.append(f"    real *const a{k} = block(ARRAY * sizeof(real));")
+            size = f"{_count(argument)} * sizeof(real)"
+            lines.append(f"    real *const a{k} = block({size});")
             if argument.constant:
-                lines.append(f"    mix(a{k}, ARRAY * sizeof(real), 1);")
+                lines.append(f"    mix(a{k}, {size}, 1);")
             else:
-                results.append((f"a{k}", "ARRAY * sizeof(real)"))
+                results.append((f"a{k}", size))
             given.append(_cast(argument, f"a{k}"))
         elif short in OTHERS:
             lines.append(f"    set_{short}(the_{short});")
@@ -199,6 +200,12 @@ def _call(number: int, function: Prototype, name: str) -> list[str]:
     lines += [f"    free(before_{own});" for own in kept]
     lines += [f"    free(a{k});" for k, a in enumerate(function.arguments) if a.pointer and a.kind == f"{name}_real"]
     return [*lines, "}", ""]
+
+
+def _count(argument: Argument) -> str:
+    """How many reals an array has, so that whoever writes past its end is seen; ARRAY where the header does not say."""
+    lengths = re.findall(r"\[([^]]*)\]", argument.lengths)
+    return " * ".join(f"(size_t)({x})" for x in lengths) if lengths and all(lengths) else "ARRAY"
 
 
 def _cast(argument: Argument, text: str) -> str:

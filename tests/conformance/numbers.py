@@ -279,7 +279,7 @@ def postures(case: Case, c: Compiled) -> None:
         near(given, wanted, case.agreement, "poses")
     J = tip_jacobian(case)
     near(c.tip_jacobian(q), J, case.agreement, "Jacobian of the tip")
-    near(found.tip_twist[-1], J @ v, case.agreement, "twist of the tip")
+    near(found.tip_twist[case.model.chain.last], J @ v, case.agreement, "twist of the tip")
 
 
 def parameters(case: Case) -> None:

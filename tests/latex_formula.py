@@ -13,7 +13,7 @@ import numpy as np
 
 GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"
 LETTER = rf"(?:\\(?:mathbf|boldsymbol|mathcal|mathrm|bar|hat|dot|ddot){GROUP}|\\partial\\(?:mathbf|boldsymbol){GROUP}"
-WORDS = "left|right|frac|tfrac|sqrt|sum|cos|sin|max|begin|end|times|quad|operatorname"
+WORDS = "left|right|frac|tfrac|sqrt|sum|cos|sin|exp|max|begin|end|times|quad|operatorname"
 LETTER += rf"|\\partial\\ell|\\(?!{WORDS})[a-zA-Z]+|[a-zA-Z])"
 SCRIPT = r"(?:\{[^{}]*\}|\\[a-zA-Z]+|[a-zA-Z0-9])"
 SYMBOL = re.compile(
@@ -147,7 +147,11 @@ class Reader:
             return above / below
         if self.take(r"\sqrt"):
             return np.sqrt(self.group())
-        if name := self.take(r"\cos", r"\sin"):
+        if self.take(r"\left|"):
+            value = np.abs(self.sum())
+            self.need(r"\right|")
+            return value
+        if name := self.take(r"\cos", r"\sin", r"\exp"):
             return getattr(np, name[1:])(self.factor())
         if self.take(r"\max\left("):
             first = self.sum()

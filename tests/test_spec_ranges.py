@@ -29,6 +29,8 @@ KEYS = {
     "ratio": r"\{ ratio = (?=9)",
     "rotor inertia": "rotor_inertia = ",
     "gear stiffness": r"\bstiffness = (?=1e4)",
+    "static friction": "static = ",
+    "bristle stiffness": r"memory = \{ stiffness = ",
     "limit": "upper = (?=2)",
     "stop stiffness": r"\bstiffness = (?=2e4)",
     "position": r"xyz = \[",
@@ -46,6 +48,9 @@ SHEARED = GOOD.replace("EIz = 1e3, GJ", "EIz = 1e3, GAy = 1e5, GAz = 1e5, rhoIy 
 TEXTS |= dict.fromkeys(("GAy", "GAz", "rhoIy", "rhoIz"), SHEARED)
 DRIVE = "ratio = 9.0, rotor_inertia = 1e-4, stiffness = 1e4, friction = { coulomb = 1.0, velocity = 1.0 }"
 DRIVEN = GOOD.replace(FREE, f"{FREE}, drives = {{ {DRIVE} }}")
+BRISTLES = "coulomb = 1.0, memory = { stiffness = 9.0 }, stribeck = { static = 2.0, velocity = 0.1 }"
+BRUSHED = GOOD.replace(FREE, f"{FREE}, drives = {{ friction = {{ {BRISTLES} }} }}")
+TEXTS |= dict.fromkeys(("static friction", "bristle stiffness"), BRUSHED)
 TEXTS |= dict.fromkeys(("ratio", "rotor inertia", "gear stiffness", "coulomb", "velocity"), DRIVEN)
 TEXTS |= dict.fromkeys(
     ("limit", "stop stiffness"), GOOD.replace(FREE, f"{FREE}, limits = {{ upper = 2, stiffness = 2e4 }}")

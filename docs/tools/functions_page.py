@@ -16,9 +16,9 @@ from screwgen.algorithms.robot_functions import FUNCTIONS, OUTPUTS, SENSED, Robo
 
 PAGE = ROOT / "docs" / "functions.md"
 ROWS = re.compile(r"(?:^\| `.*\n)+", re.MULTILINE)
-SIZES = {"NQ": "nq", "NV": "nv", "NTAU": "n_tau", "NAXES": "n_joints", "NTENDONS": "n_tendons", "NLINKS": "n"}
+SIZES = {"NQ": "nq", "NV": "nv", "NVZ": "nvz", "NTAU": "n_tau", "NAXES": "n_joints", "NLINKS": "n"}
 SIZES |= {"NMARKERS": "m", "NSTRAINS": "n_strains", "NCYLINDERS": "n_cylinders"}
-SIZES |= {"NQUANTITIES": "n_quantities"}
+SIZES |= {"NQUANTITIES": "n_quantities", "NTENDONS": "n_tendons"}
 
 
 def table(text: str) -> str:

@@ -56,13 +56,25 @@ def columns_of(s: Scope) -> Iterator[tuple[str, list[Value]]]:
 
 def axis_forces(s: Scope, q: Vector, qdot: Vector) -> Iterator[tuple[int, Value]]:
     """The forces of laws on the joint's axes, each with its axis; friction of rotors is not among them."""
-    for law, _, axis, side, labels in _on_axes(s):
-        yield axis, law.force(s.tracer, float(side), q[axis], qdot[axis], *_constants(s, law, labels))
+    for one in _on_axes(s):
+        law, _, axis, side, labels = one
+        given, constants = (s.tracer, float(side), q[axis], qdot[axis]), _constants(s, law, labels)
+        if law.bristle is None:
+            yield axis, law.force(*given, *constants)
+            continue
+        z = s.read("z")[s.key.internal.index(one)]
+        own = law.bristle(*given, z, *constants)
+        yield axis, own.stiffness * z + own.damping * (own.gain * qdot[axis] - own.decay * z)
 
 
 def axis_energy(s: Scope, q: Vector) -> Value:
-    """Twice the potential of laws."""
+    """Twice the potential of laws, and of the internal states of all of them."""
     total: Value = 0.0
+    for k, one in enumerate(s.key.internal):
+        z, constants = s.read("z")[k], _constants(s, one.law, one.labels)
+        assert one.law.bristle is not None
+        bent = one.law.bristle(s.tracer, float(one.side), 0.0, 0.0, z, *constants)
+        total = total + bent.stiffness * (z * z)
     for law, _, axis, side, labels in _on_axes(s):
         total = total + law.energy(s.tracer, float(side), q[axis], *_constants(s, law, labels))
     return total

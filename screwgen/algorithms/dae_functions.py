@@ -1,7 +1,7 @@
 """The functions of the DAE form: its state, its rates, its projection, and the assembled system.
 
-State ``x = [pose_1; ...; pose_n; theta; eta; V_1; ...; V_n; thetadot; etadot; q]`` with poses
-``(w, x, y, z, px, py, pz)``, (109), and the angles of the rotors of elastic drives; unknowns
+State ``x = [pose_1; ...; pose_n; theta; eta; V_1; ...; V_n; thetadot; etadot; q; z]`` with poses
+``(w, x, y, z, px, py, pz)``, (109), the angles of the rotors of elastic drives, and internal states z; unknowns
 ``z = [w_1; Vdot_1; ...; w_n; Vdot_n; etaddot]``, (67) and (100).
 """
 
@@ -31,6 +31,7 @@ RATES = {
     "thetadot": "thetaddot",
     "etadot": "etaddot",
     "q": "qrate",
+    "z": "zdot",
 }
 """The name of the signal with the rate of each part of the state."""
 
@@ -42,7 +43,7 @@ Entries = dict[tuple[int, int], Value]
 
 def state_size(chain: Chain) -> int:
     """The length of x."""
-    return 13 * chain.n + 2 * chain.n_inner + chain.n_redundant
+    return 13 * chain.n + 2 * chain.n_inner + chain.n_redundant + chain.n_internal
 
 
 def unknown_size(chain: Chain) -> int:
@@ -54,11 +55,11 @@ def dae_names(chain: Chain) -> dict[str, list[str]]:
     """The names of the entries of ``x`` and ``z``."""
     links, names = chain.names, coordinate_names(chain.robot)
     inner = list(names.q[chain.eta_q - chain.n_added :])
-    rates = list(names.v[chain.eta_v - chain.n_added :])
+    rates, internal = list(names.v[chain.eta_v - chain.n_added : chain.nv]), list(names.v[chain.nv :])
     poses = [f"{link}.{p}" for link in links for p in POSE]
     twists = [f"{link}.{t}" for link in links for t in TWIST]
     unknowns = link_unknowns(chain, TWIST)
-    x = poses + inner + twists + rates + list(names.q[chain.base_q : chain.q_offset[-1]])
+    x = poses + inner + twists + rates + list(names.q[chain.base_q : chain.q_offset[-1]]) + internal
     modal = rates[chain.n_added :]
     return {"x": x, "z": unknowns + [name.replace("eta_rate", "eta_acceleration") for name in modal]}
 
@@ -80,7 +81,7 @@ class DaeFunctions(Functions):
         at_theta, at_twist = 7 * c.n, 7 * c.n + c.n_inner
         at_rate, at_q = at_twist + 6 * c.n, at_twist + 6 * c.n + c.n_inner
         at_eta, at_etadot = at_theta + c.n_added, at_rate + c.n_added
-        redundant = [max(k - c.base_q, 0) for k in c.q_offset]
+        redundant, at_z = [max(k - c.base_q, 0) for k in c.q_offset], at_q + c.n_redundant
         return [
             {
                 "quaternion": list(x[7 * i : 7 * i + 4]),
@@ -91,6 +92,7 @@ class DaeFunctions(Functions):
                 "theta": list(x[at_theta + t[i] : at_theta + t[i + 1]]),
                 "thetadot": list(x[at_rate + t[i] : at_rate + t[i + 1]]),
                 "q": list(x[at_q + redundant[i] : at_q + redundant[i + 1]]),
+                "z": list(x[at_z + c.z_offset[i] : at_z + c.z_offset[i + 1]]),
             }
             for i in range(c.n)
         ]
@@ -98,12 +100,13 @@ class DaeFunctions(Functions):
     def pack(self, links: Sequence[Mapping[str, list]], names: Mapping[str, str] | None = None) -> list:
         """The inverse of :meth:`unpack`; ``names`` says under which name a part is found."""
         named = lambda part: (names or {}).get(part, part)  # noqa: E731
-        get = lambda link, part: link.get(named(part), ()) if "theta" in part else link[named(part)]  # noqa: E731
+        optional = ("theta", "thetadot", "z")
+        get = lambda link, part: link.get(named(part), ()) if part in optional else link[named(part)]  # noqa: E731
         gather = lambda *parts: [v for link in links for part in parts for v in get(link, part)]  # noqa: E731
         inner, rates = gather("theta") + gather("eta"), gather("thetadot") + gather("etadot")
         jointed = (link for link, key in zip(links, self.chain.keys, strict=True) if not key.floats)
         redundant = [v for link in jointed for v in get(link, "q")]
-        return [*gather("quaternion", "position"), *inner, *gather("twist"), *rates, *redundant]
+        return [*gather("quaternion", "position"), *inner, *gather("twist"), *rates, *redundant, *gather("z")]
 
     def _moving(self, state: Sequence[Mapping], kinematics: Algorithm) -> list[dict[str, list]]:
         """The state with inertias and forces of modes and sprung joints; joint rates are taken from the twists."""
@@ -151,15 +154,27 @@ class DaeFunctions(Functions):
         return [rate for link in links for rate in link["qdot"]]
 
     def rates(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list, list]:
-        """``xdot``, ``vdot`` of the joint form, and the joint wrenches, by block elimination."""
+        """``xdot``, ``vdot`` of the joint form, and the joint wrenches, by block elimination.
+
+        Where forces are given the rates of internal states are zero in ``xdot`` and left out of ``vdot``: the
+        integrator that gives them finds these.
+        """
         links = self._solve(x, tau, w_ext)
         wrench = [w for link in links for w in link["wrench"]]
-        return self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot"), wrench
+        xdot, vdot = self._state_rates(x, links), self.chain.join(links, "qddot", "etaddot")
+        return xdot, vdot + (xdot[len(xdot) - self.chain.n_internal :] if self.given is None else []), wrench
 
     def _state_rates(self, x: Sequence, links: Sequence[Mapping[str, list]]) -> list:
         state = self.unpack(x)
         poses, _ = self._run(DAE_RATES, state)
-        return self.pack([a | b for a, b in zip(self._redundant_rates(state, links), poses, strict=True)], RATES)
+        found = zip(self._redundant_rates(state, links), poses, self._internal_rates(state, links), strict=True)
+        return self.pack([a | b | c for a, b, c in found], RATES)
+
+    def _internal_rates(self, state: Sequence[Mapping[str, list]], links: Sequence[Mapping[str, list]]) -> list[dict]:
+        """The rates of the internal states, at the joint rates that the links have."""
+        if self.given is not None:
+            return [{"zdot": [0.0] * len(key.internal)} for key in self.chain.keys]
+        return self.link_internal_rates([dict(a) | {"qdot": b["qdot"]} for a, b in zip(state, links, strict=True)])
 
     def _redundant_rates(self, state: Sequence[Mapping[str, list]], links: Sequence[Mapping[str, list]]) -> list[dict]:
         """The links with the rates of joint coordinates, which those of joints are but for quaternions."""

@@ -40,7 +40,7 @@ class ForceFunctions:
     apply: Apply
     section: Callable[[str], AbstractContextManager]
     _run: Callable[..., tuple[list, list]]
-    _motion: Callable[..., list[dict[str, list]]]
+    motion: Callable[..., list[dict[str, list]]]
 
     def alone(self) -> Self:
         """The functions of the same robot without weight, and without what acts on its tips."""
@@ -151,7 +151,7 @@ class ForceFunctions:
 
     def _moving_tips(self, q: Sequence, v: Sequence) -> tuple[list, list[Tip]]:
         """All links in motion, and their tips."""
-        links, places = self._run(MOTION, self._motion(q, v))
+        links, places = self._run(MOTION, self.motion(q, v))
         nodes = [self.chain.tree.tip(i) for i in range(self.chain.n)]
         return links, [Tip.of(places[node], link["tip_twist"]) for node, link in zip(nodes, links, strict=True)]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from typing import NamedTuple
 
 from ..elements import Law
 from ..ir.program import Value
@@ -68,6 +69,16 @@ def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     return out
 
 
+class ActingLaw(NamedTuple):
+    """A law on a coordinate of a link, the ``number`` of that among the law's there, and what its program
+    :func:`.law_programs.forces` finds."""
+
+    law: Law
+    place: Place
+    number: int
+    values: Mapping[str, Value]
+
+
 class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
@@ -103,12 +114,13 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
                 link.update(more)
         return execute(chain, algorithm, links, places, self.apply), places
 
-    def _motion(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
+    def motion(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
+        """Coordinates, rates and internal states, link by link."""
         position, velocity = self.chain.split(q, "q", "eta"), self.chain.split(v, "qdot", "etadot")
         return [a | b for a, b in zip(position, velocity, strict=True)]
 
     def _state(self, q: Sequence, v: Sequence) -> list[dict[str, list]]:
-        return self._with_terms(self._motion(q, v))
+        return self._with_terms(self.motion(q, v))
 
     def _with_terms(self, state: Sequence[Mapping], *parts: str) -> list[dict[str, list]]:
         """The state with inertia and force of modes and joints, or of the named ``parts`` alone."""
@@ -145,20 +157,32 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
             for n, axis in enumerate(key.added_axes):
                 out["f_theta"][n] = out["f_theta"][n] + K[n] * x["q"][axis] + D[n] * x["qdot"][axis]
                 out["f_q"][axis] = out["f_q"][axis] + K[n] * x["theta"][n] + D[n] * x["thetadot"][n]
-        for _, (part, n), force, _, _ in self.laws(i, x):
-            out[f"f_{part}"][n] = out[f"f_{part}"][n] + force
+        for acting in self.laws(i, x):
+            part, n = acting.place
+            out[f"f_{part}"][n] = out[f"f_{part}"][n] + acting.values["force"]
         return out
 
-    def laws(self, i: int, x: Mapping[str, list]) -> Iterator[tuple[Law, Place, Value, Value, Value]]:
-        """The forces that laws exert on a link's coordinates in the state ``x``, and their derivatives with these and
-        their rates."""
-        for law, places, sides in of_link(self.chain.keys[i]):
+    def laws(self, i: int, x: Mapping[str, list]) -> Iterator[ActingLaw]:
+        """What laws do on a link's coordinates in the state ``x``."""
+        key = self.chain.keys[i]
+        for law, places, sides in of_link(key):
             given = {name: self.constants[i][name] for name in law.constants}
             given |= {"x": [x[part][n] for part, n in places], "w": [x[f"{part}dot"][n] for part, n in places]}
+            given |= (
+                {"z": [z for z, own in zip(x["z"], key.internal, strict=True) if own.law == law]} if law.state else {}
+            )
             found = self.apply(i, -1, forces(law, sides), given)
-            columns = (found[name] for name in ("force", "by_x", "by_w"))
-            for place, force, by_x, by_w in zip(places, *columns, strict=True):
-                yield law, place, force, by_x, by_w
+            for k, place in enumerate(places):
+                yield ActingLaw(law, place, k, {name: values[k] for name, values in found.items()})
+
+    def internal_rates(self, q: Sequence, v: Sequence) -> list:
+        """The rates of the internal states."""
+        return [x for link in self.link_internal_rates(self.motion(q, v)) for x in link["zdot"]]
+
+    def link_internal_rates(self, state: Sequence[Mapping[str, list]]) -> list[dict[str, list]]:
+        """The same link by link in a motion."""
+        laws = [list(self.laws(i, x)) if self.chain.keys[i].internal else [] for i, x in enumerate(state)]
+        return [{"zdot": [one.values["rate"] for one in own if "rate" in one.values]} for own in laws]
 
     def _coupled_terms(self, i: int, x: Mapping[str, list], span: slice, force: Sequence) -> dict[str, list]:
         """The inertia of coupled modes; their forces are added to ``force`` unless they are given."""
@@ -182,7 +206,10 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
         """``vdot``, the joint wrenches, and the inputs of :meth:`measures`, link by link."""
         links, _ = self.forward(q, v, *self.with_loops(q, v, tau, w_ext))
         wrench = [x for link in links for x in link["wrench"]]
-        return self.chain.join(links, "qddot", "etaddot"), wrench, axial_motions(links)
+        vdot = self.chain.join(links, "qddot", "etaddot")
+        if self.chain.n_internal and self.given is None:  # integrators that give forces find these rates themselves
+            vdot += self.internal_rates(q, v)
+        return vdot, wrench, axial_motions(links)
 
     def forward(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[list, list]:
         """The links and the nodes of the open tree after forward dynamics."""
@@ -224,7 +251,7 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
 
     def held(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
         """What a step that begins here holds of its inputs; those behind torques are held as they are."""
-        links = self._run(HOLD, self._motion(q, v), self.of_links(tau))[0]
+        links = self._run(HOLD, self.motion(q, v), self.of_links(tau))[0]
         return [x for link in links for x in link["held"]] + list(tau[self.chain.n_joints :])
 
     def cylinder_lengths(self, q: Sequence) -> list:

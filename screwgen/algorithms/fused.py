@@ -140,7 +140,7 @@ def _stumpff(order: int, x: Any) -> Any:
 
 def inputs(chain: Chain, names: str) -> dict[str, int]:
     """The lengths of inputs by name, in the order of ``names``, which blanks separate."""
-    sizes = {"q": chain.nq, "v": chain.nv, "vdot": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
+    sizes = {"q": chain.nq, "v": chain.nvz, "vdot": chain.nvz, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given, "wrench": 6 * chain.n, "motion": 4 * chain.n}
     sizes |= {"x": state_size(chain), "z": unknown_size(chain)}
     return {name: sizes[name] for name in names.split()}

@@ -34,7 +34,7 @@ class InputFunctions:
     loads: Callable[..., tuple[list, list]]
     energy: Callable[..., tuple[Value, Value]]
     _run: Callable[..., tuple[list, list]]
-    _motion: Callable[..., list[dict[str, list]]]
+    motion: Callable[..., list[dict[str, list]]]
 
     def entries(self, tau: Sequence) -> Iterator[tuple[Input, list]]:
         """The kinds of input, each with its entries; of torques alone the others are zero.
@@ -67,7 +67,7 @@ class InputFunctions:
 
     def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
         """The power that each entry of ``tau`` gives to the arm."""
-        links = self._run(POWER, self._motion(q, v), self.of_links(tau))[0]
+        links = self._run(POWER, self.motion(q, v), self.of_links(tau))[0]
         told: dict[Input, list] = {TORQUES: [x for link in links for x in link["power"]]}
         told[TENSIONS] = self._of_tendons(links, "tendon_power")
         for row, values in self.entries(tau):

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..elements.law import Law, Secant
+from ..elements.law import Bristle, Law, Secant
 from ..ir.derivative import columns
 from ..ir.program import Node, Program, Tracer, Value
 from ..ir.replay import run
@@ -16,20 +16,35 @@ from ..ir.replay import run
 
 @cache
 def forces(law: Law, sides: tuple[int, ...]) -> Program:
-    """``(x, w, constants) -> (force, by_x, by_w)`` of coordinates with these sides, and the derivatives."""
-    tracer, names = Tracer(), ("x", "w", *law.constants)
+    """``(x, w, constants) -> (force, by_x, by_w)`` of coordinates with these sides, and the derivatives.
+
+    Of a law with a state ``(x, w, z, constants) -> (force, by_x, by_w, by_z, rate, rate_x, rate_w, rate_z)``.
+    """
+    tracer, names = Tracer(), (*MOTION_OF[law.state is not None], *law.constants)
     inputs = [tracer.input(name, len(sides)) for name in names]
-    out: dict[str, list[Value]] = {"force": [], "by_x": [], "by_w": []}
-    for side, x, w, *constants in zip(sides, *inputs, strict=True):
-        force = law.force(tracer, float(side), x, w, *constants)
-        slopes = (column[0] for column in columns([force], [x, w]))
-        for name, value in zip(out, (force, *slopes), strict=True):
-            out[name].append(value)
+    out: dict[str, list[Value]] = {}
+    for side, *given in zip(sides, *inputs, strict=True):
+        motion = given[: len(names) - len(law.constants)]
+        if law.bristle is None:
+            values = {"force": law.force(tracer, float(side), *given)}
+        else:
+            own = law.bristle(tracer, float(side), *given)
+            rate = own.gain * motion[1] - own.decay * motion[2]
+            values = {"force": own.stiffness * motion[2] + own.damping * rate, "rate": rate}
+        for name, value in values.items():
+            slopes = (column[0] for column in columns([value], motion))
+            parts = zip(("", *("x", "w", "z")[: len(motion)]), (value, *slopes), strict=True)
+            for by, part in parts:
+                out.setdefault(f"{SLOPE[name]}_{by}" if by else name, []).append(part)
     return tracer.program(law.name, dict.fromkeys(names, len(sides)), out)
 
 
+MOTION_OF = ("x", "w"), ("x", "w", "z")
+"""What a law depends on besides its constants: without, and with a state."""
+SLOPE = {"force": "by", "rate": "rate"}
+
 STAGE = ("side", "x", "w", "there", "h")
-"""The inputs of a stage besides the constants."""
+"""The inputs of a stage besides the constants, and of a law with a state this, `z`, at the start."""
 
 
 @cache
@@ -51,13 +66,64 @@ def stage(law: Law) -> Program:
 
 @cache
 def stage_slopes(law: Law) -> Program:
-    """``(STAGE, constants, a) -> (by_x, by_w, by_there)`` of that force at a given acceleration ``a``, all of it."""
+    """``(STAGE, constants, a) -> (by_x, by_w, by_there)`` of that force at a given acceleration ``a``, all of it.
+
+    Of a law with a state ``by_z`` besides.
+    """
     tracer, inputs = _stage(law)
     force, inertia = _later(law, tracer, inputs)
     whole = force + inertia * tracer.input("a", 1)[0]
-    _, x, w, there, *_ = inputs
-    by_x, by_w, by_there = columns([whole], [x, w, there])
-    return tracer.program(law.name, _sizes(law) | {"a": 1}, {"by_x": by_x, "by_w": by_w, "by_there": by_there})
+    return tracer.program(law.name, _sizes(law) | {"a": 1}, _slopes(law, whole, inputs, "by"))
+
+
+@cache
+def state_rate(law: Law) -> Program:
+    """``(STAGE, constants, a) -> (rate)``: the mean rate of a law's state over ``h`` at a given acceleration ``a``."""
+    tracer, inputs = _stage(law)
+    return tracer.program(law.name, _sizes(law) | {"a": 1}, {"rate": [_rate(law, tracer, inputs)]})
+
+
+@cache
+def state_slopes(law: Law) -> Program:
+    """``(STAGE, constants, a) -> (rate_x, rate_w, rate_there, rate_z, rate_a)`` of that rate."""
+    tracer, inputs = _stage(law)
+    rate, a = _rate(law, tracer, inputs), tracer.input("a", 1)[0]
+    out = _slopes(law, rate, inputs, "rate") | {"rate_a": columns([rate], [a])[0]}
+    return tracer.program(law.name, _sizes(law) | {"a": 1}, out)
+
+
+@cache
+def stuck(law: Law) -> Program:
+    """``(STAGE, constants) -> (stiffness, damping, force)`` of a law whose state follows its coordinate as it does at
+    rest: a spring and a damper, and the force at once."""
+    tracer, inputs = _stage(law)
+    assert law.bristle is not None
+    side, x, w, _, _, z, *constants = inputs
+    own = law.bristle(tracer, side, x, w, z, *constants)
+    force = own.stiffness * z + own.damping * (own.gain * w - own.decay * z)
+    out = {"stiffness": [own.stiffness * own.gain], "damping": [own.damping * own.gain], "force": [force]}
+    return tracer.program(law.name, _sizes(law), out)
+
+
+def _rate(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> Value:
+    _, _, w, _, h, z, *_ = inputs
+    own, share = _bristle(law, tracer, inputs)
+    return share * (own.gain * (w + h * tracer.input("a", 1)[0]) - own.decay * z)
+
+
+def _bristle(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> tuple[Bristle, Value]:
+    """A law's state at the rates of a stage, and ``1 / (1 + h decay)``."""
+    assert law.bristle is not None
+    side, x, _, there, h, z, *constants = inputs
+    own = law.bristle(tracer, side, x, there, z, *constants)
+    return own, tracer.named("share", 1.0 / (1.0 + h * own.decay))
+
+
+def _slopes(law: Law, value: Value, inputs: Sequence[Value], word: str) -> dict[str, list[Value]]:
+    """The derivatives of a value of a stage with coordinate, rates and state."""
+    names = ("x", "w", "there", *["z"] * (law.state is not None))
+    found = columns([value], [dict(zip(_sizes(law), inputs, strict=True))[name] for name in names])
+    return {f"{word}_{name}": column for name, column in zip(names, found, strict=True)}
 
 
 def _stage(law: Law) -> tuple[Tracer, list[Value]]:
@@ -66,7 +132,7 @@ def _stage(law: Law) -> tuple[Tracer, list[Value]]:
 
 
 def _sizes(law: Law) -> dict[str, int]:
-    return dict.fromkeys((*STAGE, *law.constants), 1)
+    return dict.fromkeys((*STAGE, *["z"] * (law.state is not None), *law.constants), 1)
 
 
 def _later(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> tuple[Value, Value]:
@@ -118,6 +184,11 @@ def _secant(law: Law, tracer: Tracer, inputs: Sequence[Value]) -> Secant:
     Where the force falls with the coordinate or its rate, what accelerations add to it over a step is left out: it
     would take inertia from the coordinate, and turn its motion round where none is left.
     """
+    if law.state is not None:
+        own, share = _bristle(law, tracer, inputs)
+        _, _, _, _, h, z, *_ = inputs
+        damping = share * own.gain * (h * own.stiffness + own.damping)
+        return Secant(0.0, damping, 0.0, share * (own.stiffness - own.damping * own.decay) * z)
     if law.secant is not None:
         return law.secant(tracer, *inputs)
     side, x, w, _, h, *constants = inputs

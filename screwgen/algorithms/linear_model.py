@@ -73,7 +73,7 @@ def closing(chain: Chain) -> Program:
         ways = [_moved(x["q"], f.coordinate_rates(x["q"], unit)) for unit in units]
         J = [tangents(gap, way) for way in ways]
         forces = [mx.dot(column, x["forces"]) for column in J]
-        rate = [mx.dot(row, x["v"]) for row in zip(*J, strict=True)]
+        rate = [mx.dot(row, x["v"][: chain.nv]) for row in zip(*J, strict=True)]
         found = {"J": J, "J_v": [tangents(rate, way) for way in ways], "bend": [tangents(forces, way) for way in ways]}
         return {"gap": gap, "wrench": loads.w_ext} | {name: _flat(matrix) for name, matrix in found.items()}
 

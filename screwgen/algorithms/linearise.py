@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from .axis_laws import of_robot
 from .elastic_travels import GEAR_SLOPES, slope_names
 from .force_functions import acting_tips
 from .functions import Functions
+from .inverse_slopes import Slopes as Slopes
 from .loop_slopes import MOTION, RowChange, TipChange, loop_changes, tips
 from .loops import Loads
 from .schedule import COLUMNS
@@ -42,18 +43,6 @@ OF_MOTION = ("R_T", "r_T", "udot_T", "omega_s")
 """Those that a section's motion in the link consists of."""
 
 LinkSection = Callable[[int], AbstractContextManager]
-
-
-@dataclass
-class Slopes:
-    """Mass matrix and partial derivatives of the inverse dynamics with q and v, (nv, nv) each.
-
-    Derivatives with q are those along v: of a floating base with a twist-like change of its pose, ``pose exp(delta)``.
-    """
-
-    M: Array
-    f_q: Array
-    f_v: Array
 
 
 def slopes(
@@ -108,7 +97,7 @@ def moving_slopes(
     stores = f.sensitivities(q, v, vdot, w_ext, tau)
     links = [arrays(f.chain, i, store) for i, store in enumerate(stores)]
     nv = f.chain.nv
-    out = Slopes(mx.zeros(nv, nv), *(mx.zeros(nv + MOTION * len(at), nv) for _ in range(2)))
+    out = Slopes.zero(f.chain, MOTION * len(at))
     name = lambda i: f.chain.names[i]  # noqa: E731
     for i, link in enumerate(links):
         with section(f"{name(i)}, rows: what its own coordinates change" + ", joint stiffness and damping added" * own):
@@ -132,7 +121,7 @@ def moving_slopes(
         columns, owners = J[f.chain.tree.tip(i)]
         moved[i] = TipChange(mx.zeros(6, nv), *(x[first : first + MOTION] for x in (out.f_q, out.f_v)))
         moved[i].J[:, owners] = columns
-    return Slopes(out.M, out.f_q[:nv], out.f_v[:nv]), moved
+    return replace(out, f_q=out.f_q[:nv], f_v=out.f_v[:nv]), moved
 
 
 def arrays(chain: Chain, i: int, store: Mapping[str, list], more: Sequence[str] = ()) -> dict[str, Array]:
@@ -202,9 +191,9 @@ def _more(chain: Chain) -> str:
 def _axes(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
     """The rows and columns of added coordinates, and the slopes of laws."""
     chain, first = f.chain, f.chain.eta_v - f.chain.n_added
-    added, pairs = enumerate(chain.added_joints, first), (chain.split(v, "qdot", "etadot"), chain.split(q, "q", "eta"))
-    state = [a | b for a, b in zip(*pairs, strict=True)]
+    added, state = enumerate(chain.added_joints, first), f.motion(q, v)
     coordinates = {one.law: iter(one.coordinates) for one in of_robot(chain)}
+    internal = {law: iter(own) for law, own in chain.internal.items()}
     for i, key in enumerate(chain.keys):
         own = f.constants[i]
         for k in range(len(key.added_axes)):
@@ -214,10 +203,15 @@ def _axes(f: Functions, q: Sequence, v: Sequence, out: Slopes) -> None:
                 J[place, place] = J[place, place] + own[f"{name}_theta"][k]
                 if key.added_axes[k] not in key.elastic_travels:
                     J[place, joint] = J[joint, place] = own[f"{name}_gear"][k]
-        for law, _, _, by_x, by_w in f.laws(i, state[i]):
-            place = next(coordinates[law]) + chain.base_v
-            out.f_q[place, place] = out.f_q[place, place] + by_x
-            out.f_v[place, place] = out.f_v[place, place] + by_w
+        for acting in f.laws(i, state[i]):
+            place, found = next(coordinates[acting.law]) + chain.base_v, acting.values
+            out.f_q[place, place] = out.f_q[place, place] + found["by_x"]
+            out.f_v[place, place] = out.f_v[place, place] + found["by_w"]
+            if acting.law in chain.internal:
+                z = next(internal[acting.law])
+                row = z - chain.nv
+                out.f_z[place, row], out.z_q[row, place] = found["by_z"], found["rate_x"]
+                out.z_v[row, place], out.z_v[row, z] = found["rate_w"], found["rate_z"]
 
 
 def _joint_columns(key: LinkClass, constants: Mapping[str, Sequence[Value]], own: bool) -> list[Sequence[Value]]:

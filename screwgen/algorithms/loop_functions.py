@@ -78,7 +78,9 @@ class LoopFunctions:
         state = self._loop_state(q, v)
         wanted = [[-c.gap for c in state.rows], [-c.rate for c in state.rows]]
         forces, answers = self._unit_answers(q, state, self._inertia(), *wanted)
-        return loops.moved(self.chain, q, forces[0], answers, self.apply), loops.combined(v, forces[1], answers)
+        rates, internal = v[: self.chain.nv], v[self.chain.nv :]
+        new_v = [*loops.combined(rates, forces[1], answers), *internal]
+        return loops.moved(self.chain, q, forces[0], answers, self.apply), new_v
 
     def gaps(self, q: Sequence, v: Sequence) -> tuple[list, list]:
         """The gap of every row of the loops, m or cosines, and its rate."""

@@ -32,7 +32,7 @@ class MarkerFunctions:
     chain: Chain
     alone: Callable[[], Self]
     _run: Callable[..., tuple[list, list]]
-    _motion: Callable[..., list[dict[str, list]]]
+    motion: Callable[..., list[dict[str, list]]]
     _state: Callable[..., list[dict[str, list]]]
 
     def marker_poses(self, q: Sequence) -> tuple[list, list]:
@@ -42,7 +42,7 @@ class MarkerFunctions:
 
     def marker_velocities(self, q: Sequence, v: Sequence) -> list:
         """The twist (6) of every marker."""
-        found = self._at_markers(MOVING, self._motion(q, v))
+        found = self._at_markers(MOVING, self.motion(q, v))
         return [x for node in found for x in (*node["omega_T"], *node["v_T"])]
 
     def marker_jacobians(self, q: Sequence) -> list:
@@ -52,7 +52,7 @@ class MarkerFunctions:
 
     def marker_accelerations(self, q: Sequence, v: Sequence, vdot: Sequence) -> list:
         """Angular acceleration, and acceleration of the point against free fall, of every marker (6)."""
-        found = self._at_markers(ACCELERATING, self._motion(q, v), self.chain.split(vdot, "qddot", "etaddot"))
+        found = self._at_markers(ACCELERATING, self.motion(q, v), self.chain.split(vdot, "qddot", "etaddot"))
         return [x for node in found for x in node["acc"]]
 
     def tip_acceleration(self, q: Sequence, v: Sequence, vdot: Sequence) -> list:

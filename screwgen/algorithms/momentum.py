@@ -66,7 +66,7 @@ class MomentumFunctions:
 
     chain: Chain
     _run: Callable[..., tuple[list, list]]
-    _motion: Callable[..., list[dict[str, list]]]
+    motion: Callable[..., list[dict[str, list]]]
 
     def centre_of_mass(self, q: Sequence) -> tuple[Value, list]:
         """The mass of the robot, and the place (3) of its centre in the inertial frame."""
@@ -76,7 +76,7 @@ class MomentumFunctions:
 
     def momentum(self, q: Sequence, v: Sequence) -> list:
         """The angular momentum of the robot about the origin of the inertial frame, and its linear momentum (6)."""
-        return _sum(self._run(MOMENTUM, self._motion(q, v))[0], "momentum")
+        return _sum(self._run(MOMENTUM, self.motion(q, v))[0], "momentum")
 
     def centre_of_mass_jacobian(self, q: Sequence) -> list:
         """(3, nv), row by row: the velocity of the centre of mass per unit of each entry of v."""

@@ -48,7 +48,7 @@ class Response:
     def sizes(self) -> dict[str, int]:
         """The lengths of states, inputs and answers; poses are those of the tips of the robot's links."""
         chain, tips = self.chain, len(self.chain.lasts)
-        point = {"q": chain.nq, "v": chain.nv, "tau": chain.n_tau, "w_ext": 6 * chain.n}
+        point = {"q": chain.nq, "v": chain.nvz, "tau": chain.n_tau, "w_ext": 6 * chain.n}
         outputs = {
             "position": 3 * tips,
             "rotation": 9 * tips,
@@ -56,7 +56,7 @@ class Response:
             "strain": len(strain_names(chain)),
         }
         told = {name: entries(self.rows[name], chain) if name in self.rows else 0 for name in self.reports}
-        return point | {"qdot": chain.nq, "vdot": chain.nv} | outputs | told
+        return point | {"qdot": chain.nq, "vdot": chain.nvz} | outputs | told
 
     def observation(self, constants: str = "constants") -> Program:
         """``(q, v, tau, w_ext) -> (qdot, strain, energy, drive_power, ...)``."""

@@ -58,8 +58,8 @@ class RobotFunction:
 
 def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
     """The shape of a result for a robot."""
-    sizes = {"NQ": chain.nq, "NV": chain.nv, "NTAU": chain.n_tau, "NAXES": chain.n_joints, "NLINKS": chain.n}
-    sizes |= {"NTENDONS": chain.n_tensions, "NCYLINDERS": len(chain.cylinders)}
+    sizes = {"NQ": chain.nq, "NV": chain.nv, "NVZ": chain.nvz, "NTAU": chain.n_tau, "NAXES": chain.n_joints}
+    sizes |= {"NLINKS": chain.n, "NTENDONS": chain.n_tensions, "NCYLINDERS": len(chain.cylinders)}
     sizes |= {"NQUANTITIES": len(chain.force_quantities)}
     sizes |= {"NMARKERS": len(chain.markers), "NSTRAINS": len(strain_names(chain))}
     return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)

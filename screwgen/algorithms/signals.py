@@ -34,12 +34,8 @@ class Signal(NamedTuple):
     def size_of(self, key: LinkClass) -> tuple[int, ...]:
         """The shape for a link class."""
         counts: dict[Any, Any] = {"q": key.joint.nq, "m": key.joints, "a": key.torques, "t": len(key.added_axes)}
-        counts |= {
-            "c": len(key.tendons),
-            "r": key.modes,
-            "b": len(key.coupled),
-            "g": len({d for d, _ in key.directions}),
-        }
+        counts |= {"c": len(key.tendons), "r": key.modes, "b": len(key.coupled), "z": len(key.internal)}
+        counts |= {"g": len({d for d, _ in key.directions})}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
@@ -127,6 +123,8 @@ CALL: dict[str, Signal] = {
     "theta": Signal(("t",), "rad", "-", "angles of the rotors"),
     "thetadot": Signal(("t",), "rad/s", "-", "rates of the rotors"),
     "thetaddot": Signal(("t",), "rad/s^2", "-", "accelerations of the rotors"),
+    "z": Signal(("z",), "rad, m", "-", "internal states, as deflections of bristles of friction"),
+    "zdot": Signal(("z",), "rad/s, m/s", "-", "rates of the internal states"),
     "m_theta": Signal(("t",), "kg*m^2", "-", "inertia of the rotors"),
     "f_theta": Signal(("t",), "N*m", "-", "force of gear and friction on the rotors"),
     "m_gear": Signal(("t",), "kg*m^2", "-", "inertia that couples rotor and joint"),
@@ -270,14 +268,14 @@ ROBOT = {
     "constants": {"gravity": CALL["gravity"]},
     "state": {
         "q": Signal(("NQ",), "rad, m", "-", "coordinates"),
-        "v": Signal(("NV",), "rad/s, m/s", "-", "rates of the coordinates"),
+        "v": Signal(("NVZ",), "rad/s, m/s", "-", "rates of the coordinates"),
     },
     "input": {
         "tau": Signal(INPUTS, "N*m", "-", "torque about each joint axis, in the order of q"),
         "w_ext": Signal(("NLINKS", 6), WRENCH, TIP, "[tau; F] on each tip section"),
     },
     "output": {
-        "vdot": Signal(("NV",), RATES, "-", "rate of v"),
+        "vdot": Signal(("NVZ",), RATES, "-", "rate of v"),
         "wrench": Signal(("NLINKS", 6), WRENCH, F_I, "of the joint on link i, at the joint point"),
         "tip_rotation": Signal((3, 3), "-", INERTIAL, "rotation of the last tip frame"),
         "tip_position": Signal((3,), "m", INERTIAL, "last tip point"),

@@ -91,10 +91,11 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
     functions, p = modal_functions(model.chain), model.parameter_values
     x = model.casadi()["dae_state"](s.q, s.v, p)
     own = CoordinateForces.of_columns(model.chain, [np.array(x)[:, 0] for x in functions["modal_properties"].call([p])])
-    own = own.linearised_over(own.of(s.q), own.of(s.v))
-    force = own.force(own.of(s.q), own.of(s.v), 0.0)
+    own = own.over(s.q, s.v)
+    force = own.force_of(s.q, s.v, 0.0)
     _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, own.M, force, p)
-    return np.array(vdot)[:, 0], np.array(wrench).T
+    rates = np.array(vdot)[:, 0]
+    return np.append(rates, own.internal_rates(rates)), np.array(wrench).T
 
 
 EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {

@@ -12,8 +12,10 @@ from .four_bar import FourBarLinkage as FourBarLinkage
 from .friction import FRICTION as FRICTION
 from .gear import ROTOR as ROTOR
 from .held import HeldLaw as HeldLaw
+from .law import Bristle as Bristle
 from .law import Key as Key
 from .law import Law as Law
+from .lugre import BristleFriction as BristleFriction
 from .relation import Relation as Relation
 from .spring import Spring
 from .stop import STOP as STOP

@@ -11,7 +11,7 @@ from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
 from typing import Any, ClassVar
 
-from .law import Key, Secant, Value
+from .law import Bristle, Key, Secant, Value
 
 
 def key(unit: str, sliding: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
@@ -23,12 +23,14 @@ def key(unit: str, sliding: str, meaning: str, symbol: str, default: Any = MISSI
 class AxisElement:
     """An element of one joint axis, to be inherited. Forces are N·m, of slides N; they act against the coordinate.
 
-    ``KIND``: the key of a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: the force in LaTeX.
+    ``KIND``: the key of a robot file; ``WORDS``: what it is called in comments; ``FORMULA``: the force in LaTeX;
+    ``RATE``: that of its state, if it has one.
     """
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
     FORMULA: ClassVar[str]
+    RATE: ClassVar[str]
 
     @staticmethod
     def force(t: Any, x: Value, w: Value, *values: Value) -> Value:
@@ -44,6 +46,11 @@ class AxisElement:
     """``(t, x, w, there, h, *values)``: what implicit methods take, see :class:`.law.Law`; None: the tangents,
     where the force falls without its part of the accelerations."""
 
+    state: ClassVar[Key | None] = None
+    """Unit and meaning of a state of first order that it has on its axis, as friction that remembers; None: none."""
+    bristle: ClassVar[Callable[..., Bristle] | None] = None
+    """``(t, x, w, z, *values)``: of an element with a state z, in place of a force; see :class:`.law.Bristle`."""
+
     @classmethod
     @cache
     def table(cls) -> Mapping[str, Key]:
@@ -55,6 +62,10 @@ class AxisElement:
         """Its section of text in documents."""
         symbols = ", ".join(f"{one.meaning} ${one.symbol}$" for one in cls.table().values())
         taken = rf"\tau_q &\leftarrow \tau_q - \tau_e, & \quad \tau_e &= {cls.FORMULA}"
+        if cls.state is not None:
+            letter = cls.state.symbol
+            taken += rf", & \quad \dot{{{letter}}} &= {cls.RATE}"
+            symbols = f"the internal state ${letter}$, {cls.state.meaning}, and {symbols}"
         return f"From what acts on an axis with {cls.WORDS} their force is taken,\n\n$$\n{taken}\n$$\n\nwith {symbols}."
 
     @property
@@ -104,6 +115,19 @@ class ElementLaw:
     def secant(self) -> Callable[..., Secant] | None:
         own = self.kind.secant
         return None if own is None else lambda t, side, *rest: own(t, *rest)
+
+    @property
+    def bristle(self) -> Callable[..., Bristle] | None:
+        own = self.kind.bristle
+        return None if own is None else lambda t, side, *rest: own(t, *rest)
+
+    @property
+    def state(self) -> Key | None:
+        return self.kind.state
+
+    @property
+    def state_name(self) -> str:
+        return f"{self.kind.KIND}_state"
 
 
 PREFIX = "element_"

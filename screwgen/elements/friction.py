@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from .law import Key, Secant, Value
 
@@ -24,6 +24,9 @@ class DryFriction:
         'Dry friction is that at the rates "there".',
     )
     positional: bool = False
+    bristle: ClassVar[None] = None
+    state: ClassVar[None] = None
+    state_name: ClassVar[str] = ""
 
     @property
     def table(self) -> Mapping[str, Key]:

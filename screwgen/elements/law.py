@@ -42,6 +42,20 @@ class Secant(NamedTuple):
     constant: Any = 0.0
 
 
+class Bristle(NamedTuple):
+    """A state of first order z that a law remembers, ``zdot = gain w - decay z``, and its force
+    ``stiffness z + damping zdot``.
+
+    An example: bristles between two bodies that stick. They bend as these move, and stop bending where they slip. Over
+    a step of length h they are taken at its end, ``(z + h gain w) / (1 + h decay)``, which is linear in the rate w.
+    """
+
+    stiffness: Any
+    damping: Any
+    gain: Any
+    decay: Any
+
+
 class Law(Hashable, Protocol):
     """A kind of force on single coordinates, on the left of the equations of motion.
 
@@ -76,7 +90,7 @@ class Law(Hashable, Protocol):
         """The constants out of the numbers of a robot file."""
 
     def force(self, t: Any, side: Value, x: Value, w: Value, *constants: Value) -> Value:
-        """The force in a state."""
+        """The force in a state; of a law with a `bristle` that has it."""
 
     def energy(self, t: Any, side: Value, x: Value, *constants: Value) -> Value:
         """Twice the potential, J; 0 where there is none."""
@@ -87,3 +101,16 @@ class Law(Hashable, Protocol):
 
         ``there``: the rate at the stage. None: the tangents in the state.
         """
+
+    @property
+    def bristle(self) -> Callable[..., Bristle] | None:
+        """``(t, side, x, w, z, *constants)``: the state that it has on every coordinate, in place of a force; None:
+        it has none."""
+
+    @property
+    def state(self) -> Key | None:
+        """Unit and meaning of that state."""
+
+    @property
+    def state_name(self) -> str:
+        """What stands behind the link in its name, as in `arm.friction_state[0]`."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from .law import Key, Secant, Value
 
@@ -29,6 +29,9 @@ class Stop:
         'Stops are those on a way at the rates of s or "there".',
     )
     positional: bool = True
+    bristle: ClassVar[None] = None
+    state: ClassVar[None] = None
+    state_name: ClassVar[str] = ""
 
     @property
     def table(self) -> Mapping[str, Key]:

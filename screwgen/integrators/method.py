@@ -192,7 +192,7 @@ class Method:
             u, there_v = _moved(stage, v, h, rates, accelerations)
             there = (q if u is None else space.moved(q, u)), there_v
             found = a.implicit(q, v, times(h, stage.part), there) if stage.part else a.explicit(*there)
-            rates.append(there_v if u is None else space.rate(u, there_v))
+            rates.append(space.rate(u, there_v))
             accelerations.append(found)
         u, v = _moved(self.end, v, h, rates, accelerations)
         return space.moved(q, u), v

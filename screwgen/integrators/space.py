@@ -20,7 +20,7 @@ class Space(Protocol):
         """The coordinates (nq,) at ``u`` from ``q``."""
 
     def rate(self, u: Any, v: Any) -> Any:
-        """The rate of ``u`` where the rates are ``v`` (nv,)."""
+        """The rate (nv,) of ``u`` where the rates are ``v`` (nvz,); of None that where ``u`` is zero."""
 
 
 class Flat:
@@ -36,6 +36,19 @@ class Flat:
 FLAT = Flat()
 
 
+class BesideStates:
+    """A space whose ``nv`` rates stand before internal states in ``v``, which move no coordinate."""
+
+    def __init__(self, space: Space, nv: int):
+        self.space, self.nv = space, nv
+
+    def moved(self, q: Any, u: Any) -> Any:
+        return self.space.moved(q, u[: self.nv])
+
+    def rate(self, u: Any, v: Any) -> Any:
+        return self.space.rate(u, v[: self.nv])
+
+
 class Curved:
     """Coordinates that joints move, of numbers; quaternions keep their lengths but for rounding."""
 
@@ -45,8 +58,8 @@ class Curved:
     def moved(self, q: np.ndarray, u: np.ndarray) -> np.ndarray:
         return self.chain.integrate(q, u, self.series)
 
-    def rate(self, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-        return self.chain.rate(u, v)
+    def rate(self, u: np.ndarray | None, v: np.ndarray) -> np.ndarray:
+        return v if u is None else self.chain.rate(u, v)
 
 
 Evaluate = Callable[[Program, dict[str, Any]], dict[str, Any]]
@@ -65,9 +78,14 @@ class Replayed:
         return self.evaluate(self._moved, {"q": q, "u": u})["q"]
 
     def rate(self, u: Any, v: Any) -> Any:
-        return self.evaluate(self._rate, {"u": u, "v": v})["rate"]
+        return v if u is None else self.evaluate(self._rate, {"u": u, "v": v})["rate"]
 
 
 def replayed(chain: Chain, evaluate: Evaluate) -> Space:
     """The space of a robot's symbols."""
-    return Replayed(chain, evaluate) if chain.curved else FLAT
+    return beside_states(Replayed(chain, evaluate) if chain.curved else FLAT, chain)
+
+
+def beside_states(space: Space, chain: Chain) -> Space:
+    """The space of a robot's coordinates where it has internal states besides."""
+    return BesideStates(space, chain.nv) if chain.n_internal else space

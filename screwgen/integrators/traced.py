@@ -12,7 +12,7 @@ from ..algorithms.axis_laws import of_robot
 from ..algorithms.columns import columns
 from ..algorithms.functions import EVERYTHING, HOLD, Functions
 from ..algorithms.fused import Outputs, inputs
-from ..algorithms.law_programs import stage
+from ..algorithms.law_programs import stage, state_rate
 from ..algorithms.parameter_slopes import Differentiable
 from ..algorithms.schedule import COLUMNS
 from ..ir.program import Array, Program, Value
@@ -33,20 +33,27 @@ class TracedAccelerations:
 
     def implicit(self, q: Array, v: Array, h: Any, there: Motion | None = None) -> Array:
         chain, (q_there, v_there) = self.f.chain, there or (q, v)
-        x = q[list(chain.given_places)]
-        rate, later = (values[len(values) - chain.n_given :] for values in (v, v_there))
+        x, rates = q[list(chain.given_places)], slice(chain.nv - chain.n_given, chain.nv)
+        rate, later = v[rates], v_there[rates]
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
         times = chain.modal_product
         inertia, force = M + h * (D + h * K), times(K, x + h * rate) + times(D, rate)
+        remembering = []
         for law, coordinates, sides in of_robot(chain):
             for k, (i, side) in enumerate(zip(coordinates, sides, strict=True)):
                 given = {name: [self.properties[name][k]] for name in law.constants}
                 given |= {"side": [float(side)], "x": [x[i]], "w": [rate[i]], "there": [later[i]], "h": [h]}
+                if law in chain.internal:
+                    given |= {"z": [v[chain.internal[law][k]]]}
+                    remembering.append((chain.internal[law][k], law, rates.start + i, given))
                 found = self.f.apply(0, -1, stage(law), given)
                 inertia[i], force[i] = inertia[i] + found["inertia"][0], force[i] + found["force"][0]
         under = copy(self.f)
         under.given = list(inertia), list(force)
-        return _array(under.forward_dynamics(list(q_there), list(v_there), *self.held)[0])
+        vdot = under.forward_dynamics(list(q_there), list(v_there), *self.held)[0]
+        rate_of = lambda law, i, given: self.f.apply(0, -1, state_rate(law), given | {"a": [vdot[i]]})  # noqa: E731
+        order = sorted(remembering, key=lambda one: one[0])
+        return _array([*vdot, *(rate_of(*one)["rate"][0] for _, *one in order)])
 
 
 def step(chain: Chain, method: Method) -> Differentiable:
@@ -63,7 +70,7 @@ def step(chain: Chain, method: Method) -> Differentiable:
         return {"q_next": list(q), "v_next": list(v)}
 
     given = inputs(chain, "q v tau w_ext") | {"dt": 1}
-    shapes = {"q_next": (chain.nq,), "v_next": (chain.nv,)}
+    shapes = {"q_next": (chain.nq,), "v_next": (chain.nvz,)}
     return Differentiable(f"step_{method}", given, shapes, body, (*EVERYTHING, HOLD))
 
 

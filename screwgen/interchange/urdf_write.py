@@ -254,6 +254,8 @@ class _Writer:
         friction = (not joint.between(k) and joint.driven[k].friction) or NO_FRICTION
         damping = (joint.damping[k] if joint.damping else 0.0) + (friction.viscous or 0.0)
         dry = friction.coulomb or 0.0
+        if friction.memory:
+            self.notes.append(f"{below}: its friction is written as {dry:g}, without what it remembers")
         if damping or dry:
             parts.append(f"<dynamics damping={_row([damping])} friction={_row([dry])}/>")
         return kind, above, below, parts

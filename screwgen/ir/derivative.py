@@ -105,6 +105,8 @@ def _unary(node: Node, a: Node, da: Value) -> Value:
         return 0.0
     if node.op == "sqrt":
         return da / (2.0 * node)
+    if node.op == "exp":
+        return node * da
     if node.op == "sin":
         return call("cos", a) * da
     if node.op == "cos":

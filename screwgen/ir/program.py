@@ -22,7 +22,7 @@ from .names import Label, OperationGroup
 
 Array = np.ndarray
 
-FUNCTIONS = frozenset({"sqrt", "sin", "cos", "on", "c4", "c5", "c6", "c7", "c8", "c9"})
+FUNCTIONS = frozenset({"sqrt", "sin", "cos", "exp", "on", "c4", "c5", "c6", "c7", "c8", "c9"})
 """Unary primitives; ``c4`` and ``c5`` are the Stumpff functions from which the others follow (c6 to c9: slopes).
 
 ``on`` is 1 where its argument is > 0, else 0.
@@ -241,7 +241,7 @@ class Tracer:
 
     def call(self, function: str, a: Any) -> Value:
         """A unary primitive."""
-        if not isinstance(a, Node) and function in ("sin", "cos", "sqrt"):
+        if not isinstance(a, Node) and function in ("sin", "cos", "sqrt", "exp"):
             return float(getattr(mpmath, function)(a))  # the same on every machine
         if not isinstance(a, Node) and function == "on":
             return float(a > 0)

@@ -173,7 +173,7 @@ class Compiled(CompiledDerivatives):
         """The generalised forces (nv,) and the joint wrenches (n, 6) of a motion."""
         c = self.chain
         force, wrench = np.zeros(max(c.nv, 1), self.real), np.zeros((c.n, 6), self.real)
-        given = self._in(vdot, (c.nv,), "vdot")
+        given = self._in(c.with_internal(vdot), (c.nvz,), "vdot")
         with self._lock:
             self._set(q, v, None, w_ext)
             self.check(self.library.shim_inverse(self.memory, *map(pointer, (given, force, wrench))))

@@ -66,38 +66,39 @@ class CompiledDerivatives(Memory):
     """The parameters that the slopes of the constants are of."""
 
     def linearise(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Derivatives:
-        """``vdot`` (nv,) and its partial derivatives with q, v (nv, nv) and tau (nv, n_tau).
+        """``vdot`` (nvz,) and its partial derivatives with q (nvz, nv), v (nvz, nvz) and tau (nvz, n_tau).
 
         Of a floating base those with q are with a change δ (6,) = [turn; shift] of its pose in its own axes,
         ``pose exp(δ)``.  Needs ``derivatives=True``.  Without joint coordinates the last has no columns.
         """
-        nv, m = self.chain.nv, self.chain.n_tau
-        return self._differentiated("linearise", (nv, (nv, nv), (nv, nv), (nv, m)), (q, v, tau, w_ext))
+        nv, nvz, m = self.chain.nv, self.chain.nvz, self.chain.n_tau
+        return self._differentiated("linearise", (nvz, (nvz, nv), (nvz, nvz), (nvz, m)), (q, v, tau, w_ext))
 
     def step_derivatives(
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads, dt: float, method: str | Method = "modal_midpoint"
     ) -> Derivatives:
         """The state after one step, and its derivatives: ``q, v, A, B``.
 
-        ``A`` (2 nv, 2 nv) is with respect to [q; v], ``B`` (2 nv, n_tau) with respect to tau; of a floating base the
-        first six rows and columns are changes δ = [turn; shift] of its pose in its own axes, ``pose exp(δ)``, after
-        and before the step.  Needs ``derivatives=True``.
+        ``A`` (nv + nvz, nv + nvz) is with respect to [q; v], ``B`` (nv + nvz, n_tau) with respect to tau; of a
+        floating base the first six rows and columns are changes δ = [turn; shift] of its pose in its own axes,
+        ``pose exp(δ)``, after and before the step.  Needs ``derivatives=True``.
         """
         self._needs_derivatives()
         c, step = self.chain, (self.number(method), self._real(seconds(dt, "dt")))
-        shapes = c.nq, c.nv, (2 * c.nv, 2 * c.nv), (2 * c.nv, c.n_tau)
+        size = c.nv + c.nvz
+        shapes = c.nq, c.nvz, (size, size), (size, c.n_tau)
         return self._differentiated("step_derivatives", shapes, (q, v, tau, w_ext), *step)
 
     def linearise_wrenches(self, q: Numbers, v: Numbers, tau: Loads = None, w_ext: Loads = None) -> Derivatives:
-        """The joint wrenches (n, 6) and their derivatives with q, v (n, 6, nv) and tau (n, 6, n_tau), vdot following.
+        """The joint wrenches (n, 6) and their derivatives with q (n, 6, nv), v (n, 6, nvz) and tau (n, 6, n_tau).
 
-        The columns are those of :meth:`linearise`.  Needs ``derivatives=True``.
+        The accelerations follow. The columns are those of :meth:`linearise`.  Needs ``derivatives=True``.
         """
         self._needs_derivatives()
         c = self.chain
         if why := self.project.context["derivatives"]["wrenches"]["missing"]:
             raise UsageError(f"there is no C of the derivatives of the wrenches: {why}; use CasADi's")
-        shapes = [(c.n, 6, *k) for k in ((), (c.nv,), (c.nv,), (c.n_tau,))]
+        shapes = [(c.n, 6, *k) for k in ((), (c.nv,), (c.nvz,), (c.n_tau,))]
         return self._differentiated("linearise_wrenches", shapes, (q, v, tau, w_ext))
 
     def _differentiated(
@@ -123,9 +124,9 @@ class CompiledDerivatives(Memory):
     def step_by_p(
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads, dt: float, method: str = "modal_midpoint"
     ) -> tuple[Array, ...]:
-        """The derivatives of coordinates (nq, k) and rates (nv, k) after a step by those parameters."""
+        """The derivatives of coordinates (nq, k) and rates (nvz, k) after a step by those parameters."""
         choice(method, STEPS, "in C there are no derivatives by parameters of")
-        shapes = (self.chain.nq,), (self.chain.nv,)
+        shapes = (self.chain.nq,), (self.chain.nvz,)
         return self._by_p(f"step_{method}{BY_P}", shapes, (q, v, tau, w_ext), seconds(dt, "dt"))
 
     def _by_p(self, name: str, shapes: tuple[tuple[int, ...], ...], given: tuple, dt: float = 0.0) -> Any:

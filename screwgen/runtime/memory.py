@@ -80,7 +80,7 @@ class Memory:
         self._lock = threading.Lock()
         c, self._block = self.chain, StructMemory(self.library, views(self.chain), self.real)
         self.memory, view = self._block.address, self._block.view
-        self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nv), view("output.vdot", c.nv)
+        self.q, self.v, self.vdot = view("state.q", c.nq), view("state.v", c.nvz), view("output.vdot", c.nvz)
         self.tau, self.w_ext = view("input.tau", c.n_tau), view("input.w_ext", c.n, 6)
         self.wrench = view("output.wrench", c.n, 6)
         self.tip_rotation, self.tip_position = view("output.tip_rotation", 3, 3), view("output.tip_position", 3)
@@ -91,7 +91,7 @@ class Memory:
         self._dae = view("dae", int(max(self._order)) + 1)
         self._q, self._v, self._tau = self.q.data, self.v.data, self.tau.data
         self._w_ext = self.w_ext.reshape(-1).data
-        self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nv, c.n_tau, 6 * c.n))
+        self._no_v, self._no_tau, self._no_w_ext = (np.zeros(k, self.real) for k in (c.nvz, c.n_tau, 6 * c.n))
         self._w_shape = self.w_ext.shape
         self._forward, self._accelerations = self.library.shim_forward, self.library.shim_accelerations
 
@@ -142,7 +142,12 @@ class Memory:
 
     def _take(self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads) -> None:
         """Convert and copy numbers of the right count into the structs; None is zero."""
-        given = {"q": (q, self.q), "v": (v, self.v), "tau": (tau, self.tau), "w_ext": (w_ext, self.w_ext)}
+        given = {
+            "q": (q, self.q),
+            "v": (self.chain.with_internal(v), self.v),
+            "tau": (tau, self.tau),
+            "w_ext": (w_ext, self.w_ext),
+        }
         for name, (values, place) in given.items():
             place[...] = array(values, name, place.shape, finite=False)
 
@@ -158,7 +163,7 @@ class Memory:
 
 def _order(c: Chain) -> Array:
     """The places of the entries of x in ``<robot>_dae_state``: there positions follow all quaternions."""
-    sizes = (4 * c.n, 3 * c.n, c.n_inner, 6 * c.n, c.n_inner, c.n_redundant)
+    sizes = (4 * c.n, 3 * c.n, c.n_inner, 6 * c.n, c.n_inner, c.n_redundant, *[c.n_internal] * (c.n_internal > 0))
     starts = np.cumsum([0, *(max(size, 1) for size in sizes)])
     quaternion, position, *rest = (start + np.arange(size) for start, size in zip(starts, sizes, strict=False))
     return np.concatenate([np.hstack([quaternion.reshape(-1, 4), position.reshape(-1, 3)]).ravel(), *rest])

@@ -59,4 +59,4 @@ class DaeStepper:
         d, qdot = self.dynamics, self.dynamics.joint_rates(x)[0]
         pose, twist = (x[[4, 5, 6, 0, 1, 2, 3]], x[d.twist][:6]) if self.chain.base_v else (x[:0], x[:0])
         q = x[d.q]
-        return np.concatenate([pose, q, x[d.eta]]), np.concatenate([twist, qdot, x[d.etadot]])
+        return np.concatenate([pose, q, x[d.eta]]), np.concatenate([twist, qdot, x[d.etadot], x[d.z]])

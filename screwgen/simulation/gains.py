@@ -80,8 +80,8 @@ def gains_of(law: Any, model: RobotModel, p: np.ndarray, at: Posture, ended: boo
     try:
         if not plain and _lasts(torque, at) * 8 * model.nv > (AFTER if ended else BEFORE):
             return []
-        G = slopes_of(torque, at.q, at.v, space)
-        if not plain and not _smooth(G, slopes_of(torque, at.q, at.v, space, WIDER * DIFFERENCE)):
+        G = slopes_of(torque, at.q, at.v, space, model.nv)
+        if not plain and not _smooth(G, slopes_of(torque, at.q, at.v, space, model.nv, WIDER * DIFFERENCE)):
             return []
     except Exception:  # a function of the user's, at states that it may not know; the run shows what is wrong
         return []

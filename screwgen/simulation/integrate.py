@@ -40,7 +40,7 @@ class EquationForm(Protocol[_State]):
     method: Method
 
     def initial(self, q: np.ndarray, v: np.ndarray) -> _State:
-        """The state at the coordinates `q` (nq,) and rates `v` (nv,)."""
+        """The state at the coordinates `q` (nq,) and rates `v` (nvz,)."""
 
     def step(self, state: _State, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> _State:
         """The state `dt` seconds later under torques (n_tau,) and tip wrenches (n, 6).
@@ -89,20 +89,28 @@ class Dynamics:
         self.own = CoordinateForces.of_columns(model.chain, CasadiEvaluator(functions["modal_properties"])(self.p))
 
     def explicit(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
-        """`vdot` (nv,) and the joint wrenches (6 n,)."""
-        return self.evaluate(q, v, tau, w_ext, *self.modes(q, v), self.p)
+        """`vdot` (nvz,) and the joint wrenches (6 n,)."""
+        own = self.own.over(q, v)
+        vdot, *more = self.evaluate(q, v, tau, w_ext, own.M, own.force_of(q, v, 0.0), self.p)
+        return [self._with_internal(own, vdot), *more]
 
     def modes(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
-        own = self.own.linearised_over(self.own.of(q), self.own.of(v))
-        return own.M, own.force(own.of(q), own.of(v), 0.0)
+        own = self.own.over(q, v)
+        return own.M, own.force_of(q, v, 0.0)
+
+    @staticmethod
+    def _with_internal(own: CoordinateForces, vdot: np.ndarray) -> np.ndarray:
+        """The accelerations, and the rates of internal states that follow from them."""
+        return np.append(vdot, own.internal_rates(vdot)) if own.chain.n_internal else vdot
 
     def implicit(
         self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float, there: Motion
     ) -> np.ndarray:
-        """`vdot` (nv,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is taken at `there`."""
-        own = self.own.linearised_over(self.own.of(q), self.own.of(v), h, self.own.of(there[1]))
-        return self.evaluate(*there, tau, w_ext, own.inertia(h), own.force(own.of(q), own.of(v), h), self.p)[0]
+        """`vdot` (nvz,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is that at `there`."""
+        own = self.own.over(q, v, h, there[1])
+        vdot = self.evaluate(*there, tau, w_ext, own.inertia(h), own.force_of(q, v, h), self.p)[0]
+        return self._with_internal(own, vdot)
 
 
 def holding(model: RobotModel, p: Numbers) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:

@@ -1,7 +1,7 @@
 """Linearised motion about a state: its Jacobian, and the amplification matrices of integration methods.
 
-Everything is linearised at the state as it is, rates included. Where the state is no equilibrium these are frozen
-coefficients: they describe what happens near it, for as long as the motion stays near it.
+Everything is linearised at the state as it is, rates included; bristles of friction stick, as springs. Where the
+state is no equilibrium these are frozen coefficients: they describe what happens near it, while the motion stays near.
 """
 
 from __future__ import annotations
@@ -87,10 +87,10 @@ class Linearised:
         self.hold, (_, self.w_ext) = holding(model, self.p), self.given(0.0, self.q, self.v)
         self.tau = self._torques(self.q, self.v)
         self.numeric = model.numpy(self.p)
-        self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0]
+        self.vdot = self.numeric.forward_dynamics(self.q, self.v, self.tau, self.w_ext)[0][: model.nv]
         self.dynamics = Dynamics(model, self.p)
         own = self.dynamics.own
-        self.own = own.linearised_over(own.of(self.q), own.of(self.v))
+        self.own = own.over(self.q, self.v).stuck
         self.directional = model.once("slopes", lambda: _directional(model))
         self.identity = np.vsplit(np.eye(2 * model.nv), 2)
         follows = controller is not None or model.chain.holds_by_motion
@@ -167,9 +167,9 @@ class Linearised:
         """The same with the forces of modes and joints that the accelerations lead to `h` after `q`, `v`."""
         a, own = self.slopes(h), self.own
         at_q, at_v = there or (q, v)
-        force = own.slopes.force(own.of(q), own.of(v), h)
+        force = own.slopes.force(own.of_rates(q), own.of_rates(v), h)
         if own.laws:
-            force = force + own.softened(*map(own.of, (self.q, self.v, self._felt(h), at_v)))
+            force = force + own.softened(own.of(self.q), *map(own.of_rates, (self.v, self._felt(h), at_v)))
         return a.q @ at_q + a.v @ at_v + a.tau @ self.gains + a.force @ force
 
     def _felt(self, h: float) -> np.ndarray:
@@ -214,7 +214,7 @@ class Linearised:
             return AccelerationSlopes(*4 * [np.zeros((0, 0))])
         own, chain = self.own, self.model.chain
         nv, m, n, b = chain.nv, chain.n_tau, chain.n, chain.base_v
-        force, torque = own.force(own.of(self.q), own.of(self.v), h), self.tau
+        force, torque = own.force_of(self.q, self.v, h), self.tau
         if self.trim is not None and chain.n_added:
             force = force + self.trim[b:]
         elif self.trim is not None:
@@ -226,6 +226,7 @@ class Linearised:
         results = (np.zeros(nv), np.zeros((n, 6)))
         place = (self.q, self.v, torque, self.w_ext, own.inertia(h), force, self.p)
         q, v, tau, f = seeds
+        v = np.pad(v, ((0, 0), (0, chain.n_internal)))
         columns = self.directional(*place, *results, q @ self.moving, v, tau, still[0], still[1], f, still[2])[0]
         if not np.isfinite(columns).all():
             what = "the accelerations have no finite derivatives in this state"
@@ -234,7 +235,7 @@ class Linearised:
 
     def _gains(self) -> np.ndarray:
         """The derivatives of the torques by changes and rates (n_tau, 2 nv)."""
-        return slopes_of(self._torques, self.q, self.v, self.space)
+        return slopes_of(self._torques, self.q, self.v, self.space, self.model.nv)
 
     def _torques(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """What a step that begins at a state holds."""
@@ -251,13 +252,15 @@ class Linearised:
         return out
 
 
-def slopes_of(torque: Torque, q: np.ndarray, v: np.ndarray, space: Space, width: float = DIFFERENCE) -> np.ndarray:
+def slopes_of(
+    torque: Torque, q: np.ndarray, v: np.ndarray, space: Space, nv: int, width: float = DIFFERENCE
+) -> np.ndarray:
     """The derivatives (n_tau, 2 nv) of torques `(q, v)` by changes and rates, by central differences of a width."""
-    change = lambda u, w: torque(space.moved(q, u), v + w)  # noqa: E731
-    size = width * np.maximum(1, np.abs(np.append(q[len(q) - len(v) :], v)))
+    change = lambda u, w: torque(space.moved(q, u), v + np.pad(w, (0, len(v) - nv)))  # noqa: E731
+    size = width * np.maximum(1, np.abs(np.append(q[len(q) - nv :], v[:nv])))
     pairs = (np.split(e, 2) for e in np.diag(size))
     sides = [(change(*e) - change(*(-x for x in e))) / (2 * d) for e, d in zip(pairs, size, strict=True)]
-    return np.reshape(sides, (2 * len(v), -1)).T
+    return np.reshape(sides, (2 * nv, -1)).T
 
 
 def _directional(model: RobotModel) -> CasadiEvaluator:

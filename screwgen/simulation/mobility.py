@@ -91,7 +91,8 @@ def closing(model: RobotModel) -> Callable[..., Any]:
         return lambda *_: nothing
     from ..backends.casadi.linear import closing as made
 
-    return model.once("closing", lambda: made(model.chain))
+    function = model.once("closing", lambda: made(model.chain))
+    return lambda q, v, *more: function(q, model.chain.with_internal(v), *more)
 
 
 def jacobian(model: RobotModel, q: np.ndarray, p: Numbers) -> np.ndarray:
@@ -109,7 +110,7 @@ def motions(model: RobotModel, q: np.ndarray, v: np.ndarray, p: Numbers) -> tupl
         return np.arange(chain.nv), np.eye(2 * chain.nv)
     _, J, J_v, *_ = (np.array(x) for x in closing(model)(q, v, np.zeros(len(chain.closing.rows)), p))
     check_closed(model.numpy(p), "q", q)
-    check_staying_closed(chain, "v", J @ v)
+    check_staying_closed(chain, "v", J @ v[: chain.nv])
     own, D, N = mobility(J, by_effort(chain))
     turned = np.zeros_like(N)
     turned[D] = -np.linalg.lstsq(J[:, D], J_v @ N)[0]

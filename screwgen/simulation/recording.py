@@ -95,7 +95,7 @@ def check_size(model: RobotModel, samples: int) -> None:
 
 def _widths(model: RobotModel) -> dict[str, int]:
     """How many numbers each quantity has in one sample."""
-    widths = {"t": 1, "q": model.nq, "v": model.nv, "tau": model.n_tau}
+    widths = {"t": 1, "q": model.nq, "v": model.chain.nvz, "tau": model.n_tau}
     widths |= {"wrench": 6 * model.n_links, "tip_position": 3}
     return widths | {row.name: entries(row, model.chain) for row in reported(model.chain)}
 

@@ -196,7 +196,7 @@ def rolled(model: RobotModel, given: Mapping[str, np.ndarray], count: int, how: 
     """The motions of scenarios whose arguments are checked, without warnings."""
     step, substeps, method, threads, single, periods = how
     batch = compiled_batch(model, single, added(method))
-    starts = np.split(np.broadcast_to(given["x0"], (count, model.nq + model.nv)).T, [model.nq])
+    starts = np.split(np.broadcast_to(given["x0"], (count, model.nq + model.chain.nvz)).T, [model.nq])
     path = [np.empty((periods + 1, *start.shape), batch.real) for start in starts]
     for rows, start in zip(path, starts, strict=True):
         rows[0] = start
@@ -282,7 +282,7 @@ def _array(values: Any, name: str, shape: tuple[int, ...], allowed: str) -> np.n
 
 def _states(values: Any, model: RobotModel) -> np.ndarray:
     """Initial states, (batch or 1, nq + nv)."""
-    count, sizes = model.nq + model.nv, "nq + nv" if model.chain.curved else "2 nq"
+    count, sizes = model.nq + model.chain.nvz, "nq + nv" if model.chain.curved else "2 nq"
     out = _array(values, "x0", (count,), f"(batch, {sizes}) or ({sizes},)")
     for part in model.chain.curved:
         first = part.q.start + (part.joint.turn_at or 0)
@@ -343,6 +343,6 @@ def _periods(steps: int | None, leads: Mapping[str, tuple[int, ...]]) -> int:
 
 
 def _check_size(count: int, periods: int, model: RobotModel) -> None:
-    size = 8 * count * (periods + 1) * max(model.nq + model.nv, 1)
+    size = 8 * count * (periods + 1) * max(model.nq + model.chain.nvz, 1)
     if size > MAX_BYTES:
         raise UsageError(f"the rollout would take {size / 1e9:.0f} GB; take fewer scenarios or steps")

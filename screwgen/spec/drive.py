@@ -29,8 +29,28 @@ GEAR = Stated(
 )
 
 
+class FrictionMemory(Part):
+    """What dry friction remembers: the deflection z of bristles that bend before they slip (the model called LuGre).
+
+    `zdot = w - stiffness |w| z / coulomb`, and the friction is `stiffness z + damping zdot`: while both bodies stick a
+    spring and a damper, where they slip steadily `coulomb`.
+    """
+
+    stiffness: Annotated[float, Stated("bristle stiffness", "stiffness of the bristles of friction")]
+    damping: Annotated[float, Stated("damping", "damping of these bristles")] | None = None
+
+
+class Stribeck(Part):
+    """How dry friction falls with the rate w, `coulomb + (static - coulomb) exp(-(w / velocity)²)`."""
+
+    static: Annotated[float, Stated("static friction", "dry friction where bristles begin to slip", ROTOR_ALWAYS_TURNS)]
+    velocity: Annotated[float, Stated("velocity", "rate over which dry friction falls")]
+
+
 class Friction(Part):
     """Dry and viscous friction, `(viscous + coulomb / sqrt(w² + velocity²)) w` at the rate w.
+
+    With `memory` dry friction has a state of its own, sticks truly, and needs no `velocity` to smooth its sign.
 
     It acts on what the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, on the cylinder of a
     transmission (N, N·s/m, m/s) or the crank of a linkage, else on the joint (of a slide N, N·s/m, m/s).
@@ -39,16 +59,40 @@ class Friction(Part):
     coulomb: Annotated[float, Stated("coulomb", "dry friction", ROTOR_ALWAYS_TURNS)] | None = None
     viscous: Annotated[float, Stated("damping", "viscous friction", ROTOR_ALWAYS_TURNS)] | None = None
     velocity: Annotated[float, Stated("velocity", "rate over which dry friction changes its sign")] | None = None
+    memory: FrictionMemory | None = Field(
+        None, description="of dry friction with bristles, as { stiffness = …, damping = … }"
+    )
+    stribeck: Stribeck | None = Field(None, description="of that where it falls, as { static = …, velocity = … }")
 
     @model_validator(mode="after")
     def _dry_over_a_velocity(self) -> Self:
         if self.coulomb is None and self.viscous is None:
             raise refuse("states no friction; give { coulomb = …, velocity = … }, viscous, or both")
-        if self.coulomb is not None and self.velocity is None:
+        if self.memory is not None:
+            self._checked_memory()
+        elif self.stribeck is not None:
+            raise refuse("is stated without memory, whose bristles begin to slip there; state it", at=("stribeck",))
+        elif self.coulomb is not None and self.velocity is None:
             raise refuse("is missing; dry friction needs the rate over which it changes its sign", at=("velocity",))
         if self.coulomb is None and self.velocity is not None:
             raise refuse("is stated without coulomb, whose sign it smooths; leave it out", at=("velocity",))
         return self
+
+    def _checked_memory(self) -> None:
+        """Refuse what does not stand beside bristles."""
+        if not self.coulomb:
+            what = "is missing" if self.coulomb is None else "is 0"
+            raise refuse(f"{what}; state the friction of bristles that slip, > 0", at=("coulomb",))
+        if self.velocity is not None:
+            raise refuse("is stated beside memory, which needs no smooth sign; leave it out", at=("velocity",))
+
+    @property
+    def numbers(self) -> Iterator[tuple[str, float | None]]:
+        """Its runtime parameters, by their keys below this table."""
+        yield from ((name, getattr(self, name, None)) for name, _ in stated_numbers(Friction))
+        for table, part in (("memory", FrictionMemory), ("stribeck", Stribeck)):
+            own = getattr(self, table, None)
+            yield from ((f"{table}.{name}", getattr(own, name, None)) for name, _ in stated_numbers(part))
 
 
 NO_FRICTION = Friction.model_construct()
@@ -93,7 +137,7 @@ class Drive(Part):
         """Its runtime parameters, by their keys below this table."""
         friction = self.friction or NO_FRICTION
         yield from ((name, getattr(self, name)) for name, _ in stated_numbers(Drive))
-        yield from ((f"friction.{name}", getattr(friction, name)) for name, _ in stated_numbers(Friction))
+        yield from ((f"friction.{name}", value) for name, value in friction.numbers)
         if self.transmission:
             yield from ((f"transmission.{name}", value) for name, value in self.transmission.numbers)
 
@@ -119,6 +163,9 @@ class Drive(Part):
         if self.damping is not None and not self.elastic:
             what = "is stated without stiffness, and a rigid gear has none"
             raise refuse(f"{what}; use the joint's damping, or friction = {{ viscous = … }}", at=("damping",))
+        if self.transmission is not None and self.friction and self.friction.memory:
+            what = f"is stated of a {self.transmission.kind.SHORT}, whose friction has none"
+            raise refuse(f"{what}; leave it out and state velocity", at=("friction", "memory"))
         return self
 
 

@@ -20,6 +20,9 @@ class DriveClass:
     damping: bool = False
     coulomb: bool = False
     viscous: bool = False
+    memory: bool = False
+    damped_bristles: bool = False
+    stribeck: bool = False
     travel: Travel | None = None
     """Its transmission, if its ratio depends on the posture."""
 
@@ -43,7 +46,8 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
     for drive in joint.drives or ():
         friction = drive.friction or NO_FRICTION
         stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
-        stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous")}
+        stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous", "memory", "stribeck")}
+        stated["damped_bristles"] = friction.memory is not None and friction.memory.damping is not None
         out.append(DriveClass(**stated, travel=drive.travel))
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..elements import TRAVELS
-from .drive import Drive, Friction
+from .drive import Drive, Friction, FrictionMemory, Stribeck
 from .frequencies import Frequencies
 from .joint import Joint, Mount
 from .limit import Limit
@@ -44,6 +44,8 @@ OF_AXES: dict[str, tuple[type[Part], str]] = {
     "joint.": (Joint, "joint."),
     "joint.drives.": (Drive, "joint.drives[{}]."),
     "joint.drives.friction.": (Friction, "joint.drives[{}].friction."),
+    "joint.drives.friction.memory.": (FrictionMemory, "joint.drives[{}].friction.memory."),
+    "joint.drives.friction.stribeck.": (Stribeck, "joint.drives[{}].friction.stribeck."),
     "joint.limits.": (Limit, "joint.limits[{}]."),
 }
 """The tables with numbers of axes."""

@@ -190,6 +190,12 @@ class LinkClass:
         return tuple(laws(self))
 
     @cached_property
+    def internal(self) -> tuple[LawOnAxis, ...]:
+        """Those of the laws that have an internal state, kind by kind."""
+        kinds = dict.fromkeys(one.law for one in self.laws if one.law.state is not None)
+        return tuple(one for law in kinds for one in self.laws if one.law == law)
+
+    @cached_property
     def held_laws(self) -> tuple[HeldOnAxis, ...]:
         """What every step does to the inputs of the joint's axes before it holds them, in order."""
         return tuple(held_laws(self))

@@ -11,6 +11,7 @@ from .base import CHANGE, CHANGE_UNITS, POSE, POSE_UNITS, TWIST
 from .fields import FIELDS, SLIDING, of_axis
 from .inputs import input_names
 from .joint import Joint, Mount
+from .link_class import link_class
 from .part import Part
 from .reduced import of_link as directions
 from .robot import Body, Damping, Link, Robot
@@ -92,8 +93,14 @@ def _offset(i: int, link: Link, number: int, end: int, component: int, value: fl
     )
 
 
+COULOMB = "joint.drives.friction.coulomb"
+
+
 def _of_axis(parameter: Parameter, joint: Joint) -> Parameter:
-    """A parameter of a joint with unit and meaning of its axis, if it has one."""
+    """A parameter of a joint with unit, meaning and sign of its axis, if it has others."""
+    friction = joint.driven[parameter.index[0]].friction if parameter.field == COULOMB else None
+    if friction and friction.memory:
+        parameter = replace(parameter, sign="positive")
     if parameter.field not in SLIDING or not (other := of_axis(parameter.field, joint, parameter.index[0])):
         return parameter
     return replace(parameter, unit=other[0], description=other[1])
@@ -170,7 +177,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
     slides: `cart.slide[0]` (m), `cart.slide_rate[0]`, `cart.force[0]` (N), on the rotor of an elastic
     drive `cart.torque[0]` (N·m). Of an axis that a cylinder drives: `boom.joint[0]` (rad), `boom.force[0]` (N); of one
     that a four-bar linkage drives `boom.torque[0]` (N·m), at the crank.
-    Tendons follow: `left.tension` (N).
+    Tendons follow: `left.tension` (N). Behind all rates v holds internal states: `hand.friction_state[0]` (rad).
     Of a ball joint q: `hand.joint.qw` … `hand.joint.qz`. wrench: `forearm.tau_x` (N·m) … `forearm.F_z` (N).
     Of a link with segments: `boom[2].eta.bending_y[0]` with the segment's number from 0, `boom.tau_x` … of its joint,
     and `boom[1].tau_x` … of the weld on which segment 1 sits.
@@ -187,6 +194,7 @@ def coordinate_names(robot: Robot) -> CoordinateNames:
             *per_axis(robot, "joint_rate", "slide_rate"),
             *per_added(robot, "_rate"),
             *per_mode(robot, "eta_rate"),
+            *per_internal(robot),
         ),
         tau=tuple(input_names(robot)),
         wrench=tuple(f"{segment.jointed}.{component}" for segment in segments(robot) for component in WRENCH),
@@ -213,8 +221,21 @@ def changes(robot: Robot) -> dict[str, str]:
 
 
 def rate_units(robot: Robot) -> list[str]:
-    """The units of v (nv)."""
-    return [f"{unit}/s" for unit in changes(robot).values()]
+    """The units of v (nvz)."""
+    return [f"{unit}/s" for unit in changes(robot).values()] + list(per_internal(robot).values())
+
+
+def per_internal(robot: Robot) -> dict[str, str]:
+    """The names of the internal states, link by link, with their units."""
+    out = {}
+    for link in robot.links:
+        for law, part, place, *_ in link_class(link, True).internal:
+            axes = [j for j, own in enumerate(link.joint.driven) if own.added] if part == "theta" else None
+            axis = axes[place] if axes else place
+            slides = axes is None and not link.joint.screws[axis].turn
+            assert law.state is not None
+            out[f"{link.name}.{law.state_name}[{axis}]"] = law.state.sliding if slides else law.state.unit
+    return out
 
 
 def turning(robot: Robot) -> list[bool]:

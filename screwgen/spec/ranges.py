@@ -81,6 +81,8 @@ RANGES = {
     "rotor inertia": Range(positive, 1e-12, 1e12, "kg·m² or kg"),
     "gear stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "coulomb": Range(non_negative, 1e-12, 1e12, "N·m or N"),
+    "static friction": Range(positive, 1e-12, 1e12, "N·m or N"),
+    "bristle stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
     "limit": Range(number, 0.0, 1e6, "rad or m"),
     "effort": Range(positive, 1e-12, 1e15, "N·m or N"),
     "stop stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),

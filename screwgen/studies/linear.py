@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from scipy.linalg import block_diag
 
 from .. import notebook
 from ..algorithms.gauges import base_strains, strain_names
@@ -65,7 +66,7 @@ class LinearModel:
     w_ext: np.ndarray
     """(n, 6): the external wrenches there, [τ; F] on each tip section, tip-frame components."""
     vdot: np.ndarray
-    """(nv,): the accelerations there, zero in equilibrium; the linear model omits them."""
+    """(nvz,): the accelerations there, zero in equilibrium; the linear model omits them."""
     parameters: np.ndarray
     """The parameter values used."""
 
@@ -164,31 +165,35 @@ def linearise(
     """What `Model.linearise` does."""
     chain = model.chain
     numbers = Numeric(chain, chain.parameters.vector(parameters))
-    q, v, tau = whole(chain, q, numbers.p), checked(v, "v", chain.nv), checked(tau, "tau", chain.n_tau)
+    q, v, tau = (
+        whole(chain, q, numbers.p),
+        checked(chain.with_internal(v), "v", chain.nvz),
+        checked(tau, "tau", chain.n_tau),
+    )
     w_ext = chain.tip_wrenches(w_ext, "w_ext:")
     givers, takers = input_groups(chain), output_groups(chain)
     columns, rows = chosen(inputs, givers, "inputs"), chosen(outputs, takers, "outputs")
-    own, T = motions(model, q, v, numbers.p)
+    own, T = with_internal_states(chain, *motions(model, q, v, numbers.p))
     check_definite(model, q, numbers.p)
     numbers.forward_dynamics(q, v, tau, w_ext)  # names the joint where the posture is singular
     vdot, y, vdot_x, y_x = _changes(model, q, v, tau, w_ext.T, numbers.p)
-    (vdot_x, vdot_u), (y_x, y_u) = (np.split(slopes, [2 * chain.nv], axis=1) for slopes in (vdot_x, y_x))
+    (vdot_x, vdot_u), (y_x, y_u) = (np.split(slopes, [chain.nv + chain.nvz], axis=1) for slopes in (vdot_x, y_x))
     i, j = list(rows.values()), list(columns.values())
     states = state_names(chain)
-    both = [*own, *(chain.nv + own)]
-    A = np.vstack([np.hstack([chain.carried(v), np.eye(chain.nv)]), vdot_x])[both] @ T
+    turned = np.hstack([chain.carried(v), np.eye(chain.nv, chain.nvz)])
+    A = np.vstack([turned, vdot_x])[own] @ T
     return LinearModel(
         A=A,
-        B=np.vstack([np.zeros_like(vdot_u), vdot_u])[np.ix_(both, j)],
+        B=np.vstack([np.zeros((chain.nv, vdot_u.shape[1])), vdot_u])[np.ix_(own.tolist(), j)],
         C=y_x[i] @ T,
         D=y_u[np.ix_(i, j)],
-        state_names=tuple(list(states)[k] for k in both),
+        state_names=tuple(list(states)[k] for k in own),
         input_names=tuple(columns),
         output_names=tuple(rows),
-        state_units=tuple(list(states.values())[k] for k in both),
+        state_units=tuple(list(states.values())[k] for k in own),
         input_units=tuple(entries(givers)[name] for name in columns),
         output_units=tuple(entries(takers)[name] for name in rows),
-        x=np.concatenate([chain.flat(q), v])[both],
+        x=np.concatenate([chain.flat(q), v])[own],
         u=np.concatenate([tau, w_ext.ravel()])[j],
         y=y[i],
         tau=tau,
@@ -199,7 +204,7 @@ def linearise(
 
 
 def _changes(model: RobotModel, *point: Numbers) -> tuple[np.ndarray, ...]:
-    """vdot (nv,), y, and the derivatives of both with [δ; v; tau; w_ext], at `(q, v, tau, w_ext, p)`."""
+    """vdot (nvz,), y, and the derivatives of both with [δ; v; tau; w_ext], at `(q, v, tau, w_ext, p)`."""
     from ..backends.casadi.linear import linear_model
 
     function = model.once("linear_model", lambda: linear_model(model.chain))
@@ -208,6 +213,12 @@ def _changes(model: RobotModel, *point: Numbers) -> tuple[np.ndarray, ...]:
     found = dict(zip(function.name_out(), map(np.array, function(*point, *directions)), strict=True))
     y, slopes = (np.vstack([found[name + end] for name in OUTPUT_PARTS]) for end in ("", "_along"))
     return found["vdot"][:, 0], y[:, 0] + 0.0, found["vdot_along"] + 0.0, slopes + 0.0
+
+
+def with_internal_states(chain: Chain, own: np.ndarray, T: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The places of the states among [δ; v], and all changes by theirs, from those of independent coordinates."""
+    behind = np.arange(2 * chain.nv, chain.nv + chain.nvz)
+    return np.concatenate([own, chain.nv + own, behind]), block_diag(T, np.eye(len(behind)))
 
 
 def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:
@@ -258,9 +269,12 @@ def output_groups(chain: Chain) -> Groups:
         "base_twist": v[:b],
         "joint_rates": v[b : b + m],
         "rotor_rates": v[b + m : chain.eta_v],
-        "mode_rates": v[chain.eta_v :],
+        "mode_rates": v[chain.eta_v : chain.nv],
+        "internal_states": v[chain.nv :],
     }
-    named = {name: dict(own) for name, own in parts.items() if own or not name.startswith(("rotor", "base"))}
+    named = {
+        name: dict(own) for name, own in parts.items() if own or not name.startswith(("rotor", "base", "internal"))
+    }
     tip = {f"tip_{what}": {f"tip_{what}.{axis}": unit for axis in "xyz"} for what, unit in TIP_UNITS.items()}
     wrenches = dict(zip(names.wrench, [unit for _, unit in WRENCH_UNITS] * chain.n, strict=True))
     gauged = strain_names(chain)

@@ -5,31 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from ..elements import FRICTION, STOP, TRAVELS, HeldLaw, Law, Travel
+from ..elements import TRAVELS, Law, Travel
 from ..spec.link_class import LinkClass
-from .held_laws import reads_motion
-from .joint_coordinates import JointCoordinates
+from .law_coordinates import LawCoordinates
 
 SLACK = 1e-3
 """How far the length of a stated quaternion may be from one."""
+
+INTERNAL = {"qdot": "z", "qddot": "zdot"}
+"""The signal of a link's internal states, or of their rates, by that of what stands before them."""
 
 ADDED = {"q": "theta", "qdot": "thetadot", "qddot": "thetaddot", "force": "force_theta"}
 """The signal of what elements add to a link's coordinates by that of its joint."""
 
 
-class LawPlace(NamedTuple):
-    """Where a law acts: the link, the coordinate as its number among the last ``n_given``, the side there."""
-
-    link: int
-    coordinate: int
-    side: int
-
-
-class Coordinates(JointCoordinates):
+class Coordinates(LawCoordinates):
     """The coordinates of links of given classes, `q` (nq) and `v` (nv), and their offsets by link.
 
     Both hold the joints link by link, then rotors, then modes. What moves coordinates by rates asks the joints.
@@ -41,7 +35,7 @@ class Coordinates(JointCoordinates):
         super().__init__(keys)
         self.parameter_labels = list(parameter_labels)
         offsets = lambda size: list(accumulate(map(size, self.keys), initial=0))  # noqa: E731
-        self.eta_offset, self.theta_offset = offsets(lambda k: k.modes), offsets(lambda k: len(k.added_axes))
+        self.eta_offset = offsets(lambda k: k.modes)
         self.below_offset = offsets(lambda k: len(k.coupled))
 
     @property
@@ -98,15 +92,17 @@ class Coordinates(JointCoordinates):
         return self.nv - self.n_modes
 
     def complete(self, given: np.ndarray, p: Any, rates: bool = False) -> np.ndarray | str:
-        """All coordinates (nq,), or `rates` (nv,), from all of them, those of the joints alone, or none.
+        """All coordinates (nq,), or `rates` (nvz,), from all of them, those of the joints alone, or none.
 
         A floating base is at home and at rest where it is not stated; its quaternion is scaled to length one. Of the
         joints alone gears are without load, with the ratios in the parameters `p`. Returns what is wrong with them as
         a text, "<what is wrong>; <what is allowed>".
         """
-        out = np.zeros(self.nv) if rates else np.array(self.home)
+        out = np.zeros(self.nvz) if rates else np.array(self.home)
         if len(given) == len(out):
             out[:] = given
+        elif rates and len(given) == self.nv:
+            out[: self.nv] = given
         elif len(given) in (0, count := self.n_joints if rates else self.n_redundant):
             first = self.base_v if rates else self.base_q
             joints = self.with_added(given, p) if len(given) and self.n_added else given
@@ -206,37 +202,6 @@ class Coordinates(JointCoordinates):
         return out
 
     @cached_property
-    def laws(self) -> dict[Law, list[LawPlace]]:
-        """The laws of all joints, each with the coordinates on which it acts, link by link."""
-        found: dict[Law, list[LawPlace]] = {FRICTION: [], STOP: []}
-        places = {"q": 0, "theta": self.nv - self.base_v - self.n_inner}
-        offsets = {"q": self.tau_offset, "theta": self.theta_offset}
-        for i, key in enumerate(self.keys):
-            for law, part, place, side, _ in key.laws:
-                found.setdefault(law, []).append(LawPlace(i, places[part] + offsets[part][i] + place, side))
-        return {law: acted for law, acted in found.items() if acted}
-
-    def acted(self, law: Law) -> list[LawPlace]:
-        """Where a law acts, nowhere if it is not among them."""
-        return self.laws.get(law, [])
-
-    @cached_property
-    def holds(self) -> bool:
-        """Whether steps hold something else of the inputs than they are given: there are held laws."""
-        return any(self.laws_of_inputs)
-
-    @cached_property
-    def holds_by_motion(self) -> bool:
-        """Whether what they hold depends on the state besides."""
-        return any(reads_motion(law) for laws in self.laws_of_inputs for law in laws)
-
-    @cached_property
-    def laws_of_inputs(self) -> list[list[type[HeldLaw]]]:
-        """For each torque the laws of what a step holds of it, in the order in which they act."""
-        axes = ((key, axis) for key in self.keys for axis in range(key.torques))
-        return [[one.kind for one in key.held_laws if one.axis == axis] for key, axis in axes]
-
-    @cached_property
     def travels(self) -> dict[int, Travel]:
         """The joint coordinates, as their numbers, whose drives have a transmission, and what it is."""
         pairs = enumerate(self.keys)
@@ -325,16 +290,27 @@ class Coordinates(JointCoordinates):
     def split(self, q: Sequence, joint: str, modal: str) -> list[dict[str, list]]:
         """``[joint coordinates; rotors; modal coordinates]`` as one mapping per link.
 
+        Of rates internal states follow, zero where they are left out.
+
         ``joint`` and ``modal`` are the names of their signals, ``joint`` one of ``ROTOR``.
         """
-        m, es, ts = len(q) - self.n_modes, self.eta_offset, self.theta_offset
+        m, es, ts = self.eta_q if joint == "q" else self.eta_v, self.eta_offset, self.theta_offset
         qs, t = self.q_offset if joint == "q" else self.v_offset, m - self.n_added
         links = [{joint: list(q[qs[i] : qs[i + 1]]), modal: list(q[m + es[i] : m + es[i + 1]])} for i in range(self.n)]
         for i, link in enumerate(links) if self.n_added else ():
             link[ADDED[joint]] = list(q[t + ts[i] : t + ts[i + 1]])
+        if self.n_internal and joint in INTERNAL:
+            z = q[self.nv :] if len(q) == self.nvz else [0.0] * self.n_internal
+            for i, link in enumerate(links):
+                link[INTERNAL[joint]] = list(z[self.z_offset[i] : self.z_offset[i + 1]])
         return links
 
     def join(self, links: Sequence[Mapping[str, list]], joint: str, modal: str) -> list:
         """The inverse of :meth:`split`."""
-        parts = [joint, *([ADDED[joint]] if self.n_added else []), modal]
+        parts = [
+            joint,
+            *([ADDED[joint]] if self.n_added else []),
+            modal,
+            *([INTERNAL[joint]] if joint in INTERNAL else []),
+        ]
         return [x for part in parts for link in links for x in link.get(part, ())]

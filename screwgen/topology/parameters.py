@@ -25,6 +25,8 @@ def label(parameter: Parameter) -> str:
         case field if field.startswith("joint.elements."):
             kind, key = field.split(".")[2:]
             return element_label(kind, key, index[0])
+        case field if field.startswith(("joint.drives.friction.memory.", "joint.drives.friction.stribeck.")):
+            return f"drive_{'_'.join(field.split('.')[3:])}_{index[0] + 1}"
         case field if field.startswith("joint."):
             table, *_, key = field.split(".")[1:]
             return f"{table.removesuffix('s')}_{key}_{index[0] + 1}"

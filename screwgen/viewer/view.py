@@ -76,7 +76,7 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
         pairs = zip([*run.q_names, "no more"], [*model.q_names, "no more"], strict=False)
         here, there = next((pair for pair in pairs if pair[0] != pair[1]), ("other torques", "its own"))
         raise UsageError(f"{one_line(name)}: is a run of another robot: it has {here} where '{own.name}' has {there}")
-    shapes = {"q": (model.nq,), "v": (model.nv,), "tau": (model.n_tau,), "wrench": (model.n_links, 6)}
+    shapes = {"q": (model.nq,), "v": (model.chain.nvz,), "tau": (model.n_tau,), "wrench": (model.n_links, 6)}
     shapes |= {"tip_position": (3,), "t": ()}
     shapes |= {row.name: (entries(row, model.chain),) for row in reported(model.chain) if row.name in run.reports}
     for key, shape in shapes.items():

@@ -66,7 +66,7 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
 def _stack(chain: Chain, constants: int, states: int, kept: int, angles: list[int]) -> int:
     """The size in bytes of a group of scenarios, for the widest lanes."""
     given, inertia = max(chain.n_given, 1), max(chain.n_inertia, 1)
-    state, joints = max(chain.nq, 1) + max(chain.nv, 1) + turns(chain), max(chain.q_offset[-1], 1)
+    state, joints = max(chain.nq, 1) + max(chain.nvz, 1) + turns(chain), max(chain.q_offset[-1], 1)
     group = 3 + chain.n * constants + 4 * inertia + given + states * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints * bool(angles))
 

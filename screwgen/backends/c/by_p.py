@@ -57,8 +57,9 @@ def content(
         raise UsageError('derivatives by parameters need parameters at run time; give parameters="runtime"')
     slopes, own = ConstantSlopes.of(chain, chosen, algorithms(chain, chosen)), parameters(chain.robot)
     by = By(chain, chosen, slopes, place)
-    made = [by.function(Differentiable.of(chain, row), _said(row), row.about) for row in rows(chain)]
-    made += [by.function(step(chain, methods[name]), AFTER, f"A step of {name}.") for name in STEPS]
+    made = [by.function(Differentiable.of(chain, row), _said(chain, row), row.about) for row in rows(chain)]
+    after = AFTER | ({"v_next": ("$$_NVZ", "rates and internal states")} if chain.n_internal else {})
+    made += [by.function(step(chain, methods[name]), after, f"A step of {name}.") for name in STEPS]
     say_time(chain, "derivatives by parameters", sum(one["operations"] for one in made))
     placed = lambda name, k: f"p->{place_of(own[k])}" if name == "p" else f"{SLOPES}->slope[{k}]"  # noqa: E731
     return {
@@ -73,8 +74,9 @@ def content(
     }
 
 
-def _said(row: RobotFunction) -> dict[str, tuple[str, str]]:
-    return {name: (count(signal), signal.comment) for name, signal in row.results.items()}
+def _said(chain: Chain, row: RobotFunction) -> dict[str, tuple[str, str]]:
+    rates = "$$_NVZ" if chain.n_internal else "$$_NV"
+    return {name: (count(signal).replace("$$_NVZ", rates), signal.comment) for name, signal in row.results.items()}
 
 
 @dataclass(frozen=True)

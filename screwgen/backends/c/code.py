@@ -31,7 +31,7 @@ WIDTH = 96
 KEYWORDS = frozenset(
     "auto break case char const continue default do double else enum extern float for goto if inline int long "
     "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
-    "sin cos sqrt y0 y1 yn j0 j1 jn gamma real REAL NULL k".split()  # k counts in loops
+    "sin cos sqrt exp y0 y1 yn j0 j1 jn gamma real REAL NULL k".split()  # k counts in loops
 )
 
 

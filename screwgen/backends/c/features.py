@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
+from ...spec.parameters import per_internal
 from ...topology.chain import Chain
 from ..templates import FEATURES
 from . import closing, forces, held, inputs, laws
@@ -18,10 +19,12 @@ def files(chain: Chain) -> tuple[str, ...]:
 def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     """The templates' context; ``place`` is that of the fused function.
 
-    ``scratch``: how many structs of a name they keep during a call, and of numbers under an empty name; ``switches``:
-    whether a law calls `on`.
+    ``scratch``: how many structs of a name they keep during a call, and of numbers under an empty name; ``switches``
+    and ``exponential``: whether a law calls `on` or `exp`; ``internal``: names and units of internal states, and
+    ``NVZ`` the length of v.
     """
     written = closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
+    written += ("internal",) * bool(chain.n_internal)
     written += inputs.features(chain) + held.HELD * chain.holds
     acting = forces.content(chain, baked, place)
     out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
@@ -29,7 +32,13 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     if chain.closing.rows:
         loops = closing.loops(chain, baked, place)
         kept, out = {"input": 1, "state": 2, "": 1 + loops["kept"]}, out | {"loops": loops}
+    out |= {"internal": list(per_internal(chain.robot).items()), "NVZ": "$$_NVZ" if chain.n_internal else "$$_NV"}
+    pairs = (zip(at, chain.laws[law], strict=True) for law, at in chain.internal.items())
+    rates = dict(sorted((z, chain.nv - chain.n_given + acted.coordinate) for own in pairs for z, acted in own))
+    out |= {"internal_rates_of": list(rates.values())}
+    out |= {"z_offset": chain.z_offset[:-1], "N_CHANGES": "$$_NV + $$_NVZ" if chain.n_internal else "2 * $$_NV"}
     out |= {"held": held.content(chain, baked, place) if chain.holds else None}
-    out["switches"] = laws.switches(chain) or forces.switches(chain) or held.switches(chain)
+    out["switches"] = laws.calls(chain, "on") or forces.switches(chain) or held.switches(chain)
+    out["exponential"] = laws.calls(chain, "exp")
     out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))
     return out | ({"idle": closing.idle_rows(chain, place)} if chain.closing.idle else {})

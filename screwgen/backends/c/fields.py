@@ -61,17 +61,21 @@ def structs(chain: Chain) -> dict[str, list[StructMember]]:
     def field(struct: str, name: str, s: Signal) -> StructMember:
         axes = "NAXES" if chain.other_inputs else "NTAU"
         sizes: dict[int | str, str] = {"NINERTIA": inertia, "NAXES": axes}
+        sizes |= {} if chain.n_internal else {"NVZ": "NV"}
         sizes |= {} if chain.base_v else {"NRATES": axes}
         sizes |= {} if chain.n_redundant != chain.n_joints else {"NREDUNDANT": axes}
         sizes |= {"NMODES": inner} if struct.startswith("dae") else {}
         comment = joint_comment(s, chain.sliding) + (effort(chain) + inputs.note(chain)) * (name == "tau")
+        comment += ", then internal states" * (name == "v" and chain.n_internal > 0)
         shape = tuple(sizes.get(n, n) for n in s.shape)
         return StructMember(name, shape, ROTORS[name] if "NINNER" in shape else comment)
 
     more: dict[str, Signal] = inputs.scratch(chain)
     more |= {"start_rate": START_RATE} if has_axis_terms(chain) else {}
     more |= {"qrate": COORDINATE_RATE} if chain.n_redundant != chain.n_joints else {}
-    own = ROBOT | {"dae_work": ROBOT["dae_work"] | more, "work": ROBOT["work"] | inputs.scratch(chain)}
+    more |= {"zdot": INTERNAL_RATE} if chain.n_internal else {}
+    own = ROBOT | {"dae_state": ROBOT["dae_state"] | ({"z": INTERNAL} if chain.n_internal else {})}
+    own |= {"dae_work": ROBOT["dae_work"] | more, "work": ROBOT["work"] | inputs.scratch(chain)}
     return {struct: [field(struct, n, s) for n, s in members.items()] for struct, members in own.items()}
 
 
@@ -80,6 +84,8 @@ def has_axis_terms(chain: Chain) -> bool:
     return bool(chain.n_added or chain.laws)
 
 
+INTERNAL = Signal(("NINTERNAL",), "rad, m", "-", "internal states")
+INTERNAL_RATE = Signal(("NINTERNAL",), "rad/s, m/s", "-", "rates of the internal states")
 COORDINATE_RATE = Signal(("NREDUNDANT",), "rad/s, 1/s", "-", "rates of the joint coordinates")
 START_RATE = Signal(AXES, "rad/s", "-", "joint rates at the start of a step")
 ROTORS = {
@@ -298,11 +304,13 @@ def scratch(
         "NLINKS": c.n,
         "NQ": c.nq,
         "NV": c.nv,
+        "NVZ": c.nvz,
         "NTAU": c.n_tau,
         "NAXES": c.n_joints,
         "NMODES": c.n_modes,
         "NGIVEN": c.n_given,
     }
+    sizes |= {"NINTERNAL": c.n_internal}
     sizes |= {"NINERTIA": c.n_inertia, "NINNER": c.n_inner, "NRATES": c.v_offset[-1], "NREDUNDANT": c.n_redundant}
     total = lambda fields: sum(f.reals(sizes) for f in fields)  # noqa: E731
     own = {name: total(fields) for name, fields in structs(c).items()}

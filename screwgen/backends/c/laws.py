@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
 from ...algorithms.axis_laws import LawsOfRobot, of_robot
-from ...algorithms.law_programs import STAGE, spring_slopes, spring_stage, stage, stage_slopes
+from ...algorithms.law_programs import STAGE, spring_slopes, spring_stage, stage, stage_slopes, state_rate, state_slopes
 from ...elements import Key
 from ...ir.program import Program
 from ...topology.chain import Chain
@@ -23,11 +23,20 @@ RESULTS = {
     "by_x": "by_q[i * ($$_NV + 1)]",
     "by_w": "by_v[i * ($$_NV + 1)]",
     "by_there": "by_there[i * ($$_NV + 1)]",
+    "by_z": "by_v[i * $$_NVZ + $$_NV + STATE[k]]",
+    "rate": "vdot[at]",
+    "rate_x": "by_q[at * $$_NV + i]",
+    "rate_w": "by_v[at * $$_NVZ + i]",
+    "rate_there": "by_there[at * $$_NVZ + i]",
+    "rate_z": "by_v[at * $$_NVZ + at]",
+    "rate_a": "follow[STATE[k]]",
 }
 """Where the results are added."""
-LOCAL = {name: name for name in STAGE} | {"h": "dt", "there": "w_there", "a": "vdot[i]"}
+LOCAL = {name: name for name in (*STAGE, "z")} | {"h": "dt", "there": "w_there", "a": "vdot[i]"}
 """The C names of the inputs of a stage."""
-TAKEN = frozenset("c k i m f q qdot theta thetadot rotor rotors s dt vdot by_q by_v by_there".split())
+TAKEN = frozenset(
+    "at follow states z c k i m f q qdot theta thetadot rotor rotors s dt vdot by_q by_v by_there".split()
+)
 
 
 def content(chain: Chain) -> list[dict]:
@@ -41,14 +50,14 @@ def content(chain: Chain) -> list[dict]:
     return [_law(chain, one) for one in of_robot(chain)]
 
 
-def switches(chain: Chain) -> bool:
-    """Whether any of the laws calls `on`."""
-    return any("on" in stage(one.law).operations for one in of_robot(chain))
+def calls(chain: Chain, function: str) -> bool:
+    """Whether any of the laws calls a function, `on` or `exp`."""
+    return any(function in stage(one.law).operations for one in of_robot(chain))
 
 
 def _law(chain: Chain, one: LawsOfRobot) -> dict:
     terms, slopes = stage(one.law), stage_slopes(one.law)
-    return {
+    return _internal(chain, one) | {
         "name": one.law.name.upper(),
         "words": one.law.words,
         "at": one.coordinates,
@@ -56,7 +65,7 @@ def _law(chain: Chain, one: LawsOfRobot) -> dict:
         "on_added": any(k >= chain.n_joints for k in one.coordinates),
         "terms": _body(Writer, terms),
         "lane_terms": _body(LaneWriter, terms),
-        "slopes": _body(Writer, slopes),
+        "slopes": _wider(chain, _body(Writer, slopes)),
         "reads": {name: _reads(terms, name) for name in STAGE},
         "slopes_read": {name: _reads(slopes, name) for name in STAGE},
         "columns": {name: _comment(chain, key) for name, key in one.law.table.items()},
@@ -67,6 +76,32 @@ def _law(chain: Chain, one: LawsOfRobot) -> dict:
             if key.sign == sign
         ],
         "notes": one.law.notes,
+    }
+
+
+def _wider(chain: Chain, lines: list[str]) -> list[str]:
+    """Statements whose matrices by rates have columns of internal states besides."""
+    if not chain.n_internal:
+        return lines
+    return [re.sub(r"(by_v|by_there)\[i \* \(\$\$_NV \+", r"\1[i * ($$_NVZ +", line) for line in lines]
+
+
+def _internal(chain: Chain, one: LawsOfRobot) -> dict:
+    """Of a law with an internal state: ``internal``, the number of that on every coordinate; ``rates``,
+    ``lane_rates`` and ``rate_slopes``, the bodies of loops that find their rates and add the derivatives of these;
+    ``place``: the places of the coordinates in ``q``."""
+    if one.law not in chain.internal:
+        return {"internal": []}
+    rates, slopes = state_rate(one.law), state_slopes(one.law)
+    names = (*STAGE, "z")
+    return {
+        "internal": [k - chain.nv for k in chain.internal[one.law]],
+        "rates": _body(Writer, rates, adding=frozenset()),
+        "lane_rates": _body(LaneWriter, rates, adding=frozenset()),
+        "rate_slopes": _body(Writer, slopes, adding=frozenset({"rate_x", "rate_w", "rate_there"})),
+        "rates_read": {LOCAL[name]: _reads(rates, name) for name in names},
+        "rate_slopes_read": {LOCAL[name]: _reads(slopes, name) for name in names},
+        "place": [chain.given_places[k] for k in one.coordinates],
     }
 
 
@@ -103,15 +138,16 @@ def _inlined(lines: list[str]) -> list[str]:
     return [f"{match[1]}{named[match[2]]};" for match in used if match]
 
 
-def springs(entry: str, *at: str) -> list[str]:
+def springs(entry: str, *at: str, rates: Sequence[str] = ()) -> list[str]:
     """The statements that add the derivatives of a spring and a damper at places of the matrices of ``own_slopes``.
 
-    ``entry``: the entry of the constants' columns.
+    ``entry``: the entry of the constants' columns; ``rates``: the places in the matrix by rates, if they are others.
     """
+    by_rates = rates or at
 
     def place(name: str, k: int) -> str | None:
         given = {"K": f"c->K[{entry}]", "D": f"c->D[{entry}]", "h": "dt"}
-        return {"by_x": f"by_q[{at[k]}]", "by_w": f"by_v[{at[k]}]"}.get(name, given.get(name))
+        return {"by_x": f"by_q[{at[k]}]", "by_w": f"by_v[{by_rates[k]}]"}.get(name, given.get(name))
 
     return _body(Writer, spring_slopes(len(at)), place)
 

@@ -78,6 +78,7 @@ class Fitted:
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
             *((True, row.words) for row in chain.other_inputs),
+            (chain.n_internal, "internal states, as of friction that remembers"),
             (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
         ):
             if asked:

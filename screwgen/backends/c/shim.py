@@ -49,12 +49,13 @@ def shims(project: CProject) -> dict[str, str]:
     names = FILES + (("derivatives_shim.c",) if project.with_derivatives else ())
     names, chain = names + (("by_p_shim.c",) if project.chosen else ()), project.chain
     told = [(f"m->{row.name}", length_of(row)) for row in reported(chain)]
+    where = [(place, "$$_NVZ" if chain.n_internal and size == "$$_NV" else size) for place, size in ROW]
     values = dict(
         views=views(chain),
         parts=PARTS,
         change=literal(CHANGE),
-        row=[("&t", "1"), *ROW, *told],
-        computed=[*ROW[3:], *told],
-        given=[*ROW[:3], ("m->input.w_ext[0]", "6 * $$_NLINKS")],
+        row=[("&t", "1"), *where, *told],
+        computed=[*where[3:], *told],
+        given=[*where[:3], ("m->input.w_ext[0]", "6 * $$_NLINKS")],
     )
     return {name: rendered(name, **project.context, **values) for name in names}

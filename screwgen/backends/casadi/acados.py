@@ -105,14 +105,15 @@ def _parameters(
 
 
 def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX) -> dict[str, Any]:
-    """x = [q; v].  Implicit: ``qdot - v`` and ``inverse_dynamics - [tau; 0]``, which cost less than ``xdot - f``.
+    """x = [q; v].  Implicit: ``qdot - v`` and ``inverse_dynamics - [tau; 0]``, which cost less than ``xdot - f``, and
+    the rates of internal states.
 
     Of a floating base ``qdot`` is that of position and quaternion, whose length nothing corrects: the dynamics do not
     depend on it. Where loops close the tree, z are the forces of their rows, and the rows ``g̈ + 2 c ġ + c² g = 0``
     stand last: in place of g itself, so that the index is 1.
     """
     nq, nv, names = chain.nq, chain.nv, coordinate_names(chain.robot)
-    x, xdot = ca.SX.sym("x", nq + nv), ca.SX.sym("xdot", nq + nv)
+    x, xdot = ca.SX.sym("x", nq + chain.nvz), ca.SX.sym("xdot", nq + chain.nvz)
     q, v = x[:nq], x[nq:]
     rates = coordinate_rates(chain, q, v, p)
     vdot = functions["forward_dynamics"](q, v, tau, w_ext, p)[0]
@@ -128,7 +129,8 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
         driven[place] = tau[joint]
     if chain.closing.couplings:
         driven[chain.base_v : chain.base_v + chain.n_joints] += torques
-    implicit = ca.vertcat(xdot[:nq] - rates, force - driven, rows)
+    internal = xdot[nq + nv :] - vdot[nv:]
+    implicit = ca.vertcat(xdot[:nq] - rates, force - driven, internal, rows)
     return {
         "x": x,
         "xdot": xdot,

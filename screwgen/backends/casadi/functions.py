@@ -59,7 +59,7 @@ def functions(chain: Chain) -> dict[str, Callable[[], Any]]:
 
     def mass_matrix() -> dict[str, ca.SX]:
         if chain.curved:
-            return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], given["vdot"])}
+            return {"M": ca.jacobian(outputs(fused.inertial_force)["force"], given["vdot"][: chain.nv])}
         lower = ca.SX(ca.Sparsity.lower(chain.nv).T, outputs(_inertia)["lower"]).T
         return {"M": ca.sparsify(ca.tril2symm(lower))}
 
@@ -152,7 +152,7 @@ def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Fun
 
 def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
     """``dict(x, u, p, ode)`` of the joint form for ``casadi.integrator``: x = [q; v], u = [tau; vec(w_ext)]."""
-    x, u = ca.SX.sym("x", chain.nq + chain.nv), ca.SX.sym("u", chain.n_tau + 6 * chain.n)
+    x, u = ca.SX.sym("x", chain.nq + chain.nvz), ca.SX.sym("u", chain.n_tau + 6 * chain.n)
     p = ca.SX.sym("p", dynamics.size1_in("p"))
     q, v = x[: chain.nq], x[chain.nq :]
     w_ext = ca.reshape(u[chain.n_tau :], 6, chain.n)
@@ -162,7 +162,9 @@ def ode(chain: Chain, dynamics: ca.Function) -> dict[str, ca.SX]:
 
 def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
     """``dq/dt``, which is v but for joints whose coordinates do not add up."""
-    return expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.curved else v
+    return (
+        expressions(fused.coordinate_rates(chain), {"q": q, "v": v, "p": p})["qdot"] if chain.curved else v[: chain.nv]
+    )
 
 
 def exerted(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:

@@ -10,7 +10,7 @@ import casadi as ca
 from ...algorithms import fused
 from ...algorithms import robot_programs as programs
 from ...algorithms.axis_laws import of_robot
-from ...algorithms.law_programs import stage
+from ...algorithms.law_programs import stage, state_rate, stuck
 from ...algorithms.schedule import COLUMNS
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
@@ -48,18 +48,26 @@ class CasadiAccelerations:
     def implicit(self, q: ca.SX, v: ca.SX, h: ca.SX | float, there: Motion | None = None) -> ca.SX:
         q_there, v_there = there or (q, v)
         x = q[self.chain.given_places, 0]
-        rate, later = (x[x.numel() - self.chain.n_given :, 0] for x in (v, v_there))
+        rates = slice(self.chain.nv - self.chain.n_given, self.chain.nv)
+        rate, later = v[rates, 0], v_there[rates, 0]
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
         times = self.chain.modal_product
         felt = {"m_eta": M + h * D + h**2 * K, "f_eta": times(K, x + h * rate) + times(D, rate)}
+        remembering = []
         for law, coordinates, sides in of_robot(self.chain):
             for k, (i, side) in enumerate(zip(coordinates, sides, strict=True)):
                 constants = {name: self.properties[name][k] for name in law.constants}
                 state = {"side": ca.SX(side), "x": x[i], "w": rate[i], "there": later[i], "h": ca.SX(h)}
+                if law in self.chain.internal:
+                    state |= {"z": v[self.chain.internal[law][k]]}
+                    remembering.append((self.chain.internal[law][k], law, rates.start + i, state | constants))
                 found = expressions(stage(law), state | constants)
                 felt["m_eta"][i] += found["inertia"]
                 felt["f_eta"][i] += found["force"]
-        return expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
+        vdot = expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
+        order = sorted(remembering, key=lambda one: one[0])
+        states = [expressions(state_rate(law), given | {"a": vdot[i]})["rate"] for _, law, i, given in order]
+        return ca.vertcat(vdot, *states)
 
 
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
@@ -103,16 +111,17 @@ def scaling(chain: Chain) -> ca.Function:
     """``(p) -> (q, v, tau)``: the size of a coordinate, rate and input; divided by it they are of order one.
 
     Each is what the energy E says, that of the stretched arm whose heaviest joint moves at 1 rad/s or 1 m/s: a mode
-    bends until its spring holds E, a rate alone carries E, a torque does 2 E over its angle, another input 2 E as what
-    it moves most moves.  Joints turn by 1 rad or slide by 1 m, and rotors with them; the gear of a transmission
-    stretches as a mode bends.  E is 1 J where there are no joints.
+    bends until its spring holds E, and so do bristles of friction; a rate alone carries E; a torque does 2 E over its
+    angle, another input 2 E as what it moves most moves.  Joints turn by 1 rad or slide by 1 m, and rotors with them;
+    the gear of a transmission stretches as a mode bends.  E is 1 J where there are no joints.
     """
     given, m, first = symbols(chain, "p"), chain.n_joints, chain.base_v
     inputs = symbols(chain, "q v vdot w_ext") | given
     force = expressions(fused.inertial_force(chain), inputs)["force"]
-    M = ca.diag(ca.jacobian(force, inputs["vdot"]))
+    M = ca.diag(ca.jacobian(force, inputs["vdot"])[:, : chain.nv])
     inertia = ca.substitute(M, inputs["q"], ca.vertcat(ca.SX(0, 1), *chain.home))
-    stiffness = list(expressions(fused.modal_properties(chain), given).values())[1]
+    properties = expressions(fused.modal_properties(chain), given)
+    stiffness = list(properties.values())[1]
     twice = ca.mmax(inertia[first : first + m]) if m else ca.SX(2.0)
     springs = stiffness[chain.n_given - chain.n_modes : chain.n_given] if chain.n_modes else ca.SX(0, 1)
     modes = ca.sqrt(twice / springs)
@@ -127,4 +136,16 @@ def scaling(chain: Chain) -> ca.Function:
     forces = ca.horzsplit(ca.fabs(exerted(chain, at_home, given["p"]))) if chain.other_inputs else []
     sizes = [ca.mmax(force * moves) for force in forces]  # nothing where an input does nothing at home
     others = [ca.if_else(size > 0, twice / size, 1.0) for size in sizes]
-    return function("scaling", given, q=q, v=ca.sqrt(twice / inertia), tau=ca.vertcat(tau, *others))
+    v = ca.vertcat(ca.sqrt(twice / inertia), *(ca.sqrt(twice / k) for k in _bristles(chain, properties)))
+    return function("scaling", given, q=q, v=v, tau=ca.vertcat(tau, *others))
+
+
+def _bristles(chain: Chain, properties: Mapping[str, ca.SX]) -> list[ca.SX]:
+    """The stiffness of every internal state."""
+    found = {}
+    for law, places in chain.internal.items():
+        for k, place in enumerate(places):
+            own = {name: properties[name][k] for name in law.constants}
+            given = dict.fromkeys(("side", "x", "w", "there", "h", "z"), ca.SX(0)) | own
+            found[place] = expressions(stuck(law), given)["stiffness"]
+    return [found[place] for place in sorted(found)]

@@ -128,7 +128,7 @@ def _structure(parent: Element, answers: Response, version: int, variables: Sequ
     """Outputs, rates of states, and what is unknown at the beginning, with what each depends on."""
     chain, first, depends = answers.chain, first_references(variables), _dependencies(answers, variables)
     outputs = [k for k, x in enumerate(variables) if x.causality == "output"]
-    rates = list(range(first["qdot"], first["qdot"] + chain.nq + chain.nv))
+    rates = list(range(first["qdot"], first["qdot"] + chain.nq + chain.nvz))
     unknown = sorted([k for k in outputs if variables[k].initial == "calculated"] + rates)
     groups = (("Outputs", "Output", outputs), ("Derivatives", "ContinuousStateDerivative", rates))
     for name, single, places in (*groups, ("InitialUnknowns", "InitialUnknown", unknown)):

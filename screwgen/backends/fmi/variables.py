@@ -73,7 +73,7 @@ def variables(answers: Response, methods: Sequence[str], baked: bool) -> list[Va
     first = len(out)
     out += _states(chain)
     out += _inputs(chain)
-    out += _rates(out[first : first + chain.nq + chain.nv], first, chain.nq)
+    out += _rates(out[first : first + chain.nq + chain.nvz], first, chain.nq)
     out += _outputs(answers)
     twice = {x.name for x in out if sum(y.name == x.name for y in out) > 1}
     if twice:
@@ -101,12 +101,13 @@ def _states(chain: Chain) -> Iterator[Variable]:
             "q", name, unit, _pose(name) or meaning, "output", initial="exact", start=float(start[k]), nominal=nominal
         )
     for k, (name, unit) in enumerate(zip(names.v, rate_units(chain.robot), strict=True)):
-        nominal = RATE_NOMINAL if k >= chain.eta_v else None
+        nominal = None if k < chain.eta_v else RATE_NOMINAL if k < chain.nv else MODE_NOMINAL
+        meaning = "rate of the coordinate" if k < chain.nv else "internal state"
         yield Variable(
             "v",
             name,
             unit,
-            turning.get(k, "rate of the coordinate"),
+            turning.get(k, meaning),
             "output",
             initial="exact",
             start=0.0,
@@ -135,7 +136,7 @@ def _inputs(chain: Chain) -> Iterator[Variable]:
 def _rates(states: Sequence[Variable], first: int, nq: int) -> Iterator[Variable]:
     for k, state in enumerate(states):
         group = "qdot" if k < nq else "vdot"
-        unit = f"{state.unit}/s" if k < nq else state.unit.removesuffix("/s") + "/s²"
+        unit = state.unit.removesuffix("/s") + "/s²" if state.unit.endswith("/s") else f"{state.unit}/s"
         yield Variable(
             group,
             f"der({state.name})",

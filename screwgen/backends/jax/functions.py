@@ -18,7 +18,7 @@ import numpy as np
 
 from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
-from ...algorithms.law_programs import replayed, spring_stage, stage
+from ...algorithms.law_programs import replayed, spring_stage, stage, state_rate
 from ...algorithms.parameter_slopes import BY_P
 from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
 from ...algorithms.robot_programs import held_inputs
@@ -80,8 +80,8 @@ class Own:
         self.chain, self.real = chain, real
         self.sizes: dict[str, tuple[int, ...]] = {
             "q": (chain.nq,),
-            "v": (chain.nv,),
-            "vdot": (chain.nv,),
+            "v": (chain.nvz,),
+            "vdot": (chain.nvz,),
             "tau": (chain.n_tau,),
             "w_ext": (chain.n, 6),
             "p": (len(fused.parameters(chain.robot)),),
@@ -162,10 +162,10 @@ class Own:
 
     def _mass_matrix(self, x: Values) -> jax.Array:
         force = lambda vdot: self.run(fused.inertial_force, "force", {**x, "vdot": vdot})[0]  # noqa: E731
-        return jax.jacrev(force)(jnp.zeros(self.chain.nv, self.real))
+        return jax.jacrev(force)(jnp.zeros(self.chain.nvz, self.real))[:, : self.chain.nv]
 
     def _coordinate_rates(self, x: Values) -> jax.Array:
-        return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.curved else x["v"]
+        return self.run(fused.coordinate_rates, "qdot", x)[0] if self.chain.curved else x["v"][: self.chain.nv]
 
     def _tip_jacobian(self, x: Values) -> jax.Array:
         """The twist of the last tip, [ω; ṙ] in inertial components, of unit rates."""
@@ -203,7 +203,8 @@ class JaxAccelerations:
     def implicit(self, q: Any, v: Any, h: Any, there: Motion | None = None) -> Any:
         q_there, v_there = there or (q, v)
         x = q[jnp.array(self.chain.given_places, int)]
-        rate, later = (values[len(values) - self.chain.n_given :] for values in (v, v_there))
+        rates, remembering = slice(self.chain.nv - self.chain.n_given, self.chain.nv), []
+        rate, later = v[rates], v_there[rates]
         M, K, D = (self.properties[name] for name in COLUMNS["eta"])
         rows, felt, entries = self.chain.springs
         inertia = M + replayed(spring_stage(), {"x": 0.0, "w": 0.0, "h": h, "K": K, "D": D}, _unary)["inertia"]
@@ -212,10 +213,20 @@ class JaxAccelerations:
         for law, coordinates, sides in self.laws:
             at, side = jnp.array(coordinates), jnp.array(sides, self.own.real)
             state = {"side": side, "x": x[at], "w": rate[at], "there": later[at], "h": h}
-            found = replayed(stage(law), state | {name: self.properties[name] for name in law.constants}, _unary)
+            state |= {name: self.properties[name] for name in law.constants}
+            if law in self.chain.internal:
+                state |= {"z": v[jnp.array(self.chain.internal[law])]}
+                remembering.append((law, at, state))
+            found = replayed(stage(law), state, _unary)
             inertia, force = inertia.at[at].add(found["inertia"]), force.at[at].add(found["force"])
         given = {**self.given, "m_eta": inertia, "f_eta": force, "q": q_there, "v": v_there}
-        return self.own.run(fused.modal_dynamics, "vdot", given)[0]
+        vdot = self.own.run(fused.modal_dynamics, "vdot", given)[0]
+        a = vdot[rates]
+        out = jnp.concatenate([vdot, jnp.zeros(self.chain.n_internal, vdot.dtype)])
+        for law, at, state in remembering:
+            found = replayed(state_rate(law), state | {"a": a[at]}, _unary)["rate"]
+            out = out.at[jnp.array(self.chain.internal[law])].set(found)
+        return out
 
 
 def _unary(op: str, x: Any) -> Any:

@@ -169,11 +169,11 @@ def extent(numeric: Numeric, q: Numbers) -> float:
 
 
 def moving(numeric: Numeric, q: np.ndarray, v: Numbers) -> np.ndarray:
-    """The rates nearest to `v` (nv,) that keep the loops closed at `q`."""
+    """The rates nearest to `v` (nvz,) that keep the loops closed at `q`; internal states are left as they are."""
     v = np.array(v, float)
-    if not numeric.chain.closing.rows:
-        return v
-    return v - np.linalg.lstsq(jacobian(numeric, q), numeric.gaps(q, v)[1], rcond=1e-10)[0]
+    if numeric.chain.closing.rows:
+        v[: numeric.chain.nv] -= np.linalg.lstsq(jacobian(numeric, q), numeric.gaps(q, v)[1], rcond=1e-10)[0]
+    return v
 
 
 def modes(chain: Chain) -> np.ndarray:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...integrators.method import Method, Move, Stage, times, weighted
-from ...integrators.space import FLAT, Curved, Space
+from ...integrators.space import FLAT, Curved, Space, beside_states
 from ...joints.exponential import Series, algebra_rate, exponential
 from ...topology.chain import Chain
 from .own_forces import CoordinateForces
@@ -24,7 +24,7 @@ SERIES = Series(c4, c5)
 
 def space_of(chain: Chain) -> Space:
     """How the coordinates of the joint form move."""
-    return Curved(chain, SERIES) if chain.curved else FLAT
+    return beside_states(Curved(chain, SERIES) if chain.curved else FLAT, chain)
 
 
 Function = Callable[..., Sequence]
@@ -51,7 +51,9 @@ class DaeDynamics:
         self.pose, self.eta, self.twist = slice(0, 7 * n), slice(7 * n, 7 * n + r), slice(7 * n + r, 13 * n + r)
         self.chain, self.axes = chain, np.array(chain.axis_places, int) - chain.base_q
         self.joints = slice(chain.base_v, chain.base_v + chain.n_joints)
-        self.etadot, self.q = slice(13 * n + r, 13 * n + 2 * r), slice(13 * n + 2 * r, None)
+        self.etadot = slice(13 * n + r, 13 * n + 2 * r)
+        self.q = slice(13 * n + 2 * r, 13 * n + 2 * r + chain.n_redundant)
+        self.z = slice(self.q.stop, None)
 
     def rates(
         self, x: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float = 0.0, start: np.ndarray | None = None
@@ -65,8 +67,12 @@ class DaeDynamics:
         """``xdot``, ``vdot`` and the wrenches at ``x``, the forces of modes and joints those ``h`` after ``start``."""
         here = self.own(x)
         own, rate = here if start is None or start is x else self.own(start)
-        forces = self.forces.linearised_over(own, rate, h, here[1])
-        return self.solve(x, tau, w_ext, forces.inertia(h), forces.force(own, rate, h))
+        begin = x if start is None else start
+        forces = self.forces.remembering(begin[self.z]).linearised_over(own, rate, h, here[1])
+        xdot, vdot, *more = self.solve(x, tau, w_ext, forces.inertia(h), forces.force(own, rate, h))
+        if self.chain.n_internal:
+            xdot = np.append(xdot[: self.z.start], forces.internal_rates(vdot))
+        return xdot, vdot, *more
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The coordinates with stiffness and damping (sprung joints, rotors, modes), and their rates."""

@@ -26,6 +26,7 @@ from ...algorithms.functions import (
 )
 from ...algorithms.gauges import strain_names
 from ...algorithms.input_functions import PULLS
+from ...algorithms.inverse_slopes import Slopes, of_numbers, symmetric, with_internal_rates
 from ...algorithms.linearise import closed_slopes, slopes
 from ...algorithms.marker_functions import STRAINED
 from ...algorithms.parameter_slopes import BY_P
@@ -225,13 +226,16 @@ class Numeric:
     def derivatives(
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Partial derivatives of ``vdot`` with q, v (nv, nv) and tau (nv, n_tau); with the pose by ``pose exp(δ)``."""
+        """Partial derivatives of ``vdot`` (nvz,) with q (nvz, nv), v (nvz, nvz) and tau (nvz, n_tau); with the pose by
+        ``pose exp(δ)``."""
         given = self._by_inputs(q)
         if self.chain.closing.rows:
             return self._closed_derivatives(given, *self.rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
-        M, f_q, f_v = self.slopes(q, v, vdot, w_ext, tau)
-        return -np.linalg.solve(M, f_q), -np.linalg.solve(M, f_v), np.linalg.solve(M, given)
+        found = self._slopes(q, v, vdot, w_ext, tau)
+        M, f_v = symmetric(found.M), np.hstack([found.f_v, found.f_z])
+        by_q, by_v, by_tau = (np.linalg.solve(M, x) for x in (-found.f_q, -f_v, given))
+        return with_internal_rates(found, by_q, by_v, by_tau)
 
     def _by_inputs(self, q: Numbers) -> np.ndarray:
         """(nv, n_tau): the generalised forces per unit of each input."""
@@ -249,13 +253,13 @@ class Numeric:
         """The same where loops close the tree: ``M dvdot - Jᵀ dλ = given dτ - df`` and ``J dvdot = -d(J vdot)``."""
         functions = self._functions(FORWARD, MOTION, INVERSE, SENSITIVITY)
         _, f, rows = closed_slopes(functions, q, v, tau, w_ext)
-        M, J = np.tril(f.M.astype(float)), rows.J.astype(float)
-        inertia, drifts = M + np.tril(M, -1).T, [rows.by_q, rows.by_v, np.zeros((len(J), given.shape[1]))]
-        unconstrained = np.linalg.solve(inertia, np.hstack([-f.f_q.astype(float), -f.f_v.astype(float), given]))
+        f, J = of_numbers(f), rows.J.astype(float)
+        inertia, others = symmetric(f.M), f.f_z.shape[1] + given.shape[1]
+        drifts = [rows.by_q, rows.by_v, np.zeros((len(J), others))]
+        unconstrained = np.linalg.solve(inertia, np.hstack([-f.f_q, -f.f_v, -f.f_z, given]))
         reach = np.linalg.solve(inertia, J.T)
         found = unconstrained - reach @ self.row_forces(J @ reach, J @ unconstrained + np.hstack(drifts).astype(float))
-        by_q, by_v, by_tau = np.split(found, [self.chain.nv, 2 * self.chain.nv], axis=1)
-        return by_q, by_v, by_tau
+        return with_internal_rates(f, *np.split(found, [self.chain.nv, self.chain.nv + self.chain.nvz], axis=1))
 
     def row_forces(self, A: np.ndarray, b: np.ndarray) -> np.ndarray:
         """X (rows, n) of ``A X = b`` with ``A = J M⁻¹ Jᵀ`` of the loops' rows, as the dynamics solve for their forces.
@@ -267,14 +271,16 @@ class Numeric:
     def slopes(
         self, q: Numbers, v: Numbers, vdot: Numbers | None, w_ext: Loads, tau: Loads = None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The mass matrix and the partial derivatives of the inverse dynamics with q and v, (nv, nv) each.
+        """The mass matrix and the partial derivatives of the inverse dynamics with q and rates, (nv, nv) each.
 
         ``tau`` counts where drives have transmissions: what their efforts do changes with the posture.
         """
+        found = self._slopes(q, v, vdot, w_ext, tau)
+        return symmetric(found.M), found.f_q, found.f_v
+
+    def _slopes(self, q: Numbers, v: Numbers, vdot: Numbers | None, w_ext: Loads, tau: Loads) -> Slopes:
         q, v, vdot, w_ext, tau = self.rows(q=q, v=v, vdot=vdot, w_ext=w_ext, tau=tau)
-        found = slopes(self._functions(INVERSE, SENSITIVITY), q, v, vdot, w_ext, tau)
-        M, f_q, f_v = (x.astype(float) for x in (found.M, found.f_q, found.f_v))
-        return np.tril(M) + np.tril(M, -1).T, f_q, f_v
+        return of_numbers(slopes(self._functions(INVERSE, SENSITIVITY), q, v, vdot, w_ext, tau))
 
     def tip_poses(self, q: Numbers) -> tuple[np.ndarray, np.ndarray]:
         """Rotations (n, 3, 3) and positions (n, 3) of the tip frames in the inertial frame."""
@@ -314,8 +320,9 @@ class Numeric:
         return np.array(vdot), np.array(wrench).reshape(self.chain.n, 6)
 
     def rows(self, **given: Loads) -> list[list[float]]:
-        """Arrays of the right shapes, flat; zeros for None."""
+        """Arrays of the right shapes, flat; zeros for None, and for internal states that ``v`` or ``vdot`` lacks."""
         sizes = _sizes(self.chain)
+        given |= {name: self.chain.with_internal(given[name]) for name in ("v", "vdot") if name in given}
         return [array(x, name, sizes[name], finite=False).ravel().tolist() for name, x in given.items()]
 
     def _stacked(self, places: Sequence[tuple[Sequence[float], Sequence[float]]]) -> tuple[np.ndarray, np.ndarray]:
@@ -324,7 +331,7 @@ class Numeric:
 
 def _sizes(chain: Chain) -> dict[str, tuple[int, ...]]:
     """The shapes of the functions' arguments, by name."""
-    return {"q": (chain.nq,), "v": (chain.nv,), "vdot": (chain.nv,)} | {
+    return {"q": (chain.nq,), "v": (chain.nvz,), "vdot": (chain.nvz,)} | {
         "tau": (chain.n_tau,),
         "w_ext": (chain.n, 6),
         "x": (state_size(chain),),

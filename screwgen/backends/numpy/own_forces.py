@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...algorithms.axis_laws import LawsOfRobot, of_robot
-from ...algorithms.law_programs import replayed, secants, spring_stage, stage_slopes
+from ...algorithms.law_programs import replayed, secants, spring_stage, stage_slopes, state_rate, stuck
 from ...elements.law import Secant
 from ...topology.chain import Chain
 
@@ -21,10 +21,16 @@ class LinearisedLaw(NamedTuple):
     constants: Mapping[str, np.ndarray]
     held: Secant | None = None
 
+    internal: np.ndarray | None = None
+    """Its internal states, one for each coordinate."""
+    at: Mapping[str, np.ndarray] | None = None
+    """The inputs of its programs of which ``held`` is."""
+
     def stage(self, x: np.ndarray, rate: np.ndarray, there: np.ndarray, h: float) -> dict[str, np.ndarray]:
         """The inputs of its programs."""
         at = self.law.coordinates
         state = {"side": np.array(self.law.sides, float), "x": x[at], "w": rate[at], "there": there[at]}
+        state |= {} if self.internal is None else {"z": self.internal}
         return state | {"h": np.full(len(at), h)} | dict(self.constants)
 
 
@@ -51,11 +57,27 @@ class CoordinateForces:
             chain, M, K, D, [LinearisedLaw(one, {name: next(own) for name in one.law.constants}) for one in laws]
         )
 
-    def of(self, x: np.ndarray) -> np.ndarray:
-        """The part of ``q`` or ``v`` (nq, ...) that belongs to these coordinates."""
-        if self.chain.curved and len(x) == self.chain.nq:
-            return x[self.chain.given_places]
-        return x[len(x) - self.chain.n_given :]
+    def of(self, q: np.ndarray) -> np.ndarray:
+        """The part of ``q`` (nq, ...) that belongs to these coordinates."""
+        return q[self.chain.given_places] if self.chain.curved else q[len(q) - self.chain.n_given :]
+
+    def of_rates(self, v: np.ndarray) -> np.ndarray:
+        """The part of ``v`` (nv, ...) or (nvz, ...) that belongs to their rates."""
+        return v[self.chain.nv - self.chain.n_given : self.chain.nv]
+
+    def over(self, q: np.ndarray, v: np.ndarray, h: float = 0.0, there: np.ndarray | None = None) -> CoordinateForces:
+        """The same with the laws as linear forces ``h`` after the state ``q`` (nq,), ``v`` (nvz,).
+
+        ``there`` (nvz,): the rates at the stage, those of ``v`` by default.
+        """
+        later, known = v if there is None else there, self.remembering(v[self.chain.nv :])
+        return known.linearised_over(self.of(q), self.of_rates(v), h, self.of_rates(later))
+
+    def remembering(self, internal: np.ndarray) -> CoordinateForces:
+        """The same with internal states (n_internal,)."""
+        chain, places = self.chain, self.chain.internal
+        own = lambda law: internal[np.array(places[law]) - chain.nv] if law in places else None  # noqa: E731
+        return replace(self, laws=[one._replace(internal=own(one.law.law)) for one in self.laws])
 
     def linearised_over(
         self, x: np.ndarray, rate: np.ndarray, h: float = 0.0, there: np.ndarray | None = None
@@ -65,8 +87,36 @@ class CoordinateForces:
         ``x``, ``rate`` (n_given,); ``there``: the rates at the stage, those of ``rate`` by default.
         """
         there = rate if there is None else there
-        found = (replayed(secants(one.law.law), one.stage(x, rate, there, h)) for one in self.laws)
-        return replace(self, laws=[a._replace(held=Secant(**held)) for a, held in zip(self.laws, found, strict=True)])
+        given = [one.stage(x, rate, there, h) for one in self.laws]
+        pairs = zip(self.laws, given, strict=True)
+        laws = [one._replace(held=Secant(**replayed(secants(one.law.law), own)), at=own) for one, own in pairs]
+        return replace(self, laws=laws)
+
+    def internal_rates(self, vdot: np.ndarray) -> np.ndarray:
+        """(n_internal,): the rates of internal states over the time of :meth:`over`, at accelerations (nv,)."""
+        a, out = self.of_rates(vdot), np.zeros(self.chain.n_internal)
+        for one in self.laws:
+            if one.at is not None and (own := self.chain.internal.get(one.law.law)):
+                found = replayed(state_rate(one.law.law), {**one.at, "a": a[one.law.coordinates]})
+                out[np.array(own) - self.chain.nv] = found["rate"]
+        return out
+
+    @property
+    def stuck(self) -> CoordinateForces:
+        """The same with internal states that follow their coordinates without decay: bristles as springs that stick."""
+        out = []
+        for one in self.laws:
+            if one.at is not None and one.law.law.state is not None:
+                x, w = (one.at[name] for name in "xw")
+                found = replayed(stuck(one.law.law), one.at)
+                out.append(
+                    one._replace(
+                        held=Secant(found["stiffness"], found["damping"], x, found["force"] - found["damping"] * w)
+                    )
+                )
+            else:
+                out.append(one)
+        return replace(self, laws=out)
 
     @property
     def slopes(self) -> CoordinateForces:
@@ -83,7 +133,7 @@ class CoordinateForces:
         """
         out, shape = np.zeros_like(change), (-1, *(1,) * (change.ndim - 1))
         for one in self.laws:
-            if not one.law.law.positional:
+            if not one.law.law.positional and one.law.law.state is None:
                 at, given = one.law.coordinates, one.stage(x, felt, rate, 0.0) | {"a": 0.0}
                 fall = replayed(stage_slopes(one.law.law), given)["by_there"]
                 np.add.at(out, at, np.reshape(fall, shape) * change[at])
@@ -100,6 +150,10 @@ class CoordinateForces:
             if one.held is not None:
                 np.add.at(out, one.law.coordinates, h * (one.held.damping + h * one.held.stiffness))
         return out
+
+    def force_of(self, q: np.ndarray, v: np.ndarray, h: float) -> np.ndarray:
+        """(n_given,): the force of :meth:`force` after the state ``q``, ``v``."""
+        return self.force(self.of(q), self.of_rates(v), h)
 
     def force(self, x: np.ndarray, rate: np.ndarray, h: float) -> np.ndarray:
         """(n_given, ...): the force ``h`` after ``x``, ``rate`` (n_given, ...) without the accelerations' part."""

@@ -45,7 +45,7 @@ def series(order: int, x: float) -> float:
     return total / math.factorial(order)
 
 
-NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "c4": c4, "c5": c5}
+NAMESPACE = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "exp": math.exp, "c4": c4, "c5": c5}
 for order in range(6, 10):
     NAMESPACE[f"c{order}"] = following(order, NAMESPACE[f"c{order - 2}"])
 NAMESPACE["on"] = lambda x: float(x > 0.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import cast
 
 import mpmath
 import numpy as np
@@ -151,7 +152,7 @@ def _errors(
     chain: Chain, case: Case, found: list, wrench: list, R: list, position: list, inverse: list
 ) -> tuple[float, float]:
     """The errors of accelerations, wrenches and pose, and of the wrenches of inverse dynamics."""
-    ends = (0, chain.eta_v - chain.n_added, chain.eta_v, chain.nv)
+    ends = (0, chain.eta_v - chain.n_added, chain.eta_v, chain.nv, chain.nvz)
     parts = [(found[a:b], case["vdot"][a:b]) for a, b in pairwise(ends)]
     parts += [(wrench[3 + k :: 6], case["wrench"][3 + k :: 6]) for k in range(3)]
     of = lambda found, kind: [x for i, x in enumerate(found) if i % 6 // 3 == kind]  # noqa: E731
@@ -186,8 +187,8 @@ def _case(chain: Chain, functions: Functions, number: int) -> Case:
 def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[float]]:
     """A state without pattern: fractional parts of multiples of irrational numbers, at sensible sizes.
 
-    A mode is deflected by what a force of 20 N bends it, so that no stiff mode drowns the rest, and every other stop is
-    pressed by as much, in the next case the others; the case 0 has no external wrench.
+    A mode is deflected by what a force of 20 N bends it, so that no stiff mode drowns the rest, and so are bristles of
+    friction. Every other stop is pressed by as much, in the next case the others. The case 0 has no external wrench.
     """
     draw = lambda k, salt, size: [round(size * _fraction(number, salt, j), 6) for j in range(k)]  # noqa: E731
     m, n = chain.n_joints, chain.n
@@ -204,6 +205,7 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     for (_, joint, side), at, k, _ in list(ends)[number % 2 :: 2]:
         pressed = float(at + side * 20 / k)
         q[joint] = pressed if chain.reach[joint, 0] < pressed < chain.reach[joint, 1] else q[joint]
+    bent = [float(f"{20.0 * _fraction(number, 4, j) / max(k, 400.0):.6e}") for j, k in enumerate(_bristles(functions))]
     for ratio, joint in zip(chain.ratios(p), chain.added_joints, strict=True):
         tau[joint] = float(f"{tau[joint] / (ratio or 1.0):.6e}")
     if chain.closing.rows:
@@ -211,10 +213,26 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
         q, eta = near[:m], near[chain.eta_q - chain.base_q :]
     return {
         "q": pose + _of_axes(chain, q) + turned(q) + eta,
-        "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)],
+        "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)] + bent,
         "tau": tau + [abs(x) for x in draw(chain.n_tau, 5, 20.0)[m:]],
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }
+
+
+def bristle_stiffness(chain: Chain) -> list[float]:
+    """What the forces of internal states grow by with these, at rest and at home, in their order."""
+    if not chain.n_internal:
+        return []
+    p, constants = fused.exact(chain, (MOTION,))
+    return _bristles(Functions(chain, constants, fused.world(chain, p), evaluation(chain, _real, 0.0)))
+
+
+def _bristles(functions: Functions) -> list[float]:
+    """What the forces of internal states grow by with these, at rest and at home, in their order."""
+    chain = functions.chain
+    state = functions.motion([mpmath.mpf(x) for x in chain.home], [mpmath.mpf(0)] * chain.nvz)
+    acting = (one for i, x in enumerate(state) if chain.keys[i].internal for one in functions.laws(i, x))
+    return [float(cast(float, one.values["by_z"])) for one in acting if one.law.state is not None]
 
 
 def _closed(chain: Chain, q: list[float]) -> list[float]:

@@ -92,9 +92,10 @@ class _Soft:
 
     def implicit(self, q: np.ndarray, v: np.ndarray, h: float, there: Motion | None = None) -> np.ndarray:
         at_q, at_v = there or (q, v)
-        own = self.own.linearised_over(self.own.of(q), self.own.of(v), h, self.own.of(at_v))
-        self.functions.given = (own.inertia(h).tolist(), own.force(own.of(q), own.of(v), h).tolist())
-        return np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
+        own = self.own.over(q, v, h, at_v)
+        self.functions.given = (own.inertia(h).tolist(), own.force_of(q, v, h).tolist())
+        vdot = np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
+        return np.append(vdot, own.internal_rates(vdot))
 
     def step(self, method: Method, q: np.ndarray, v: np.ndarray, dt: float) -> Motion:
         """A step of the joint form."""
@@ -217,7 +218,8 @@ def _length(soft: _Soft, q: np.ndarray, v: np.ndarray) -> float:
 def _sums(dae: DaeDynamics, x: np.ndarray) -> list[float]:
     """The sums of the parts of a state of the DAE form."""
     pose = x[dae.pose].reshape(-1, 7)
-    parts = (pose[:, :4], pose[:, 4:], x[dae.eta], x[dae.twist], x[dae.etadot], x[dae.q])
+    parts = [pose[:, :4], pose[:, 4:], x[dae.eta], x[dae.twist], x[dae.etadot], x[dae.q]]
+    parts += [x[dae.z]] * (dae.chain.n_internal > 0)
     return [weighted_sum(part.ravel()) for part in parts]
 
 

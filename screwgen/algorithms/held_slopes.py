@@ -17,7 +17,7 @@ Place = tuple[int, int]
 class HeldSlopes(NamedTuple):
     """``(q, v, tau) -> (by_tau, by_motion)``: the slope of each input held with itself, and those with the motion.
 
-    ``places``: of each of the latter its input, and its column among changes [δ; δv] (2 nv) of the state.
+    ``places``: of each of the latter its input, and its column among changes [δ; δv] (nv + nvz) of the state.
     """
 
     program: Program

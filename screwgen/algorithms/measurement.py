@@ -219,7 +219,7 @@ class Comparison(NamedTuple):
 
     program: Program
     """``rest`` (n): the innovation. ``rows``: its derivatives with changes [δq; δv] of the state, negative, of each
-    entry those in its span. ``by_vdot`` (n, nv), row by row: those with the accelerations, if these are among the
+    entry those in its span. ``by_vdot`` (n, nvz), row by row: those with the accelerations, if these are among the
     inputs."""
     spans: list[tuple[int, int]]
     """Of every entry where its derivatives begin in [δq; δv], and how many there are; others are zero."""
@@ -235,9 +235,9 @@ def comparison(row: Measurement, chain: Chain, constants: str = "parameters") ->
         expected = row.value(f, **own)
         by_q, by_v, by_vdot = row.slopes(f, own, expected)
         n = row.size(chain)
-        still = [[0.0] * n for _ in range(chain.nv)]
-        rows = list(zip(*(by_q or still), *(by_v or still), strict=True))
-        spans.extend((0, 2 * chain.nv) if by_vdot else _span(entries) for entries in rows)
+        still = [[0.0] * n for _ in range(chain.nvz)]
+        rows = list(zip(*(by_q or still[: chain.nv]), *(by_v or still), strict=True))
+        spans.extend((0, chain.n_changes) if by_vdot else _span(entries) for entries in rows)
         inside = [v for (first, size), row in zip(spans, rows, strict=True) for v in row[first : first + size]]
         out = {"rest": row.innovation(x["measured"], expected), "rows": inside}
         return out | ({"by_vdot": [v for row in zip(*by_vdot, strict=True) for v in row]} if by_vdot else {})

@@ -17,7 +17,7 @@ from .differentiated import NONFINITE, SINGULAR, failure
 from .filtering import Judged, KalmanFilter
 from .lean import RuntimeProject
 from .library import load
-from .measurements import Consistency, Innovation, Measured, Noise, deviations, gate_name, numbers
+from .measurements import Consistency, Innovation, Measured, Noise, deviations, gate_name, numbers, of_rates
 from .memory import Real, StructMemory, pointer
 
 __all__ = ["CompiledEstimator", "Noise"]
@@ -33,19 +33,20 @@ WHOLE = ("refused", "beyond", "trial", "taken", "patience")
 
 def _members(model: RobotModel, rows: Sequence[Measurement]) -> dict[str, tuple[int, ...]]:
     """The members of a filter's memory that are read or written here, and their shapes."""
-    n, chain = model.nv, model.chain
+    chain, n = model.chain, model.nv
     out = {f"{state}.q": (model.nq,) for state in ("state", "estimator.state")} | {"deviation.q": (n,)}
-    out |= {f"{state}.v": (n,) for state in ("state", "deviation", "estimator.state")}
+    out |= {f"{state}.v": (chain.nvz,) for state in ("state", "deviation", "estimator.state")}
     for row in rows:
         size = row.size(chain)
         out |= {f"measurement.{row.name}": (row.n_values(chain),), f"measurement.has_{row.name}": (size // row.group,)}
         out |= {f"estimator.{row.name}_variance": (size,), f"estimator.innovations.{row.name}": (size,)}
         out |= {f"estimator.{number.name}": (number.size(chain),) for number in row.numbers if number.stated}
         out |= {f"estimator.{gate_name(row)}": (1,)} if row.gated else {}
-    out |= {f"estimator.{name}": (n,) if name.startswith("density") else (1,) for name in OWN}
+    sizes = {"density_q": n, "density_v": chain.nvz}
+    out |= {f"estimator.{name}": (sizes.get(name, 1),) for name in OWN}
     out |= {f"estimator.innovations.{name}": (1,) for name in ("squared", "taken")}
     inputs: dict[str, tuple[int, ...]] = {"input.tau": (model.n_tau,), "input.w_ext": (model.n_links, 6)}
-    return out | inputs | {"estimator.P": (2 * n, 2 * n)}
+    return out | inputs | {"estimator.P": (chain.n_changes, chain.n_changes)}
 
 
 def _files(model: RobotModel, rows: Sequence[Measurement], binding: str) -> dict[str, str]:
@@ -92,7 +93,10 @@ class CompiledEstimator(KalmanFilter):
         self._write({f"estimator.{name}": x for row in rows for name, x in numbers(chain, row, noise).items()})
         gates = [gate_name(row) for row in rows if row.gated]
         self._write({f"estimator.{name}": noise.sensors.get(name, 0.0) for name in gates})
-        self._write({f"estimator.{name}": getattr(noise, name) for name in OWN})
+        own = {name: getattr(noise, name) for name in OWN} | {
+            "density_v": of_rates(chain, noise.density_v, "density_v")
+        }
+        self._write({f"estimator.{name}": value for name, value in own.items()})
 
     def _predict(self, tau: np.ndarray, w_ext: np.ndarray, dt: float) -> None:
         self._write({"input.tau": tau, "input.w_ext": w_ext})
@@ -115,12 +119,12 @@ class CompiledEstimator(KalmanFilter):
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
-        """The mean of q (nq,) and of v (nv,)."""
+        """The mean of q (nq,) and of v (nvz,)."""
         return self._at["estimator.state.q"].copy(), self._at["estimator.state.v"].copy()
 
     @property
     def covariance(self) -> np.ndarray:
-        """``P`` of [q; v], (2 nv, 2 nv); of the pose of a floating base that of a change [turn; shift]."""
+        """``P`` of [q; v], (nv + nvz, nv + nvz); of the pose of a floating base that of a change [turn; shift]."""
         return self._at["estimator.P"].copy()
 
     @property

@@ -50,10 +50,12 @@ class KalmanFilter(ABC):
     def start(
         self, q: Numbers, v: Numbers, deviation_q: Numbers | float, deviation_v: Numbers | float, noise: Noise
     ) -> None:
-        """Begin at a state (nq, nv) with the standard deviations of its entries (nv, nv).
+        """Begin at a state (nq, nvz) with the standard deviations of its entries (nv, nvz).
 
-        Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops close the tree
-        the state is closed, and the covariance is that of the deviations under the condition that the loops are closed.
+        Of ``v`` and its deviations rates (nv) alone will do, or for the deviations one number: internal states are then
+        zero, and known. Those of the pose of a floating base are of a change [turn; shift] in its own axes. Where loops
+        close the tree the state is closed, and the covariance is that of the deviations under the condition that the
+        loops are closed.
         """
         given = checked_start(self.model.chain, q, v, deviation_q, deviation_v)
         check_noise(self.model.chain, self.measurements, noise)
@@ -86,17 +88,18 @@ class KalmanFilter(ABC):
     @property
     @abstractmethod
     def state(self) -> tuple[np.ndarray, np.ndarray]:
-        """The mean of q (nq,) and of v (nv,)."""
+        """The mean of q (nq,) and of v (nvz,)."""
 
     @property
     @abstractmethod
     def covariance(self) -> np.ndarray:
-        """``P`` of [q; v], (2 nv, 2 nv); of the pose of a floating base that of a change [turn; shift]."""
+        """``P`` of [q; v], (nv + nvz, nv + nvz); of the pose of a floating base that of a change [turn; shift]."""
 
     def put(self, q: Numbers, v: Numbers, P: Any) -> None:
-        """Set mean, q (nq,) and v (nv,), and covariance (2 nv, 2 nv)."""
-        n, nq = self.model.nv, self.model.nq
-        self._put(array(q, "q", (nq,)), array(v, "v", (n,)), array(P, "P", (2 * n, 2 * n)))
+        """Set mean, q (nq,) and v (nvz,), and covariance (nv + nvz, nv + nvz)."""
+        chain = self.model.chain
+        n = chain.n_changes
+        self._put(array(q, "q", (chain.nq,)), array(v, "v", (chain.nvz,)), array(P, "P", (n, n)))
 
     @abstractmethod
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None: ...

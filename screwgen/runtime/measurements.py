@@ -32,6 +32,8 @@ class Noise:
 
     ``density_v``, ``density_q`` (nv): spectral densities of white noise on the rates of v and q, rad²/s³ and rad²/s
     (modes and slides: m²/s³, m²/s); of a floating base they belong to changes [turn; shift] of its pose, rad and m.
+    ``density_v`` (nvz) has those of internal states behind, rad²/s or m²/s, which are zero unless they are stated so:
+    a single number is that of all accelerations.
     By the name of each measurement the standard deviation of its entries, in its unit, of attitudes about axes of what
     turns: ``encoder=1e-4``. By their names the numbers of a sensor: ``fibre`` (gauges), the distance of each gauge from
     the centreline, m, on the side of positive y or z, not zero where ``strain`` is stated. A measurement that is
@@ -116,6 +118,13 @@ def spread(values: Any, name: str, size: int) -> np.ndarray:
     return np.broadcast_to(given, size)
 
 
+def of_rates(chain: Chain, values: Any, name: str) -> np.ndarray:
+    """The same of `v` (nvz,): where rates (nv,) alone are given, or one number for them, internal states have 0."""
+    if chain.n_internal and np.shape(values) == (chain.nvz,):
+        return spread(values, name, chain.nvz)
+    return np.append(spread(values, name, chain.nv), np.zeros(chain.n_internal))
+
+
 def deviations(chain: Chain, row: Measurement, noise: Noise) -> np.ndarray:
     """The standard deviation of every entry of a measurement."""
     return spread(noise.sensors.get(row.name, 0.0), row.name, row.size(chain))
@@ -162,8 +171,8 @@ def known(rows: Sequence[Measurement]) -> list[str]:
 
 def check_noise(chain: Chain, rows: Sequence[Measurement], noise: Noise) -> None:
     """Raises UsageError where a density or a deviation is negative or no number, or the number of them is wrong."""
-    for name in ("density_q", "density_v"):
-        spread(getattr(noise, name), name, chain.nv)
+    spread(noise.density_q, "density_q", chain.nv)
+    of_rates(chain, noise.density_v, "density_v")
     for row in rows:
         deviations(chain, row, noise)
     for row in rows:
@@ -184,13 +193,13 @@ def checked_start(
     chain: Chain, q: Numbers, v: Numbers, deviation_q: Any, deviation_v: Any
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """The arguments of ``start`` as arrays; raises UsageError."""
-    q, v = array(q, "q", (chain.nq,)), array(v, "v", (chain.nv,))
+    q, v = array(q, "q", (chain.nq,)), array(chain.with_internal(v), "v", (chain.nvz,))
     for part in chain.curved:
         first = part.q.start + (part.joint.turn_at or 0)
         if not q[first : first + 4].any():
             whose = "the base" if part.joint.in_space else f"link '{chain.names[part.link]}'"
             raise UsageError(f"q: the quaternion of {whose} is zero; give [1, 0, 0, 0] for no turn")
-    return q, v, spread(deviation_q, "deviation_q", chain.nv), spread(deviation_v, "deviation_v", chain.nv)
+    return q, v, spread(deviation_q, "deviation_q", chain.nv), of_rates(chain, deviation_v, "deviation_v")
 
 
 def checked_input(chain: Chain, tau: Loads, w_ext: Loads) -> tuple[np.ndarray, np.ndarray]:

@@ -1,9 +1,10 @@
 """The estimator in NumPy: an extended Kalman filter over q and v, for trees, loops, floating bases and ball joints.
 
 It does what the generated C does, in the same order, and needs no compiler. The covariance is that of changes
-[δ; δv] (2 nv), δ that by which joints move their coordinates: of the pose of a floating base [turn; shift] in its own
-axes, pose exp(δ), of a ball joint a turn in axes of its link. Where loops close the tree the mean is closed after
-every call, and the covariance is projected onto the motions that keep it closed.
+[δ; δv] (nv + nvz), δ that by which joints move their coordinates: of the pose of a floating base [turn; shift] in its
+own axes, pose exp(δ), of a ball joint a turn in axes of its link. δv holds changes of rates, then of internal states.
+Where loops close the tree the mean is closed after every call, and the covariance is projected onto the motions that
+keep it closed.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from ..ir.program import Program
 from ..robot_model import RobotModel
 from ..runtime.estimator import NOT_FINITE, OPEN, TOO_LONG
 from ..runtime.filtering import Judged, KalmanFilter
-from ..runtime.measurements import Consistency, Innovation, Measured, deviations, gate_of, numbers, spread
+from ..runtime.measurements import Consistency, Innovation, Measured, deviations, gate_of, numbers, of_rates, spread
 from .integrate import JointStepper
 from .mobility import closing
 
@@ -41,7 +42,7 @@ class Compared(NamedTuple):
     """A measurement beside the estimate."""
 
     H: np.ndarray
-    """(n, 2 nv): the derivatives of its entries with changes of the state."""
+    """(n, nv + nvz): the derivatives of its entries with changes of the state."""
     rest: np.ndarray
     """(n,): what was measured less what the estimate says."""
 
@@ -53,11 +54,11 @@ class Estimator(KalmanFilter):
         self, model: RobotModel, parameters: Given = None, measurements: Sequence[str | Measurement] | None = None
     ):
         super().__init__(model, parameters, measurements)
-        chain, n = model.chain, model.nv
+        chain = model.chain
         self._numeric, self._stepper = model.numpy(self._p), JointStepper(model, "modal_midpoint", self._p.tolist())
         self._space, self._hold = self._stepper.space, self._stepper.hold
         self._chained = HeldChain(chain, self._p) if chain.holds else None
-        self._q, self._v, self._P = np.array(chain.home), np.zeros(n), np.zeros((2 * n, 2 * n))
+        self._put(np.array(chain.home), np.zeros(chain.nvz), np.zeros((chain.n_changes, chain.n_changes)))
         self._judgements = self._none_yet()
 
     def _start(self, q: np.ndarray, v: np.ndarray, deviation_q: np.ndarray, deviation_v: np.ndarray) -> None:
@@ -73,12 +74,12 @@ class Estimator(KalmanFilter):
 
     @property
     def state(self) -> tuple[np.ndarray, np.ndarray]:
-        """The mean of q (nq,) and of v (nv,)."""
+        """The mean of q (nq,) and of v (nvz,)."""
         return self._q.copy(), self._v.copy()
 
     @property
     def covariance(self) -> np.ndarray:
-        """``P`` of [q; v], (2 nv, 2 nv)."""
+        """``P`` of [q; v], (nv + nvz, nv + nvz)."""
         return self._P.copy()
 
     # ------------------------------------------------------------------------------ prediction
@@ -88,7 +89,7 @@ class Estimator(KalmanFilter):
         middle, held = self._middle(q, v, dt), self._hold(self._q, self._v, tau)
         Phi, G = self._transition(*middle, self._slopes(*middle, tau, held, w_ext), dt)
         n, S = self.model.nv, Phi @ root(self._P)
-        kicks = G * np.sqrt(dt * spread(self.noise.density_v, "density_v", n))
+        kicks = G * np.sqrt(dt * of_rates(self.model.chain, self.noise.density_v, "density_v"))
         P = S @ S.T + kicks @ kicks.T
         P[np.arange(n), np.arange(n)] += dt * spread(self.noise.density_q, "density_q", n)
         self._accept(q, v, P)
@@ -96,7 +97,7 @@ class Estimator(KalmanFilter):
     def _middle(self, q: np.ndarray, v: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """The state in the middle of a step to q and v."""
         rate, chain = (self._v + v) / 2, self.model.chain
-        half = dt / 2 * rate
+        half = dt / 2 * rate[: chain.nv]
         half[chain.flat_v] = (q - self._q)[chain.flat_q] / 2
         return self._moved(self._q, half), rate
 
@@ -105,18 +106,18 @@ class Estimator(KalmanFilter):
     ) -> tuple[np.ndarray, np.ndarray]:
         """The implicit midpoint rule of the motion linearised in the middle of a step, and its answer to noise.
 
-        ``slopes``: the derivatives of the accelerations there with coordinates and rates.
+        ``slopes``: the derivatives of the accelerations there with coordinates and rates; those of internal states
+        are among them.
         """
-        (by_q, by_v), n = slopes, self.model.nv
-        one, none = np.eye(n), np.zeros((n, n))
-        A = np.block([[none, one], [by_q, by_v]])
-        A[:n, :n] = self.model.chain.carried(v)
-        left = np.eye(2 * n) - h / 2 * A
+        chain = self.model.chain
+        n, size, one = chain.nv, chain.n_changes, np.eye(chain.n_changes)
+        A = np.vstack([one[n : 2 * n], np.hstack(slopes)])
+        A[:n, :n] = chain.carried(v[:n])
         try:
-            solved = np.linalg.solve(left, np.hstack([np.eye(2 * n) + h / 2 * A, np.vstack([none, one])]))
+            solved = np.linalg.solve(one - h / 2 * A, np.hstack([one + h / 2 * A, one[:, n:]]))
         except np.linalg.LinAlgError:
             raise SingularError(TOO_LONG) from None
-        return solved[:, : 2 * n], solved[:, 2 * n :]
+        return solved[:, :size], solved[:, size:]
 
     def _slopes(
         self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, held: np.ndarray, w_ext: np.ndarray
@@ -175,7 +176,7 @@ class Estimator(KalmanFilter):
 
     def compared(self, row: Measurement, values: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> Compared:
         """A measurement beside the estimate, of its values; where these are NaN it is of no use."""
-        chain, numeric, n = self.model.chain, self._numeric, self.model.nv
+        chain, numeric = self.model.chain, self._numeric
         program, spans = self.model.once(("comparison", row), lambda: comparison(row, chain))
         held = self._hold(self._q, self._v, tau)
         given: dict[str, Any] = {"q": self._q, "v": self._v, "tau": held, "w_ext": w_ext.ravel(), "p": self._p}
@@ -184,13 +185,13 @@ class Estimator(KalmanFilter):
         if "vdot" in program.inputs:
             given["vdot"] = numeric.forward_dynamics(self._q, self._v, held, w_ext)[0]
         found = self._found(program, given)
-        H, at = np.zeros((len(spans), 2 * n)), 0
+        H, at = np.zeros((len(spans), chain.n_changes)), 0
         for own, (first, size) in zip(H, spans, strict=True):
             own[first : first + size] = found["rows"][at : at + size]
             at += size
         if "by_vdot" in found:
             by_q, by_v = self._slopes(self._q, self._v, tau, held, w_ext)
-            H += np.reshape(found["by_vdot"], (-1, n)) @ np.hstack([by_q, by_v])
+            H += np.reshape(found["by_vdot"], (-1, chain.nvz)) @ np.hstack([by_q, by_v])
         return Compared(H, np.array(found["rest"]))
 
     def _number(self, row: Measurement, number: SensorNumber) -> np.ndarray:
@@ -223,12 +224,12 @@ class Estimator(KalmanFilter):
         self._put(q, v, P)
 
     def _shut(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The closed state, and the projection (2 nv, 2 nv) of changes onto motions that keep it closed."""
+        """The closed state, and the projection (nv + nvz, nv + nvz) of changes onto motions that keep it closed."""
         n = self.model.nv
         J = J_q = reach = np.zeros((0, n))
         self._rows_of_loops = J, J_q
         if not self.model.chain.closing.rows:
-            return q, v, np.eye(2 * n)
+            return q, v, np.eye(self.model.chain.n_changes)
         for k in range(ROUNDS * CHORDS):
             if k % CHORDS == 0:
                 J, J_q, reach = self._directions(q, v)
@@ -238,13 +239,14 @@ class Estimator(KalmanFilter):
             raise SingularError(OPEN)
         self._rows_of_loops = J, J_q
         keep = np.eye(n) - reach @ J
-        T = np.block([[keep, np.zeros((n, n))], [-reach @ J_q @ keep, keep]])
-        return q, v - reach @ (J @ v), T
+        T = np.eye(self.model.chain.n_changes)
+        T[: 2 * n, : 2 * n] = np.block([[keep, np.zeros((n, n))], [-reach @ J_q @ keep, keep]])
+        return q, np.append(v[:n] - reach @ (J @ v[:n]), v[n:]), T
 
     def _directions(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """``J``, ``J_q`` of ``J v``, and what gaps take to close, by the inertia of a step of one second."""
         chain, own = self.model.chain, self._stepper.dynamics.own
-        own = own.linearised_over(own.of(q), own.of(v), FIRM, own.of(v))
+        own = own.over(q, v, FIRM)
         M = self._numeric.mass_matrix(q)
         at = slice(chain.nv - chain.n_given, None)
         M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))
@@ -255,7 +257,8 @@ class Estimator(KalmanFilter):
     def _conditioned(self, S: np.ndarray) -> np.ndarray:
         """The root of a covariance where it is known that the loops are closed, up to rounding."""
         J, J_q = self._rows_of_loops
-        for H in np.vstack([np.hstack([J, np.zeros_like(J)]), np.hstack([J_q, J])]):
+        rows = np.vstack([np.hstack([J, np.zeros_like(J)]), np.hstack([J_q, J])])
+        for H in np.hstack([rows, np.zeros((len(rows), self.model.chain.n_internal))]):
             size = H * H @ np.sum(S * S, axis=1)
             if size > 0:
                 S = corrected(S, H[None], np.zeros(1), np.array([EPSILON * size]))[1]

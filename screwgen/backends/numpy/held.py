@@ -20,12 +20,12 @@ class HeldChain:
     def __call__(
         self, q: Numbers, v: Numbers, tau: Numbers, by_q: np.ndarray, by_v: np.ndarray, by_tau: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Derivatives with changes of coordinates, rates (.., nv) and inputs (.., n_tau) as given, of those as held."""
+        """Derivatives with changes of q (.., nv), v (.., nvz) and inputs (.., n_tau) as given, of those as held."""
         given = {"q": list(q), "v": list(v), "tau": list(tau), "p": self.p}
         program = function_of(self.program)
         found = program({name: given.get(name, ()) for name in self.program.inputs}, EPSILON)[0]
-        by_motion = np.zeros((self.chain.n_tau, 2 * self.chain.nv))
+        by_motion = np.zeros((self.chain.n_tau, self.chain.n_changes))
         for (k, column), slope in zip(self.places, found["by_motion"], strict=True):
             by_motion[k, column] += slope
-        of_q, of_v = np.hsplit(by_motion, 2)
+        of_q, of_v = np.hsplit(by_motion, [self.chain.nv])
         return by_q + by_tau @ of_q, by_v + by_tau @ of_v, by_tau * np.array(found["by_tau"], float)

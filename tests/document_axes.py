@@ -18,6 +18,7 @@ KINDS = {
     "four-bar linkage": "A four-bar linkage joins",
     "derivatives": "holds in every posture. Of its two",
     "ahead": "Where the gear of such a drive is elastic",
+    "bristles": "Dry friction with",
 }
 """By what the text of each kind begins."""
 FRICTION = plain(r"\tau_f")
@@ -43,6 +44,9 @@ class Axis:
     tau: float = 0.0
     added: float = 0.0
     added_rate: float = 0.0
+    states: dict[str, float] = field(default_factory=dict)
+    """Internal states, by the kind of what has them."""
+    rates: dict[str, float] = field(default_factory=dict)
     known: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -90,7 +94,17 @@ class Axis:
             w = self.qdot
         if self.driven:
             self.known["w"] = w
-            self.known[FRICTION] = self.read(self.formula("elastic", r"\tau_f"), {})
+            remembers = r"\sigma_0" in self.numbers
+            self.known[FRICTION] = self._bristles() if remembers else self.read(self.formula("elastic", r"\tau_f"), {})
+
+    def _bristles(self) -> float:
+        """Friction that has an internal state, whose rate follows."""
+        own = {"z": self.states["friction"], r"\sigma_1": 0.0} | self.numbers
+        size = self.formula("bristles", "F_w")
+        constant = "F_s" in size and "F_s" not in own
+        own["F_w"] = own["c"] if constant else self.read(size, own)
+        own[r"\dot{z}"] = self.rates["friction"] = self.read(self.formula("bristles", r"\dot{z}"), own)
+        return self.read(self.formula("bristles", r"\tau_f"), own)
 
     def _crank(self) -> None:
         self.known |= {"u": self.q + self.numbers[plain(r"\beta_0")], plain(r"\sigma"): self.side}
@@ -123,7 +137,11 @@ class Axis:
             if name in self.limits and "k_s" in self.limits:
                 total = self._stopped(total, side, self.limits[name])
         for kind, numbers in self.elements.items():
-            force = self.read(self.formula(kind, r"\tau_e"), numbers)
+            own = dict(numbers)
+            if kind in self.states:
+                own["z"] = self.states[kind]
+                own[r"\dot{z}"] = self.rates[kind] = self.read(self.formula(kind, r"\dot{z}"), own)
+            force = self.read(self.formula(kind, r"\tau_e"), own)
             total = self.read(self.formula(kind, r"\tau_q", r"\leftarrow"), {r"\tau_q": total, r"\tau_e": force})
         return total, inertia, stiffness, damping
 

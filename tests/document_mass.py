@@ -21,7 +21,7 @@ def of_j(name: str) -> str:
 
 def mass_matrix_from_document(model, q) -> np.ndarray:
     """(nv, nv)."""
-    rest = np.zeros(model.nv), np.zeros(model.n_tau), np.zeros((model.n_links, 6))
+    rest = np.zeros(model.chain.nvz), np.zeros(model.n_tau), np.zeros((model.n_links, 6))
     return Blocks(State(reading(model), np.asarray(q, float), *rest)).whole()
 
 

@@ -30,7 +30,7 @@ BEFORE = plain(r"\dot{\mathbf{V}}_{T,i-1}")
 
 
 def accelerations_from_document(model: Model, q, v, tau, w_ext) -> tuple[np.ndarray, np.ndarray]:
-    """`vdot` (nv,) and the joint wrenches (n, 6), in the orders of NOTATION."""
+    """`vdot` (nvz,) and the joint wrenches (n, 6), in the orders of NOTATION."""
     given = (np.asarray(x, float) for x in (q, v, tau))
     return Run(State(reading(model), *given, np.reshape(np.asarray(w_ext, float), (-1, 6)))).solved()
 
@@ -75,7 +75,8 @@ class Run:
         wrenches = [
             np.zeros(6) if k.floats else np.ravel(e[r"\mathbf{w}_i"]) for k, e in zip(self.links, envs, strict=True)
         ]
-        return np.concatenate([*rates, *added, *etas]), np.array(wrenches)
+        internal = [axis.rates[kind] for axis, kind in self.state.internal]
+        return np.concatenate([*rates, *added, *etas, internal]), np.array(wrenches)
 
     @staticmethod
     def _rates(link: Link, env: Env) -> np.ndarray:

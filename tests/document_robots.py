@@ -4,13 +4,37 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable
+from dataclasses import dataclass
+
+from screwgen.elements import AxisElement, Bristle, Key, key
 
 Change = Callable[[dict], None]
 BODY = {"mass": 0.7, "com": [0.05, 0.02, -0.03], "inertia": [0.02, 0.03, 0.025, 0.001, -0.002, 0.0015]}
 SECTION = {"rhoA": 1.3, "EA": 4e3, "EIy": 11.0, "EIz": 17.0, "GJ": 7.0, "rhoIp": 2e-3}
 FRICTION = {"coulomb": 0.4, "viscous": 0.3, "velocity": 0.2}
+STICKING = {"coulomb": 0.4, "viscous": 0.3, "memory": {"stiffness": 3.0, "damping": 0.2}}
+FALLING = {"stribeck": {"static": 0.6, "velocity": 0.7}}
 FOUR_BAR = {"ground": 0.42, "crank": 0.24, "coupler": 0.46, "rocker": 0.27, "angle": -1.4, "branch": "crossed"}
 UPPER, FORE, HAND = range(3)
+
+
+@dataclass(frozen=True)
+class Dahl(AxisElement):
+    """Dahl's friction, an element with an internal state that the product lacks: ``F = σ z``."""
+
+    KIND = "dahl"
+    WORDS = "Dahl's friction"
+    FORMULA = r"\sigma\,z"
+    RATE = r"\dot{q} - \frac{\sigma\,\left| \dot{q} \right|}{F_c}\,z"
+    state = Key("rad", "m", "deflection of Dahl's friction", "z")
+
+    stiffness: float = key("N·m/rad", "N/m", "stiffness while it sticks", r"\sigma", sign="positive")
+    coulomb: float = key("N·m", "N", "friction while it slips", "F_c", sign="positive")
+
+    @staticmethod
+    def bristle(t, x, w, z, stiffness, coulomb):
+        rate = w * (t.call("on", w) - t.call("on", -w))
+        return Bristle(stiffness, 0.0, 1.0, stiffness * rate / coulomb)
 
 
 def arm() -> dict:
@@ -118,17 +142,23 @@ SLOTS: dict[str, dict[str, Change]] = {
     "tendons": {"tendons": tendons},
     "drive": {
         "rigid": joint(FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "friction": FRICTION}]),
+        "bristles": joint(FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "friction": STICKING}]),
+        "geared bristles": joint(
+            FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "stiffness": 60.0, "friction": STICKING | FALLING}]
+        ),
         "four-bar": joint(FORE, drives=[{"transmission": {"four_bar": FOUR_BAR}, "rotor_inertia": 0.1, "ratio": 3.0}]),
         "elastic cylinder": elastic(CYLINDER),
     },
     "axis": {
         "stops": joint(FORE, limits=[{"lower": 0.35, "upper": 0.5, "stiffness": 40.0, "damping": 0.3}]),
         "spring": joint(FORE, elements=[{"spring": {"stiffness": 3.0, "rest": 0.4}}]),
+        "dahl": joint(UPPER, elements=[Dahl(2.5, 0.7)]),
         "passive": joint(FORE, stiffness=[2.0], damping=[0.3]),
     },
     "hand": {
         "skew": joint(HAND, axes=[[0.3, -0.4, 0.866], "y"], armature=[0.01, 0.02]),
         "slide": joint(HAND, axes=[{"slide": [0.6, 0.0, 0.8]}, "y"], damping=[0.1, 0.2]),
+        "bristles of a slide": joint(HAND, axes=[{"slide": "x"}], drives=[{"friction": STICKING | FALLING}]),
         "screw": joint(HAND, axes=[{"screw": "z", "pitch": -0.07}]),
         "branched": branched,
     },

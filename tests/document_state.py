@@ -12,7 +12,7 @@ from document_points import exact_rod
 from document_symbols import Part, Printed, Scope, Undefined, plain
 from latex_formula import Value
 
-WORLD, WELDED, FREE, BALL = "world", "welded", "free", "ball"
+WORLD, WELDED, FREE, BALL, NONE = "world", "welded", "free", "ball", "–"
 
 
 @dataclass
@@ -127,6 +127,8 @@ class State:
             r = link.sizes[2]
             self.eta[link.number], self.rate[link.number] = q[at_q : at_q + r], v[at_v : at_v + r]
             at_q, at_v = at_q + r, at_v + r
+        self.internal = self._internal(at_v, v)
+        at_v += len(self.internal)
         if (at_q, at_v) != (len(q), len(v)):
             raise Undefined(f"the document has {at_q} coordinates and {at_v} rates, the robot {len(q)} and {len(v)}")
         for link in links:
@@ -135,6 +137,18 @@ class State:
         for axis, x in zip(axes, tau, strict=False):
             axis.tau = x
         self.tensions = tau[len(axes) :]
+
+    def _internal(self, first: int, v) -> list[tuple[Axis, str]]:
+        """The internal states in their order, by the table of coordinates: whose they are, and of which force."""
+        out = []
+        for row in self.reading.document.table(r"in $\mathbf{q}$"):
+            if row[0] == NONE:
+                name, kind, number = re.fullmatch(r"`(.*)\.(\w+)_state\[(\d+)\]`", row[3]).groups()
+                axis = next(x for x in self.reading.axes if (x.name, x.number) == (name, int(number)))
+                axis.states[kind] = v[int(row[1]) - 1]
+                assert int(row[1]) == first + len(out) + 1, "internal states do not stand behind the rates"
+                out.append((axis, kind))
+        return out
 
     def _scope(self, link: Link) -> Scope:
         column = lambda x: np.reshape(x, (-1, 1))  # noqa: E731

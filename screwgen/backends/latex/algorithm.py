@@ -151,6 +151,7 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "effort": elements.effort(chain),
         "acting": elements.acting(chain),
         "elements": elements.equations(chain),
+        "internal": bool(chain.internal),
         "forces": forces.lines(chain),
         "inputs": _inputs(chain),
         "loops": loops,

@@ -10,7 +10,7 @@ from ...errors import ScrewgenError
 from ...spec.link_class import EXACT
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from ..numpy.reference import accelerations
+from ..numpy.reference import accelerations, bristle_stiffness
 from .content import DocumentTable, Heading, Item, Paragraph
 from .tables import exact
 
@@ -116,11 +116,12 @@ def state(chain: Chain, nearer: float) -> tuple[list[float], list[float], list[f
         size = _length(chain, i) / 10.0**number
         q[chain.eta_q + k] = (-1) ** k * (nearer or 1.0) * MODES.get(chain.keys[i].order, MODES[1]) * size
         v[chain.eta_v + k] = MODE_RATE * RATE[k % len(RATE)] * size
+    bent = [EFFORT[k % len(EFFORT)] / stiffness for k, stiffness in enumerate(bristle_stiffness(chain))]
     u = [EFFORT[k % len(EFFORT)] for k in range(chain.n_tau)]
     w_ext = np.zeros((chain.n, 6))
     w_ext[0], w_ext[-1] = OTHER, WRENCH
     rounded = [float(f"{x:.12g}") for x in q]
-    return rounded, [float(f"{x:.12g}") for x in v], u, w_ext
+    return rounded, [float(f"{x:.12g}") for x in (*v, *bent)], u, w_ext
 
 
 def _length(chain: Chain, i: int) -> float:

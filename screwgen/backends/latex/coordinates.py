@@ -7,11 +7,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ...spec.inputs import input_units
-from ...spec.parameters import coordinate_names, coordinate_units
+from ...spec.parameters import coordinate_names, coordinate_units, rate_units
 from ...topology.chain import Chain
 from .content import DocumentTable, Heading, Item, Paragraph
 from .forces import TURNED
-from .tables import DIRECTION, axis_text, plain_unit
+from .tables import DIRECTION, NONE, axis_text, plain_unit
 
 ROWS = 60
 """Of more modes than that the table has one row for those of a link in one direction."""
@@ -20,6 +20,10 @@ ABOUT = (
     r"The entries of $\mathbf{q}$ and of the rates $\mathbf{v}$ in their order, as all functions of the tool take "
     r"and give them. $\mathbf{q}_i$, $\dot{\mathbf{q}}_i$ and $\boldsymbol{\eta}_i$ are those of the joint and of the "
     r"modes of link $i$; in the section of a class their entries are numbered within the link."
+)
+INTERNAL = (
+    r" Behind the rates $\mathbf{v}$ holds internal states, which forces remember of the motion. They are of first "
+    r"order and move no coordinate; in the equation of motion $\mathbf{v}$ is the rates alone."
 )
 BALL = (
     r" Those of $\mathbf{q}_i$ of a ball joint are its quaternion, those of $\dot{\mathbf{q}}_i$ its angular velocity."
@@ -36,7 +40,7 @@ def tables(chain: Chain) -> Iterator[Item]:
     yield Heading("Coordinates and inputs")
     sizes = zip(np.diff(chain.q_offset), np.diff(chain.v_offset), chain.keys, strict=True)
     balls = any(nq != nv and not key.floats for nq, nv, key in sizes)
-    yield Paragraph(ABOUT + BALL * balls, essential=True)
+    yield Paragraph(ABOUT + BALL * balls + INTERNAL * bool(chain.internal), essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
     yield Paragraph(INPUTS + TURNED * bool(chain.turned_wrenches), essential=True)
     rows = inputs(chain)
@@ -81,7 +85,7 @@ def coordinates(chain: Chain) -> list[tuple[str, ...]]:
                 cells = (f"{at_q + k + 1}", f"{at_v + k + 1}", f"$q_{{{number}}}$", f"`{names.q[at_q + k]}`")
                 out.append((*cells, about, plain_unit(units[at_q + k])))
     out += _added(chain, names.q, units)
-    return out + _modes(chain, names.q, units)
+    return out + _modes(chain, names.q, units) + list(_internal(chain, names.v))
 
 
 def _floating(at_q: int, at_v: int) -> Iterator[tuple[str, ...]]:
@@ -130,6 +134,19 @@ def _modes(chain: Chain, names: Sequence[str], units: Sequence[str]) -> list[tup
                 (*cells, symbol, f"`{names[at_q + k]}`" + " …" * (count > 1), about, plain_unit(units[at_q + k]))
             )
     return out
+
+
+def _internal(chain: Chain, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """The internal states, which stand in ``v`` alone."""
+    units = rate_units(chain.robot)
+    own = [(i, one) for i, key in enumerate(chain.keys) for one in key.internal]
+    for k, (i, (law, part, place, *_)) in enumerate(own, chain.nv):
+        assert law.state is not None
+        rotors = part == "theta"
+        joint = chain.added_joints[chain.theta_offset[i] + place] if rotors else chain.tau_offset[i] + place
+        of = f"{'of the rotor of the drive ' * rotors}of $q_{{{joint + 1}}}$"
+        symbol = rf"${law.state.symbol}_{{{joint + 1}}}$"
+        yield NONE, f"{k + 1}", symbol, f"`{names[k]}`", f"{law.state.meaning}, {of}", plain_unit(units[k])
 
 
 def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tuple[int, str, int, int]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...elements import STOP, TRAVELS, EffortLimit, ElementLaw, friction, gear, stop
+from ...elements import STOP, TRAVELS, BristleFriction, EffortLimit, ElementLaw, friction, gear, lugre, stop
 from ...ir.block import Binding
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
@@ -15,6 +15,8 @@ def symbols(chain: Chain) -> list[Named]:
     stated += [symbol for kind in chain.travel_kinds for symbol in kind.SYMBOLS]
     stated += gear.TRAVEL_SYMBOLS if chain.elastic_travels else ()
     stated += stop.SYMBOLS if STOP in chain.laws else ()
+    stated += lugre.SYMBOLS if (falling := _bristles(chain)) else ()
+    stated += lugre.STRIBECK_SYMBOLS if any(falling) else ()
     binding = {True: Binding.STATE, False: Binding.PARAMETER}
     return [(symbol, meaning, unit, "1", "-", binding[state]) for symbol, meaning, unit, state in stated]
 
@@ -32,6 +34,7 @@ def effort(chain: Chain) -> str:
 def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
     out = [gear.EQUATIONS] if driven(chain) else []
+    out += [lugre.equations(any(falling))] if (falling := _bristles(chain)) else []
     out += [stop.EQUATIONS] if STOP in chain.laws else []
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
@@ -45,7 +48,8 @@ def remarks(key: LinkClass) -> dict[str, object]:
         "elastic drives": key.added_axes,
         "rigid gears": any(drive.rotor_inertia and not drive.elastic for drive in key.drives),
         **{kind.PLURAL: type(kind) in map(type, key.travels.values()) for kind in TRAVELS},
-        "friction": any(drive.coulomb or drive.viscous for drive in key.drives),
+        "friction": any((drive.coulomb and not drive.memory) or drive.viscous for drive in key.drives),
+        BristleFriction.words: any(drive.memory for drive in key.drives),
         "stops": key.stops,
         EffortLimit.WORDS: key.limited_efforts,
         **{kind.WORDS: True for kind, _ in key.elements},
@@ -55,3 +59,8 @@ def remarks(key: LinkClass) -> dict[str, object]:
 def driven(chain: Chain) -> bool:
     """Whether axes have drives."""
     return any(key.drives for key in chain.keys)
+
+
+def _bristles(chain: Chain) -> list[bool]:
+    """Of each kind of friction that remembers, whether it falls with the rate."""
+    return [law.stribeck for law in chain.laws if isinstance(law, BristleFriction)]

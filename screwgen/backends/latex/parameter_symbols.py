@@ -6,7 +6,7 @@ from collections import Counter
 from functools import cache
 
 from ...algorithms.scope import derived
-from ...elements import KINDS, TRAVELS, EffortLimit, friction, gear, stop
+from ...elements import KINDS, TRAVELS, EffortLimit, friction, gear, lugre, stop
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
@@ -57,19 +57,24 @@ def _symbol(chain: Chain, p: Parameter) -> str:
     first = chain.firsts[p.link]
     own = [key for s, key in zip(chain.segments[first:], chain.keys[first:], strict=True) if s.link == p.link]
     found = (_inputs(key).get(label(p), "") for key in dict.fromkeys(own))
-    return next(filter(None, found), "") or _of_axis(p)
+    return next(filter(None, found), "") or _of_axis(chain, p)
 
 
-def _of_axis(p: Parameter) -> str:
+def _of_axis(chain: Chain, p: Parameter) -> str:
     """That of what acts on an axis."""
     *_, table, name = ("", *p.field.split("."))
     if p.field.startswith("joint.limits."):
         return (stop.LETTERS | {"effort": EffortLimit.table()["most"].symbol}).get(name, "")
     if p.field.startswith("joint.elements."):
-        return KINDS[table].table()[name].symbol if table in KINDS else ""
+        own = [kind for key in chain.keys for kind in (*dict(key.elements), *(law.kind for law in key.held_laws))]
+        kinds = KINDS | {kind.KIND: kind for kind in own}
+        return kinds[table].table()[name].symbol if table in kinds else ""
     if ".transmission." in p.field:
         below = p.field.partition(".transmission.")[2]
         return next((kind.KEYS[name].symbol for kind in TRAVELS if below == f"{kind.TABLE}{name}"), "")
+    below = p.field.partition(".friction.")[2]
+    if below in lugre.LETTERS:
+        return lugre.LETTERS[below]
     return (gear.LETTERS | friction.LETTERS).get(name, "") if p.field.startswith("joint.drives.") else ""
 
 

@@ -36,11 +36,14 @@ TRANSMISSIONS["other branch"] = {"four_bar": TRANSMISSIONS["four-bar"]["four_bar
 GEAR = {"stiffness": 60.0, "damping": 0.4}
 ROTOR = {"ratio": 8.0, "rotor_inertia": 2e-3}
 FRICTION = {"coulomb": 0.6, "viscous": 0.07, "velocity": 0.3}
+BRISTLES = {"coulomb": 1.5, "viscous": 0.3, "memory": {"stiffness": 45.0, "damping": 0.4}}
+BRISTLES |= {"stribeck": {"static": 2.2, "velocity": 0.6}}
 DRIVES: dict[str, dict] = {
     "rotor": ROTOR,
     "elastic gear": ROTOR | GEAR,
     "friction": {"friction": FRICTION},
     "geared friction": ROTOR | GEAR | {"friction": FRICTION},
+    "bristles": {"friction": BRISTLES},
     "cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "friction": FRICTION, "transmission": TRANSMISSIONS["cylinder"]},
     "four-bar": ROTOR | {"friction": FRICTION, "transmission": TRANSMISSIONS["four-bar"]},
     "elastic cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "stiffness": 4e3, "damping": 9.0}

@@ -7,16 +7,33 @@ from functools import cache
 
 import covertable
 
-from conformance.features import APART, FACTOR_OF, FACTORS, FEATURES, Row, conditions, features, possible
+from conformance.features import APART, FACTOR_OF, FACTORS, FEATURES, LATER, Row, conditions, features, possible
 
 
 @cache
 def covering() -> tuple[Row, ...]:
     """Rows that hold all pairs of levels that can stand together."""
-    levels = {factor: list(levels) for factor, levels in FACTORS.items()}
+    levels = {factor: [x for x in levels if x not in LATER] for factor, levels in FACTORS.items()}
     plain = {factor: own[0] for factor, own in levels.items()}
     apart = ({**plain, **more, **{FACTOR_OF[x]: x for x in pair}} for pair, more in APART.items())
-    return (*covertable.make(levels, strength=2, constraints=conditions()), *apart)
+    first = (*covertable.make(levels, strength=2, constraints=conditions()), *apart)
+    return (*first, *(row for level, factor in LATER.items() for row in beside(level, factor)))
+
+
+def beside(level: str, factor: str) -> list[Row]:
+    """Rows that hold a level beside all others that it can stand with, by factor one after the other."""
+    others = {name: list(own) for name, own in FACTORS.items() if name != factor}
+    plain, out = {name: own[0] for name, own in others.items()} | {factor: level}, []
+    left = {(name, x) for name, own in others.items() for x in own[1:] if possible({factor: level, name: x})}
+    while left:
+        row, held = dict(plain), len(left)
+        for name, x in sorted(left):
+            if row[name] == plain[name] and possible({**row, name: x}):
+                row[name] = x
+        left -= set(row.items())
+        assert len(left) < held, f"beside {level}: no row for {left}"
+        out.append({name: row[name] for name in FACTORS})
+    return out
 
 
 @cache

@@ -119,22 +119,23 @@ class Case:
         return np.where(np.arange(self.model.nv) < self.model.chain.eta_v, 1.0, 0.05)
 
     def differences(self, f, h: float = DIFFERENCE) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Slopes of ``f(q, v, tau) -> (m,)`` with q, v (m, nv), tau (m, n_tau), by differences extrapolated twice.
+        """Slopes of ``f(q, v, tau) -> (m,)`` with q (m, nv), v, tau, by differences extrapolated twice.
 
         A step is shortened where its two extrapolations do not agree, as beside the corner of a stop that lets go."""
         q, v, tau, _ = self.given
-        nv = self.model.nv
+        nv, end = self.model.nv, self.model.nv + len(v)
 
         def at(x):
-            return np.ravel(f(self.moved(q, x[:nv]), v + x[nv : 2 * nv], tau + x[2 * nv :]))
+            return np.ravel(f(self.moved(q, x[:nv]), v + x[nv:end], tau + x[end:]))
 
         # inputs act all but linearly, and over a step so little that short differences are those of rounding
-        sizes = np.concatenate([self.sizes, self.sizes, np.full(len(tau), 25.0)])
+        internal = np.full(len(v) - nv, 0.05)
+        sizes = np.concatenate([self.sizes, self.sizes, internal, np.full(len(tau), 25.0)])
         found = np.array(
             [slope(at, h * size * e) / (h * size) for size, e in zip(sizes, np.eye(len(sizes)), strict=True)]
         )
         found = found.reshape(len(sizes), -1).T
-        return found[:, :nv], found[:, nv : 2 * nv], found[:, 2 * nv :]
+        return found[:, :nv], found[:, nv:end], found[:, end:]
 
 
 def slope(f, x: np.ndarray, smooth: float = 1e-6) -> np.ndarray:

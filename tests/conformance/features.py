@@ -59,6 +59,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "elastic gear": "an elastic gear",
         "friction": "dry and viscous friction of a drive",
         "geared friction": "friction behind an elastic gear",
+        "bristles": "friction that remembers, an internal state",
         "cylinder": "a cylinder",
         "four-bar": "a four-bar linkage",
         "elastic cylinder": "a cylinder behind an elastic gear",
@@ -128,6 +129,9 @@ APART: dict[tuple[str, str], dict[str, str]] = {
     ("second order", "flat"): {"turn": "three axes", "fore": "rod", "tendon": "tendon", "damping": "ratio"},
 }
 """Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
+
+LATER: dict[str, str] = {"bristles": "drive"}
+"""Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""
 
 NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "exact fore")}
 """What a level needs one of."""

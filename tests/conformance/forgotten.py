@@ -12,6 +12,7 @@ from typing import NamedTuple
 SEED = 38
 ALGORITHMS, C, BODIES = "screwgen/algorithms/", "templates/c/", "screwgen/bodies/"
 HELD = "templates/c/features/held.jinja"
+INTERNAL = "templates/c/features/internal.jinja"
 INTERACTIONS = "screwgen/interactions/"
 
 
@@ -250,6 +251,25 @@ TABLE: list[Mutant] = [
       'return {**x, "tau": f.held(x["q"], x["v"], x["tau"])} if f.chain.holds else x', "return x"),
     M("limited", "C folder", "screwgen/backends/numpy/reference_sums.py",
       "self.tau = self.holding.held(q.tolist(), v.tolist(), self.given)", "pass"),
+    # ------------------------------------------------------------------------------------------- internal states
+    M("bristles", "judge", ALGORITHMS + "axis_laws.py", "        total = total + bent.stiffness * (z * z)\n", ""),
+    M("bristles", "derivatives", "screwgen/backends/numpy/numeric.py",
+      "np.hstack([found.f_v, found.f_z])", "np.hstack([found.f_v, 0 * found.f_z])"),
+    M("bristles", "CasADi", ALGORITHMS + "linear_model.py",
+      "mx.dot(row, x[\"v\"][: chain.nv])", "mx.dot(row, x[\"v\"][1 : chain.nv + 1])"),
+    M("bristles", "DAE runs", "screwgen/backends/numpy/dae_step.py",
+      "self.forces.remembering(begin[self.z])", "self.forces.remembering(0 * begin[self.z])"),
+    M("bristles", "derivatives of steps", INTERNAL,
+      "        $_internal_rates(c, dt, s->q, s->v, at->v, out->vdot);\n", ""),
+    M("bristles", "derivatives of steps", INTERNAL,
+      "out->vdot_v[$$_NV + n][k] += work->follow[n] * out->vdot_v[RATE[n]][k];", "(void)k;"),
+    M("bristles", "lanes", C + "batch_run.jinja",
+      "    for (k = $$_NV; k < $$_NVZ; ++k) {\n", "    for (k = $$_NVZ; k < $$_NVZ; ++k) {\n"),
+    M("bristles", "C, fused", INTERNAL,
+      "        y->z[k] = x->z[k] + dt * work->zdot[k];\n", "        y->z[k] = x->z[k];\n"),
+    M("bristles", "linear model", "screwgen/studies/linear.py", "np.eye(len(behind))", "0 * np.eye(len(behind))"),
+    M("bristles", "JAX", "screwgen/backends/jax/functions.py",
+      '"z": v[jnp.array(self.chain.internal[law])]', '"z": 0 * v[jnp.array(self.chain.internal[law])]'),
     # ------------------------------------------------------------------------------------------- what users do with it
     M("ball loop", "runs", C + "features/loops_in_runs.jinja", "power += m->drive_power[i];", "(void)i;"),
     M("coupling", "estimator", "screwgen/simulation/estimator.py",

@@ -23,6 +23,7 @@ from oracle_floating import ANGLE, column_rates, columns
 from scipy.spatial.transform import Rotation
 
 from conformance.arms import EFFORT, LOOPS
+from conformance.bristles import Bristles
 from conformance.features import Row
 from conformance.outer import Outer
 from conformance.tendons import tendon_length
@@ -31,7 +32,7 @@ from conformance.twin import as_turns, first_piece
 CONDITION = 1e8
 DEFINITE = 1e-5
 """The least eigenvalue of a mass matrix whose diagonal is scaled to one."""
-PARTS = ("base", "joints", "rotors", "modes")
+PARTS = ("base", "joints", "rotors", "modes", "internal")
 
 
 class Judge:
@@ -46,6 +47,7 @@ class Judge:
         self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
         if self.rows is not None:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
+        self.bristles = Bristles(robot, _axes(twin))
         self.tensions, self.outer = np.zeros(len(self.tendon_lengths)), Outer(robot, twin, oracle)
         self.pushes = np.zeros((len(self.outer.rows), 6))
 
@@ -106,7 +108,8 @@ class Judge:
 
     def _forces(self, q, tau) -> np.ndarray:
         """Those of drives, springs on axes, tendons, and of what acts on sections."""
-        return self.oracle._force(tau, q) + self.acting(q, self.tensions)[0].full()[:, 0] + self.acted[0][:, 0]
+        own = self.acting(q, self.tensions)[0].full()[:, 0] + self.acted[0][:, 0]
+        return self.oracle._force(tau, q) + own + self.bristles.forces(self.state["v"])
 
     # ------------------------------------------------------------------------------------ results, of the oracle
 
@@ -186,11 +189,12 @@ class Judge:
                 Q.append(q[own])
                 tau_out.append(tau[own])
         q_out = np.concatenate([*Q, q[self.oracle.n_joint :]])
-        return q_out, self.map @ v, np.concatenate([*tau_out, self.tensions]), self.outer.laid(w_ext, self.pushes)
+        rates, inputs = np.append(self.map @ v, self.bristles.z), np.concatenate([*tau_out, self.tensions])
+        return q_out, rates, inputs, self.outer.laid(w_ext, self.pushes)
 
     @cached_property
     def vdot(self) -> np.ndarray:
-        """(nv,): the rates of v."""
+        """(nvz,): the rates of v."""
         q, v, a = self.state["q"], self.state["v"], self.motion[0]
         out = self.map @ a
         for kind, own, i in self._kinds:
@@ -198,13 +202,14 @@ class Judge:
                 out[own] += column_rates(self.map[own, own], v[own])
             if kind == "free":
                 out[own] = self.oracle.link_twist_rates(q, v, a)[i]
-        return out
+        return np.append(out, self.bristles.rates(v))
 
     @cached_property
     def forces(self) -> np.ndarray:
         """(nv,): the generalised forces of the motion in the open tree, springs on axes and on sections among them."""
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
         own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0] + self.acted[0][:, 0]
+        own = own + self.bristles.forces(v)
         found = self.oracle.inverse_dynamics(q, v, self.motion[0], w_ext) - own
         return np.linalg.solve(self.map.T, found)
 
@@ -228,7 +233,8 @@ class Judge:
     def energy(self) -> tuple[float, float]:
         """Kinetic and potential, J, up to the constant of gravity."""
         kinetic, potential = self.oracle.energy(self.state["q"], self.state["v"])
-        return kinetic, potential + float(self.acting(self.state["q"], self.tensions)[1]) + self.acted[1].item()
+        acting = float(self.acting(self.state["q"], self.tensions)[1]) + self.acted[1].item()
+        return kinetic, potential + acting + self.bristles.energy
 
     @cached_property
     def mass_matrix(self) -> np.ndarray:
@@ -243,10 +249,11 @@ class Judge:
         the largest of those counts.
         """
         n, free = self.oracle.n_joint, 6 * ("base" in self.robot)
-        ends = np.cumsum([free, n - free, self.oracle.n_rotor])
+        ends = np.cumsum([free, n - free, self.oracle.n_rotor, self.oracle.nv - n - self.oracle.n_rotor])
         cut = lambda x: dict(zip(PARTS, np.split(np.ravel(x), ends), strict=True))  # noqa: E731
+        assert np.size(vdot) == np.size(self.vdot), "accelerations and rates of internal states"
         expected, found = cut(self.vdot), cut(vdot)
-        taken = cut(self.taken)
+        taken = cut(np.append(self.taken, 0 * self.bristles.z))
         out = {k: part_error(expected[k], found[k], self.vdot, taken[k]) for k in PARTS if len(expected[k])}
         if wrench is not None:
             W, given = self.wrench, np.reshape(wrench, (-1, 6))
@@ -283,6 +290,7 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
     judge = Judge(robot, twin, oracle, state)
     judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
     judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)
+    judge.bristles.z = rng.uniform(-0.04, 0.04, len(judge.bristles.z))
     return judge
 
 

@@ -85,7 +85,7 @@ def by_parameters(case: Case) -> None:
         h = mpmath.mpf(10) ** -15 * (abs(number) or 1)
         ends = ([mpmath.mpf(x) + (j == k) * way * h for j, x in enumerate(model.parameter_values)] for way in (1, -1))
         up, down = (exact_dynamics(case, p) for p in ends)
-        expected = np.split(((up - down) / (2 * h)).astype(float), [model.nv])
+        expected = np.split(((up - down) / (2 * h)).astype(float), [model.chain.nvz])
     for x, wanted, values in zip(found, expected, whole, strict=True):
         least = 1e-4 * np.abs(values).max(initial=0.0) / max(abs(number), 1e-3)  # of one that changes nothing
         error = np.abs(np.ravel(x) - wanted).max(initial=0.0)
@@ -102,6 +102,7 @@ def by_parameters(case: Case) -> None:
 
 def kinematic(case: Case, q: np.ndarray, v: np.ndarray, h: float = 1e-4) -> np.ndarray:
     """(nv, 2 nv): the rates of small changes of coordinates, with these and with changes of rates, by differences."""
+    v = v[: case.model.nv]
 
     def after(x, t):
         there = case.moved(case.moved(q, x[: len(v)]), t * (v + x[len(v) :]))
@@ -122,7 +123,7 @@ def linear(case: Case) -> None:
     assert list(linear.input_names[: len(tau)]) == model.tau_names
     if model.chain.closing.rows:
         return independent(case, linear, q, v)
-    near(A[:nv], kinematic(case, q, v), 1e-7, "rates of changes")
+    near(A[:nv, : 2 * nv], kinematic(case, q, v), 1e-7, "rates of changes")
     near(A[nv:, :nv], by_q, case.tolerance, "A by coordinates")
     near(A[nv:, nv:], by_v, case.tolerance, "A by rates")
     near(B[nv:, : len(tau)], by_tau, case.tolerance, "B")
@@ -132,7 +133,7 @@ def linear(case: Case) -> None:
 def outputs(case: Case, linear, q: np.ndarray, v: np.ndarray) -> None:
     """Places, velocities and accelerations of the tip are each the next one's integral; C and D along a direction."""
     (_, _, tau, w_ext), model, f, nv = case.given, case.model, case.model.numpy(), case.model.nv
-    vdot, y, along = f.forward_dynamics(q, v, tau, w_ext)[0], linear.y, linear.C[:6] @ np.append(v, linear.vdot)
+    vdot, y, along = f.forward_dynamics(q, v, tau, w_ext)[0], linear.y, linear.C[:6] @ np.append(v[:nv], linear.vdot)
     near(y[:3], f.tip_pose(q)[1], case.agreement, "place of the tip")
     near(along[:3], y[3:6], case.agreement, "velocity of the tip")
     near(along[3:], y[6:9], case.tolerance, "acceleration of the tip")
@@ -157,8 +158,10 @@ def outputs(case: Case, linear, q: np.ndarray, v: np.ndarray) -> None:
 def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-5) -> None:
     """The slopes of independent accelerations by differences along motions that keep the loops closed."""
     (_, _, tau, w_ext), model, f = case.given, case.model, case.model.numpy()
-    half = len(linear.A) // 2
-    own = [model.v_names.index(name) for name in linear.state_names[half:]]
+    internal = model.v_names[model.nv :]
+    half = (len(linear.A) - len(internal)) // 2
+    own = [model.v_names.index(name) for name in linear.state_names[half : 2 * half]]
+    assert list(linear.state_names[2 * half :]) == internal
     others = np.setdiff1d(np.arange(model.nv), own)
     held = np.isin(np.arange(model.nq), [k for k in range(model.nq) if k - model.nq + model.nv in own])
 
@@ -168,12 +171,13 @@ def independent(case: Case, linear, q: np.ndarray, v: np.ndarray, h: float = 1e-
         change[own] = x[:half]
         there = shut(f, case.moved(q, change), held)
         J = jacobian(f, there)
-        rates[own] = v[own] + x[half:]
+        rates[own] = v[own] + x[half : 2 * half]
         rates[others] = -np.linalg.lstsq(J[:, others], J[:, own] @ rates[own])[0]
-        return f.forward_dynamics(there, rates, tau, w_ext)[0][own]
+        whole = np.append(rates, v[model.nv :] + x[2 * half :])
+        return f.forward_dynamics(there, whole, tau, w_ext)[0][[*own, *range(model.nv, len(v))]]
 
     coarse, fine = (
-        np.array([(accelerations(t * e) - accelerations(-t * e)) / (2 * t) for e in np.eye(2 * half)]).T
+        np.array([(accelerations(t * e) - accelerations(-t * e)) / (2 * t) for e in np.eye(len(linear.A))]).T
         for t in (h, h / 2)
     )
     near(linear.A[half:], (4 * fine - coarse) / 3, max(1e-6, case.tolerance / h), "A")

@@ -97,10 +97,21 @@ def spelled_out(link: dict) -> dict:
     return link
 
 
+def _without_bristles(joint: dict) -> dict:
+    """The joint with viscous friction alone where friction remembers."""
+    drives = []
+    for drive in joint.get("drives", []):
+        friction = drive.get("friction", {})
+        viscous = {key: x for key, x in friction.items() if key == "viscous"}
+        drives.append(drive | {"friction": viscous} if "memory" in friction else drive)
+    return joint | ({"drives": drives} if drives else {})
+
+
 def as_turns(robot: dict) -> dict:
     """The robot of the oracle: line properties, pieces, turns in place of balls, axes in place of a free base."""
     robot = as_pieces(robot | {"links": [spelled_out(link) for link in robot["links"]]})
     for link in robot["links"]:
+        link["joint"] = _without_bristles(link["joint"])
         if link["joint"]["axes"] == "ball":
             link["joint"] = {**link["joint"], "axes": TURNS}
     if robot.get("base") == "floating":

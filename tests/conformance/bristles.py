@@ -1,0 +1,41 @@
+"""Friction that remembers, beside the oracle: ``zdot = w - σ |w| z / g(w)`` and ``F = σ z + d zdot``, by the file."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+class Bristles:
+    """``places``: of the oracle's coordinates on which bristles act; ``tables``: what the robot file states of each."""
+
+    def __init__(self, robot: dict, axes: dict[str, int]):
+        self.places, self.tables = [], []
+        for link in robot["links"]:
+            for k, drive in enumerate(link["joint"].get("drives", [])):
+                if "memory" in drive.get("friction", {}):
+                    names = [name for name in axes if name.split(".")[0].removesuffix("_0") == link["name"]]
+                    self.places.append(axes[names[k]])
+                    self.tables.append(drive["friction"])
+        self.z = np.zeros(len(self.places))
+
+    def rates(self, v: np.ndarray) -> np.ndarray:
+        """The rates of the deflections z."""
+        out = []
+        for place, table, z in zip(self.places, self.tables, self.z, strict=True):
+            w, size = v[place], table["coulomb"]
+            if falling := table.get("stribeck"):
+                size += (falling["static"] - size) * np.exp(-((w / falling["velocity"]) ** 2))
+            out.append(w - table["memory"]["stiffness"] * abs(w) * z / size)
+        return np.array(out)
+
+    def forces(self, v: np.ndarray) -> np.ndarray:
+        """(nv,): what they exert on the oracle's coordinates."""
+        out = np.zeros(len(v))
+        for place, table, z, rate in zip(self.places, self.tables, self.z, self.rates(v), strict=True):
+            out[place] -= table["memory"]["stiffness"] * z + table["memory"].get("damping", 0.0) * rate
+        return out
+
+    @property
+    def energy(self) -> float:
+        """What is stored in them, J."""
+        return sum(table["memory"]["stiffness"] * z * z / 2 for table, z in zip(self.tables, self.z, strict=True))

@@ -90,7 +90,9 @@ def test_the_filter_in_c_is_that_in_python(name):
         for e in filters:
             e.predict(*inputs, H)
         after = step(*before, *inputs, H, "modal_midpoint")
-        assert chain.closing.rows or all(np.allclose(a, b, rtol=0, atol=1e-13) for a, b in zip(filters[0].state, after, strict=True))
+        assert chain.closing.rows or all(
+            np.allclose(a, b, rtol=0, atol=1e-13) for a, b in zip(filters[0].state, after, strict=True)
+        )
         told = {}
         for row in filters[1].measurements:
             if row.group == 1:
@@ -132,7 +134,7 @@ def test_the_covariance_is_carried_as_differences_of_the_motion_say(name):
 
 @pytest.mark.parametrize("kind", [Estimator, CompiledEstimator])
 def test_positions_tell_how_far_bristles_are_bent(kind):
-    """A cart that sticks on bent bristles swings back a little; the filter, which takes them for straight, finds that."""
+    """A cart that sticks on bent bristles swings back; the filter, which takes them for straight, finds that."""
     robot = model("cart")
     e = kind(robot, measurements=["encoder"], **({"flags": QUICK} if kind is CompiledEstimator else {}))
     stepper, rng, nothing = Estimator(robot)._stepper, np.random.default_rng(5), ([0.0], np.zeros((1, 6)))

@@ -4,7 +4,6 @@ import pytest
 import resting_robots as rr
 from conftest import swept
 
-
 PULLED = 2001
 """Held joints, a tendon and two springs between frames."""
 

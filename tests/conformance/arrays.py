@@ -21,7 +21,7 @@ def covering() -> tuple[Row, ...]:
 
 
 def beside(level: str, factor: str) -> list[Row]:
-    """Rows that hold a level beside all others that it can stand with, by factor one after the other."""
+    """Rows that hold a level beside all others that it can stand with, by factor one after the other; then it alone."""
     others = {name: list(own) for name, own in FACTORS.items() if name != factor}
     plain, out = {name: own[0] for name, own in others.items()} | {factor: level}, []
     left = {(name, x) for name, own in others.items() for x in own[1:] if possible({factor: level, name: x})}
@@ -33,7 +33,7 @@ def beside(level: str, factor: str) -> list[Row]:
         left -= set(row.items())
         assert len(left) < held, f"beside {level}: no row for {left}"
         out.append({name: row[name] for name in FACTORS})
-    return out
+    return [*out, {name: plain[name] for name in FACTORS}]
 
 
 @cache

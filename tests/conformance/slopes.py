@@ -139,7 +139,8 @@ def outputs(case: Case, linear, q: np.ndarray, v: np.ndarray) -> None:
     near(along[3:], y[6:9], case.tolerance, "acceleration of the tip")
     rng = np.random.default_rng(6)
     push = rng.normal(size=w_ext.shape)
-    x, u = rng.normal(size=2 * nv) * np.append(case.sizes, case.sizes), rng.normal(size=len(tau))
+    sizes = np.concatenate([case.sizes, case.sizes, np.full(len(v) - nv, 0.05)])
+    x, u = rng.normal(size=len(sizes)) * sizes, rng.normal(size=len(tau))
     pushed = f.forward_dynamics(q, v, tau, w_ext + push)[0] - vdot
     near(linear.B[nv:, len(tau) :] @ push.ravel(), pushed, 10 * case.tolerance, "B by wrenches")
 

@@ -12,7 +12,7 @@ from helpers import arm, example, link, model_of, unfolded
 
 from screwgen.backends.c.project import CProject
 from screwgen.backends.numpy import reference
-from screwgen.backends.numpy.reference import rounding_errors
+from screwgen.backends.numpy.reference import assembly_error, rounding_errors
 from screwgen.cli.commands import run_generate
 from screwgen.errors import PrecisionWarning, ScrewgenError, UsageError
 
@@ -120,7 +120,7 @@ def test_the_tolerances_are_the_usual_where_rounding_is_small():
     project = CProject(model_of(BENDS).chain, "")
     check, extents = project.check, [x for case in project._cases for x in case["extent"]]
     assert check.pop("extent") == repr(float(f"{max(extents):.6g}"))
-    assert check == {"tolerance": {"single": "1e-04", "double": "1e-10"}, "inverse": {}, "lost": ""}
+    assert check == {"tolerance": {"single": "1e-04", "double": "1e-10"}, "inverse": {}, "lost": "", "assembly": ""}
 
 
 # -------- where a precision is of no use
@@ -224,3 +224,11 @@ def test_a_robot_without_a_possible_state_is_refused(monkeypatch):
     apart["links"][2] = apart["links"][2] | {"joint": {"axes": ["y"], "mount": {"xyz": [9.0, 0.0, 0.0]}}}
     with pytest.raises(ScrewgenError, match="stays open by"):
         model_of(apart).c_files()
+
+
+def test_near_gimbal_lock_float_may_miss_the_assembled_system():
+    """A milliradian from it the rows of three axes depend on each other but for a thousandth."""
+    chain = model_of(arm(link("a", 0.4, ["z", "y", "x"]), link("b", 0.3, "y"))).chain
+    case = CProject(chain, "")._cases[1]
+    near = case | {"q": [0.3, np.pi / 2 - 1e-3, 0.2, 0.5]}
+    assert assembly_error(chain, [case]) < 1e-5 < assembly_error(chain, [near])

@@ -13,7 +13,7 @@ from ...errors import UsageError
 from ...integrators.method import Method
 from ...topology.chain import Chain
 from ..numpy import reference_sums
-from ..numpy.reference import Case, cases, rounding_errors
+from ..numpy.reference import Case, assembly_error, cases, rounding_errors
 from .code import literal
 
 USUAL = {"single": (1e-4, 24), "double": (1e-10, 53)}
@@ -28,7 +28,8 @@ LOOSEST = 1e-2
 
 
 GROSS = 0.5
-"""The largest tolerance for wrenches of inverse dynamics, which no caller needs from rounded accelerations."""
+"""The largest tolerance for what no caller needs from rounded accelerations: wrenches of inverse dynamics, and the
+assembled system in float."""
 
 
 STATES = 3
@@ -64,7 +65,7 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
     ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones; where inputs change the
-    free fall they are not compared.
+    free fall they are not compared. ``assembly``: that of float for the assembled system, if it needs a larger one.
     Raises :class:`UsageError` if double precision does not suffice.
     """
     errors = {name: [state.errors[name] for state in states] for name in USUAL}
@@ -78,8 +79,15 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     lost = percent(needed["single"]) if needed["single"] > LOOSEST else ""
     extent = max((x for state in states for x in state.case["extent"]), default=1.0)
     inverses = more if larger and not chain.falls else {}
-    found: dict[str, object] = {"tolerance": tolerance, "inverse": inverses, "lost": lost}
+    assembly = "" if lost else _assembly(chain, states, float(tolerance["single"]))
+    found: dict[str, object] = {"tolerance": tolerance, "inverse": inverses, "lost": lost, "assembly": assembly}
     return found | {"extent": repr(float(f"{extent:.6g}"))}
+
+
+def _assembly(chain: Chain, states: Sequence[Recorded], usual: float) -> str:
+    """The tolerance of float for the assembled system as a C literal, "" if the usual one suffices."""
+    needed = MARGIN * assembly_error(chain, [state.case for state in states])
+    return f"{min(needed, GROSS):.0e}" if needed > usual else ""
 
 
 def sums(chain: Chain, cases: Sequence[Case], methods: Iterable[Method]) -> dict[str, object]:

@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 
 from ...algorithms import fused
+from ...algorithms.dae_functions import DaeFunctions
 from ...algorithms.functions import FORWARD, MOTION, Functions
 from ...algorithms.schedule import Apply
 from ...elements import STOP
@@ -106,12 +107,7 @@ def rounding_errors(chain: Chain, case: Case, bits: int) -> tuple[float, float]:
     is that of the joint wrenches by inverse dynamics from the rounded accelerations; it is larger where inertial forces
     that are large beside the wrenches cancel, as in many welded links.
     """
-    program, real = rounded_dynamics(chain), REALS[bits]
-    exact = {name: case[name] for name in ("q", "v", "tau", "w_ext", "vdot")} | {"p": chain.parameters.values}
-    rng, size = np.random.default_rng(0), 2.0 ** (1 - bits)
-    inputs = {name: [_neighbours(float(x), rng, real, size) for x in exact[name]] for name in program.inputs}
-    with np.errstate(all="ignore"):
-        found, guards = run(program, inputs, _elementwise(real), real(size), real)
+    found, guards = _drawn(rounded_dynamics(chain), chain, case, REALS[bits])
     if not all(np.all(guard > 0) for guard in guards):
         return math.inf, math.inf
     draws = [{name: [np.broadcast_to(x, DRAWS)[k] for x in found[name]] for name in found} for k in range(DRAWS)]
@@ -128,6 +124,50 @@ def rounded_dynamics(
     R, position = f.poses(q)[1][f.chain.last]
     inverse = f.without_forces().loads(q, v, vdot, f.with_loops(q, v, tau, w_ext).w_ext)[1]
     return {"found": found, "wrench": wrench, "R": R, "position": position, "inverse": inverse}
+
+
+def assembly_error(chain: Chain, cases: Sequence[Case]) -> float:
+    """How far rounding to single precision puts the assembled system of the DAE form from its solution.
+
+    The largest entry of ``M_sys z + H_sys - W_sys`` over the largest sum of the sizes of a row's terms, ``z`` being the
+    solution of the same system in double precision; of all cases and their neighbours, as in :func:`rounding_errors`.
+    It is large where three axes are near gimbal lock, though accelerations are accurate there.
+    """
+    places: list[tuple[int, int]] = []
+
+    def body(f: DaeFunctions, x: Mapping[str, Sequence]) -> fused.Outputs:
+        entries, H, W = f.assemble(f.place(x["q"], x["v"]), x["tau"], x["w_ext"])
+        places.extend(entries)
+        return {"M": list(entries.values()), "rest": [h - w for h, w in zip(H, W, strict=True)]}
+
+    program = fused.fuse(chain, "assembly_error", fused.inputs(chain, "q v tau w_ext"), body, kind=DaeFunctions)
+    row, column = np.transpose(places)
+
+    def stacked(case: Case, real: type) -> tuple[np.ndarray, np.ndarray]:
+        found, _ = _drawn(program, chain, case, real)
+        spread = lambda name: np.array([np.broadcast_to(x, DRAWS) for x in found[name]], dtype=float)  # noqa: E731
+        M = np.zeros((DRAWS, len(found["rest"]), len(found["rest"])))
+        M[:, row, column] = spread("M").T
+        return M, spread("rest").T
+
+    def error(case: Case) -> float:
+        M, rest = (x[0] for x in stacked(case, np.float64))
+        z = np.linalg.lstsq(M, -rest, rcond=None)[0]
+        M, rest = stacked(case, np.float32)
+        errors, sizes = np.abs(M @ z + rest), np.abs(M) @ np.abs(z) + np.abs(rest)
+        return float(np.max(errors.max(axis=1) / sizes.max(axis=1)))
+
+    return max(map(error, cases), default=0.0)
+
+
+def _drawn(program: Program, chain: Chain, case: Case, real: type) -> tuple[dict[str, list], list]:
+    """Outputs and guards of a program at a case and its neighbours, in the arithmetic of ``real``."""
+    exact = {name: case[name] for name in program.inputs if name != "p"} | {"p": chain.parameters.values}
+    size = float(np.finfo(real).eps)
+    rng = np.random.default_rng(0)
+    inputs = {name: [_neighbours(float(x), rng, real, size) for x in exact[name]] for name in program.inputs}
+    with np.errstate(all="ignore"):
+        return run(program, inputs, _elementwise(real), real(size), real)
 
 
 def _neighbours(x: float, rng: np.random.Generator, real: type, size: float) -> np.ndarray:

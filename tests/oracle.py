@@ -220,6 +220,11 @@ class Oracle:
         return self._function([self.q, self.v, self.a], *outputs)
 
     @cached_property
+    def _tip_rates(self) -> ca.Function:
+        rates = self.along_motion([cloud.tip_twist() for cloud in self.clouds])
+        return self._function([self.q, self.v, self.a], ca.horzcat(*rates))
+
+    @cached_property
     def _total_momentum(self) -> ca.Function:
         linear = sum(cloud.linear_momentum() for cloud in self.clouds)
         return self._function([self.q, self.v], linear, sum(c.angular_momentum() for c in self.clouds))
@@ -323,6 +328,10 @@ class Oracle:
     def tip_twists(self, q, v) -> np.ndarray:
         """(n, 6) twists of the tip frames, in tip-frame components."""
         return self._motion(q, v, np.zeros(self.nv))[1].full().T
+
+    def tip_twist_rates(self, q, v, vdot) -> np.ndarray:
+        """(n, 6) time derivatives of the components that `tip_twists` gives."""
+        return self._tip_rates(q, v, vdot).full().T
 
     def poses(self, q) -> dict[str, np.ndarray]:
         """R, tip_R: (n, 3, 3) body to inertial; origin, joint_point, tip_point: (n, 3) inertial, m."""

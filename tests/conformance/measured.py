@@ -137,6 +137,9 @@ def validity(case: Case) -> None:
     state, poses, links = judge.state, judge.oracle.poses(judge.state["q"]), judge.twin["links"]
     twists = judge.oracle.link_twists(state["q"], state["v"])
     rates = judge.oracle.link_twist_rates(state["q"], state["v"], judge.motion[0])
+    tips = np.split(judge.oracle.tip_twists(state["q"], state["v"]), 2, axis=1)
+    tip_rates = np.split(judge.oracle.tip_twist_rates(state["q"], state["v"], judge.motion[0]), 2, axis=1)
+    gravity = np.array(case.robot["gravity"])
     found = np.reshape(case.model.numpy().validity(q, v, tau, w_ext), (-1, 4))[judge.outer.links]
     parents, loads = parents_of(links), judge.state["w_ext"] + judge.motion[1] + judge.acted[2].T
     loaded, wrench = {row.place.link for row in judge.outer.rows if row.place.s < 1.0}, judge.wrench[judge.outer.links]
@@ -146,8 +149,12 @@ def validity(case: Case) -> None:
             continue
         R, tip = poses["R"][i], poses["R"][i].T @ poses["tip_R"][i]
         force = sum((R.T @ poses["R"][k] @ wrench[k, 3:] for k in carried), np.zeros(3)) - tip @ loads[i, 3:]
+        for body in (body for body in link.get("bodies", []) if body["at"] == "tip"):
+            (spin, fast), (turned, sped), c = (x[i] for x in tips), (x[i] for x in tip_rates), np.array(body["com"])
+            sped = sped + np.cross(spin, fast + np.cross(spin, c)) + np.cross(turned, c)
+            force = force + body["mass"] * (tip @ (sped - poses["tip_R"][i].T @ gravity))
         omega, speed = np.split(twists[i], 2)
-        a = rates[i, 3:] + np.cross(omega, speed) - R.T @ np.array(case.robot["gravity"])
+        a = rates[i, 3:] + np.cross(omega, speed) - R.T @ gravity
         l, rhoA = link["length"], link["section"]["rhoA"]
         EI, turn = min(link["section"][name] for name in ("EIy", "EIz")), np.sum(omega[1:] ** 2)
         moved = (R.T @ (poses["tip_point"][i] - poses["origin"][i]))[1:]
@@ -163,10 +170,9 @@ def plain(link: dict, carried: list[dict]) -> bool:
     """Whether a link's measures follow from one section, and from what it carries at its tip."""
     modes, section = link.get("modes", {}), link.get("section")
     bends = {"bending_y", "bending_z"} <= set(modes) and "shear_y" not in modes
-    bare = not any(body["at"] == "tip" for body in link.get("bodies", [])) and "frame_at" not in link
     return (
         bends
-        and bare
+        and "frame_at" not in link
         and isinstance(section, dict)
         and link.get("order", 1) == 1
         and all(x.get("at", "tip") == "tip" for x in carried)

@@ -12,7 +12,8 @@ from conformance.cases import STEP, Case
 from conformance.numbers import flat, near
 from screwgen.algorithms.robot_functions import reported
 from screwgen.backends.numpy.closing import moving
-from screwgen.studies.modes import movable
+from screwgen.plotting.run_panels import panels
+from screwgen.studies.modes import loaded_motion, movable
 
 COUNT = 6
 
@@ -45,6 +46,15 @@ def runs(case: Case) -> None:
     for name, row in rows.items():
         expected = flat(getattr(model.numpy(), name)(*(last[x] for x in row.names)))
         near(np.ravel(getattr(run, name)[-1]), expected, case.agreement, f"{name} of the last sample")
+    drawn(case, run)
+
+
+def drawn(case: Case, run: screwgen.Run) -> None:
+    """Figures have a curve of every input, and of every coordinate of a joint that has axes."""
+    curves = {line.values.tobytes() for panel in panels(run, model=case.model) for line in panel.lines}
+    moved = {name: x for name, x in zip(run.q_names, run.q.T, strict=True) if ".joint[" in name or ".slide[" in name}
+    for name, values in {**dict(zip(run.tau_names, run.tau.T, strict=True)), **moved}.items():
+        assert values.tobytes() in curves, f"no figure has {name}"
 
 
 def dae_runs(case: Case) -> None:
@@ -153,29 +163,46 @@ def modes(case: Case) -> None:
 
 
 def modes_beside_forces(case: Case) -> None:
-    """The same about the deflection under forces between frames, which the balance of modes and gears finds anew.
+    """The same about the deflection under forces between frames: where the potential is least as loops let it be.
 
-    Of robots with loops or transmissions that elastic gears drive, that they are found.
+    Its second derivatives there are those of the potential less the loops' gaps times their forces. Of robots with
+    transmissions, or with gears in loops, that frequencies are found.
     """
     model, chain = case.model, case.model.chain
     f, rest, h = model.numpy(np.append(np.zeros(3), model.parameter_values[3:])), np.zeros(model.nv), 1e-6
-    found = {joints: screwgen.mode_shapes(model, closed(case)[0], joints) for joints in ("locked", "free")}
-    if chain.closing.rows or chain.travels:
+    at, looped = closed(case)[0], bool(chain.closing.rows)
+    found = {joints: screwgen.mode_shapes(model, at, joints) for joints in ("locked", "free")}
+    if chain.travels or (looped and chain.n_added):
         assert all(np.isfinite(x.frequencies).all() for x in found.values())
         return
     gears = [chain.base_v + k for k in chain.added_joints]
-    bent, balanced = np.r_[chain.eta_v - len(gears) : model.nv], [*gears, *range(chain.eta_v, model.nv)]
-    start = chain.with_added(closed(case)[0][: model.n_joints], model.parameter_values)
-    start = np.append(start, closed(case)[0][chain.eta_q :])
-    force = lambda x: np.asarray(f.inverse_dynamics(case.moved(start, x), rest, rest, None))  # noqa: E731
-    place = lambda x: np.bincount(bent, x, model.nv)  # noqa: E731
-    solved = root(lambda x: force(place(x))[balanced], np.zeros(len(bent)), tol=1e-13)
+    start = np.append(chain.with_added(at[: model.n_joints], model.parameter_values), at[chain.eta_q :])
+    moving = {joints: movable(model, joints, start, model.parameter_values) for joints in found}
+    if looped:  # which may find rest in several postures
+        start = loaded_motion(model, at, None, False, model.parameter_values, moving["locked"]).q
+    bent = moving["locked"] if looped else np.r_[chain.eta_v - len(gears) : model.nv]
+    balanced = bent if looped else [*gears, *range(chain.eta_v, model.nv)]
+    place = lambda x: case.moved(start, np.bincount(bent, x, model.nv))  # noqa: E731
+    force = lambda q: np.asarray(f.inverse_dynamics(q, rest, rest, None))  # noqa: E731
+    slopes = lambda q: f.gap_slopes(q) if looped else np.zeros((0, model.nv))  # noqa: E731
+    along = lambda q: null_space(slopes(q)[:, balanced]) if looped else np.eye(len(balanced))  # noqa: E731
+
+    def unbalanced(x: np.ndarray) -> np.ndarray:
+        q = place(x)
+        N = along(q)
+        return np.append(N @ (N.T @ force(q)[balanced]), f.gaps(q, None)[0] if looped else ())
+
+    solved = root(unbalanced, np.zeros(len(bent)), method="lm", options={"xtol": 1e-15, "ftol": 1e-15})
+    assert np.abs(solved.fun).max() < 1e-8 * max(1.0, np.abs(force(start)).max()), "no rest was found"
     q = place(solved.x)
-    K = np.array([(force(q + h * x) - force(q - h * x)) / (2 * h) for x in np.eye(model.nv)]).T
-    M = f.mass_matrix(case.moved(start, q))
+    loops = np.linalg.lstsq(slopes(q)[:, balanced].T, force(q)[balanced], rcond=None)[0]
+    free = lambda q: force(q) - slopes(q).T @ loops  # noqa: E731
+    K = np.array([(free(case.moved(q, h * x)) - free(case.moved(q, -h * x))) / (2 * h) for x in np.eye(model.nv)]).T
+    M = f.mass_matrix(q)
     for joints, shapes in found.items():
-        moving = movable(model, joints, start, model.parameter_values)
-        squares = eigvalsh(*(((x + x.T) / 2)[np.ix_(moving, moving)] for x in (K, M)))
+        N = np.eye(model.nv)[:, moving[joints]]
+        N = N @ null_space(slopes(q) @ N) if looped else N
+        squares = eigvalsh(*(N.T @ ((x + x.T) / 2) @ N for x in (K, M)))
         expected = np.sqrt(np.maximum(squares, 0.0))[shapes.rigid :] / (2 * np.pi)
         near(np.sort(shapes.frequencies), expected, 1e-5, f"frequencies, {joints}")
 

@@ -119,7 +119,8 @@ TABLE: list[Mutant] = [
     M("friction", "JAX", "screwgen/backends/jax/functions.py",
       'inertia.at[at].add(found["inertia"]), force', "inertia, force"),
     M("ball", "JAX", "screwgen/backends/jax/functions.py",
-      "x = q[jnp.array(self.chain.given_places, int)]", "x = q[len(q) - self.chain.n_given :]"),
+      'rates = jax.vmap(lambda v: self._coordinate_rates({**x, "v": v}), out_axes=1)(units)',
+      "rates = jnp.eye(self.chain.nq, len(units))"),
     # ------------------------------------------------------------------------------------------------------- the C
     M("coupling", "C, fused", C + "features/loops.jinja",
       "torque[k] = work->loops.input.tau[k] - input->tau[k];", "torque[k] = work->loops.input.tau[k];"),

@@ -30,7 +30,7 @@ COPIED = ("screwgen", "templates", "tests")
 SHARED = "numpy scipy.optimize scipy.linalg sympy casadi jax pinocchio pydantic jinja2 pytest typer hypothesis".split()
 """Libraries that are loaded once for all mutants."""
 HEAVY = ("mock-up unit", "C folder", "commands")
-ROBOTS, OTHERS = 6, 2
+ROBOTS, OTHERS = 12, 2
 """Robots that meet the check of the consumer, and those that meet all others."""
 PATIENCE = 1200
 """Seconds that one mutant may take."""

@@ -193,9 +193,12 @@ STATED = ("q", "v", "tau", "w_ext", "p")
 
 
 def jax_functions(case: Case) -> None:
-    """Dynamics both ways, energy and a step."""
+    """Dynamics both ways, energy, mass matrix, Jacobian of the tip and a step."""
     with jax.enable_x64(True):
         given = jax_results(case, ("forward_dynamics", "inverse_dynamics", "energy"))
+        functions, at = case.model.jax(), (given["q"], given["p"])
+        near(np.asarray(functions["tip_jacobian"](*at)), tip_jacobian(case), case.agreement, "Jacobian of the tip")
+        near(np.asarray(functions["mass_matrix"](*at)), case.judge.mass_matrix, case.tolerance, "mass matrix")
         q, v = case.model.jax()["step"](*(given[x] for x in STATED), STEP)
     near(np.concatenate([q, v]), np.concatenate(stepped(case, "modal_midpoint")), case.agreement, "step")
 

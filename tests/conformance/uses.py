@@ -226,3 +226,15 @@ def document(case: Case) -> None:
     own, read = case.model.numpy().mass_matrix(q), mass_matrix_from_document(case.model, q)
     scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
     assert np.max(np.abs(own - read) / scale) < 1e-10
+    balances = [right for left, _, right in derived(case) if r"\boldsymbol{\mathcal{W}}^*_i" in left]
+    assert [r"T_c\," in loads for loads in balances] == [bool(case.model.chain.n_tensions)], "loads of the derivation"
+
+
+def derived(case: Case) -> list[tuple[str, str, str]]:
+    """The equations of the section that says how those of the algorithm come about."""
+    from document_symbols import parts
+
+    from screwgen.backends.latex import document
+
+    (section,) = [x for x in document.content(case.model.robot).sections if x.title == document.DERIVATION]
+    return [equation for part in parts(section) for equation in part.equations]

@@ -12,7 +12,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from screwgen.algorithms.robot_functions import FUNCTIONS, OUTPUTS, SENSED, RobotFunction  # noqa: E402
+from screwgen.algorithms.robot_function import RobotFunction  # noqa: E402
+from screwgen.algorithms.robot_functions import FUNCTIONS, OUTPUTS, SENSED  # noqa: E402
 
 PAGE = ROOT / "docs" / "functions.md"
 ROWS = re.compile(r"(?:^\| `.*\n)+", re.MULTILINE)

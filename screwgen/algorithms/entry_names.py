@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from ..spec.inputs import KIND, places
 from ..spec.tendons import TENSIONS
 from ..topology.chain import Chain
-from .robot_functions import RobotFunction, shape
+from .robot_function import RobotFunction, shape
 
 PARTS: dict[tuple, list[str]] = {
     (): [""],

@@ -17,7 +17,8 @@ from .functions import Functions
 from .gauges import Gauge, curvatures, gauges
 from .marker_functions import ACCELERATING, GIVEN_MOTION, MOVING, PLACED
 from .measurement import Attitude, Labels, Measurement, SensorNumber, root
-from .robot_functions import BY_NAME, entries
+from .robot_function import entries
+from .robot_functions import BY_NAME
 
 XYZ = ("x", "y", "z")
 

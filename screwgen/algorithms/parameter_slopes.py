@@ -16,7 +16,7 @@ from ..spec.parameters import parameters
 from ..topology.chain import Chain
 from .functions import EVERYTHING, Functions
 from .fused import Outputs, fuse, inputs, world
-from .robot_functions import RobotFunction, shape
+from .robot_function import RobotFunction, shape
 from .schedule import Algorithm
 
 BY_P = "_by_p"

@@ -14,7 +14,8 @@ from .functions import EVERYTHING, HOLD, Functions
 from .fused import fuse, prepared
 from .gauges import strain_names
 from .marker_functions import STRAINED
-from .robot_functions import FUNCTIONS, OUTPUTS, RobotFunction, entries, reported, sensed
+from .robot_function import RobotFunction, entries
+from .robot_functions import FUNCTIONS, OUTPUTS, reported, sensed
 from .schedule import Algorithm
 
 Values = Mapping[str, Sequence[Value]]

@@ -8,13 +8,6 @@ columns of runs and rollouts, variables of mock-up units, docs/functions.md. CON
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
-
-import numpy as np
-
 from ..bodies.validity import MEASURES
 from ..topology.chain import Chain
 from . import fused, sensors
@@ -25,57 +18,13 @@ from .gauges import strain_names
 from .input_functions import LENGTHS, POWER
 from .marker_functions import ACCELERATING, MOVING, PLACED, STRAINED
 from .momentum import CENTRED, MOMENTUM
-from .schedule import Algorithm
+from .robot_function import RobotFunction
 from .signals import ACCELERATION, INERTIAL, ROBOT, TIP, TWIST, WRENCH, Signal
 
 OUTPUTS, SENSORS = "outputs", "sensors"
 """The files of the C: what runs, rollouts and mock-up units report at every sample, and what only who asks is told."""
 SENSED = ("cylinder_length", "marker_pose", "marker_velocity", "gyro", "accelerometer")
 ROTATION, PLACE, MARKER = (3, 3), (3,), "axes of the marker"
-
-
-@dataclass(frozen=True)
-class RobotFunction:
-    """A function of a robot, of ``inputs``, names that blanks separate; ``results``: name -> shape, unit, frame and
-    meaning; ``program`` makes it as one program, whose ``body`` runs on `Functions`; ``algorithms``: those that the
-    body runs; ``offered``: of which robots there is one; ``c_file``: which file of the C has it, if any, see
-    ``OUTPUTS``; ``about``: a sentence."""
-
-    name: str
-    inputs: str
-    results: Mapping[str, Signal]
-    program: fused.Maker
-    algorithms: tuple[Algorithm, ...]
-    about: str
-    offered: Callable[[Chain], bool] = lambda chain: True
-    c_file: str = ""
-
-    @property
-    def names(self) -> list[str]:
-        """The names of the inputs."""
-        return self.inputs.split()
-
-
-def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:
-    """The shape of a result for a robot."""
-    sizes = {"NQ": chain.nq, "NV": chain.nv, "NVZ": chain.nvz, "NTAU": chain.n_tau, "NAXES": chain.n_joints}
-    sizes |= {"NLINKS": chain.n, "NTENDONS": chain.n_tensions, "NCYLINDERS": len(chain.cylinders)}
-    sizes |= {"NQUANTITIES": len(chain.force_quantities)}
-    sizes |= {"NMARKERS": len(chain.markers), "NSTRAINS": len(strain_names(chain))}
-    return tuple(sizes[size] if isinstance(size, str) else size for size in signal.shape)
-
-
-def is_matrix(signal: Signal) -> bool:
-    """Whether a result is one matrix, of the robot; others with two axes have a row per link or marker."""
-    return len(signal.shape) == 2 and not isinstance(signal.shape[0], str)
-
-
-def results(function: RobotFunction, chain: Chain, values: Sequence[float] | np.ndarray) -> Any:
-    """The results from all their entries: arrays, numbers, a tuple where they are several."""
-    shapes = [shape(of, chain) for of in function.results.values()]
-    parts = np.split(np.asarray(values), np.cumsum([math.prod(size) for size in shapes])[:-1])
-    out = [part.reshape(size) if size else part.item() for part, size in zip(parts, shapes, strict=True)]
-    return tuple(out) if len(out) > 1 else out[0]
 
 
 def _pose(turned: str, placed: str, *count: str) -> dict[str, Signal]:
@@ -340,11 +289,6 @@ def sensed(chain: Chain) -> tuple[RobotFunction, ...]:
 def in_file(name: str, chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that a file of the C has."""
     return tuple(function for function in offered(chain) if function.c_file == name)
-
-
-def entries(function: RobotFunction, chain: Chain) -> int:
-    """The number of entries of all results."""
-    return sum(math.prod(shape(of, chain)) for of in function.results.values())
 
 
 BY_NAME = {function.name: function for function in FUNCTIONS}

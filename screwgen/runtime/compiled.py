@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..algorithms.dae_functions import state_size, unknown_size
-from ..algorithms.robot_functions import BY_NAME, SENSORS, RobotFunction, entries, results
+from ..algorithms.robot_function import RobotFunction, entries, results
+from ..algorithms.robot_functions import BY_NAME, SENSORS
 from ..arguments import Given, Loads, Numbers, array, choice, parameters_keyword, seconds, whole
 from ..backends.c.forms import split
 from ..backends.c.shim import shims

@@ -10,7 +10,8 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from ..algorithms.robot_functions import entries, reported
+from ..algorithms.robot_function import entries
+from ..algorithms.robot_functions import reported
 from ..arguments import Loads, Numbers, array
 from ..backends.c.shim import views
 from ..bodies.validity import MEASURES

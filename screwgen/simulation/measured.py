@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, SENSORS, is_matrix, shape
+from ..algorithms.robot_function import is_matrix, shape
+from ..algorithms.robot_functions import BY_NAME, FUNCTIONS, SENSORS
 from ..robot_model import RobotModel
 
 MEASURED = tuple(row.name for row in FUNCTIONS if row.c_file == SENSORS)

@@ -19,7 +19,8 @@ from typing import Any, BinaryIO, TypeVar
 import numpy as np
 from numpy.lib import format as npy
 
-from ..algorithms.robot_functions import entries, reported
+from ..algorithms.robot_function import entries
+from ..algorithms.robot_functions import reported
 from ..backends.c.shim import PARTS
 from ..bodies.validity import MEASURES
 from ..errors import ScrewgenError, SingularError, UsageError

@@ -8,7 +8,8 @@ from math import prod
 
 import numpy as np
 
-from ..algorithms.robot_functions import entries, reported
+from ..algorithms.robot_function import entries
+from ..algorithms.robot_functions import reported
 from ..integrators.methods import METHODS
 from ..robot_model import RobotModel
 from ..runtime.memory import pointer

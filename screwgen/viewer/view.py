@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ..algorithms.robot_functions import entries, reported
+from ..algorithms.robot_function import entries
+from ..algorithms.robot_functions import reported
 from ..errors import RobotFileError, UsageError
 from ..files import sound
 from ..interchange.load import ImportNote

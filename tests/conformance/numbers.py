@@ -12,7 +12,8 @@ from conformance.arms import PLACES, varied
 from conformance.cases import STEP, Case
 from screwgen import rollout
 from screwgen.algorithms.functions import FORWARD
-from screwgen.algorithms.robot_functions import RobotFunction, is_matrix, offered, shape
+from screwgen.algorithms.robot_function import RobotFunction, is_matrix, shape
+from screwgen.algorithms.robot_functions import offered
 from screwgen.integrators import METHODS
 from screwgen.runtime.compiled import Compiled
 from screwgen.simulation.mobility import closing

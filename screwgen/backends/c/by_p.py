@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ...algorithms.parameter_slopes import BY_P, ConstantSlopes, Differentiable
-from ...algorithms.robot_functions import BY_NAME, RobotFunction, reported
+from ...algorithms.robot_function import RobotFunction
+from ...algorithms.robot_functions import BY_NAME, reported
 from ...algorithms.schedule import Algorithm
 from ...errors import UsageError
 from ...integrators.method import Method

@@ -10,7 +10,8 @@ from collections.abc import Callable
 from math import prod
 
 from ...algorithms.gauges import strain_names
-from ...algorithms.robot_functions import RobotFunction, in_file, shape
+from ...algorithms.robot_function import RobotFunction, shape
+from ...algorithms.robot_functions import in_file
 from ...algorithms.signals import Signal
 from ...spec.parameters import coordinate_names
 from ...topology.chain import Chain

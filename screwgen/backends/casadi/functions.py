@@ -20,7 +20,8 @@ from ...algorithms import robot_programs as programs
 from ...algorithms.dae_functions import unknown_size
 from ...algorithms.functions import Functions
 from ...algorithms.linearise import slopes
-from ...algorithms.robot_functions import RobotFunction, is_matrix, offered, shape
+from ...algorithms.robot_function import RobotFunction, is_matrix, shape
+from ...algorithms.robot_functions import offered
 from ...algorithms.signals import Signal
 from ...arguments import choice
 from ...errors import TargetWarning, UsageError

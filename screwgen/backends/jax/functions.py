@@ -20,7 +20,8 @@ from ...algorithms import fused, tip_programs
 from ...algorithms.axis_laws import of_robot
 from ...algorithms.law_programs import replayed, spring_stage, stage, state_rate
 from ...algorithms.parameter_slopes import BY_P
-from ...algorithms.robot_functions import BY_NAME, RobotFunction, offered, shape
+from ...algorithms.robot_function import RobotFunction, shape
+from ...algorithms.robot_functions import BY_NAME, offered
 from ...algorithms.robot_programs import held_inputs
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice

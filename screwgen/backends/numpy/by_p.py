@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...algorithms.parameter_slopes import Differentiable, along
-from ...algorithms.robot_functions import RobotFunction
+from ...algorithms.robot_function import RobotFunction
 from ...arguments import Loads, seconds
 from ...integrators.method import Method
 from ...integrators.methods import method_of

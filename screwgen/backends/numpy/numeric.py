@@ -30,7 +30,8 @@ from ...algorithms.inverse_slopes import Slopes, of_numbers, symmetric, with_int
 from ...algorithms.linearise import closed_slopes, slopes
 from ...algorithms.marker_functions import STRAINED
 from ...algorithms.parameter_slopes import BY_P
-from ...algorithms.robot_functions import BY_NAME, RobotFunction, results
+from ...algorithms.robot_function import RobotFunction, results
+from ...algorithms.robot_functions import BY_NAME
 from ...algorithms.schedule import Algorithm
 from ...arguments import Loads, Numbers, array
 from ...errors import ScrewgenError, SingularError

@@ -13,6 +13,7 @@ from ..topology.chain import Chain
 from . import loops
 from . import matrices as mx
 from .columns import columns
+from .loop_loads import Shared, sharing
 from .relations import curve
 from .schedule import Apply
 
@@ -29,6 +30,8 @@ class LoopFunctions:
     given: tuple[Sequence, Sequence] | None
     section: Callable[[str], AbstractContextManager]
     forward: Callable[..., tuple[list, list]]
+    loads: Callable[..., tuple[list, list]]
+    levers: Callable[[Sequence], list]
     alone: Callable[[], Self]
     with_forces: Callable[..., Sequence]
     _moving_tips: Callable[..., tuple[list, list[loops.Tip]]]
@@ -66,6 +69,33 @@ class LoopFunctions:
         """The torques (n_joints,) with which couplings act on the joint axes, forces on those that slide."""
         state, forces = self.loop_forces(q, v, tau, w_ext)
         return state.torques(forces)
+
+    def shared_loads(self, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence) -> Shared:
+        """Inverse dynamics of a motion that keeps the loops closed: see :mod:`.loop_loads`."""
+        chain, (force, _), state = self.chain, self.loads(q, v, vdot, w_ext), self._loop_state(q, v)
+        still, rest = self.alone(), [0.0] * chain.nv
+        still.given, still.section = (self._inertia(), [0.0] * chain.n_given), nullcontext
+        exerted = []
+        for unit in state.units():
+            borne = [-x for x in still.loads(q, rest, rest, unit.w_ext)[0]]
+            for k, torque in enumerate(unit.tau, chain.base_v):
+                borne[k] = borne[k] + torque
+            exerted.append(borne)
+        passive, driven = chain.passive_axes, chain.driven_axes
+        wound = range(chain.eta_v - chain.n_added, chain.eta_v)
+        others = [k for k in range(chain.nv) if k not in (*passive, *driven, *wound)]
+        order, ranks = [*passive, *others, *driven], (len(passive), len(others), len(driven))
+        program = sharing(ranks, len(exerted), chain.closing.overconstrained)
+        needed, levers = list(force), self.levers(q) if chain.elastic_travels else ()
+        for joint, place in chain.elastic_travels.items():  # of both the effort is part, in proportion
+            needed[chain.base_v + joint] = needed[chain.base_v + joint] - levers[joint] * force[place]
+        given = {"J": [row[k] for row in exerted for k in order], "f": [needed[k] for k in order]}
+        try:
+            rows = self.apply(chain.closing.rows[-1].second, 0, program, given)["x"]
+        except SingularError:
+            raise chain.singular_loops() from None
+        left = loops.combined(force, [-x for x in rows], exerted)
+        return Shared(left, rows, state.wrenches(rows))
 
     def close(self, q: Sequence, v: Sequence) -> tuple[Sequence, Sequence]:
         """Coordinates and rates near the given ones with which the loops are closed, by ``ROUNDS`` corrections."""

@@ -195,6 +195,18 @@ FUNCTIONS = (
         offered=lambda chain: bool(chain.closing.rows),
     ),
     RobotFunction(
+        "inverse_dynamics_with_loops",
+        "q v vdot w_ext",
+        {
+            "force": Signal(("NV",), "N*m, N", "-", "generalised forces of drives; what else the motion needs"),
+            "loop_wrench": Signal(("NLINKS", 6), WRENCH, TIP, "of the loops on each tip"),
+        },
+        programs.inverse_dynamics_with_loops,
+        (INVERSE, MOTION, LEVERS),
+        "Inverse dynamics with closed loops: on axes without a drive nothing else acts, and efforts are least.",
+        offered=lambda chain: bool(chain.closing.rows),
+    ),
+    RobotFunction(
         "coupling_torques",
         "q v tau w_ext",
         {"torque": Signal(("NAXES",), AXES, "-", "of the couplings on each joint axis")},

@@ -82,6 +82,15 @@ def loop_wrenches(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: 
     return {"loop_wrench": f.loop_wrenches(q, v, tau, w_ext)}
 
 
+@fused.program("q v vdot w_ext")
+def inverse_dynamics_with_loops(
+    f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence
+) -> fused.Outputs:
+    """``(q, v, vdot, w_ext) -> (force, loop_wrench)``."""
+    found = f.shared_loads(q, v, vdot, w_ext)
+    return {"force": found.force, "loop_wrench": found.wrenches}
+
+
 @fused.program("q v tau w_ext")
 def coupling_torques(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
     """``(q, v, tau, w_ext) -> (torque)``: what couplings exert on the joint axes."""

@@ -63,9 +63,7 @@ def by_effort(chain: Chain, kept: Numbers | None = None) -> Kinds:
 
     Among the joints the last of the file comes first. `kept` (n_joints,) of bool: joints that come behind the others.
     """
-    joints = [(link.joint, j) for link in chain.robot.links for j in range(len(link.joint.axes))]
-    moved = [joint.is_moved(j) and not joint.has_spring(j) for joint, j in joints]
-    driven = [k for k, moves in enumerate(moved, chain.base_v) if moves]
+    driven = [chain.base_v + k for k in chain.moved_joints]
     every = range(chain.base_v, chain.base_v + chain.n_joints)
     others = [k for k in every if k not in driven]
     last = [] if kept is None else [chain.base_v + int(k) for k in np.flatnonzero(kept)]

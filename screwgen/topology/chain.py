@@ -299,6 +299,24 @@ class Chain(Coordinates):
         out[self.lasts] = array(given, name, (links, 6))
         return out
 
+    @cached_property
+    def moved_joints(self) -> list[int]:
+        """The joint axes that something moves and no spring holds, by their numbers among all axes."""
+        joints = [(link.joint, k) for link in self.robot.links for k in range(len(link.joint.axes))]
+        return [n for n, (joint, k) in enumerate(joints) if joint.is_moved(k) and not joint.has_spring(k)]
+
+    @property
+    def driven_axes(self) -> list[int]:
+        """Where in `v` the axes stand on which drives act directly: all, where the file states no drive."""
+        kept = self.moved_joints or range(self.n_joints)
+        return [self.base_v + k for k in kept if k not in self.added_joints]
+
+    @property
+    def passive_axes(self) -> list[int]:
+        """Where in `v` the axes stand on which no drive acts, neither directly nor through an elastic gear."""
+        kept = {*(self.moved_joints or range(self.n_joints)), *self.added_joints}
+        return [self.base_v + k for k in range(self.n_joints) if k not in kept]
+
     @property
     def last(self) -> int:
         """The segment whose tip is that of the robot, of the last link of the file."""

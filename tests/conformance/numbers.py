@@ -65,6 +65,7 @@ def judge(case: Case) -> None:
     assert max(errors.values()) <= case.tolerance, errors
     if case.model.chain.closing.rows:
         near(f.loop_wrenches(*case.given), j.loop_wrenches, case.tolerance, "wrenches of loops")
+        inverse_with_loops(case)
     near(f.mass_matrix(case.given[0]), j.mass_matrix, case.tolerance, "mass matrix")
     q, v, _, w_ext = case.given
     inertia = j.mass_matrix @ j.vdot[: case.model.nv]  # the size of forces that may balance
@@ -77,6 +78,27 @@ def judge(case: Case) -> None:
         near(found[1][j.outer.links], poses[place], case.tolerance, place)
     twist = j.oracle.tip_twists(x["q"], x["v"])[-1].reshape(2, 3) @ poses["tip_R"][-1].T
     near(tip_jacobian(case) @ v[: case.model.nv], twist.ravel(), case.tolerance, "twist of the last tip")
+
+
+def inverse_with_loops(case: Case) -> None:
+    """A motion that driven axes make needs their efforts and no others, or smaller ones where several would do."""
+    (q, v, tau, w_ext), f, chain = case.given, case.model.numpy(), case.model.chain
+    kept = [*(k - chain.base_v for k in chain.driven_axes), *chain.added_joints]
+    given = np.where(np.isin(np.arange(len(tau)), kept), tau, 0.0)
+    vdot, loops = f.forward_dynamics(q, v, given, w_ext)[0], f.loop_wrenches(q, v, given, w_ext)
+    wanted = f.inverse_dynamics(q, v, vdot, w_ext + loops)
+    if chain.closing.couplings:
+        wanted[chain.base_v : chain.base_v + chain.n_joints] -= f.coupling_torques(q, v, given, w_ext)
+    force, wrenches = f.inverse_dynamics_with_loops(q, v, vdot, w_ext)
+    inertia = f.mass_matrix(q) @ vdot[: chain.nv]  # the size of forces that may balance
+    size, passive = np.abs(np.append(inertia, wanted)).max(), chain.passive_axes
+    assert np.abs(force[passive]).max(initial=0.0) <= case.solved * size, "a passive axis would need a drive"
+    driven, J = chain.driven_axes, f.gap_slopes(q)
+    if not chain.closing.overconstrained and np.linalg.matrix_rank(np.delete(J, driven, 1), 1e-6) == len(J):
+        near(np.append(force, size), np.append(wanted, size), 100 * case.solved, "efforts")
+        near(np.append(wrenches, size), np.append(loops, size), 100 * case.solved, "wrenches of loops")
+    else:
+        assert np.linalg.norm(force[driven]) <= np.linalg.norm(wanted[driven]) + 1e-6 * size, "efforts are not least"
 
 
 def tip_jacobian(case: Case) -> np.ndarray:

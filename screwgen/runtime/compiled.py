@@ -39,8 +39,8 @@ class Compiled(CompiledDerivatives):
     An instance keeps its state in memory of its own.  Threads may share one: their calls take turns.  To compute at
     the same time, give each a :meth:`fresh` one.  A pickled one is compiled, or found in the cache, again.
 
-    ``cache``: as :func:`.library.load` takes it.  Raises :class:`ScrewgenError` without a C compiler or where a call does
-    not return OK, :class:`SingularError` naming the singular joint's link, and :class:`UsageError` on wrong shapes.
+    ``cache``: as :func:`.library.load` takes it.  Raises :class:`ScrewgenError` without a C compiler or where a call is
+    not OK, :class:`SingularError` naming the link whose joint is singular, and :class:`UsageError` on wrong shapes.
     """
 
     def __init__(

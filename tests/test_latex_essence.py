@@ -31,7 +31,7 @@ from screwgen.cli.main import main
 WORDS = r"\\(?:begin|end)\{\w+\}|\\(?:left|right|q?quad|times|sum|limits|top|frac|sqrt|cos|sin|max)(?![A-Za-z])"
 """What is LaTeX and no symbol."""
 CHOSEN = swept((*EXAMPLES, "pendulum"), "ella", "crane_loop", "pendulum")
-OF_ROBOT = {r"\mathbf{g}", r"\mathbf{M}", r"\mathbf{h}", r"\mathbf{v}", "l", "c", "x"}
+OF_ROBOT = {r"\mathbf{g}", r"\mathbf{M}", r"\mathbf{h}", r"\mathbf{v}", r"\mathbf{q}", "l", "c", "x"}
 """Letters that have one meaning with the index of a link and another without; each of them says so in its row."""
 
 

@@ -1,11 +1,14 @@
 """The search of the page of equations: what readers type leads where they mean."""
 
 import re
+from collections.abc import Iterator
+from xml.etree import ElementTree
 
 import pytest
 from browsers import every_browser, started
 from helpers import arm, link
 from latex_documents import PLUGINS
+from test_document_reader import EXAMPLES
 from test_latex_links import body, first_class, shown
 
 from screwgen import Robot
@@ -32,6 +35,9 @@ SEARCHES = {
     "mass matrix": ("{matrix}",),
     "gravity": ("{gravity}",),
     "where does gravity enter": ("{gravity}",),
+    "payload": ("{payload}",),
+    "payload mass matrix": ("{payload}",),
+    "payload in M": ("{payload}",),
     "shape of the second mode": ("{shape}",),
     "second mode shape": ("{shape}",),
 }
@@ -62,6 +68,7 @@ def test_what_readers_type_is_found(program, tmp_path):
     places = {f"{{bias {name}}}": found[2] for name, found in links.items()}
     places["{matrix}"] = re.search(r'<h2 id="(s\d+)">\d+\. Mass matrix', body("ella"))[1]
     places["{gravity}"] = re.search(r'id="([^"]+)" data-find="gravity', body("ella"))[1]
+    places["{payload}"] = re.search(r'id="([^"]+)" data-find="payload', body("ella"))[1]
     places["{shape}"] = re.search(r'id="([^"]+)" data-find="[^"]*shape of mode 2\b', body("ella"))[1]
     places["{first}-M_D"] = f"{first_class()}-M_D"
     places["{eta}"] = re.search(r'<tr id="(y\d+)"><td><math><msub[^>]*><mi>\U0001d73c<', body("ella"))[1]
@@ -85,3 +92,32 @@ def test_what_readers_type_is_found(program, tmp_path):
         for place, said in ENTRIES.items():
             browser.run(f"tellEntry(byId('{place}'))")
             assert all(part in browser.run("words(card)") for part in said), place
+
+
+INDICES = {"i", "j", "k", "c", ";", "…"}
+FORMULA = r'<div class="formula[^"]*" id="[^"]*">(<math>.*?</math>)</div>\s*(?:<p[^>]*>(.*?)</p>)?'
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_every_symbol_of_the_first_formulas_has_a_card(name):
+    """Of the first five, but for indices, and for plain letters of a law, which the text beside it or the table has."""
+    shown = body(name)
+    table = {
+        x.strip() for row in re.findall(r'<tr id="y\d+"><td>(.*?)</td>', shown) for x in re.findall(r"<mi>(.*?)</", row)
+    }
+    formulas = [*re.finditer(FORMULA, shown, re.DOTALL)][:5]
+    assert len(formulas) == 5
+    for formula in formulas:
+        before = shown[: formula.start()].rpartition("<p")[2]
+        said = {x.strip() for x in re.findall(r"<mi>([^<]*)</mi>", before + (formula[2] or ""))}
+        assert set(unmarked(ElementTree.fromstring(formula[1]))) - INDICES <= {x for x in said | table if x.islower()}
+
+
+def unmarked(element: ElementTree.Element) -> Iterator[str]:
+    """The letters below an element that point to no row of the table of symbols."""
+    if element.get("data-s") is None:
+        if element.tag == "mi":
+            yield element.text.strip()
+        scripted = element.tag in ("msub", "msup", "msubsup", "munder", "munderover")
+        for part in list(element)[:1] if scripted else element:
+            yield from unmarked(part)

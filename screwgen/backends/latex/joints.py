@@ -22,7 +22,7 @@ from .tables import axis_text, decimal, plain_unit
 JOINTS = "Torques of the joints"
 
 
-def instance(symbol: str, link: int) -> str:
+def instance(symbol: str, link: int | str) -> str:
     r"""The LaTeX of a symbol of link i for one link: ``\mathbf{M}_{D,i}`` as ``\mathbf{M}_{D,2}``."""
     head, sign, below = symbol.rpartition("_")
     if not sign:

@@ -97,21 +97,16 @@ def block(a: Group, b: Group) -> str:
 
 def motion(chain: Chain) -> DocumentSection:
     """The equation of motion as one formula, and what it is made of."""
-    bodies = any(k.bodies_at("tip") for k in chain.keys)
     besides = ", the slope of a transmission where one lies between" * bool(chain.travel_kinds)
     besides += (
         r", and $-\partial\boldsymbol{\ell}_c$, the derivative of a tendon's length, where its tension meets the modes"
     ) * bool(chain.n_tensions)
     modal = r"The rows of the modes balance the stiffness and the damping of the links, in $\mathbf{h}_i$."
-    payload = (
-        r"the bodies at the tip of a link, a payload among them, enter in $\mathbf{M}_i$ and $\mathbf{h}_i$ by "
-        r"$\mathbf{J}_T^{\top}\,\mathbf{M}_T\,\mathbf{J}_T$ with their inertia $\mathbf{M}_T$."
-    )
     values = {
         "loops": bool(chain.closing.rows),
         "joined": bool(chain.robot.loops),
         "modal": modal * any(k.modes for k in chain.keys),
-        "payload": payload * bodies,
+        "bodies": any(k.bodies_at("tip") for k in chain.keys),
         "besides": besides,
         "borne": BORNE * bool(chain.forces),
     }
@@ -119,11 +114,17 @@ def motion(chain: Chain) -> DocumentSection:
     return DocumentSection(MOTION, [_sought(item) for item in items])
 
 
+SOUGHT = {
+    "Gravity enters": "gravity, weight, where it enters",
+    "a payload among them": "payload in the mass matrix, load, bodies at the tip",
+}
+"""By a part of a paragraph: the words of readers who look for what it says."""
+
+
 def _sought(item: Item) -> Item:
-    """An item with the words of readers who look for what it says."""
-    if isinstance(item, Paragraph) and "Gravity enters" in item.text:
-        return replace(item, sought="gravity, weight, where it enters")
-    return item
+    """An item with these words."""
+    found = [words for part, words in SOUGHT.items() if isinstance(item, Paragraph) and part in item.text]
+    return replace(item, sought=", ".join(found)) if found else item
 
 
 def mass_matrix(chain: Chain) -> DocumentSection:

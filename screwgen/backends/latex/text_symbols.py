@@ -82,6 +82,8 @@ PLACES: tuple[Named, ...] = (
     (r"\mathbf{r}_{oT}", "position of the tip point", "m", "3", "inertial", STATE),
     (r"\mathbf{R}_{oT,i-1}", "$\\mathbf{R}_{oT}$ of the section that carries link $i$", "-", "3 × 3", "-", STATE),
     (r"\mathbf{r}_{oT,i-1}", "position of the section that carries link $i$", "m", "3", "inertial", STATE),
+    (r"\mathbf{I}_3", "identity", "-", "3 × 3", "-", None),
+    (r"\mathbf{I}_6", "identity", "-", "6 × 6", "-", None),
     (r"\mathbf{q}_i", "coordinates of the joint", "rad, m", "n_{q,i}", "-", STATE),
     (r"\boldsymbol{\tau}_{w,i}", "angular part of $\\mathbf{w}_i$", "N*m", "3", "F_i", STATE),
     (
@@ -93,6 +95,15 @@ PLACES: tuple[Named, ...] = (
         STATE,
     ),
     (r"\mathbf{S}_i", "motion subspace of the joint, at the joint point", "-, m", "6 × n_{q,i}", "F_i", STATE),
+    (
+        r"\partial\boldsymbol{\ell}_c",
+        "derivative of the length of a tendon's piece along the link with the modes",
+        "1",
+        "r_i",
+        "-",
+        STATE,
+    ),
+    (r"\mathbf{A}_i", "axes of the joint", "-", "3 × n_{q,i}", "F_i", STATE),
     (r"\mathbf{j}_m", "armatures of the axes", "kg*m^2, kg", "n_{q,i}", "-", PARAMETER),
     (r"\mathbf{d}_q", "dampings of the axes", "N*m*s/rad, N*s/m", "n_{q,i}", "-", PARAMETER),
     (r"\mathbf{k}_q", "stiffnesses of the axes", "N*m/rad, N/m", "n_{q,i}", "-", PARAMETER),
@@ -125,6 +136,7 @@ ELIMINATION: tuple[Named, ...] = (
 ROBOT: tuple[Named, ...] = (
     (r"\mathbf{M}", "mass matrix of the robot", MIXED, "n_v × n_v", "-", STATE),
     (r"\mathbf{h}", "bias of velocities, weight, springs and dampers", "N*m, N", "n_v", "-", STATE),
+    (r"\mathbf{q}", "coordinates of the robot", "rad, m", "n_q", "-", STATE),
     (r"\mathbf{u}", "inputs: torques and forces of the drives, tensions", "N*m, N", "n_u", "-", STATE),
     (r"\mathbf{B}_u", "directions of the inputs", "1, m", "n_v × n_u", "-", STATE),
     (r"\mathbf{v}", "rates of the robot", TWIST, "n_v", "-", STATE),
@@ -138,6 +150,7 @@ ROBOT: tuple[Named, ...] = (
 """Of all links together."""
 
 CLOSING: tuple[Named, ...] = (
+    (r"\boldsymbol{\lambda}", "forces of all rows that close loops or couple axes", "N, N*m", "n_g", "-", STATE),
     (r"\lambda_j", "force of row j that closes a loop or couples axes", "N, N*m", "1", "-", STATE),
     (r"g", "gap of a row", "m, 1", "1", "-", STATE),
     (r"\gamma", "acceleration of a gap that the velocities cause", "m/s^2, 1/s^2", "1", "-", STATE),

@@ -275,7 +275,7 @@ TABLE: list[Mutant] = [
       '"z": v[jnp.array(self.chain.internal[law])]', '"z": 0 * v[jnp.array(self.chain.internal[law])]'),
     # ------------------------------------------------------------------------------------------- what users do with it
     M("ball loop", "runs", C + "features/loops_in_runs.jinja", "power += m->drive_power[i];", "(void)i;"),
-    M("coupling", "estimator", "screwgen/simulation/estimator.py",
+    M("hinge loop", "estimator", "screwgen/simulation/estimator.py",
       "[-reach @ J_q @ keep, keep]])", "[np.zeros((n, n)), keep]])"),
     M("afloat", "estimator", "screwgen/simulation/estimator.py",
       "        A[:n, :n] = chain.carried(v[:n])\n", ""),

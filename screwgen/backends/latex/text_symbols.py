@@ -82,8 +82,8 @@ PLACES: tuple[Named, ...] = (
     (r"\mathbf{r}_{oT}", "position of the tip point", "m", "3", "inertial", STATE),
     (r"\mathbf{R}_{oT,i-1}", "$\\mathbf{R}_{oT}$ of the section that carries link $i$", "-", "3 × 3", "-", STATE),
     (r"\mathbf{r}_{oT,i-1}", "position of the section that carries link $i$", "m", "3", "inertial", STATE),
-    (r"\mathbf{I}_3", "identity", "-", "3 × 3", "-", None),
-    (r"\mathbf{I}_6", "identity", "-", "6 × 6", "-", None),
+    (r"\mathbf{I}_3", "identity", "-", "3 × 3", "-", Binding.CONSTANT),
+    (r"\mathbf{I}_6", "identity", "-", "6 × 6", "-", Binding.CONSTANT),
     (r"\mathbf{q}_i", "coordinates of the joint", "rad, m", "n_{q,i}", "-", STATE),
     (r"\boldsymbol{\tau}_{w,i}", "angular part of $\\mathbf{w}_i$", "N*m", "3", "F_i", STATE),
     (

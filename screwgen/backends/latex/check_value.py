@@ -69,7 +69,10 @@ def _tables(
     chain: Chain, q: Sequence[float], v: Sequence[float], u: Sequence[float], vdot: np.ndarray, wrench: np.ndarray
 ) -> Iterator[Item]:
     yield Heading("Check value")
-    about = "A state, with all digits, for which a program of these equations gives the accelerations beside it."
+    about = (
+        "A state, with all digits, and the accelerations and joint wrenches that a program of these equations gives,"
+    )
+    about += f" to {PLACES} digits of the largest."
     if chain.closing.rows:
         about += " Loops need not be closed there: their gaps close by the stabilisation."
     wrench_of = {chain.n: WRENCH} | ({1: OTHER} if chain.n > 1 else {})

@@ -62,8 +62,8 @@ TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsym
 DERIVATION = "Derivation"
 BIASES = ("beta_omega", "beta_v")
 """The steps of the accelerations that velocities cause at a joint."""
-OF_BODIES = ("S_T", "I_T", "h_T_tau")
-"""What point masses at the tip have none of, which is said."""
+NAMED = {"tip": ("b_omega", "b_v"), "tip_body": ("S_T", "I_T", "h_T_tau")}
+"""By block: the steps that lines of the algorithm ask for, of which it is said where they are zero."""
 
 
 def document(
@@ -192,7 +192,7 @@ def class_views(key: LinkClass, blocks: Mapping[str, Block], carrying: bool = Tr
     given = (tables.named_axes(key), structure(key, blocks) | next_joint, (key.joints, key.modes), parts)
     out: list[BlockView] = []
     for name in ordered(blocks):
-        out.append(block_view(blocks[name], seen, *given, told=OF_BODIES if name == "tip_body" else ()))
+        out.append(block_view(blocks[name], seen, *given, told=NAMED.get(name, ())))
         if name == "tip":
             out += station_views(key, seen, given, {step.name for step in out[-1].steps})
     return tuple(out)

@@ -148,7 +148,7 @@ def _plain(view: BlockView) -> Iterator[Item]:
     """What is zero or identity at a section, and is not at the tip."""
     for symbols, what in ((view.zeros, "Zero"), (view.identities, "The identity")):
         if symbols:
-            where = "here" if view.name == "tip_body" else "at this section"
+            where = "at this section" if view.title.startswith("Section") else "here"
             yield Paragraph(f"{what} {where}: {', '.join(f'${symbol}$' for symbol in symbols)}.")
 
 

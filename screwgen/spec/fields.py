@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..elements import TRAVELS
-from .drive import Drive, Friction, FrictionMemory, Stribeck
+from .drive import FRICTION_TABLES, Drive, Friction
 from .frequencies import Frequencies
 from .joint import Joint, Mount
 from .limit import Limit
@@ -44,8 +44,10 @@ OF_AXES: dict[str, tuple[type[Part], str]] = {
     "joint.": (Joint, "joint."),
     "joint.drives.": (Drive, "joint.drives[{}]."),
     "joint.drives.friction.": (Friction, "joint.drives[{}].friction."),
-    "joint.drives.friction.memory.": (FrictionMemory, "joint.drives[{}].friction.memory."),
-    "joint.drives.friction.stribeck.": (Stribeck, "joint.drives[{}].friction.stribeck."),
+    **{
+        f"joint.drives.friction.{table}.": (part, f"joint.drives[{{}}].friction.{table}.")
+        for table, part in FRICTION_TABLES.items()
+    },
     "joint.limits.": (Limit, "joint.limits[{}]."),
 }
 """The tables with numbers of axes."""
@@ -92,7 +94,9 @@ def of_axis(field: str, joint: Joint, axis: int) -> tuple[str, str] | None:
     if field == EFFORT:
         return drive.effort(joint.screws[axis])[1], FIELDS[field].description
     units: Mapping[str, tuple[str, str]] = {} if joint.screws[axis].turn else SLIDING
-    units = drive.travel.UNITS if drive.travel else units
+    rubs = ".friction." in field
+    if drive.travel and not (rubs and drive.travel.IS_LENGTH):
+        units = drive.travel.UNITS
     on_rotor = drive.elastic and not drive.travel
     turns = on_rotor or (rotor and drive.ratio is not None)
-    return None if turns and (rotor or ".friction." in field) else units.get(field)
+    return None if turns and (rotor or rubs) else units.get(field)

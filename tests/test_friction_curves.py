@@ -156,6 +156,12 @@ def test_every_number_is_a_parameter():
     of = {p.name.removeprefix("arm.joint.drives[0].friction."): p for p in parameters(model.robot)}
     units = {"stribeck.static": "N·m", "stribeck.velocity": "rad/s", "bend.friction": "N·m", "bend.velocity": "rad/s"}
     assert {name: of[name].unit for name in units} == units
+    cylinder = {"transmission": {"crank": 0.3, "base": 0.6, "angle": 1.2}, "rotor_inertia": 2.0, "friction": CURVE}
+    along = {p.name: p.unit for p in parameters(arm(cylinder).robot) if ".friction." in p.name}
+    assert along == {of[name].name: unit.replace("rad", "m").replace("N·m", "N") for name, unit in units.items()} | {
+        f"arm.joint.drives[0].friction.{name}": unit
+        for name, unit in {"coulomb": "N", "viscous": "N·s/m", "velocity": "m/s"}.items()
+    }
     changed = {of["bend.friction"].name: 2.0, of["bend.velocity"].name: 0.2}
     a = model.numpy(changed).forward_dynamics([0.0], [0.3], [0.0], None)[0]
     assert np.allclose(a, -curve(0.3, other) / INERTIA, rtol=1e-12)

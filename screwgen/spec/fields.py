@@ -88,15 +88,15 @@ def of_axis(field: str, joint: Joint, axis: int) -> tuple[str, str] | None:
     """Unit and meaning of a parameter of an axis where they are others than in `FIELDS`: of a slide, of a transmission.
 
     The limit of an effort has the unit of the input. Friction on a rotor has those of a joint that turns, and so has a
-    rotor's inertia where a ratio is stated.
+    rotor's inertia where a ratio is stated; along a cylinder friction has those of a slide.
     """
     drive, rotor = joint.driven[axis], field.endswith(".rotor_inertia")
     if field == EFFORT:
         return drive.effort(joint.screws[axis])[1], FIELDS[field].description
     units: Mapping[str, tuple[str, str]] = {} if joint.screws[axis].turn else SLIDING
     rubs = ".friction." in field
-    if drive.travel and not (rubs and drive.travel.IS_LENGTH):
-        units = drive.travel.UNITS
+    if drive.travel:
+        units = SLIDING if rubs and drive.travel.IS_LENGTH else drive.travel.UNITS
     on_rotor = drive.elastic and not drive.travel
     turns = on_rotor or (rotor and drive.ratio is not None)
     return None if turns and (rotor or rubs) else units.get(field)

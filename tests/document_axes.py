@@ -71,7 +71,7 @@ class Axis:
 
     def prepare(self) -> None:
         """Travel and friction in the state."""
-        drive = {"N": 1.0, "J_r": 0.0, "d": 0.0, "b": 0.0, "c": 0.0, "v_f": 1.0}
+        drive = {"N": 1.0, "J_r": 0.0, "d": 0.0, "b": 0.0, "c": 0.0, "v_f": 1.0, "c_b": 0.0, "v_b": 1.0}
         self.known = {name: x for name, x in drive.items() if name not in self.numbers}
         if self.transmission:
             letter, _ = LETTERS[self.transmission]
@@ -95,14 +95,20 @@ class Axis:
         if self.driven:
             self.known["w"] = w
             remembers = r"\sigma_0" in self.numbers
-            self.known[FRICTION] = self._bristles() if remembers else self.read(self.formula("elastic", r"\tau_f"), {})
+            own = {} if remembers else self._size("elastic")
+            self.known[FRICTION] = self._bristles() if remembers else self.read(self.formula("elastic", r"\tau_f"), own)
+
+    def _size(self, kind: str) -> dict[str, float]:
+        """The size of dry friction, where the text has a letter for it."""
+        found = next((right for x, _, right in self.said[kind] if x == "F_w"), None)
+        if found is None:
+            return {}
+        falls = "F_s" not in found or "F_s" in self.numbers
+        return {"F_w": self.read(found, {}) if falls else self.numbers.get("c", 0.0)}
 
     def _bristles(self) -> float:
         """Friction that has an internal state, whose rate follows."""
-        own = {"z": self.states["friction"], r"\sigma_1": 0.0} | self.numbers
-        size = self.formula("bristles", "F_w")
-        constant = "F_s" in size and "F_s" not in own
-        own["F_w"] = own["c"] if constant else self.read(size, own)
+        own = {"z": self.states["friction"], r"\sigma_1": 0.0} | self.numbers | self._size("bristles")
         own[r"\dot{z}"] = self.rates["friction"] = self.read(self.formula("bristles", r"\dot{z}"), own)
         return self.read(self.formula("bristles", r"\tau_f"), own)
 

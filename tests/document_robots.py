@@ -14,6 +14,7 @@ SECTION = {"rhoA": 1.3, "EA": 4e3, "EIy": 11.0, "EIz": 17.0, "GJ": 7.0, "rhoIp":
 FRICTION = {"coulomb": 0.4, "viscous": 0.3, "velocity": 0.2}
 STICKING = {"coulomb": 0.4, "viscous": 0.3, "memory": {"stiffness": 3.0, "damping": 0.2}}
 FALLING = {"stribeck": {"static": 0.6, "velocity": 0.7}}
+BEND = {"bend": {"friction": 0.5, "velocity": 0.4}}
 FOUR_BAR = {"ground": 0.42, "crank": 0.24, "coupler": 0.46, "rocker": 0.27, "angle": -1.4, "branch": "crossed"}
 UPPER, FORE, HAND = range(3)
 
@@ -142,6 +143,10 @@ SLOTS: dict[str, dict[str, Change]] = {
     "tendons": {"tendons": tendons},
     "drive": {
         "rigid": joint(FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "friction": FRICTION}]),
+        "falling": joint(FORE, drives=[{"friction": FRICTION | FALLING | BEND}]),
+        "geared bend": joint(
+            FORE, drives=[{"rotor_inertia": 1e-3, "stiffness": 60.0, "friction": FRICTION | FALLING | BEND}]
+        ),
         "bristles": joint(FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "friction": STICKING}]),
         "geared bristles": joint(
             FORE, drives=[{"ratio": 30.0, "rotor_inertia": 1e-3, "stiffness": 60.0, "friction": STICKING | FALLING}]
@@ -158,6 +163,8 @@ SLOTS: dict[str, dict[str, Change]] = {
     "hand": {
         "skew": joint(HAND, axes=[[0.3, -0.4, 0.866], "y"], armature=[0.01, 0.02]),
         "slide": joint(HAND, axes=[{"slide": [0.6, 0.0, 0.8]}, "y"], damping=[0.1, 0.2]),
+        "plain": joint(HAND, drives=[{"friction": FRICTION}]),
+        "bent bristles of a slide": joint(HAND, axes=[{"slide": "x"}], drives=[{"friction": STICKING | BEND}]),
         "bristles of a slide": joint(HAND, axes=[{"slide": "x"}], drives=[{"friction": STICKING | FALLING}]),
         "screw": joint(HAND, axes=[{"screw": "z", "pitch": -0.07}]),
         "branched": branched,

@@ -28,6 +28,8 @@ FRICTION = {"coulomb": 0.3, "viscous": 0.02, "velocity": 0.2}
 ELASTIC = {"ratio": 30.0, "rotor_inertia": 2e-4, "stiffness": 900.0, "damping": 2.0, "friction": FRICTION}
 SCREW = {"ratio": 600.0, "rotor_inertia": 1e-5, "stiffness": 4e4}
 RIGID = {"ratio": 20.0, "rotor_inertia": 5e-4, "friction": {"coulomb": 1.5, "velocity": 0.1}}
+BEND = {"bend": {"friction": 0.6, "velocity": 0.4}}
+FALLING = RIGID | {"friction": RIGID["friction"] | {"stribeck": {"static": 2.1, "velocity": 0.5}} | BEND}
 
 
 def mixed_arm(cart: dict, boom: dict, hand: dict, tool: dict) -> dict:
@@ -46,8 +48,8 @@ def mixed_arm(cart: dict, boom: dict, hand: dict, tool: dict) -> dict:
 MIXED = mixed_arm(
     cart={"drives": [SCREW]},
     boom={"drives": [RIGID, ELASTIC]},
-    hand={"drives": [ELASTIC, {}, {"friction": {"viscous": 0.4}}]},
-    tool={"drives": [RIGID]},
+    hand={"drives": [ELASTIC, {}, {"friction": {"viscous": 0.4} | BEND}]},
+    tool={"drives": [FALLING]},
 )
 """Elastic, rigid and no drives, on slides and on axes that turn, in a tree."""
 

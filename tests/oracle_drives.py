@@ -37,8 +37,7 @@ class Drives:
             self.inertia[place] += inertia if place != axis else ratio**2 * inertia
             friction = drive.get("friction", {})
             self.D[place, place] += friction.get("viscous", 0.0)
-            if "coulomb" in friction:
-                self.dry.append((place, friction["coulomb"], friction["velocity"]))
+            self.dry.append((place, friction))
             self.driven.append(place)
 
     def lengths(self, q):
@@ -96,12 +95,21 @@ class Drives:
         rates, forces = ca.jtimes(lengths, q, v), []
         for k, (_, drive) in enumerate(self.cylinders):
             given, w = drive.get("friction", {}), rates[k]
-            dry = given.get("coulomb", 0.0) / ca.sqrt(w**2 + given.get("velocity", 1.0) ** 2)
-            forces.append((given.get("viscous", 0.0) + dry) * w)
+            forces.append(given.get("viscous", 0.0) * w + dry_friction(given, w))
         out = ca.jtimes(lengths, q, ca.vertcat(ca.SX(0, 1), *forces), True)
-        for place, dry, velocity in self.dry:
-            out[place] += dry * v[place] / ca.sqrt(v[place] ** 2 + velocity**2)
+        for place, given in self.dry:
+            out[place] += dry_friction(given, v[place])
         return out
+
+
+def dry_friction(given: dict, w):
+    """The friction of a table of the robot file at the rate w, but for what is viscous."""
+    size = given.get("coulomb", 0.0)
+    if falling := given.get("stribeck"):
+        size += (falling["static"] - size) * ca.exp(-((w / falling["velocity"]) ** 2))
+    smooth = lambda size, velocity: size * w / ca.sqrt(w**2 + velocity**2)  # noqa: E731
+    bend = given.get("bend", {"friction": 0.0, "velocity": 1.0})
+    return smooth(size, given.get("velocity", 1.0)) + smooth(bend["friction"], bend["velocity"])
 
 
 def crank_angle(linkage: dict, q, ops):

@@ -20,6 +20,7 @@ from screwgen.integrators import METHODS
 jax = package("jax")
 SOFT = {"modes": {"bending_y": 1, "bending_z": 1}, "section": {"EIy": 300.0, "EIz": 200.0}}
 DRIVE = {"friction": {"coulomb": 0.4, "viscous": 0.1, "velocity": 0.01}}
+DRIVE["friction"] |= {"stribeck": {"static": 0.6, "velocity": 0.5}, "bend": {"friction": 0.3, "velocity": 0.2}}
 ROBOT = arm(
     link("upper", 0.7, ("z", "y"), joint={"drives": [DRIVE, {}]}, damping={"ratio": 0.02}, **SOFT),
     link("fore", 0.5, ("z",), bodies=[{"at": "tip", "mass": 0.4}], **SOFT),
@@ -33,7 +34,7 @@ TAU, W_EXT, P = np.array([0.4, -0.3, 0.2]), np.arange(12.0).reshape(2, 6) / 10, 
 def test_names_and_patterns_stand_for_parameters_in_their_order():
     chosen = MODEL.chain.parameters.chosen(OF)
     names = [MODEL.parameter_names[k] for k in chosen]
-    assert names[0] == "gravity[2]" and len(names) == 8 and list(chosen) == sorted(chosen)
+    assert names[0] == "gravity[2]" and len(names) == 12 and list(chosen) == sorted(chosen)
     with pytest.raises(UsageError, match=r"there is no 'fore.lenght'"):
         MODEL.numpy().energy_by_p(Q, V, of="fore.lenght")
     with pytest.raises(UsageError, match=r"there is no '\*.stiff'"):

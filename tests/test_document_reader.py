@@ -32,10 +32,13 @@ BEYOND = (
     ("forces", "exact", "floating"),
     ("forces", "branched", "coupling"),
     ("bristles", "bristles of a slide", "carried"),
+    ("falling", "bent bristles of a slide"),
+    ("geared bend", "plain"),
     ("geared bristles", "dahl", "weld loop"),
 )
 """Loops at markers, several tendons on a link, couplings along the arm, trees of three flexible links, forces; internal
-states of both kinds of friction on one robot, on a slide, on a rotor, and of an element that the product lacks."""
+states of both kinds of friction on one robot, on a slide, on a rotor, and of an element that the product lacks;
+friction that falls and bends, beside bristles and beside one that does not."""
 
 
 def state(model, seed=3):
@@ -63,6 +66,6 @@ def test_the_documents_of_examples_are_complete(name):
     assert judged(example(name)) < TOLERANCE
 
 
-@pytest.mark.parametrize("features", swept(BEYOND, BEYOND[0], *BEYOND[-2:]), ids=" and ".join)
+@pytest.mark.parametrize("features", swept(BEYOND, BEYOND[0], *BEYOND[-4:]), ids=" and ".join)
 def test_so_are_those_of_what_the_matrix_has_no_place_for(features):
     assert judged(model_of(robot_with(*features))) < TOLERANCE

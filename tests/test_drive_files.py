@@ -7,7 +7,7 @@ from helpers import example, link, model_of
 
 from screwgen import Robot, UsageError, derive, load
 from screwgen.backends.latex import document as latex
-from screwgen.elements import FRICTION
+from screwgen.elements import BEND, FALLING, FRICTION
 from screwgen.plugins import plugins
 from screwgen.spec import dump
 from screwgen.spec.inputs import input_units
@@ -77,9 +77,9 @@ def test_names_and_units():
     assert model.tau_names[0] == "cart.torque[0]" and model.tau_names[-1] == "tool.force[0]"
     assert coordinate_units(model.robot)[:10] == ["m", *["rad"] * 5, "m", *["rad"] * 3]
     assert input_units(model.robot) == [*["N·m"] * 6, "N"]
-    assert model.chain.effort_places == [7, 1, 8, 9, 4, 5, 6] and [
-        x.coordinate for x in model.chain.acted(FRICTION)
-    ] == [1, 8, 9, 6]
+    acted = {law: [x.coordinate for x in model.chain.acted(law)] for law in (FRICTION, FALLING, BEND)}
+    assert acted == {FRICTION: [1, 8, 9], FALLING: [6], BEND: [5, 6]}
+    assert model.chain.effort_places == [7, 1, 8, 9, 4, 5, 6]
     assert [name for name in model.dae_names["x"] if ".theta[" in name] == rotors
     assert not [name for name in model.dae_names["z"] if "theta" in name]
 

@@ -4,7 +4,7 @@ import ctypes
 
 import numpy as np
 import pytest
-from drive_robots import ELASTIC, RIGID
+from drive_robots import ELASTIC, FALLING
 from floating_robots import HULL, rod
 from helpers import arm, link, model_of, quick
 from step_judges import by_casadi, point, worst
@@ -19,7 +19,7 @@ LOADED = {"bodies": [{"at": "tip", "mass": 1.0, "com": [0.1, 0.0, 0.02], "inerti
 STOP = {"lower": -0.3, "upper": 0.25, "stiffness": 900.0, "damping": 8.0}
 SMALL = {
     "gears": arm(
-        link("a", 0.6, "y", joint={"drives": [ELASTIC]}, **BENT), link("b", 0.4, "y", joint={"drives": [RIGID]})
+        link("a", 0.6, "y", joint={"drives": [ELASTIC]}, **BENT), link("b", 0.4, "y", joint={"drives": [FALLING]})
     ),
     "stops": arm(
         link("a", 0.6, "zy", joint={"limits": [STOP, STOP]}, **BENT), link("b", 0.4, [{"slide": "x"}], **LOADED)

@@ -61,8 +61,8 @@ PARTS = (
         profile.Box,
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
-    *(drive.Friction, drive.FrictionMemory, drive.Stribeck, drive.Transmission, four_bar.FourBar, limit.Limit),
-    *(spec.Body, reduced.Reduced),
+    *(drive.Friction, drive.FrictionMemory, drive.Stribeck, drive.FrictionBend, drive.Transmission),
+    *(four_bar.FourBar, limit.Limit, spec.Body, reduced.Reduced),
     *(loops.Loop, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),
 )
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from ..elements import FRICTION, STOP, BristleFriction
+from ..elements import LAWS_OF_KEYS
 from ..elements.axis_element import PREFIX
 from ..ir.block import Binding, Block
 from ..ir.lower import lower
@@ -36,7 +36,7 @@ def is_column(name: str) -> bool:
     return name.startswith(PREFIX) or any(name in names for names in (*COLUMNS.values(), *BUILT_IN))
 
 
-BUILT_IN = (FRICTION.constants, STOP.constants, *(BristleFriction(one).constants for one in (False, True)))
+BUILT_IN = tuple(law.constants for law in LAWS_OF_KEYS)
 """The columns of laws whose names have no prefix."""
 FEW, MANY = 3, 12
 """With fewer than FEW modes the r x r factor always needs fewer operations, with more than MANY never."""

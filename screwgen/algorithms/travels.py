@@ -16,7 +16,7 @@ from functools import cache
 import numpy as np
 
 from ..arguments import Numbers
-from ..elements import FRICTION, Travel
+from ..elements import Travel
 from ..errors import SingularError
 from ..ir.program import Array, Program, Tracer, Value
 from ..ir.replay import run
@@ -101,7 +101,7 @@ def cranks(s: Scope, q: Array, qdot: Array) -> Cranks:
 def rubs(s: Scope, axis: int) -> bool:
     """Whether friction acts along the travel of an axis."""
     drive = s.key.drives[axis]
-    return drive.coulomb or drive.viscous
+    return drive.coulomb or drive.viscous or drive.bend
 
 
 def travel_rate(s: Scope, axis: int, slope: Value, qdot: Array) -> Value:
@@ -116,9 +116,9 @@ def _friction(s: Scope, axis: int, rate: Value) -> Value:
     total: Value = 0.0
     if drive.viscous:
         total = s.constant(f"drive_viscous_{axis + 1}") * rate
-    if drive.coulomb:
-        velocity, coulomb = (s.constant(f"drive_{x}_{axis + 1}") for x in ("velocity", "coulomb"))
-        total = total + FRICTION.force(s.tracer, 1.0, 0.0, rate, *FRICTION.prepared(coulomb, velocity))
+    for law, names in drive.frictions:
+        constants = law.prepared(*(s.constant(f"drive_{name}_{axis + 1}") for name in names))
+        total = total + law.force(s.tracer, 1.0, 0.0, rate, *constants)
     return total
 
 

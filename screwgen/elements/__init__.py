@@ -9,6 +9,8 @@ from .axis_element import key as key
 from .cylinder import CYLINDER as CYLINDER
 from .effort import EffortLimit as EffortLimit
 from .four_bar import FourBarLinkage as FourBarLinkage
+from .friction import BEND as BEND
+from .friction import FALLING as FALLING
 from .friction import FRICTION as FRICTION
 from .gear import ROTOR as ROTOR
 from .held import HeldLaw as HeldLaw
@@ -20,6 +22,9 @@ from .relation import Relation as Relation
 from .spring import Spring
 from .stop import STOP as STOP
 from .travel import Travel as Travel
+
+LAWS_OF_KEYS: tuple[Law, ...] = (FRICTION, STOP, FALLING, BEND, *map(BristleFriction, (False, True)))
+"""The laws of what drives and limits state; others are those of elements."""
 
 KINDS: dict[str, type[AxisElement]] = {one.KIND: one for one in (Spring,)}
 """The elements of axes that a robot file may state, by its keys."""

@@ -35,9 +35,6 @@ class Cylinder(Travel):
         "joint.drives.rotor_inertia": ("kg", "mass that moves with the drive"),
         "joint.drives.stiffness": ("N/m", "stiffness of the gear along the travel of its transmission"),
         "joint.drives.damping": ("N·s/m", "damping of the gear along the travel of its transmission"),
-        "joint.drives.friction.coulomb": ("N", "dry friction"),
-        "joint.drives.friction.viscous": ("N·s/m", "viscous friction"),
-        "joint.drives.friction.velocity": ("m/s", "rate over which dry friction changes its sign"),
     }
     IS_LENGTH = True
     LETTERS = ("l", "F")

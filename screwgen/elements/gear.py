@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Protocol
 
+from . import friction
 from .added import Added, Linear, Stated, Terms
 from .travel import Travel
 
@@ -92,13 +93,12 @@ acts on the rotor, whose kinetic energy is that of its own spin alone:
 
 $$
 J_r\,\ddot{\vartheta} &= \tau - \frac{\tau_J}{N} - \tau_f, & \quad \tau_J &= k\,\left( \frac{\vartheta}{N} - q"""
-    r""" \right) + d\,\left( \frac{\dot{\vartheta}}{N} - \dot{q} \right), & \quad \tau_f &="""
-    r""" \left( b + \frac{c}{\sqrt{w^2 + v_f^2}} \right)\,w
+    r""" \right) + d\,\left( \frac{\dot{\vartheta}}{N} - \dot{q} \right), & \quad \tau_f &= FRICTION
 $$
 
 with the gear's stiffness $k$ and damping $d$ at the joint and friction at the rate $w$ of what the torque acts on, here
-$w = \dot{\vartheta}$. What a drive does not state is zero, but $N = 1$. In the joint's rows the gear's $k$ and $d$ are
-part of $\mathbf{K}_q$ and $\mathbf{D}_q$, and what acts on the axis is
+$w = \dot{\vartheta}$. What a drive does not state is zero, but $N = 1$CONSTANT. In the joint's rows the gear's $k$
+and $d$ are part of $\mathbf{K}_q$ and $\mathbf{D}_q$, and what acts on the axis is
 
 $$
 \tau_q &= \frac{k\,\vartheta + d\,\dot{\vartheta}}{N}, & \quad k_q &\leftarrow k_q + k, & \quad d_q &\leftarrow d_q + d
@@ -111,7 +111,12 @@ $$
 $$
 """
 )
-"""The section of drives in documents."""
+
+
+def equations(falls: bool, bends: bool) -> str:
+    """The section of drives in documents; ``falls``, ``bends``: see :func:`.friction.formula`."""
+    text = EQUATIONS.replace("FRICTION", friction.formula(falls, bends))
+    return text.replace("CONSTANT", " and $F_w = c$ where it states no $F_s$" * falls)
 
 
 def travel_equations(kinds: Sequence[Travel]) -> str:

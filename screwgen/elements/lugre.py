@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from .friction import FALLING_KEYS, FALLING_SIZE, SIZE_SYMBOL, size
 from .law import Bristle, Key, Value
 
 
@@ -43,8 +44,7 @@ class BristleFriction:
         keys = {"stiffness": stiffness, "damping": damping}
         keys |= {"coulomb": Key("N·m", "N", "dry friction while they slip", "c", "positive")}
         if self.stribeck:
-            keys |= {"static": Key("N·m", "N", "dry friction where they begin to slip", "F_s", "positive")}
-            keys |= {"speed": Key("rad/s", "m/s", "rate over which that falls", "w_s", "positive")}
+            keys |= FALLING_KEYS
         return {f"{self.name}_{key}": own for key, own in keys.items()}
 
     @property
@@ -60,42 +60,29 @@ class BristleFriction:
 
     def bristle(self, t: Any, side: Value, x: Value, w: Value, z: Value, *constants: Value) -> Bristle:
         stiffness, damping, coulomb, *falling = constants
-        size = coulomb
-        for static, speed in [falling] if falling else []:
-            part = w / speed
-            size = t.named("size", coulomb + (static - coulomb) * t.call("exp", -(part * part)))
         rate = t.named("speed", w * (t.call("on", w) - t.call("on", -w)))
-        return Bristle(stiffness, damping, 1.0, t.named("decay", stiffness * rate / size))
+        return Bristle(stiffness, damping, 1.0, t.named("decay", stiffness * rate / size(t, w, coulomb, *falling)))
 
     def energy(self, t: Any, side: Value, x: Value, *constants: Value) -> Value:
         """None of the coordinate; that of the bristles is theirs."""
         return 0.0
 
 
-LETTERS = {
-    "memory.stiffness": r"\sigma_0",
-    "memory.damping": r"\sigma_1",
-    "stribeck.static": "F_s",
-    "stribeck.velocity": "w_s",
-}
+LETTERS = {"memory.stiffness": r"\sigma_0", "memory.damping": r"\sigma_1"}
 """The letters of the keys of this friction in formulas."""
 
 SYMBOLS = (
     (r"z", "mean deflection of the bristles of friction, an internal state, of slides in m", "rad", True),
     (r"\sigma_0, \sigma_1", "stiffness and damping of these bristles", "N*m/rad, N*m*s/rad", False),
-    (r"F_w", "dry friction while they slip at the rate w, of slides a force", "N*m", True),
+    SIZE_SYMBOL,
 )
-STRIBECK_SYMBOLS = (
-    (r"F_s", "dry friction where bristles begin to slip, of slides a force", "N*m", False),
-    (r"w_s", "rate over which it falls", "rad/s", False),
-)
-"""Symbol, meaning, unit of what documents name, and whether it is a state; the latter of friction that falls."""
+"""Symbol, meaning, unit of what documents name, and whether it is a state."""
 
 
-def equations(falls: bool) -> str:
-    """Its section in documents; ``falls``: whether any of it falls with the rate."""
-    size = r"c + \left( F_s - c \right)\,\exp\left( -\frac{w^2}{w_s^2} \right)" if falls else "c"
-    return EQUATIONS.replace("SIZE", size) + (CONSTANT if falls else "") + STORED
+def equations(falls: bool, bends: bool) -> str:
+    """Its section in documents; ``falls``, ``bends``: whether any of it falls with the rate, and any friction bends."""
+    text = EQUATIONS.replace("BEND", r" + \frac{c_b\,w}{\sqrt{w^2 + v_b^2}}" * bends)
+    return text.replace("SIZE", FALLING_SIZE if falls else "c") + CONSTANT * falls + STORED
 
 
 EQUATIONS = (
@@ -104,8 +91,8 @@ Dry friction with $\sigma_0$ remembers. Between both bodies stand bristles, whos
 state, of first order. Of such a drive $\tau_f$ is not that above, but with the same rate $w$
 
 $$
-\tau_f &= b\,w + \sigma_0\,z + \sigma_1\,\dot{z}, & \quad \dot{z} &= w - \frac{\sigma_0\,\left| w \right|}{F_w}\,z,"""
-    r""" & \quad F_w &= SIZE
+\tau_f &= b\,w + \sigma_0\,z + \sigma_1\,\dot{z}BEND, & \quad \dot{z} &= w -"""
+    r""" \frac{\sigma_0\,\left| w \right|}{F_w}\,z, & \quad F_w &= SIZE
 $$
 
 """

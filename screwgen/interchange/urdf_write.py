@@ -14,7 +14,7 @@ from ..joints.screw import Screw
 from ..reduction.invariants import hat
 from ..spec.base import FLOATING
 from ..spec.couplings import Axis, coupled_axis
-from ..spec.drive import NO_FRICTION
+from ..spec.drive import FRICTION_TABLES, NO_FRICTION
 from ..spec.joint import Joint
 from ..spec.markers import carried_at
 from ..spec.parents import WORLD, parents
@@ -110,8 +110,10 @@ class _Writer:
             self.notes.append(f"{link.name}.joint.limits: are written without the stiffness of their stops")
         for k, drive in enumerate(joint.driven):
             known = (None, STICKING[joint.screws[k].slides])
-            if drive.friction and drive.friction.velocity not in known:
-                self.notes.append(f"{link.name}.joint.drives[{k}].friction.velocity: is left out")
+            friction = drive.friction or NO_FRICTION
+            left = ["velocity"] if friction.velocity not in known else []
+            for name in (*left, *(name for name in FRICTION_TABLES if getattr(friction, name))):
+                self.notes.append(f"{link.name}.joint.drives[{k}].friction.{name}: is left out")
 
     # links
 
@@ -254,8 +256,6 @@ class _Writer:
         friction = (not joint.between(k) and joint.driven[k].friction) or NO_FRICTION
         damping = (joint.damping[k] if joint.damping else 0.0) + (friction.viscous or 0.0)
         dry = friction.coulomb or 0.0
-        if friction.memory:
-            self.notes.append(f"{below}: its friction is written as {dry:g}, without what it remembers")
         if damping or dry:
             parts.append(f"<dynamics damping={_row([damping])} friction={_row([dry])}/>")
         return kind, above, below, parts

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..elements import FRICTION, STOP, AxisElement, BristleFriction, EffortLimit, ElementLaw, HeldLaw, Law
+from ..elements import STOP, AxisElement, EffortLimit, ElementLaw, HeldLaw, Law
 
 if TYPE_CHECKING:
     from .link_class import LinkClass
@@ -31,15 +31,9 @@ class LawOnAxis(NamedTuple):
 def laws(key: LinkClass) -> Iterator[LawOnAxis]:
     """The laws of a class, law by law; friction in transmissions depends on the posture and is not among them."""
     for axis, drive in enumerate(key.drives):
-        if drive.coulomb and not drive.travel:
-            place = ("theta", key.added_axes.index(axis)) if axis in key.added_axes else ("q", axis)
-            law: Law = FRICTION
-            names: tuple[str, ...] = ("coulomb", "velocity")
-            if drive.memory:
-                law, names = BristleFriction(drive.stribeck), ("memory_stiffness", "memory_damping", "coulomb")
-                names += ("stribeck_static", "stribeck_velocity") * drive.stribeck
-            stated = (name if name != "memory_damping" or drive.damped_bristles else None for name in names)
-            yield LawOnAxis(law, *place, 1, tuple(name and f"drive_{name}_{axis + 1}" for name in stated))
+        place = ("theta", key.added_axes.index(axis)) if axis in key.added_axes else ("q", axis)
+        for law, names in () if drive.travel else drive.frictions:
+            yield LawOnAxis(law, *place, 1, tuple(name and f"drive_{name}_{axis + 1}" for name in names))
     for axis, side in key.stops:
         damping = f"limit_damping_{axis + 1}" if axis in key.stop_damping else None
         labels = (f"limit_{side}_{axis + 1}", f"limit_stiffness_{axis + 1}", damping)

@@ -43,13 +43,25 @@ class FrictionMemory(Part):
 class Stribeck(Part):
     """How dry friction falls with the rate w, `coulomb + (static - coulomb) exp(-(w / velocity)²)`."""
 
-    static: Annotated[float, Stated("static friction", "dry friction where bristles begin to slip", ROTOR_ALWAYS_TURNS)]
+    static: Annotated[float, Stated("static friction", "dry friction where it begins to slip", ROTOR_ALWAYS_TURNS)]
     velocity: Annotated[float, Stated("velocity", "rate over which dry friction falls")]
+
+
+class FrictionBend(Part):
+    """What friction has besides at high rates, `friction w / sqrt(w² + velocity²)`: the bend of strain-wave gears."""
+
+    friction: Annotated[float, Stated("coulomb", "friction that the bend adds at high rates", ROTOR_ALWAYS_TURNS)]
+    velocity: Annotated[float, Stated("velocity", "rate over which the bend of friction sets in")]
+
+
+FRICTION_TABLES: dict[str, type[Part]] = {"memory": FrictionMemory, "stribeck": Stribeck, "bend": FrictionBend}
+"""The tables with numbers of friction."""
 
 
 class Friction(Part):
     """Dry and viscous friction, `(viscous + coulomb / sqrt(w² + velocity²)) w` at the rate w.
 
+    With `stribeck` dry friction falls with the rate, and with `bend` a term of the same form is added.
     With `memory` dry friction has a state of its own, sticks truly, and needs no `velocity` to smooth its sign.
 
     It acts on what the torque acts on: on the rotor (N·m, N·m·s/rad, rad/s) of an elastic drive, on the cylinder of a
@@ -62,16 +74,17 @@ class Friction(Part):
     memory: FrictionMemory | None = Field(
         None, description="of dry friction with bristles, as { stiffness = …, damping = … }"
     )
-    stribeck: Stribeck | None = Field(None, description="of that where it falls, as { static = …, velocity = … }")
+    stribeck: Stribeck | None = Field(None, description="of dry friction that falls, as { static = …, velocity = … }")
+    bend: FrictionBend | None = Field(None, description="of strain-wave gears, as { friction = …, velocity = … }")
 
     @model_validator(mode="after")
     def _dry_over_a_velocity(self) -> Self:
-        if self.coulomb is None and self.viscous is None:
+        if self.coulomb is None and self.viscous is None and self.bend is None:
             raise refuse("states no friction; give { coulomb = …, velocity = … }, viscous, or both")
         if self.memory is not None:
             self._checked_memory()
-        elif self.stribeck is not None:
-            raise refuse("is stated without memory, whose bristles begin to slip there; state it", at=("stribeck",))
+        elif self.coulomb is None and self.stribeck is not None:
+            raise refuse("is stated without coulomb, to which friction falls; state it", at=("stribeck",))
         elif self.coulomb is not None and self.velocity is None:
             raise refuse("is missing; dry friction needs the rate over which it changes its sign", at=("velocity",))
         if self.coulomb is None and self.velocity is not None:
@@ -84,13 +97,14 @@ class Friction(Part):
             what = "is missing" if self.coulomb is None else "is 0"
             raise refuse(f"{what}; state the friction of bristles that slip, > 0", at=("coulomb",))
         if self.velocity is not None:
-            raise refuse("is stated beside memory, which needs no smooth sign; leave it out", at=("velocity",))
+            what = "is stated beside memory, whose bristles stick and would creep with a smooth sign"
+            raise refuse(f"{what}; leave it out", at=("velocity",))
 
     @property
     def numbers(self) -> Iterator[tuple[str, float | None]]:
         """Its runtime parameters, by their keys below this table."""
         yield from ((name, getattr(self, name, None)) for name, _ in stated_numbers(Friction))
-        for table, part in (("memory", FrictionMemory), ("stribeck", Stribeck)):
+        for table, part in FRICTION_TABLES.items():
             own = getattr(self, table, None)
             yield from ((f"{table}.{name}", getattr(own, name, None)) for name, _ in stated_numbers(part))
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..elements import Travel
+from ..elements import BEND, FALLING, FRICTION, BristleFriction, Law, Travel
 from .axis_laws import SIDES
-from .drive import NO_FRICTION
+from .drive import FRICTION_TABLES, NO_FRICTION
 from .joint import Joint
 
 
@@ -23,6 +24,7 @@ class DriveClass:
     memory: bool = False
     damped_bristles: bool = False
     stribeck: bool = False
+    bend: bool = False
     travel: Travel | None = None
     """Its transmission, if its ratio depends on the posture."""
 
@@ -30,6 +32,18 @@ class DriveClass:
     def elastic(self) -> bool:
         """Whether its gear is, which then adds a coordinate."""
         return self.stiffness
+
+    @property
+    def frictions(self) -> Iterator[tuple[Law, tuple[str | None, ...]]]:
+        """The laws of its friction but for what is viscous, and the numbers that each is made of, None for zero."""
+        falling = ("stribeck_static", "stribeck_velocity") * self.stribeck
+        if self.memory:
+            damping = "memory_damping" if self.damped_bristles else None
+            yield BristleFriction(self.stribeck), ("memory_stiffness", damping, "coulomb", *falling)
+        elif self.coulomb:
+            yield FALLING if self.stribeck else FRICTION, ("coulomb", "velocity", *falling)
+        if self.bend:
+            yield BEND, ("bend_friction", "bend_velocity")
 
     def stated(self, name: str) -> float:
         """1 for a key that it states, and for the ratio, else 0: what formulas are of these is there or not."""
@@ -46,7 +60,7 @@ def drive_classes(joint: Joint) -> tuple[DriveClass, ...]:
     for drive in joint.drives or ():
         friction = drive.friction or NO_FRICTION
         stated = {name: getattr(drive, name) is not None for name in ("ratio", "rotor_inertia", "stiffness", "damping")}
-        stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous", "memory", "stribeck")}
+        stated |= {name: getattr(friction, name) is not None for name in ("coulomb", "viscous", *FRICTION_TABLES)}
         stated["damped_bristles"] = friction.memory is not None and friction.memory.damping is not None
         out.append(DriveClass(**stated, travel=drive.travel))
     return tuple(out) if any(drive != DriveClass() for drive in out) else ()

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..elements import TRAVELS
-from .drive import Drive, Friction, FrictionMemory, Stribeck
+from .drive import FRICTION_TABLES, Drive, Friction
 from .frequencies import Frequencies
 from .joint import Joint, Mount
 from .limit import Limit
@@ -44,8 +44,10 @@ OF_AXES: dict[str, tuple[type[Part], str]] = {
     "joint.": (Joint, "joint."),
     "joint.drives.": (Drive, "joint.drives[{}]."),
     "joint.drives.friction.": (Friction, "joint.drives[{}].friction."),
-    "joint.drives.friction.memory.": (FrictionMemory, "joint.drives[{}].friction.memory."),
-    "joint.drives.friction.stribeck.": (Stribeck, "joint.drives[{}].friction.stribeck."),
+    **{
+        f"joint.drives.friction.{table}.": (part, f"joint.drives[{{}}].friction.{table}.")
+        for table, part in FRICTION_TABLES.items()
+    },
     "joint.limits.": (Limit, "joint.limits[{}]."),
 }
 """The tables with numbers of axes."""
@@ -86,13 +88,15 @@ def of_axis(field: str, joint: Joint, axis: int) -> tuple[str, str] | None:
     """Unit and meaning of a parameter of an axis where they are others than in `FIELDS`: of a slide, of a transmission.
 
     The limit of an effort has the unit of the input. Friction on a rotor has those of a joint that turns, and so has a
-    rotor's inertia where a ratio is stated.
+    rotor's inertia where a ratio is stated; along a cylinder friction has those of a slide.
     """
     drive, rotor = joint.driven[axis], field.endswith(".rotor_inertia")
     if field == EFFORT:
         return drive.effort(joint.screws[axis])[1], FIELDS[field].description
     units: Mapping[str, tuple[str, str]] = {} if joint.screws[axis].turn else SLIDING
-    units = drive.travel.UNITS if drive.travel else units
+    rubs = ".friction." in field
+    if drive.travel:
+        units = SLIDING if rubs and drive.travel.IS_LENGTH else drive.travel.UNITS
     on_rotor = drive.elastic and not drive.travel
     turns = on_rotor or (rotor and drive.ratio is not None)
-    return None if turns and (rotor or ".friction." in field) else units.get(field)
+    return None if turns and (rotor or rubs) else units.get(field)

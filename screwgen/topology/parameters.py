@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..spec.axis_laws import element_label
+from ..spec.drive import FRICTION_TABLES
 from ..spec.parameters import Parameter, parameters
 from ..spec.robot import Robot
 from ..spec.tendons import offset_label
@@ -25,7 +26,7 @@ def label(parameter: Parameter) -> str:
         case field if field.startswith("joint.elements."):
             kind, key = field.split(".")[2:]
             return element_label(kind, key, index[0])
-        case field if field.startswith(("joint.drives.friction.memory.", "joint.drives.friction.stribeck.")):
+        case field if field.startswith("joint.drives.friction.") and field.split(".")[3] in FRICTION_TABLES:
             return f"drive_{'_'.join(field.split('.')[3:])}_{index[0] + 1}"
         case field if field.startswith("joint."):
             table, *_, key = field.split(".")[1:]

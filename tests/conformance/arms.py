@@ -38,13 +38,15 @@ ROTOR = {"ratio": 8.0, "rotor_inertia": 2e-3}
 FRICTION = {"coulomb": 0.6, "viscous": 0.07, "velocity": 0.3}
 BRISTLES = {"coulomb": 1.5, "viscous": 0.3, "memory": {"stiffness": 45.0, "damping": 0.4}}
 BRISTLES |= {"stribeck": {"static": 2.2, "velocity": 0.6}}
+BEND = {"bend": {"friction": 0.5, "velocity": 0.8}}
+FALLING = FRICTION | {"stribeck": {"static": 1.1, "velocity": 0.7}} | BEND
 DRIVES: dict[str, dict] = {
     "rotor": ROTOR,
     "elastic gear": ROTOR | GEAR,
-    "friction": {"friction": FRICTION},
-    "geared friction": ROTOR | GEAR | {"friction": FRICTION},
-    "bristles": {"friction": BRISTLES},
-    "cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "friction": FRICTION, "transmission": TRANSMISSIONS["cylinder"]},
+    "friction": {"friction": FALLING},
+    "geared friction": ROTOR | GEAR | {"friction": FRICTION | BEND},
+    "bristles": {"friction": BRISTLES | BEND},
+    "cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "friction": FALLING, "transmission": TRANSMISSIONS["cylinder"]},
     "four-bar": ROTOR | {"friction": FRICTION, "transmission": TRANSMISSIONS["four-bar"]},
     "elastic cylinder": {"ratio": 30.0, "rotor_inertia": 2e-3, "stiffness": 4e3, "damping": 9.0}
     | {"transmission": TRANSMISSIONS["cylinder"]},

@@ -254,6 +254,11 @@ TABLE: list[Mutant] = [
       'return {**x, "tau": f.held(x["q"], x["v"], x["tau"])} if f.chain.holds else x', "return x"),
     M("limited", "C folder", "screwgen/backends/numpy/reference_sums.py",
       "self.tau = self.holding.held(q.tolist(), v.tolist(), self.given)", "pass"),
+    # ------------------------------------------------------------------------------------------- friction that falls, bends
+    M("cylinder", "C, fused", "screwgen/backends/c/laws.py", "{*chain.laws, *frictions}", "{*chain.laws}"),
+    M("geared friction", "judge", "screwgen/spec/drive_class.py",
+      "        if self.bend:\n", "        if self.bend and not self.elastic:\n"),
+    M("friction", "document", "screwgen/elements/friction.py", "{dry}{bend}", "{dry}"),
     # ------------------------------------------------------------------------------------------- internal states
     M("bristles", "judge", ALGORITHMS + "axis_laws.py", "        total = total + bent.stiffness * (z * z)\n", ""),
     M("bristles", "derivatives", "screwgen/backends/numpy/numeric.py",

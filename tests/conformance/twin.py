@@ -98,12 +98,12 @@ def spelled_out(link: dict) -> dict:
 
 
 def _without_bristles(joint: dict) -> dict:
-    """The joint with viscous friction alone where friction remembers."""
+    """The joint without dry friction where that remembers."""
     drives = []
     for drive in joint.get("drives", []):
         friction = drive.get("friction", {})
-        viscous = {key: x for key, x in friction.items() if key == "viscous"}
-        drives.append(drive | {"friction": viscous} if "memory" in friction else drive)
+        other = {key: x for key, x in friction.items() if key in ("viscous", "bend")}
+        drives.append(drive | {"friction": other} if "memory" in friction else drive)
     return joint | ({"drives": drives} if drives else {})
 
 

@@ -51,8 +51,9 @@ def content(chain: Chain) -> list[dict]:
 
 
 def calls(chain: Chain, function: str) -> bool:
-    """Whether any of the laws calls a function, `on` or `exp`."""
-    return any(function in stage(one.law).operations for one in of_robot(chain))
+    """Whether any of the laws calls a function, `on` or `exp`; friction along transmissions is among them."""
+    frictions = (law for key in chain.keys for drive in key.drives for law, _ in drive.frictions)
+    return any(function in stage(law).operations for law in {*chain.laws, *frictions})
 
 
 def _law(chain: Chain, one: LawsOfRobot) -> dict:

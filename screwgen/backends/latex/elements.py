@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...elements import STOP, TRAVELS, BristleFriction, EffortLimit, ElementLaw, friction, gear, lugre, stop
 from ...ir.block import Binding
+from ...spec.drive_class import DriveClass
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from .content import Named
@@ -15,10 +16,11 @@ def symbols(chain: Chain) -> list[Named]:
     stated += [symbol for kind in chain.travel_kinds for symbol in kind.SYMBOLS]
     stated += gear.TRAVEL_SYMBOLS if chain.elastic_travels else ()
     stated += stop.SYMBOLS if STOP in chain.laws else ()
-    stated += lugre.SYMBOLS if (falling := _bristles(chain)) else ()
-    stated += lugre.STRIBECK_SYMBOLS if any(falling) else ()
+    stated += lugre.SYMBOLS if any(drive.memory for drive in _drives(chain)) else ()
+    stated += friction.FALLING_SYMBOLS if any(drive.stribeck for drive in _drives(chain)) else ()
+    stated += friction.BEND_SYMBOLS if any(drive.bend for drive in _drives(chain)) else ()
     binding = {True: Binding.STATE, False: Binding.PARAMETER}
-    return [(symbol, meaning, unit, "1", "-", binding[state]) for symbol, meaning, unit, state in stated]
+    return [(symbol, meaning, unit, "1", "-", binding[state]) for symbol, meaning, unit, state in dict.fromkeys(stated)]
 
 
 def acting(chain: Chain) -> bool:
@@ -33,8 +35,10 @@ def effort(chain: Chain) -> str:
 
 def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
-    out = [gear.EQUATIONS] if driven(chain) else []
-    out += [lugre.equations(any(falling))] if (falling := _bristles(chain)) else []
+    drives, bends = _drives(chain), any(drive.bend for drive in _drives(chain))
+    out = [gear.equations(any(d.stribeck and not d.memory for d in drives), bends)] if driven(chain) else []
+    if remembering := [drive for drive in drives if drive.memory]:
+        out += [lugre.equations(any(drive.stribeck for drive in remembering), bends)]
     out += [stop.EQUATIONS] if STOP in chain.laws else []
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
@@ -48,7 +52,7 @@ def remarks(key: LinkClass) -> dict[str, object]:
         "elastic drives": key.added_axes,
         "rigid gears": any(drive.rotor_inertia and not drive.elastic for drive in key.drives),
         **{kind.PLURAL: type(kind) in map(type, key.travels.values()) for kind in TRAVELS},
-        "friction": any((drive.coulomb and not drive.memory) or drive.viscous for drive in key.drives),
+        "friction": any((drive.coulomb and not drive.memory) or drive.viscous or drive.bend for drive in key.drives),
         BristleFriction.words: any(drive.memory for drive in key.drives),
         "stops": key.stops,
         EffortLimit.WORDS: key.limited_efforts,
@@ -61,6 +65,6 @@ def driven(chain: Chain) -> bool:
     return any(key.drives for key in chain.keys)
 
 
-def _bristles(chain: Chain) -> list[bool]:
-    """Of each kind of friction that remembers, whether it falls with the rate."""
-    return [law.stribeck for law in chain.laws if isinstance(law, BristleFriction)]
+def _drives(chain: Chain) -> list[DriveClass]:
+    """What the drives of all axes state."""
+    return [drive for key in chain.keys for drive in key.drives]

@@ -72,10 +72,9 @@ def _of_axis(chain: Chain, p: Parameter) -> str:
     if ".transmission." in p.field:
         below = p.field.partition(".transmission.")[2]
         return next((kind.KEYS[name].symbol for kind in TRAVELS if below == f"{kind.TABLE}{name}"), "")
-    below = p.field.partition(".friction.")[2]
-    if below in lugre.LETTERS:
-        return lugre.LETTERS[below]
-    return (gear.LETTERS | friction.LETTERS).get(name, "") if p.field.startswith("joint.drives.") else ""
+    if below := p.field.partition(".friction.")[2]:
+        return (friction.LETTERS | lugre.LETTERS).get(below, "")
+    return gear.LETTERS.get(name, "") if p.field.startswith("joint.drives.") else ""
 
 
 @cache

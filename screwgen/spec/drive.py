@@ -86,6 +86,11 @@ class Friction(Part):
         if self.velocity is not None:
             raise refuse("is stated beside memory, which needs no smooth sign; leave it out", at=("velocity",))
 
+    def without_internal_states(self) -> Self:
+        """The friction without its dry part where that remembers."""
+        none = {"coulomb": None, "memory": None, "stribeck": None}
+        return self.model_copy(update=none if self.memory else {})
+
     @property
     def numbers(self) -> Iterator[tuple[str, float | None]]:
         """Its runtime parameters, by their keys below this table."""

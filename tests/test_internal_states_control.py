@@ -11,6 +11,7 @@ from helpers import QUICK, arm, model_of
 import screwgen
 from screwgen import UsageError
 from screwgen.elements import AxisElement, Bristle, Key, key
+from screwgen.runtime.estimator import CompiledEstimator, Noise
 from screwgen.studies.predictive import fitted
 
 CONTROL = """
@@ -72,6 +73,22 @@ def test_a_slow_motion_does_not_stick_and_slip(control):
     late = run.t > 1.0
     off, slow = np.abs(run.q[late] - np.outer(run.t[late], rates)), np.abs(run.v[late, :2]) < 5e-3
     assert (off.max() < 1e-3 and not slow.any()) if knows else (off.max() > 0.1 and slow.mean(axis=0).max() > 0.5)
+
+
+def test_a_filter_knows_how_far_bristles_are_bent(tmp_path):
+    """From encoders alone, of 10 µrad; the torques are those of the filter's state."""
+    (tmp_path / "mpc.toml").write_text(CONTROL)
+    arm, rng = model(True), np.random.default_rng(0)
+    controller, step = arm.mpc(tmp_path / "mpc.toml", flags=QUICK), arm.compile(flags=QUICK).step
+    e, q, v, still = CompiledEstimator(arm, measurements=["encoder"], flags=QUICK), np.zeros(2), np.zeros(4), []
+    e.start(q, v, 1e-4, [1e-2, 1e-2, 1e-5, 1e-5], Noise([1.0, 1.0, 1e-10, 1e-10], encoder=1e-5))
+    for k in range(2500):
+        inputs = controller(k * 1e-3, *e.state), np.zeros((2, 6))
+        q, v = step(q, v, *inputs, 1e-3, "modal_midpoint")
+        e.predict(*inputs, 1e-3)
+        e.update(*inputs, encoder=q + 1e-5 * rng.normal(size=2))
+        still += [np.abs(q - [-0.4, 0.6]).max()]
+    assert max(still[-300:]) < 0.01
 
 
 def test_the_cost_to_go_is_that_of_the_arm_that_slips(tmp_path):

@@ -232,15 +232,15 @@ class CompiledMpc:
 
     def _of_own_model(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The state of the controller's model from that of the plant."""
-        n, own = len(q), self.model.chain.n_internal
-        P = np.eye(n) if self.projection is None else self.projection
+        n, own, P = len(q), self.model.chain.n_internal, self.projection
         z = v[n:] if own and len(v) > n else np.zeros(own)
         if len(z) != own:
             raise UsageError(
                 f"the plant has {len(z)} internal states and the controller's model {own}; which of them belong "
                 "together is not known; call feedback in a loop of your own"
             )
-        return P @ q, np.append(P @ v[:n], z)
+        q, rates = (x if P is None else P @ x for x in (q, v[:n]))
+        return q, np.append(rates, z)
 
     def _sample(self, q: Numbers, v: Numbers) -> int:
         self._state(q, v)

@@ -64,7 +64,7 @@ def ranges(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
 
     A state with `zdot = gain w - decay z` does not leave the values that it has at steady rates, and crosses them where
     the rate changes its sign. The rates are those that the torques can give in the horizon, the slow ones among them,
-    at which dry friction is largest. There is no limit where nothing decays.
+    at which dry friction is largest; gain and decay are those at z = 0. There is no limit where nothing decays.
     """
     fastest = f.said.horizon.intervals * np.abs(B) @ half_ranges(f)
     chain, own, out = model.chain, columns(model.chain, model.numpy().constants), np.zeros(model.chain.n_internal)

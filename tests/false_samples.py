@@ -1,4 +1,4 @@
-"""Predictive control of five robots under false samples; run as a script for all cases, --sanitize with sanitizers.
+"""Predictive control of six robots under false samples; run as a script for all cases, --sanitize with sanitizers.
 
 tests/c/false_samples.c closes the loop around generated C and says what must hold.
 """
@@ -27,6 +27,13 @@ def turning(name: str, length: float, inertia: float, axes="z", **more) -> dict:
     return link(name, length, axes=axes, joint={"armature": [inertia]} | joint, **more)
 
 
+def rubbing(coulomb: float) -> dict:
+    """Friction that remembers."""
+    memory = {"stiffness": 2e3 * coulomb, "damping": 20.0 * coulomb}
+    falling = {"static": 1.5 * coulomb, "velocity": 0.02}
+    return {"drives": [{"friction": {"coulomb": coulomb, "viscous": 0.2, "memory": memory, "stribeck": falling}}]}
+
+
 LIMITED = {
     "limits": {"lower": -1.0, "upper": 1.0, "stiffness": 500.0},
     "drives": [{"friction": {"coulomb": 0.5, "velocity": 0.05}}],
@@ -40,6 +47,9 @@ ROBOTS = {
         gravity=[0.0, 0.0, -9.81],
     ),
     "slide": arm(link("cart", 0.3, axes=[{"slide": "y"}]), turning("mast", 0.8, 0.1, **BENDS, bodies=LOAD)),
+    "bristles": arm(
+        turning("up", 0.6, 0.2, joint=rubbing(1.5)), turning("fore", 0.5, 0.1, bodies=LOAD, joint=rubbing(0.8))
+    ),
     "stops": arm(turning("up", 0.6, 0.2, **BENDS, joint=LIMITED), turning("fore", 0.5, 0.1, bodies=LOAD)),
 }
 CONTROL = """

@@ -19,6 +19,7 @@ EXACT = {"modes": {"bending_y": 1, "bending_z": 1}, "section": SOFT, "order": "e
 TIP = {"at": "tip", "mass": 0.5, "com": [0.05, 0.0, 0.02], "inertia": [0.01, 0.02, 0.02, 0.0, 0.0, 0.0]}
 FRICTION = {"coulomb": 0.3, "viscous": 0.02, "velocity": 0.2}
 FALLING = {"stribeck": {"static": 0.5, "velocity": 0.6}, "bend": {"friction": 0.2, "velocity": 0.4}}
+BRISTLES = {"coulomb": 0.5, "viscous": 0.1, "memory": {"stiffness": 500.0, "damping": 1.0}}
 ELASTIC = {"ratio": 30.0, "rotor_inertia": 2e-4, "stiffness": 900.0, "damping": 2.0, "friction": FRICTION}
 STOP = {"lower": -0.4, "upper": 0.3, "stiffness": 2000.0, "damping": 8.0}
 CYLINDER = {"transmission": {"crank": 0.4, "base": 1.2, "angle": -1.5}, "ratio": 30.0, "rotor_inertia": 0.02}
@@ -76,6 +77,7 @@ FEATURES = {
     "loop": lambda: joined("y"),
     "elastic gear": lambda: _one(joint={"drives": [ELASTIC]}),
     "friction": lambda: _one(joint={"drives": [{"friction": FRICTION | FALLING}]}),
+    "bristles": lambda: _one(joint={"drives": [{"friction": BRISTLES}]}),
     "stop": lambda: _one(joint={"limits": [STOP]}),
     "cylinder": lambda: _one(joint={"drives": [CYLINDER]}),
     "elastic cylinder": lambda: _one(joint={"drives": [CYLINDER | {"stiffness": 4e4}]}),

@@ -16,9 +16,10 @@ class Problem:
     def __init__(self, model: Model, said: Mpc, options: dict, reference: list[dict]):
         self.model, self.said, self.o, self.reference = model, said, options, reference
         self.n, self.nu, self.h = model.nq, model.n_tau, said.horizon.step
+        self.nx = model.nq + model.chain.nvz
         self.lengths = said.horizon.lengths
         self.block = [b for b, length in enumerate(self.lengths) for _ in range(length)]
-        x, u = ca.SX.sym("x", 2 * self.n), ca.SX.sym("u", self.nu)
+        x, u = ca.SX.sym("x", self.nx), ca.SX.sym("u", self.nu)
         self.interval = ca.Function("interval", [x, u], [self._interval(x, u)])
         jacobians = [ca.jacobian(self._interval(x, u), z) for z in (x, u)]
         self.slopes = ca.Function("slopes", [x, u], jacobians)
@@ -43,12 +44,13 @@ class Problem:
         J = self.model.casadi()["tip_jacobian"](x[: self.n], self.model.parameter_values)
         to = ca.reshape(y[3:12], 3, 3).T
         turn = sum(ca.cross(to[:, a], R[:, a]) for a in range(3)) / 2
-        return ca.vertcat(r - y[:3], turn, (J @ x[self.n :])[3:] - y[12:15])
+        return ca.vertcat(r - y[:3], turn, (J @ x[self.n : 2 * self.n])[3:] - y[12:15])
 
     def _soft_state(self, x):
         rows, bounds = [], self.said.bounds
         rows += [x[i] for i in range(self.nu) if bounds.joints is not None]
         rows += [x[self.n + i] for i in range(self.nu) if bounds.joint_rates is not None]
+        rows += [x[i] for i in range(2 * self.n, self.nx)]
         for k, g in enumerate(gauges(self.model.chain) if bounds.strains else ()):
             eta, length = x[self.n - self.model.chain.n_modes + g.first :], self.model.robot.links[g.link].length
             bend = sum(c / length**2 * eta[i] for i, c in enumerate(g.curvatures))
@@ -61,6 +63,8 @@ class Problem:
             lower, upper = [*lower, *o["joint_lower"]], [*upper, *o["joint_upper"]]
         if bounds.joint_rates is not None:
             lower, upper = [*lower, *-o["joint_rate"]], [*upper, *o["joint_rate"]]
+        bent = 0.55 * o["scatter"][2 * self.n :]
+        lower, upper = [*lower, *-bent], [*upper, *bent]
         if bounds.strains is not None:
             lower, upper = [*lower, *-o["strain"]], [*upper, *o["strain"]]
         return np.array(lower), np.array(upper)
@@ -74,7 +78,9 @@ class Problem:
     # numbers -----------------------------------------------------------------------------------
 
     def weights(self) -> np.ndarray:
-        return np.r_[self.o["joints"], self.o["modes"], self.o["joint_rates"], self.o["mode_rates"]]
+        """Of [q; v], in which internal states, behind the rates, cost nothing."""
+        own = [self.o[name] for name in ("joints", "modes", "joint_rates", "mode_rates")]
+        return np.concatenate([*own, np.zeros(self.nx - 2 * self.n)])
 
     def tip_weights(self) -> np.ndarray:
         names = ("tip_position", "tip_orientation", "tip_velocity")
@@ -91,7 +97,7 @@ class Problem:
 
     def dense(self, X, U, acting, dx0):
         """H, g per N·m, and rows of the soft constraints with their values, about a plan and from another start."""
-        N, nz, nx = len(self.block), self.nu * len(self.lengths), 2 * self.n
+        N, nz, nx = len(self.block), self.nu * len(self.lengths), self.nx
         G, off = np.zeros((nx, nz)), np.array(dx0, float)
         H, g, rows, values, wrenches, wrench_values = np.zeros((nz, nz)), np.zeros(nz), [], [], [], []
         pick = lambda k: np.kron(np.eye(len(self.lengths))[self.block[k]], np.eye(self.nu))  # noqa: E731

@@ -12,15 +12,17 @@ import screwgen
 from screwgen.studies.predictive import project
 
 
-def test_one_false_sample_does_not_latch_the_controller(tmp_path):
-    run = program("flexible", tmp_path, "-O1")
+@pytest.mark.parametrize("robot", ["flexible", "bristles"])
+def test_one_false_sample_does_not_latch_the_controller(tmp_path, robot):
+    run = program(robot, tmp_path, "-O1")
     done = subprocess.run([run, "12"], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
     assert done.stdout.count("at the goal after") == 3 and "0 failures" in done.stdout
 
 
-def test_calls_in_any_order_with_any_numbers(tmp_path):
-    run = program("rigid", tmp_path, "-O1", *SANITIZERS, driver="mpc_abuse")
+@pytest.mark.parametrize("robot", ["rigid", "bristles"])
+def test_calls_in_any_order_with_any_numbers(tmp_path, robot):
+    run = program(robot, tmp_path, "-O1", *SANITIZERS, driver="mpc_abuse")
     assert complaint(subprocess.run([run], capture_output=True, text=True)) == []
 
 

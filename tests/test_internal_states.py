@@ -136,17 +136,3 @@ def test_a_spring_that_is_drawn_makes_it_stick_and_slip():
 def test_what_cannot_be_is_refused_in_a_line(friction, said):
     with pytest.raises(ValueError, match=said):
         cart(friction)
-
-
-def test_predictive_control_in_c_is_refused_with_what_to_use(tmp_path):
-    (tmp_path / "plan.toml").write_text(PLAN)
-    with pytest.raises(screwgen.UsageError, match=r"has internal states, .*; use model.acados\(\)"):
-        cart().mpc(tmp_path / "plan.toml")
-
-
-PLAN = """
-horizon = { step = 0.01, intervals = 4 }
-goal = { joints = [0.1] }
-cost = { joints = 1.0, torques = 1.0 }
-bounds = { torques = 5.0 }
-"""

@@ -27,6 +27,20 @@ ARM = arm(
     ),
     link("b", axes=["z"], modes={"bending_y": 1}, section=SOFT, bodies=TIP, joint={"armature": [0.2]}),
 )
+
+
+def rubbing(coulomb: float, **more) -> dict:
+    """A drive whose friction remembers: bristles that slip from half a milliradian on."""
+    return {"friction": {"coulomb": coulomb, "memory": {"stiffness": 2e3 * coulomb, "damping": 20 * coulomb}, **more}}
+
+
+FALLING = rubbing(2.0, viscous=0.1, stribeck={"static": 3.0, "velocity": 0.02})
+DRIVES = ([FALLING, FALLING], [rubbing(0.7)])
+ROBOTS = {
+    "arm": ARM,
+    "bristles": ARM
+    | {"links": [x | {"joint": x["joint"] | {"drives": y}} for x, y in zip(ARM["links"], DRIVES, strict=True)]},
+}
 WHOLE = """
 [horizon]
 intervals = 5
@@ -81,19 +95,24 @@ def folder(tmp_path_factory):
 
 
 @cache
-def model():
-    return model_of(ARM)
+def model(robot="arm"):
+    return model_of(ROBOTS[robot])
 
 
 @pytest.fixture(scope="module")
 def controllers(folder):
     @cache
-    def made(text, single=False):
+    def made(text, single=False, robot="arm"):
         file = folder / f"mpc{abs(hash(text))}.toml"
         file.write_text(text)
-        return model().mpc(file, single=single, flags=QUICK)
+        return model(robot).mpc(file, single=single, flags=QUICK)
 
     return made
+
+
+def sizes_of(robot):
+    """Changes of a state, of bristles a tenth of what they bend before they slip."""
+    return np.r_[np.full(12, 0.01), np.full(model(robot).chain.n_internal, 5e-5)]
 
 
 @cache
@@ -101,18 +120,19 @@ def start():
     return screwgen.equilibrium(model(), [0.0, 0.0, 0.0], hold=True).q
 
 
-def test_the_program_is_the_dense_one(controllers):
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_the_program_is_the_dense_one(controllers, robot):
     """Hessian, gradient and constraints about a plan that is none of the motion, from another state."""
-    c, rng = controllers(WHOLE), np.random.default_rng(1)
+    c, rng, sizes = controllers(WHOLE, robot=robot), np.random.default_rng(1), sizes_of(robot)
     margin, c.options["margin"][:] = c.options["margin"].copy(), 1e3
-    judge = Problem(model(), c.said, c.options, c.reference)
+    judge = Problem(model(robot), c.said, c.options, c.reference)
     c.initialise(start(), np.zeros(6))
     n = model().nq
-    c.inner["x"][:] += 0.01 * rng.standard_normal(c.inner["x"].shape)
+    c.inner["x"][:] += sizes * rng.standard_normal(c.inner["x"].shape)
     c.inner["tau"][:] += rng.standard_normal(c.inner["tau"].shape)
     c.prepare()
     X, U, acting = c.states, c.inner["tau"].copy(), c.inner["acting"].copy()
-    x0 = np.r_[start(), np.zeros(n)] + 0.01 * rng.standard_normal(2 * n)
+    x0 = np.r_[start(), np.zeros(len(sizes) - n)] + sizes * rng.standard_normal(len(sizes))
     c.feedback(x0[:n], x0[n:])
     c.options["margin"][:] = margin
     H, g, D, jumps, rows, values = judge.dense(X, U, acting, x0 - X[0])
@@ -141,11 +161,11 @@ def test_the_program_is_the_dense_one(controllers):
     assert len(found) == nz + len(row)
 
 
-@pytest.mark.parametrize("text", [WHOLE, PLAIN])
-def test_the_fixed_point_is_the_minimum(controllers, text):
+@pytest.mark.parametrize(("text", "robot"), [(WHOLE, "arm"), (PLAIN, "arm"), (PLAIN, "bristles")])
+def test_the_fixed_point_is_the_minimum(controllers, text, robot):
     """Of IPOPT on the same problem with exact derivatives; some bounds are active, some soft ones violated."""
-    c = controllers(text)
-    judge = Problem(model(), c.said, c.options, c.reference)
+    c = controllers(text, robot=robot)
+    judge = Problem(model(robot), c.said, c.options, c.reference)
     c.initialise(start(), np.zeros(6))
     assert c.converged
     torques, cost = judge.solve(c.states[0], c.inner["acting"], c.inner["tau"])
@@ -233,19 +253,21 @@ def test_without_a_plan_torques_are_within_the_bounds(tmp_path, outside):
 
 
 @pytest.mark.long
-def test_in_float(controllers):
-    double, single = controllers(PLAIN), controllers(PLAIN, True)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_in_float(controllers, robot):
+    double, single = controllers(PLAIN, robot=robot), controllers(PLAIN, True, robot)
     for c in (double, single):
         c.initialise(start(), np.zeros(6))
     assert np.abs(single.torques - double.torques).max() < 0.02 * 60.0
-    tau = single.feedback(start(), np.zeros(6))
+    tau = single.feedback(start(), np.zeros(model(robot).chain.nvz))
     assert single.outcome == "solved" and np.all(np.abs(tau) <= [60.0, 12.0, 4.0])
 
 
-def test_folder_compiles_without_a_warning(tmp_path):
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_folder_compiles_without_a_warning(tmp_path, robot):
     """Also for a Cortex-M7; no source asks for heap."""
     (tmp_path / "whole.toml").write_text(WHOLE)
-    files = model().c_files(mpc=tmp_path / "whole.toml")
+    files = model(robot).c_files(mpc=tmp_path / "whole.toml")
     for name, data in files.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_bytes(data)

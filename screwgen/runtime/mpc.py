@@ -12,6 +12,7 @@ import numpy as np
 
 from ..arguments import Given, Numbers, array
 from ..backends.c.mpc import Fitted, MpcProject
+from ..errors import UsageError
 from ..robot_model import RobotModel
 from .differentiated import failure
 from .lean import RuntimeProject
@@ -34,7 +35,7 @@ class RuntimeMpcProject(MpcProject, RuntimeProject):
 
 def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
     """The members of a controller's memory that are read or written here, and their shapes."""
-    n, m, nq, N = f.n, f.modes, f.nq, content["intervals"]
+    n, m, nx, N = f.n, f.modes, f.states, content["intervals"]
     nz, rows = content["nz"], content["rows"]
     weights = dict.fromkeys(("joints", "joint_rates", "torques", "torque_rates"), (n,)) | dict.fromkeys(
         ("tip_position", "tip_orientation", "tip_velocity"), (3,)
@@ -42,23 +43,23 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
     bounds = dict.fromkeys(
         ("torque_lower", "torque_upper", "torque_rate", "joint_lower", "joint_upper", "joint_rate"), (n,)
     )
-    more = {"modes": (m,), "mode_rates": (m,), "terminal": (2 * nq, 2 * nq), "terminal_factor": (1,), "penalty": (1,)}
+    more = {"modes": (m,), "mode_rates": (m,), "terminal": (nx, nx), "terminal_factor": (1,), "penalty": (1,)}
     gauges, wrenches = (len(content["gauges"]),), (len(content["wrenches"]),)
     more |= {
         "strain": gauges,
         "fibre": gauges,
         "wrench": wrenches,
         "reference": (0,),
-        "scatter": (2 * nq,),
+        "scatter": (nx,),
         "margin": (1,),
         "patience": (1,),
         "qp_iterations": (1,),
         "delay": (1,),
     }
     out = {f"options.{name}": shape for name, shape in (weights | bounds | more).items()}
-    out |= {"state.q": (nq,), "state.v": (nq,), "acting": (n,), "tau": (n,)}
+    out |= {"state.q": (f.nq,), "state.v": (nx - f.nq,), "acting": (n,), "tau": (n,)}
     own = {
-        "x": (N + 1, 2 * nq),
+        "x": (N + 1, nx),
         "tau": (content["blocks"], n),
         "acting": (n,),
         "cost": (1,),
@@ -67,10 +68,10 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
     }
     own |= dict.fromkeys(("outcome", "iterations", "converged", "refused", "mark", "prepared", "lost"), (1,))
     own |= {
-        "A": (N, 2 * nq, 2 * nq),
-        "B": (N, 2 * nq, n),
-        "d": (N, 2 * nq),
-        "G": (N + 1, 2 * nq, nz),
+        "A": (N, nx, nx),
+        "B": (N, nx, n),
+        "d": (N, nx),
+        "G": (N + 1, nx, nz),
         "H": (nz, nz),
         "g": (nz,),
     }
@@ -80,7 +81,7 @@ def _members(f: Fitted, content: dict[str, Any]) -> dict[str, tuple[int, ...]]:
         "upper": (nz + rows,),
         "z": (nz,),
         "unit": (n,),
-        "dx": (N + 1, 2 * nq),
+        "dx": (N + 1, nx),
     }
     return out | {f"mpc.{name}": shape for name, shape in own.items()}
 
@@ -95,7 +96,8 @@ class CompiledMpc:
 
     As a controller of :func:`screwgen.simulate` it is called ``(t, q, v) -> tau``, with the state of its own model
     or, through ``projection`` (nq, nq of the plant), with that of another; it samples by itself, and with the delay of
-    its file a torque acts from the next sample on.
+    its file a torque acts from the next sample on.  Internal states are taken as they are; they are zero, or left out,
+    where one of both models alone has any.
     """
 
     def __init__(
@@ -125,9 +127,10 @@ class CompiledMpc:
         self.inner = {name[4:]: view for name, view in at.items() if name.startswith("mpc.")}
         self._at = at
         n, stages = self.fitted.n, content["intervals"] + 1
-        width = 2 * model.nq + n + 15
+        nvz = model.chain.nvz
+        width = model.nq + nvz + n + 15
         whole = self._block.view("options.reference", stages, width)
-        ends = np.cumsum([model.nq, model.nq, n, 3, 9, 3])
+        ends = np.cumsum([model.nq, nvz, n, 3, 9, 3])
         names = ("q", "v", "tau", "tip_position", "tip_rotation", "tip_velocity")
         self.reference = [
             {
@@ -148,12 +151,12 @@ class CompiledMpc:
         self._check(self.library.shim_parameters(self._memory, pointer(p)))
 
     def initialise(self, q: Numbers, v: Numbers, acting: Numbers | None = None) -> None:
-        """A plan from a state (nq,), (nq,), near or far from the references, by iterations until it settles.
+        """A plan from a state (nq,), (nvz,), near or far from the references, by iterations until it settles.
 
-        ``acting`` (n_tau,): the torques that act until the next sample; those that hold the arm if left out.  Then
-        call :meth:`feedback` with the same state.
+        Of ``v`` rates (nv,) alone will do: internal states are then zero.  ``acting`` (n_tau,): the torques that act
+        until the next sample; those that hold the arm if left out.  Then call :meth:`feedback` with the same state.
         """
-        self._state(q, v)
+        self._state(q, self.model.chain.with_internal(v))
         if acting is not None:
             self._at["acting"][:] = array(acting, "acting", self._at["acting"].shape)
         self._check(self.library.shim_initialise(self._memory, int(acting is not None)))
@@ -165,6 +168,7 @@ class CompiledMpc:
     def feedback(self, q: Numbers, v: Numbers) -> np.ndarray:
         """The torques (n_tau,) from a sample on, with the file's delay from the next one on.
 
+        ``q`` (nq,), ``v`` (nvz,): measured or estimated, internal states among them, as an estimator has them.
         Where :attr:`refused` is not zero after the call, the arm cannot have come to this state since the last one: the
         torques are then those of the state that the model predicts. After ``options["patience"]`` refusals in a row the
         next state is believed; :meth:`initialise` starts from another state at once.
@@ -197,7 +201,7 @@ class CompiledMpc:
 
     @property
     def states(self) -> np.ndarray:
-        """The plan's states [q; v] (intervals + 1, 2 nq)."""
+        """The plan's states [q; v] (intervals + 1, nq + nvz)."""
         return self.inner["x"].astype(float)
 
     @property
@@ -210,7 +214,7 @@ class CompiledMpc:
         begun = t >= self._last
         if begun and t < self._due - 1e-9 * max(1.0, abs(t)):
             return self._held
-        q, v = (x if self.projection is None else self.projection @ x for x in (np.asarray(q), np.asarray(v)))
+        q, v = self._of_own_model(np.asarray(q), np.asarray(v))
         if begun:
             self.prepare()
         else:
@@ -225,6 +229,18 @@ class CompiledMpc:
             self._held = self._next
         self._due += self.said.horizon.step
         return self._held
+
+    def _of_own_model(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The state of the controller's model from that of the plant."""
+        n, own, P = len(q), self.model.chain.n_internal, self.projection
+        z = v[n:] if own and len(v) > n else np.zeros(own)
+        if len(z) != own:
+            raise UsageError(
+                f"the plant has {len(z)} internal states and the controller's model {own}; which of them belong "
+                "together is not known; call feedback in a loop of your own"
+            )
+        q, rates = (x if P is None else P @ x for x in (q, v[:n]))
+        return q, np.append(rates, z)
 
     def _sample(self, q: Numbers, v: Numbers) -> int:
         self._state(q, v)

@@ -100,6 +100,11 @@ class Friction(Part):
             what = "is stated beside memory, whose bristles stick and would creep with a smooth sign"
             raise refuse(f"{what}; leave it out", at=("velocity",))
 
+    def without_internal_states(self) -> Self:
+        """The friction without its dry part where that remembers."""
+        none = {"coulomb": None, "memory": None, "stribeck": None}
+        return self.model_copy(update=none if self.memory else {})
+
     @property
     def numbers(self) -> Iterator[tuple[str, float | None]]:
         """Its runtime parameters, by their keys below this table."""

@@ -131,6 +131,13 @@ class Joint(Part):
         rigid = tuple(x.model_copy(update={"stiffness": None, "damping": None}) for x in self.drives or ())
         return self.model_copy(update={"drives": rigid} if rigid else {})
 
+    def without_internal_states(self) -> Self:
+        """The joint without the laws that have an internal state; viscous friction beside one stays."""
+        frictions = ((x, x.friction and x.friction.without_internal_states()) for x in self.drives or ())
+        drives = tuple(x.model_copy(update={"friction": friction}) for x, friction in frictions)
+        elements = tuple(tuple(one for one in own if one.state is None) for own in self.elements or ())
+        return self.model_copy(update={"drives": drives or None, "elements": elements or None})
+
     @property
     def kind(self) -> JointKind:
         """How the joint moves its link."""

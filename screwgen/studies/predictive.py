@@ -7,8 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from ..algorithms.columns import columns
+from ..algorithms.law_programs import forces, on_arrays
 from ..backends.c.mpc import Fitted, MpcProject, Rest
 from ..backends.c.project import CProject
+from ..ir.replay import run
 from ..progress import busy
 from ..robot_model import RobotModel
 from ..runtime.mpc import CompiledMpc
@@ -21,6 +24,8 @@ JOINT_SCATTER = 2e-3
 """rad, of slides m: of measured joints."""
 ROUNDS = 60
 """Doublings, at most: each squares what is left of the initial error."""
+FREE = 1e10
+"""What stands for no limit; in C a bound counts below a tenth of it."""
 
 
 def fitted(model: RobotModel, file: str | os.PathLike[str]) -> Fitted:
@@ -32,10 +37,46 @@ def fitted(model: RobotModel, file: str | os.PathLike[str]) -> Fitted:
     found = equilibrium(model, out.joints, hold="all")
     R, r = model.numpy().tip_pose(found.q)
     out.rest = Rest(np.array(found.q), np.array(found.tau), np.array(r), np.array(R))
-    A, B = _interval(model, out)
-    out.scatter = scatter(model, out, B)
+    slipping = slipping_robot(model)
+    A, B = _interval(slipping, out)
+    out.scatter = np.append(scatter(slipping, out, B), ranges(model, out, B))
     if out.said.cost.terminal.riccati:
-        out.terminal = cost_to_go(model, out, A, B)
+        P = cost_to_go(slipping, out, A, B)
+        out.terminal = np.pad(P, (0, out.states - len(P)))
+    return out
+
+
+def slipping_robot(model: RobotModel) -> RobotModel:
+    """The robot without internal states, which is the robot itself if it has none.
+
+    At rest bristles are springs that stick: coordinate and bristle keep their distance whatever the torques are, so a
+    regulator there has no finite cost. In a motion they slip, and their force is a constant, which has no slopes.
+    """
+    if not model.chain.n_internal:
+        return model
+    joints = {link.name: link.joint.without_internal_states() for link in model.robot.links}
+    links = tuple(link.model_copy(update={"joint": joints[link.name]}) for link in model.robot.links)
+    return model.once("slipping", lambda: RobotModel(model.robot.model_copy(update={"links": links})))
+
+
+def ranges(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
+    """How far it is from one end to the other of where each internal state can be, (n_internal,).
+
+    A state with `zdot = gain w - decay z` does not leave the values that it has at steady rates, and crosses them where
+    the rate changes its sign. The rates are those that the torques can give in the horizon, the slow ones among them,
+    at which dry friction is largest; gain and decay are those at z = 0. There is no limit where nothing decays.
+    """
+    fastest = f.said.horizon.intervals * np.abs(B) @ half_ranges(f)
+    chain, own, out = model.chain, columns(model.chain, model.numpy().constants), np.zeros(model.chain.n_internal)
+    for law, states in chain.internal.items():
+        for k, (place, state) in enumerate(zip(chain.acted(law), states, strict=True)):
+            for w in np.outer([-1.0, 1.0], np.geomspace(1e-9, 1.0, 37) * fastest[f.nq + place.coordinate]).ravel():
+                given = {"x": [f.rest.q[place.coordinate]], "w": [w], "z": [0.0]}
+                given |= {name: [own[name][k]] for name in law.constants}
+                found = run(forces(law, (place.side,)), given, on_arrays)[0]
+                rate, decay = found["rate"][0], -found["rate_z"][0]
+                steady = abs(rate) / decay if decay > 0 else FREE * (rate != 0)
+                out[state - chain.nv] = max(out[state - chain.nv], min(2 * steady, FREE))
     return out
 
 
@@ -63,21 +104,26 @@ def _interval(model: RobotModel, f: Fitted) -> tuple[np.ndarray, np.ndarray]:
 
 
 def scatter(model: RobotModel, f: Fitted, B: np.ndarray) -> np.ndarray:
-    """By how much an ordinary sample may miss the model's prediction whatever the torques are, (2 nq,).
+    """By how much an ordinary sample may miss the model's prediction whatever the torques are, (2 nq,); of internal
+    states :func:`ranges` says that.
 
     Joints by JOINT_SCATTER, their rates as differences of such positions have it. A mode by as much energy as half the
     range of the torques gives to the mode that they excite most, times the margin: some they do not excite at all.
     """
     n, nq, h = f.n, f.nq, f.said.horizon.step
     out = np.r_[np.full(nq, JOINT_SCATTER), np.full(nq, JOINT_SCATTER / h)]
-    half = (np.array(f.bounds["torque_upper"]) - np.array(f.bounds["torque_lower"])) / 2
-    reach = f.said.solver.margin * np.abs(B) @ half
+    reach = f.said.solver.margin * np.abs(B) @ half_ranges(f)
     K, M = np.diag(stiffness_matrix(model)), np.diag(model.numpy().mass_matrix(f.rest.q))
     energies = np.r_[K * reach[:nq] ** 2, M * reach[nq:] ** 2]
     most = energies[nq + n :].max(initial=0.0) or energies.max()
     out[n:nq] = np.sqrt(most / K[n:])
     out[nq + n :] = np.sqrt(most / M[n:])
     return out
+
+
+def half_ranges(f: Fitted) -> np.ndarray:
+    """Half of what the torques may vary, (n_tau,)."""
+    return (np.array(f.bounds["torque_upper"]) - np.array(f.bounds["torque_lower"])) / 2
 
 
 def cost_to_go(model: RobotModel, f: Fitted, A: np.ndarray, B: np.ndarray) -> np.ndarray:

@@ -64,9 +64,9 @@ class Fitted:
 
     rest: Rest
     scatter: np.ndarray
-    """(2 nq,): by how much an ordinary sample may miss the model's prediction."""
+    """(nq + nvz,): by how much an ordinary sample may miss the model's prediction."""
     terminal: np.ndarray
-    """The regulator's cost-to-go (2 nq, 2 nq) behind the last state; only where the file asks for it."""
+    """The regulator's cost-to-go (nq + nvz, nq + nvz) behind the last state; only where the file asks for it."""
 
     def __init__(self, chain: Chain, wrench_names: Sequence[str], said: Mpc, file: str):
         self.chain, self.wrench_names, self.said, self.file = chain, wrench_names, said, file
@@ -78,7 +78,6 @@ class Fitted:
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
             *((True, row.words) for row in chain.other_inputs),
-            (chain.n_internal, "internal states, as of friction that remembers"),
             (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
         ):
             if asked:
@@ -89,6 +88,7 @@ class Fitted:
         if not chain.n_tau:
             raise UsageError(f"robot '{chain.robot.name}' has no joints; predictive control needs torques")
         self.n, self.modes, self.nq = chain.n_tau, chain.n_modes, chain.nq
+        self.states = chain.nq + chain.nvz
         if (count := self.n * len(said.horizon.lengths)) > VARIABLES:
             raise self.refuse(
                 "horizon.blocks",
@@ -213,6 +213,7 @@ def content(fitted: Fitted, baked: bool) -> dict[str, Any]:
     plain = [
         *(range(n) if bounded["joints"] else ()),
         *(range(fitted.nq, fitted.nq + n) if bounded["joint_rates"] else ()),
+        *range(2 * fitted.nq, fitted.states),
     ]
     nz, stages = n * len(lengths), len(plain) + len(found)
     soft = (stages + len(fitted.wrenches)) * horizon.intervals

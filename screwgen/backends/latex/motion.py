@@ -123,8 +123,9 @@ SOUGHT = {
 
 def _sought(item: Item) -> Item:
     """An item with these words."""
-    found = [words for part, words in SOUGHT.items() if isinstance(item, Paragraph) and part in item.text]
-    return replace(item, sought=", ".join(found)) if found else item
+    if not isinstance(item, Paragraph):
+        return item
+    return replace(item, sought=", ".join(words for part, words in SOUGHT.items() if part in item.text))
 
 
 def mass_matrix(chain: Chain) -> DocumentSection:

@@ -166,7 +166,8 @@ def math_font() -> str:
 
 def _instances(symbols: Sequence[str], more: Extras | None) -> dict[str, tuple[str, str]]:
     """By the LaTeX of a symbol of one link, or of links j and k: that of the symbol of link i, and the link's name."""
-    links = [*enumerate(more.names[:MANY_LINKS], 1), ("j", "j"), ("k", "k")] if more else []
+    links: list[tuple[int | str, str]] = [*enumerate(more.names[:MANY_LINKS], 1)] if more else []
+    links += [("j", "j"), ("k", "k")] if more else []
     of_link = lambda symbol: re.search(r"_(i|\{.*i\})$", symbol) is not None  # noqa: E731
     bold = sorted((symbol for symbol in symbols if re.match(BOLD, symbol)), key=of_link)  # those of link i go before
     return {instance(symbol, n): (symbol, name) for n, name in links for symbol in bold}

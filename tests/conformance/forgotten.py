@@ -254,7 +254,7 @@ TABLE: list[Mutant] = [
       'return {**x, "tau": f.held(x["q"], x["v"], x["tau"])} if f.chain.holds else x', "return x"),
     M("limited", "C folder", "screwgen/backends/numpy/reference_sums.py",
       "self.tau = self.holding.held(q.tolist(), v.tolist(), self.given)", "pass"),
-    # ------------------------------------------------------------------------------------------- friction that falls, bends
+    # ------------------------------------------------------------------------------------------- friction
     M("cylinder", "C, fused", "screwgen/backends/c/laws.py", "{*chain.laws, *frictions}", "{*chain.laws}"),
     M("geared friction", "judge", "screwgen/spec/drive_class.py",
       "        if self.bend:\n", "        if self.bend and not self.elastic:\n"),

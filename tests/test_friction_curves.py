@@ -10,6 +10,7 @@ from scipy.integrate import solve_ivp
 import screwgen
 from screwgen.algorithms.law_programs import forces, replayed, secants
 from screwgen.elements import BEND, FALLING
+from screwgen.interchange.urdf_write import export_urdf
 from screwgen.simulation.integrate import JointState, JointStepper
 from screwgen.spec.parameters import parameters
 from screwgen.studies.analysis.spectrum import step_map
@@ -180,6 +181,17 @@ def test_every_number_is_a_parameter():
 def test_what_cannot_be_is_refused_in_a_line(friction, said):
     with pytest.raises(ValueError, match=said):
         arm({"friction": friction})
+
+
+def test_what_has_no_place_for_it_says_so():
+    """Equations in scalars have no exponentials, and a URDF has Coulomb's friction alone."""
+    with pytest.raises(screwgen.UsageError, match=r"has no equations in scalars: its friction falls"):
+        arm({"friction": CURVE}).equations()
+    notes = export_urdf(arm({"friction": CURVE}).robot).notes
+    assert [note.rpartition(".")[2] for note in notes if ".friction." in note] == [
+        f"{name}: is left out" for name in ("velocity", "stribeck", "bend")
+    ]
+    assert any("friction.memory: is left out" in note for note in export_urdf(arm({"friction": STICKING}).robot).notes)
 
 
 def test_the_bend_alone_is_friction():

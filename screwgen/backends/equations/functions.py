@@ -39,7 +39,7 @@ def unary(ring: Ring, op: str, x: Any) -> ExactSum:
         return sine(a) if op == "sin" else cosine(a)
     if op.startswith("c") and op[1:].isdigit():
         return stumpff(int(op[1:]), a)
-    raise NoClosedFormError("it has forces that begin at a limit")
+    raise NoClosedFormError("its friction falls" if op == "exp" else "it has forces that begin at a limit")
 
 
 def cosine(a: ExactSum) -> ExactSum:

@@ -69,7 +69,8 @@ def _names(chain: Chain, i: int, axes: Sequence[int]) -> Iterator[str]:
     screws = chain.keys[i].screws
     for k, axis in enumerate(axes):
         about = f", {'about' if screws[k].turn else 'along'} {axis_text(screws[k])}" if screws else ""
-        yield rf"$\tau_{{{axis + 1}}}$ is `{efforts[axis]}`, $q_{{{axis + 1}}}$ is `{own[axis]}`{about}."
+        moved = rf"$q_{{{axis + 1}}}$ is `{own[axis]}`{about}" if screws else f"about {'xyz'[k]} of the link's frame"
+        yield rf"$\tau_{{{axis + 1}}}$ is `{efforts[axis]}`, {moved}."
 
 
 def _torques(chain: Chain, i: int, axes: Sequence[int]) -> Formula:

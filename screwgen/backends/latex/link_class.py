@@ -206,15 +206,17 @@ def _field(key: LinkClass) -> Iterator[Item]:
     )
     yield Display(broken(r"\boldsymbol{\phi}_i", [_shape_matrix(key)]))
     sheared = len(key.counts) > 4
+    stretched = sheared or key.counts[0] > 0
     if sheared or key.rotary:
         yield from parse(render("latex/timoshenko.tex.jinja", shear=sheared, rotary=key.rotary))
     if key.order == 2:
         yield from parse(render("latex/second_order.tex.jinja", shear=sheared))
     if key.order == EXACT:
-        yield from _exact(key, sheared)
+        yield from _exact(key, sheared, stretched)
     if key.tendons:
         count, straight = len(collocation(key).places), key.order == 1
-        yield from parse(render("latex/tendon.tex.jinja", points=count, straight=straight, segments=key.segments > 1))
+        given = {"points": count, "straight": straight, "stretched": stretched or straight}
+        yield from parse(render("latex/tendon.tex.jinja", segments=key.segments > 1, **given))
     alike: dict[tuple, list[str]] = {}
     for direction in dict.fromkeys(d for d, _ in key.directions):
         shapes = key.shapes(direction)
@@ -235,7 +237,7 @@ def _constants(key: LinkClass, sheared: bool) -> Iterator[Paragraph | DocumentTa
     yield modes(key)
 
 
-def _exact(key: LinkClass, sheared: bool) -> Iterator[Item]:
+def _exact(key: LinkClass, sheared: bool, stretched: bool) -> Iterator[Item]:
     """The recursion along a rod whose kinematics are kept whole."""
     rod = collocation(key)
     ends = weights(key).ends() if key.stations else []
@@ -246,6 +248,7 @@ def _exact(key: LinkClass, sheared: bool) -> Iterator[Item]:
         "pieces": ", ".join(f"{s:.6g}" for s in dict.fromkeys(x for pair in ends for x in pair)),
         "turned": bool(key.turned),
         "offset": key.frame_at,
+        "stretched": stretched,
         "start": r"\mathbf{a}_r" if key.frame_at else r"\mathbf{a}_0",
     }
     yield from parse(render("latex/exact_rod.tex.jinja", shear=sheared, **given))

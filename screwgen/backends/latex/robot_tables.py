@@ -39,7 +39,7 @@ TRANSMITTED = (
     "the rocker's pin, else $-1$."
 )
 PULLED = (
-    r"Each piece of a tendon runs from $s_0$ to $s_1$ along its link, at the offsets $\mathbf{d}_0$ and $\mathbf{d}_1$ "
+    r"Each piece of a tendon runs from $s_0$ to $s_1$ along its link, at the offsets $\mathbf{d}_a$ and $\mathbf{d}_b$ "
     r"from the centreline there, in axes of the section. Pieces with the same tension $T_c$ belong to one tendon."
 )
 JOINED = (
@@ -73,7 +73,7 @@ def transmissions(chain: Chain) -> DocumentTable | None:
 
 def tendons(chain: Chain) -> DocumentTable | None:
     """The pieces of tendons along the links."""
-    head = ("tension", "input", "link", r"$s_0$", r"$s_1$", r"$\mathbf{d}_0$, m", r"$\mathbf{d}_1$, m")
+    head = ("tension", "input", "link", r"$s_0$", r"$s_1$", r"$\mathbf{d}_a$, m", r"$\mathbf{d}_b$, m")
     inputs, out = coordinate_names(chain.robot).tau[chain.n_joints :], []
     names = [name.rpartition(".")[0] for name in inputs]
     for link in chain.robot.links:

@@ -23,10 +23,13 @@ class Outside(Case):
     def __init__(self, model: Model, given: tuple, vdot, wrench=None):
         super().__init__({})
         self.expected = [np.asarray(x) for x in (vdot, wrench) if x is not None]
-        condition = np.linalg.cond(model.numpy().mass_matrix(given[0]))
+        mass_matrix = model.numpy().mass_matrix(given[0])
+        condition = np.linalg.cond(mass_matrix)
         tolerance = max(1e-10, 50 * EPS * condition)
         judge = SimpleNamespace(given=given, tolerance=tolerance, errors=self._errors, condition=condition)
-        vars(judge).update(vdot=self.expected[0], forces=np.asarray(given[2]), taken=np.zeros(0))
+        vars(judge).update(
+            vdot=self.expected[0], forces=np.asarray(given[2]), taken=np.zeros(0), mass_matrix=mass_matrix
+        )
         vars(self).update(model=model, judge=judge)
 
     @property

@@ -173,7 +173,7 @@ class Own:
         tip_pose = partial(self._results, BY_NAME["tip_pose"])
         pose = lambda q: (tip_pose({**x, "q": q}),) * 2  # noqa: E731
         (turning, moving), (R, _) = jax.jacrev(pose, has_aux=True)(x["q"])
-        units = jnp.eye(self.chain.nv, dtype=self.real)
+        units = jnp.eye(self.chain.nv, self.chain.nvz, dtype=self.real)
         rates = jax.vmap(lambda v: self._coordinate_rates({**x, "v": v}), out_axes=1)(units)
         spin = jnp.einsum("ijk,kl,mj->iml", turning, rates, R)
         return jnp.concatenate([jnp.stack([spin[2, 1], spin[0, 2], spin[1, 0]]), moving @ rates])

@@ -54,6 +54,7 @@ def sharing(ranks: tuple[int, int, int], rows: int, dependent: bool) -> Program:
         A = A + mx.diagonal([COMPLIANCE * (A[k, k] + LEAST * whole) for k in range(rows)])
     factor = mx.factorise(A, tracer, tracer.epsilon() * 8.0 * whole)
     x = mx.solve(factor, mx.multiply(weighted, f))
+    x = x + mx.solve(factor, mx.multiply(weighted, f - mx.multiply(J.T, x)))  # what rounding in the squares left
 
     def without(x: Array, last: int) -> Array:
         """The solution that leaves nothing on the first coordinates, if there is one."""

@@ -198,7 +198,7 @@ def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
         for kind in elements:
             said[kind] = next(found for text, found in acting if "From what acts on an axis with" in text)
         row = next((row for name, row in chosen.items() if name in (f"{link}.joint[{k}]", f"{link}.slide[{k}]")), None)
-        transmission, side = (row[2], row[3].strip("$")) if row else ("", "–")
+        transmission, side = (row[2], "".join(row[3:]).strip("$") or "–") if row else ("", "–")
         if row:
             numbers.setdefault("J_r", 0.0)
         sign = 0.0 if side == "–" else float(side)

@@ -20,7 +20,7 @@ Rows = Iterable[Sequence[str]]
 def besides(chain: Chain) -> Iterator[Item]:
     """The tables of what the robot has."""
     tables: list[tuple[str, str, DocumentTable | None]] = [
-        ("Transmissions", TRANSMITTED, transmissions(chain)),
+        ("Transmissions", TRANSMITTED + ASSEMBLED * _linked(chain), transmissions(chain)),
         ("Tendons", PULLED, tendons(chain)),
         ("Forces between frames", ACTING, forces(chain)),
         ("Wrenches from outside", PUSHED, pushes(chain)),
@@ -34,9 +34,11 @@ def besides(chain: Chain) -> Iterator[Item]:
 
 
 TRANSMITTED = (
-    "The drives that act on their axes through a transmission; their lengths and angles are among the parameters. "
-    r"The sign $\sigma$ says how a linkage is assembled: 1 where the crank's pin is left of the line from its pivot to "
-    "the rocker's pin, else $-1$."
+    "The drives that act on their axes through a transmission; their lengths and angles are among the parameters."
+)
+ASSEMBLED = (
+    r" The sign $\sigma$ says how a linkage is assembled: 1 where the crank's pin is left of the line from its pivot "
+    "to the rocker's pin, else $-1$."
 )
 PULLED = (
     r"Each piece of a tendon runs from $s_0$ to $s_1$ along its link, at the offsets $\mathbf{d}_a$ and $\mathbf{d}_b$ "
@@ -60,15 +62,20 @@ def _table(head: Sequence[str], widths: Sequence[float], rows: Rows) -> Document
 
 
 def transmissions(chain: Chain) -> DocumentTable | None:
-    """Which axis has which transmission, and how it is assembled."""
-    head, widths = ("axis", "input", "transmission", r"$\sigma$"), (0.3, 0.3, 0.3, 0.1)
+    """Which axis has which transmission, and how a linkage is assembled."""
+    columns = 3 + _linked(chain)
+    head, widths = ("axis", "input", "transmission", r"$\sigma$")[:columns], (0.3, 0.3, 0.3, 0.1)[:columns]
     names, inputs = per_axis(chain.robot, "joint", "slide"), coordinate_names(chain.robot).tau
     out = []
     for k, (link, axis, *_) in enumerate(efforts(chain.robot)):
         if (kind := link.joint.driven[axis].travel) is not None:
             side = f"${kind.side}$" if isinstance(kind, FourBarLinkage) else ""
-            out.append((f"$q_{{{k + 1}}}$, `{names[k]}`", f"`{inputs[k]}`", kind.WORD, side))
+            out.append((f"$q_{{{k + 1}}}$, `{names[k]}`", f"`{inputs[k]}`", kind.WORD, side)[:columns])
     return _table(head, widths, out)
+
+
+def _linked(chain: Chain) -> bool:
+    return any(isinstance(kind, FourBarLinkage) for kind in chain.travels.values())
 
 
 def tendons(chain: Chain) -> DocumentTable | None:

@@ -120,6 +120,8 @@ def test_refusals(tmp_path, capsys):
     np.savez(tmp_path / "bad.npz", **arrays | {"q": np.full_like(arrays["q"], np.nan)})
     np.savez(tmp_path / "falls.npz", **arrays | {"t": arrays["t"][::-1]})
     np.savez(tmp_path / "cut.npz", **arrays | {"wrench": arrays["wrench"][:-1]})
+    np.savez(tmp_path / "one.npz", **arrays | {"parameters": np.array(1.0)})
+    np.savez(tmp_path / "pushed.npz", **arrays | {"w_ext": np.zeros((2, 6))})
     np.savez(tmp_path / "text.npz", **arrays | {"robot": np.array("name = ")})
     (tmp_path / "none.npz").write_text("nothing")
     page, good = tmp_path / "run.html", tmp_path / "run.npz"
@@ -129,6 +131,8 @@ def test_refusals(tmp_path, capsys):
         ((tmp_path / "bad.npz",), "bad.npz: q holds numbers that are not finite"),
         ((tmp_path / "falls.npz",), "falls.npz: t falls; times must rise"),
         ((tmp_path / "cut.npz",), "cut.npz: wrench has the shape"),
+        ((tmp_path / "one.npz",), "one.npz: parameters has the shape ()"),
+        ((tmp_path / "pushed.npz",), "pushed.npz: w_ext has the shape (2, 6)"),
         ((tmp_path / "text.npz",), "name the robot's file by --robot"),
         ((tmp_path / "none.npz",), "none.npz: cannot be read as a run"),
         ((good, "--robot", ella), "is a run of another robot"),

@@ -80,6 +80,7 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
     shapes = {"q": (model.nq,), "v": (model.chain.nvz,), "tau": (model.n_tau,), "wrench": (model.n_links, 6)}
     shapes |= {"tip_position": (3,), "t": ()}
     shapes |= {row.name: (entries(row, model.chain),) for row in reported(model.chain) if row.name in run.reports}
+    shapes |= {} if run.w_ext is None else {"w_ext": (model.n_links, 6)}
     for key, shape in shapes.items():
         found = np.asarray(getattr(run, key))
         if found.shape != (len(run.t), *shape) or not len(run.t):
@@ -88,10 +89,10 @@ def _model(run: Run, robot: Robot | None, name: str) -> Model:
             raise UsageError(f"{one_line(name)}: {key} holds numbers that are not finite; simulate again")
     if (np.diff(run.t) < 0).any():
         raise UsageError(f"{one_line(name)}: t falls; times must rise")
-    if run.parameters is not None and len(run.parameters) != len(model.parameter_values):
-        raise UsageError(
-            f"{one_line(name)}: has {len(run.parameters)} parameters, '{own.name}' {len(model.parameter_values)}"
-        )
+    wanted = len(model.parameter_values)
+    if run.parameters is not None and np.shape(run.parameters) != (wanted,):
+        said = f"parameters has the shape {np.shape(run.parameters)}; '{own.name}' has {wanted} parameters"
+        raise UsageError(f"{one_line(name)}: {said}")
     return model
 
 

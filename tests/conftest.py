@@ -73,9 +73,9 @@ def _compile_quickly():
 
     tcc = shutil.which("tcc")
 
-    def load(files, flags, compiler=None, cache=True):
+    def load(files, flags, compiler=None, cache=True, asked=""):
         quick = list(flags) == ["-O0"] and os.environ.get("CC", "cc") == "cc"
-        return library.load(files, flags, compiler or (tcc if quick else None), cache)
+        return library.load(files, flags, compiler or (tcc if quick else None), cache, asked)
 
     for module in (compiled, estimator, mpc) if tcc else ():
         module.load = load

@@ -34,7 +34,7 @@ def test_the_dae_form_is_compiled_when_it_is_first_called(monkeypatch):
     """By any instance, for all of them; what the joint form and simulations need does without it."""
     asked = []
     load = compiled.load
-    monkeypatch.setattr(compiled, "load", lambda files, **how: asked.append(sorted(files)) or load(files, **how))
+    monkeypatch.setattr(compiled, "load", lambda files, **how: asked.append(sorted(files())) or load(files, **how))
     model = model_of(arm(link("a", modes={"bending_y": 1}), link("b", axes="y")))
     c = model.compile(flags=("-O0",), cache=False)
     q, v, tau, w_ext = state(model)

@@ -16,7 +16,7 @@ from screwgen import PD, SingularError, UsageError, derive, simulate
 from screwgen.backends.latex import document as latex
 from screwgen.errors import RobotFileError
 from screwgen.plotting import plot
-from screwgen.runtime.compiled import CompiledStepper
+from screwgen.runtime.stepper import CompiledStepper
 from screwgen.simulation.controllers import Holding, read_pd
 from screwgen.simulation.motion import centrelines
 from screwgen.spec import load

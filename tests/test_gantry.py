@@ -12,8 +12,8 @@ from screwgen import PD, NoEquilibriumError, equilibrium, simulate
 from screwgen.backends.latex import document as latex
 from screwgen.cli.main import main
 from screwgen.plotting import plot
-from screwgen.runtime.compiled import CompiledStepper
 from screwgen.runtime.estimator import CompiledEstimator, Noise
+from screwgen.runtime.stepper import CompiledStepper
 from screwgen.simulation.controllers import Holding
 from screwgen.simulation.linearised import speed
 

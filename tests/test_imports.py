@@ -1,6 +1,8 @@
 """The architecture: imports run one way, and each outside library has its place."""
 
 import ast
+import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -8,7 +10,10 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from conftest import require_tool
+from helpers import arm, link
 from importlinter.cli import EXIT_STATUS_SUCCESS, lint_imports
+from robot_toml import to_toml
 
 import screwgen
 
@@ -95,6 +100,7 @@ def test_no_import_cycles():
                 "backends/latex/*",
                 "backends/equations/*",
                 "paper/*",
+                "lazily.py",
             },
         ),
         ("pydantic", {"spec/*"}),
@@ -102,9 +108,15 @@ def test_no_import_cycles():
     ],
 )
 def test_libraries_stay_in_their_rooms(library, rooms):
-    users = {p for p in MODULES if any(name[0] == library for name in imports(p))}
+    users = {p for p in MODULES if any(name[0] == library for name in imports(p)) or lazily(p, library)}
     astray = {str(p) for p in users if not any(p.match(room) for room in rooms)}
     assert users and not astray
+
+
+def lazily(path: Path, library: str) -> bool:
+    """Whether a file takes sympy as `lazily` has it, which imports it later."""
+    text = (PACKAGE / path).read_text(encoding="utf-8")
+    return library == "sympy" and bool(re.search(r"^from \.+lazily import .*\bsp\b", text, re.MULTILINE))
 
 
 @pytest.mark.parametrize("path", MODULES, ids=str)
@@ -133,3 +145,30 @@ def test_the_stub_names_what_the_package_offers():
     homes = {alias.name: node.module for node in imported for alias in node.names}
     assert homes == screwgen.HOMES and "Model" in homes
     assert all(getattr(screwgen, name) is not None for name in screwgen.__all__)
+
+
+HEAVY = ("casadi", "matplotlib", "scipy.linalg", "scipy.spatial", "sympy")
+
+
+@pytest.mark.parametrize(
+    "arguments, unused",
+    [
+        (["--help"], ("numpy", "pydantic", *HEAVY)),
+        (["simulate", "{robot}", "--duration", "0.01", "--step", "1e-3", "-o", "{folder}/run.npz"], HEAVY),
+    ],
+    ids=["help", "simulate"],
+)
+def test_a_command_imports_what_it_uses(tmp_path, arguments, unused):
+    """A run whose C is in the cache needs neither the derivation nor what other commands use."""
+    require_tool("cc")
+    (tmp_path / "robot.toml").write_text(to_toml(arm(link("a", modes={"bending_y": 1}), link("b", axes="y"))))
+    given = [x.format(robot=tmp_path / "robot.toml", folder=tmp_path) for x in arguments]
+    script = f"import sys\nfrom screwgen.cli.main import main\nstatus = main({given})\n"
+    script += f"print([name for name in {unused} if name in sys.modules], file=sys.stderr)\nsys.exit(status)"
+    settings = os.environ | {"SCREWGEN_CACHE": str(tmp_path / "cache")}
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "-c", script], env=settings, cwd=PACKAGE.parent, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+    assert done.stderr.splitlines()[-1] == "[]"

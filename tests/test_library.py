@@ -1,9 +1,11 @@
 """Libraries of generated C: built once, kept, checked before they are loaded, and what goes wrong with compilers."""
 
+import copy
 import os
 import shutil
 import subprocess
 import sys
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +13,11 @@ import pytest
 from conftest import require_tool
 from helpers import ROOT, arm, example, link
 
-from screwgen import ScrewgenError
-from screwgen.runtime import library
+from screwgen import Robot, ScrewgenError, derive
+from screwgen.integrators import METHODS
+from screwgen.runtime import asked, library
 from screwgen.runtime.compiled import Compiled
+from screwgen.runtime.lean import RuntimeProject
 
 
 @pytest.fixture(autouse=True)
@@ -97,7 +101,7 @@ print(model.compile(flags=("-O0",)).forward_dynamics([0.1] * 3, [0.0] * 3)[0].to
     said = [p.communicate(timeout=120) for p in both]
     assert [p.returncode for p in both] == [0, 0], said
     assert said[0][0] == said[1][0] and said[0][0].count(",") == 2
-    assert len(entries(tmp_path)) == 1 and entries(tmp_path)[0].endswith(".so")
+    assert sorted(Path(name).suffix for name in entries(tmp_path)) == [".key", ".so"]
 
 
 def test_a_cache_that_cannot_be_written_is_done_without(tmp_path, monkeypatch):
@@ -206,13 +210,92 @@ def test_functions_are_compiled_once_unless_the_caller_names_a_processor(monkeyp
     require_tool("gcc")
     assert library._once(("gcc",), ("-O2",)) == ("-mavx",)
     assert library._once(("gcc",), ("-O2", "-march=x86-64")) == ()
-    keys = []
-    monkeypatch.setattr(library, "_key", lambda files, flags, command: keys.append(flags) or "")
+    used, compiled = [], library._compiled
+    monkeypatch.setattr(library, "_compiled", lambda *given: used.append(given[3]) or compiled(*given))
     library.load({"a.c": "int a(void) { return 1; }\n"}, ["-O2"], "gcc", False)
-    assert keys == [("-O2", "-mavx")]
+    assert used == [("-O2", "-mavx")]
 
 
 def test_nothing_is_left_in_the_folder_of_work(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     c = Compiled(example("ella"), flags=("-O0",))
     assert np.isfinite(c.forward_dynamics(np.zeros(9), np.zeros(9))[0]).all() and os.listdir() == []
+
+
+# ------------------------------------------------------------------------------ asked for by name
+
+TWO = arm(link("a", axes="z", joint={"damping": [0.1]}), link("b", axes="y"))
+
+
+@dataclass(frozen=True)
+class OwnSpring:
+    """A part of a robot whose lines may change under its name."""
+
+    stiffness: float = 1.0
+
+
+def test_what_was_asked_for_is_found_before_anything_is_written(tmp_path, monkeypatch):
+    made = derive(Robot.model_validate(TWO)).compile(flags=("-O0",), cache=tmp_path)
+    names = [name for name in entries(tmp_path) if name.endswith(".key")]
+    assert len(names) == 1
+    monkeypatch.setattr(RuntimeProject, "__init__", lambda *_, **__: pytest.fail("written again"))
+    found = derive(Robot.model_validate(TWO)).compile(flags=("-O0",), cache=tmp_path)
+    given = [0.1, 0.2], [0.3, 0.4], [0.5, 0.6]
+    assert np.array_equal(made.forward_dynamics(*given)[0], found.forward_dynamics(*given)[0])
+
+
+@pytest.mark.parametrize("change", ["number", "axis", "option", "flag", "method", "version", "package", "line"])
+def test_what_differs_is_built_anew(tmp_path, monkeypatch, change):
+    """One number, one axis, one option, one flag of the compiler, one version; one line of the product."""
+    robot, how = copy.deepcopy(TWO), {"flags": ("-O0",), "cache": tmp_path}
+    derive(Robot.model_validate(robot)).compile(**how)
+    match change:
+        case "number":
+            robot["links"][0]["joint"]["damping"] = [0.1 + 1e-16]
+        case "axis":
+            robot["links"][0]["joint"]["axes"] = ["x"]
+        case "option":
+            how["parameters"] = "baked"
+        case "flag":
+            how["flags"] = ("-O0", "-DNOTHING")
+        case "method":
+            how["methods"] = (replace(METHODS["rk4"], name="mine"),)
+        case "package":
+            monkeypatch.setattr(asked, "version", lambda name: "0")
+        case "version" | "line":
+            name = "version.py" if change == "version" else "algorithms/phases.py"
+            folder = shutil.copytree(ROOT / "screwgen", tmp_path / "screwgen", ignore=shutil.ignore_patterns("paper"))
+            with (folder / name).open("a") as stream:
+                stream.write("# another line\n")
+            monkeypatch.setattr(asked, "PACKAGE", folder)
+    asked.product.cache_clear()
+    before = entries(tmp_path)
+    derive(Robot.model_validate(robot)).compile(**how)
+    asked.product.cache_clear()
+    more = [name for name in entries(tmp_path) if name not in before]
+    assert [name for name in more if name.endswith(".key")]
+
+
+def test_names_are_the_same_in_every_process_and_robots_in_a_user_class_have_none():
+    robot = Robot.model_validate(TWO)
+    script = f"from screwgen import Robot; from screwgen.runtime.asked import digest\nprint(digest(Robot(**{TWO!r})))"
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "PYTHONHASHSEED": "7"}
+    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == asked.digest(robot) != ""
+    assert asked.digest(robot, OwnSpring()) == ""
+
+
+def test_a_name_that_is_damaged_or_stands_for_another_is_not_believed(tmp_path):
+    """A name copied over another, and half of one: both would give the library of other sources."""
+
+    def answer_of(name, value):
+        source = {"one.c": f"int answer(void) {{ return {value}; }}\n"}
+        return library.load(source, ("-O0",), None, tmp_path, name).answer()
+
+    assert [answer_of("first", 1), answer_of("second", 2), answer_of("first", 3)] == [1, 2, 1]
+    one, other = (tmp_path / name for name in entries(tmp_path) if name.endswith(".key"))
+    shutil.copy(one, other)
+    assert sorted([answer_of("first", 4), answer_of("second", 5)]) in ([1, 5], [2, 4])
+    for path in (one, other):
+        path.write_text(path.read_text()[:80])
+    assert answer_of("first", 6) == 6

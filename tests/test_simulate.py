@@ -9,7 +9,7 @@ from helpers import example, model_of
 
 from screwgen import UsageError
 from screwgen.integrators import METHODS
-from screwgen.runtime.compiled import CompiledStepper
+from screwgen.runtime.stepper import CompiledStepper
 from screwgen.simulation.simulate import FORMS, simulate, time_grid
 
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from screwgen import Run, ScrewgenError, simulate
-from screwgen.runtime.compiled import Compiled, CompiledStepper
+from screwgen.runtime.compiled import Compiled
+from screwgen.runtime.stepper import CompiledStepper
 from screwgen.simulation.simulate import step_count
 
 from .arm import STEP, Arm

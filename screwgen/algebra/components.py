@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache, reduce
 
 import numpy as np
-import sympy as sp
 
+from ..lazily import sp
 from .expression import (
     BlockMatrix,
     Constant,
@@ -26,7 +26,6 @@ from .expression import (
     Trace,
     Transpose,
 )
-from .stumpff import stumpff
 
 Array = np.ndarray
 
@@ -62,6 +61,8 @@ def components(e: Expression, values: Mapping[str, Array]) -> Array:
         case Rotation():
             return _rodrigues(e.axis, inner(e.angle).item())
         case Stumpff():
+            from .stumpff import stumpff  # a class of sympy's
+
             return np.array([[stumpff(e.order, inner(e.arg).item())]], dtype=object)
         case Root():
             return _each(sp.sqrt, inner(e.arg))

@@ -12,10 +12,10 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import sympy as sp
+from ..lazily import sp
 
 Shape = tuple[int, int]
-Rule = Callable[[sp.Expr, str | None], sp.Expr] | None
+Rule = Callable[["sp.Expr", str | None], "sp.Expr"] | None
 
 
 class Expression:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-import sympy as sp
-
+from ..lazily import sp
 from .expression import (
     BlockMatrix,
     Constant,

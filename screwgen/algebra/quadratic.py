@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-import sympy as sp
+
+from ..lazily import sp
 
 Array = np.ndarray
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import sympy as sp
-
+from ..lazily import sp
 from .expression import (
     BlockMatrix,
     Constant,

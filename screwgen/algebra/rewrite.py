@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-import sympy as sp
-
+from ..lazily import sp
 from .expression import (
     BlockMatrix,
     Constant,
@@ -33,7 +32,7 @@ Rank = Callable[[Expression], int]
 """Which of two crossed vectors comes first: the one of lower rank."""
 
 Monomial = tuple[Expression, ...]
-Terms = dict[Monomial, sp.Expr]
+Terms = dict[Monomial, "sp.Expr"]
 
 
 def substitute(e: Expression, values: Mapping[str, Expression]) -> Expression:

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-import sympy as sp
-
+from ..lazily import sp
 from .expression import Expression, add, number, product
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Diagonal, Expression, Root, Symbol, add, zeros
 from ..ir.block import Block
+from ..lazily import sp
 from ..spec.link_class import LinkClass
 from .moments import Moments
 from .second_order import SecondOrder

@@ -12,7 +12,6 @@ from __future__ import annotations
 from typing import Any, cast
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import (
     Expression,
@@ -29,6 +28,7 @@ from ..algebra.expression import (
     zeros,
 )
 from ..ir.block import Block
+from ..lazily import sp
 from ..spec.link_class import EXACT, LinkClass
 from .collocation import collocation
 from .fields import number

@@ -6,15 +6,15 @@ import itertools
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Symbol
 from ..bases import ORDER, Shapes, integrals, products
 from ..ir.block import Block
+from ..lazily import sp
 from ..spec.link_class import AXIS, TURN, LinkClass
 from ..spec.markers import TIP
 from ..spec.modes import DIRECTIONS
-from .moments import XI, Moments
+from .moments import Moments, xi
 from .second_order import EntryTerm, parts
 
 STRAIN = {direction: row for row, direction in enumerate(DIRECTIONS)}
@@ -40,7 +40,7 @@ class Fields(Moments):
         self.second = parts(key) if key.order == 2 else {}
         turned = [k for k, (d, _) in enumerate(key.directions) if d in TURN and TURN[d][0] in key.rotary]
         self.slope = {k: sp.Symbol(f"slope_{k + 1}", real=True) for k in turned}
-        super().__init__([XI, *self.phi, *self.strain_shape, *self.slope.values(), *self.second])
+        super().__init__([xi(), *self.phi, *self.strain_shape, *self.slope.values(), *self.second])
 
     # the shapes as matrices -------------------------------------------------------------------
 
@@ -99,7 +99,7 @@ class Fields(Moments):
         The grading of the second order: with a second-order shape everything else is that of the undeformed rod.
         """
         l, a = self.length, self.start
-        powers = sum(g == XI for g in monomial)
+        powers = sum(g == xi() for g in monomial)
         shapes = [self.phi.index(g) for g in monomial if g in self.phi]
         strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
         if slopes := self._slopes(monomial):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Rotation, Symbol, hat, identity, stack, unit, zeros
 from ..algebra.rate import acceleration, rate
@@ -13,6 +12,7 @@ from ..algebra.scalar import Scalar
 from ..ir.block import Block
 from ..joints.exponential import rate_expressions
 from ..joints.kind import Kinematics
+from ..lazily import sp
 from ..spec.link_class import LinkClass
 
 LINK = "F_i"

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from ..algebra.expression import Expression, Symbol, Trace, add, block, identity, zeros
 from ..ir.block import Block
+from ..lazily import sp
 from ..spec.link_class import LinkClass
 
 

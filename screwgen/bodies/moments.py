@@ -9,16 +9,20 @@ integrand is a polynomial in generators. The integral of each monomial is a *mom
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 
 import numpy as np
-import sympy as sp
 
-XI = sp.Symbol("xi", real=True)
-"""The place along the centreline of a rod, from the origin of F_i."""
-
+from ..lazily import sp
 
 Key = tuple[str, ...]
 """A monomial: the names of its generators in order, each as often as its power."""
+
+
+@cache
+def xi() -> sp.Symbol:
+    """The place along the centreline of a rod, from the origin of F_i."""
+    return sp.Symbol("xi", real=True)
 
 
 class Moments:

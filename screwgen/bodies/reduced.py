@@ -10,10 +10,10 @@ from collections.abc import Iterable
 from typing import ClassVar
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, matrix, number, vector, zeros
 from ..ir.block import Block
+from ..lazily import sp
 from ..spec.link_class import LinkClass
 from ..spec.reduced import FILE
 from .contract import Moments6, RotaryInertia

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, zeros
 from ..ir.block import Block
+from ..lazily import sp
 from .contract import Moments6, RotaryInertia
 from .moments import Moments
 

@@ -9,15 +9,15 @@ import itertools
 from collections.abc import Iterable
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Inverse, Symbol, add, identity, is_zero, unit, zeros
 from ..ir.block import Binding, Block
+from ..lazily import sp
 from ..spec.link_class import AXIS, EXACT, TURN, LinkClass
 from .collocation import collocation
 from .contract import Moments6, RotaryInertia
 from .elastic import Elastic
-from .fields import XI, Fields, length, number
+from .fields import Fields, length, number, xi
 from .rod_stiffness import RodStiffness
 
 TURNED = (
@@ -43,11 +43,11 @@ class RodBody(Elastic, RodStiffness):
         a = sp.S.Zero if is_zero(start) else self.b.values["start"].item()
         f, field = self.kind(self.key, self.b.values[self.length.name].item(), a), self.b.field
         self.fields = f
-        self.b.bindings[XI] = Binding.CONSTANT
-        self.r_b = field("r_b", column(XI, 0, 0))
+        self.b.bindings[xi()] = Binding.CONSTANT
+        self.r_b = field("r_b", column(xi(), 0, 0))
         self.Phi = field("Phi", f.Phi())
         self.phi_row = field("phi_row", f.translational())
-        self.arm = field("xi_phi", XI * f.translational())
+        self.arm = field("xi_phi", xi() * f.translational())
         self.turns = {axis: field(TURNED[axis][2], f.turns(axis)) for axis in (0, *self.key.rotary)}
         sheared = "strains of each mode: u_x', u_y'', u_z'', rate of twist, shear in y and in z"
         self.strain = field("strain", f.strain(), **({"meaning": sheared} if len(self.key.counts) > 4 else {}))
@@ -107,7 +107,7 @@ class RodBody(Elastic, RodStiffness):
         for k in self._translational():
             axis = AXIS[self.key.directions[k][0]]
             name("rhoA", self.b.values["sigma"][axis, k], phi[k])
-            name("rhoA", self.b.values["chi"][0, k], XI, phi[k])
+            name("rhoA", self.b.values["chi"][0, k], xi(), phi[k])
         self._name_turns()
         self._name_products()
         self._products_of_shapes()

@@ -5,16 +5,15 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
-import sympy as sp
 
+from ..lazily import sp
 from ..reduction.invariants import EPS, BodyNode
 from ..spec.link_class import TURN, LinkClass
 from ..spec.robot import Link
 from ..spec.stations import Stations
 from . import markers
-from .fields import XI, Fields
-from .second_order import PLACE, at_tip, entry
-from .second_order import TURN as TURNED
+from .fields import Fields, xi
+from .second_order import at_tip, entry, quadratic_terms
 from .varying_fields import VaryingFields
 
 DENSITIES = ("rhoIp", "rhoIy", "rhoIz")
@@ -42,7 +41,7 @@ class Integrals:
     def gram(self) -> np.ndarray:
         """Integrals of products of the generators, rotary inertia about the centreline and second order included."""
         r = self.key.modes
-        known: list[sp.Expr] = [sp.S.One, XI, sp.S.Zero, sp.S.Zero, *self.fields.Phi().T.ravel()]
+        known: list[sp.Expr] = [sp.S.One, xi(), sp.S.Zero, sp.S.Zero, *self.fields.Phi().T.ravel()]
         G = np.zeros((len(known),) * 2)
         for i, j in itertools.combinations_with_replacement(range(len(known)), 2):
             G[i, j] = G[j, i] = self.of(known[i], known[j]) if known[i] != 0 and known[j] != 0 else 0.0
@@ -79,7 +78,7 @@ class Integrals:
         for (c, axis), k, m in itertools.product(enumerate("xyz"), range(r), range(r)):
             h = entry(axis, k, m)
             if h in self.fields.second:
-                sag[c, k, m], moment[0, c, k, m] = self.of(h), self.of(XI, h)
+                sag[c, k, m], moment[0, c, k, m] = self.of(h), self.of(xi(), h)
         return sag, moment
 
     def node(self, s: float, name: str) -> BodyNode:
@@ -91,7 +90,8 @@ class Integrals:
                 psi[axis, k] = sign * self.key.shapes(d).evaluate([s], int(slope))[i][0] / self.length**slope
         quadratic = self.key.order == 2 and s == 1.0
         parts = [
-            [at_tip(self.key, term, sp.Float(self.length)) for term in x] if quadratic else () for x in (PLACE, TURNED)
+            [at_tip(self.key, term, sp.Float(self.length)) for term in x] if quadratic else ()
+            for x in quadratic_terms()
         ]
         second = [np.array(x, float) if quadratic else np.zeros((3,) + psi.shape[1:] * 2) for x in parts]
         place = np.array([self.start + s * self.length, 0.0, 0.0])

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Diagonal, Expression, Integral, Symbol, block, stack, zeros
 from ..ir.block import Block
+from ..lazily import sp
 from ..spec.link_class import LinkClass
 from ..spec.modes import DIRECTIONS
 from .fields import Fields

@@ -11,18 +11,19 @@ three axes. Every entry is an integral of the product of two shapes, or of such 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Integral, Symbol, block
 from ..algebra.notation import latex
 from ..algebra.quadratic import form, half_form
 from ..bases import Shapes, integrals
 from ..ir.block import Binding, Block
+from ..lazily import sp
 from ..spec.link_class import LinkClass
-from .moments import XI, Moments
+from .moments import Moments, xi
 
 AXES = "xyz"
 
@@ -58,16 +59,14 @@ def _terms(quadratic: sp.Matrix, times: int) -> list[list[Term]]:
     return out
 
 
-def _derived() -> tuple[list[list[Term]], list[list[Term]]]:
+@cache
+def quadratic_terms() -> tuple[list[list[Term]], list[list[Term]]]:
+    """The terms of ``u_2`` and ``theta_2``, component by component."""
     psi, kappa, gamma = _strains()
     bent = _terms(psi.cross(kappa.cross(sp.Matrix([1, 0, 0]))), 2)
     stretched = _terms(psi.cross(gamma), 1)
     place = [b + s for b, s in zip(bent, stretched, strict=True)]
     return place, _terms(psi.cross(kappa) / 2, 1)
-
-
-PLACE, TURN = _derived()
-"""The terms of ``u_2`` and ``theta_2``, component by component."""
 
 
 def entries(key: LinkClass, terms: list[Term]) -> Iterator[tuple[int, int, Term, int, int]]:
@@ -103,7 +102,7 @@ class EntryTerm(NamedTuple):
 def parts(key: LinkClass) -> dict[sp.Symbol, list[EntryTerm]]:
     """The entries of the ``H_c(ξ)``."""
     out: dict[sp.Symbol, list[EntryTerm]] = {}
-    for axis, terms in zip(AXES, PLACE, strict=True):
+    for axis, terms in zip(AXES, quadratic_terms()[0], strict=True):
         for k, m, term, i, j in entries(key, terms):
             families = key.shapes(term.first[0]), key.shapes(term.second[0])
             part = EntryTerm(term.factor * (2 if k == m else 1), *families, i, j, term)
@@ -185,9 +184,9 @@ class SecondOrder:
 
     def moments(self, rhoA: Symbol) -> None:
         """The same, and those weighted by the place on the centreline, ``∫ρA ξ H_c dξ``."""
-        xi = self.b.field("xi", np.array([[XI]], dtype=object))
+        place = self.b.field("xi", np.array([[xi()]], dtype=object))
         self.momenta(rhoA)
-        self._moments(rhoA, [xi @ H for H in self.H], "E_{}_1", "chi2", "bend_1", XI)
+        self._moments(rhoA, [place @ H for H in self.H], "E_{}_1", "chi2", "bend_1", xi())
 
     def _moments(self, rhoA: Symbol, fields: list, names: str, row: str, bend: str, *arm: sp.Symbol) -> Symbol:
         """The moments, with a power of the place, of all second-order fields; returns that of ``u_2`` (3, 1)."""

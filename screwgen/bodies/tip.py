@@ -6,18 +6,18 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, hat, identity, matrix, number, unit, vector, zeros
 from ..algebra.rate import acceleration, moving_rate, turned_rate
 from ..ir.block import Block
+from ..lazily import sp
 from ..spec.link_class import EXACT, LinkClass
 from ..spec.markers import BASE, TIP
 from .fields import Fields, length
 from .lumped import lumped
 from .reduced import numerals
 from .rotation import angle_steps, rate_of_turning, turning
-from .second_order import PLACE, TURN, at_tip, forms, halves, rows
+from .second_order import at_tip, forms, halves, quadratic_terms, rows
 
 
 def tip_block(key: LinkClass) -> Block:
@@ -125,7 +125,7 @@ def end_of_rod(b: Block, key: LinkClass) -> End:
         whole = symbol = length(b, key)
         l = b.values[symbol.name].item()
     fields = Fields(key, l, sp.S.Zero)
-    second = [[at_tip(key, t, fields.length) for t in terms] if key.order == 2 else () for terms in (PLACE, TURN)]
+    second = [[at_tip(key, t, fields.length) for t in terms] if key.order == 2 else () for terms in quadratic_terms()]
     reach = whole if key.section_at == TIP else _place(b, key.section_at, whole)
     if key.frame_at:
         frame_at = b.parameter("frame_at", (1, 1))

@@ -21,10 +21,10 @@ same force at its tip, Haringx's ``P (1 + P/GA) = pi^2 EI / 4 l^2``.
 from __future__ import annotations
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Inverse, Root, Symbol, number
 from ..ir.block import Block
+from ..lazily import sp
 from ..reduction.invariants import Invariants
 from ..spec.link_class import LinkClass
 from .fields import Fields, length
@@ -33,8 +33,6 @@ from .varying_rod import acting
 
 OWN_WEIGHT = 7.8373474
 """``q l^3 / EI`` at which a cantilever buckles under its own weight: 9/4 of the squared first zero of J_(-1/3)."""
-TIP_LOAD = sp.pi**2 / 4
-"""``N l^2 / EI`` at which a cantilever buckles under a force at its tip."""
 PLANES = {"bending_y": "EIz", "bending_z": "EIy"}
 SHEAR = {"bending_y": ("shear_y", "GAy"), "bending_z": ("shear_z", "GAz")}
 BOUNDS = {"deflection": 0.1, "slope": 0.35, "axial_load": 0.02, "rotation": 0.2}
@@ -80,6 +78,11 @@ def _tip(b: Block, key: LinkClass, length: Expression, shapes: tuple[np.ndarray,
         b.step(name, Inverse(length) @ size if name == "deflection" else size)
 
 
+def _tip_load() -> sp.Expr:
+    """``N l^2 / EI`` at which a cantilever buckles under a force at its tip."""
+    return sp.pi**2 / 4
+
+
 def _loads(b: Block, key: LinkClass, length: Symbol) -> None:
     """Axial load over buckling load, and the dimensionless square of the angular velocity."""
     rhoA = _largest_mass(b, key)
@@ -88,7 +91,7 @@ def _loads(b: Block, key: LinkClass, length: Symbol) -> None:
     F_x = b.input("F_x", (1, 1))
     F_own = b.input("F_own", (1, 1))
     softness = length @ length @ _compliance(b, key, length, rhoA)
-    per_force = b.step("per_force", (1 / TIP_LOAD) * softness)
+    per_force = b.step("per_force", (1 / _tip_load()) * softness)
     mass = rhoA @ length
     weight = (1 / sp.Float(OWN_WEIGHT)) * (mass @ softness)
     per_a = b.step("per_acceleration", weight)
@@ -164,7 +167,7 @@ def _stiffness(b: Block, key: LinkClass, direction: str, length: Symbol, rhoA: S
 
 def _sheared(b: Block, name: str, EI: Symbol, GA: Symbol, length: Symbol) -> Symbol:
     """``2 EI / (1 + sqrt(1 + 4 P/GA))`` of Euler's load P: with it Euler's load is Haringx's."""
-    quotient = (4 * TIP_LOAD) * (EI @ Inverse(length @ length @ GA))
+    quotient = (4 * _tip_load()) * (EI @ Inverse(length @ length @ GA))
     share = number(2) @ Inverse(number(1) + Root(number(1) + quotient))
     meaning = "bending stiffness of the rod without shear that buckles at the same load"
     return b.step(name, share @ EI, r"EI_{\gamma,i}", unit="N*m^2", meaning=meaning)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-import sympy as sp
-
 from ..bases import ORDER
 from ..bases.weighted import Weights, weighted_integrals, weighted_powers, weighted_products, weighted_shapes
+from ..lazily import sp
 from ..spec.link_class import LinkClass
-from .fields import XI, Fields, number
+from .fields import Fields, number, xi
 
 
 def weights(key: LinkClass) -> Weights:
@@ -37,7 +36,7 @@ class VaryingFields(Fields):
         """The integral of a product of ξ, φ_k, slopes and strain shapes: power of l, factor, a constant per station."""
         shapes = [self._shape(self.phi.index(g)) for g in monomial if g in self.phi]
         strains = [self.strain_shape.index(g) for g in monomial if g in self.strain_shape]
-        power = sum(g == XI for g in monomial)
+        power = sum(g == xi() for g in monomial)
         if second := [g for g in monomial if g in self.second]:
             if len(monomial) == 1 + power:
                 for n, factor, part, k in self._arms(second[0], power):

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, add, zeros
 from ..algebra.notation import ALONG
 from ..ir.block import Block
 from ..ir.quantities import QUANTITIES
+from ..lazily import sp
 from ..spec.link_class import LinkClass
 from ..spec.modes import DIRECTIONS
 from .collocation import collocation

@@ -13,8 +13,7 @@ from typing import Any
 
 import typer
 
-from ..errors import ScrewgenError, SingularError, StoppedError
-from ..spec.load import one_line
+from ..errors import ScrewgenError, SingularError, StoppedError, one_line
 
 ClickException: Any = typer.BadParameter.__mro__[2]
 """Whatever is wrong with a command line; typer has it under names that change with its version."""

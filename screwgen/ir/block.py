@@ -13,11 +13,11 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.components import Array, components
 from ..algebra.expression import Expression, Symbol
 from ..algebra.notation import latex
+from ..lazily import sp
 from ..notebook import code, formula, plain, steps_table
 from .names import Label, component
 from .quantities import QUANTITIES, Quantity, described

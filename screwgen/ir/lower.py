@@ -6,9 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
 import numpy as np
-import sympy as sp
 
-from ..algebra.stumpff import stumpff
+from ..lazily import sp
 from .block import Binding, Block, Step
 from .program import Array, Tracer, Value, Vector, give_label
 
@@ -104,6 +103,8 @@ def recipe(e: sp.Expr) -> Recipe:
         return _product(e)
     if e.is_Pow:
         return _power(recipe(e.base), e.exp)
+    from ..algebra.stumpff import stumpff  # a class of sympy's, which is not imported before it is used
+
     if isinstance(e, stumpff):
         order, argument = int(e.args[0]), recipe(e.args[1])
         return lambda known, tracer: _stumpff(order, argument(known, tracer), tracer)

@@ -9,9 +9,9 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-import sympy as sp
 
 from ..algebra.expression import Expression, Symbol, hat, identity, inverse, number, stack
+from ..lazily import sp
 
 Stumpff = Callable[[Any], Any]
 

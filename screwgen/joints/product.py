@@ -10,10 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 
-import sympy as sp
-
 from ..algebra.expression import Expression, Rotation, Symbol, add, block, hat, identity, vector, zeros
 from ..algebra.notation import axis_latex
+from ..lazily import sp
 from .kind import JointKind, Kinematics
 from .screw import Screw
 

@@ -5,16 +5,17 @@ from __future__ import annotations
 import json as json_format
 import sys
 from collections.abc import Sequence
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..cli.main import EPILOG, Quiet
-from ..cli.output import say
 from ..errors import UsageError
 from ..progress import busy
-from .equation import Equation
-from .erratum import Erratum
+
+if TYPE_CHECKING:
+    from .equation import Equation
+    from .erratum import Erratum
 
 
 def add(app: typer.Typer) -> None:
@@ -84,6 +85,7 @@ def _shows_all() -> bool:
 
 def _write(output: str, equations: Sequence, errata: Sequence, quiet: bool) -> None:
     from ..backends.latex.engine import engine
+    from ..cli.output import say
     from ..simulation.runs import outputs, suffix
 
     if suffix(output) == ".pdf":

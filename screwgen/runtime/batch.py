@@ -12,7 +12,9 @@ import numpy as np
 
 from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
+from ..integrators.methods import with_built_in
 from ..robot_model import RobotModel
+from .asked import digest
 from .differentiated import STATUS, known
 from .lean import RuntimeProject
 from .library import load
@@ -68,8 +70,10 @@ class CompiledBatch:
         self.model, self.real = model, np.float32 if single else np.float64
         name = model.robot.name
         define = [f"-D{name.upper()}_REAL_FLOAT"] if single else []
-        self.project, files = model.once(("batch files", *methods), lambda: _files(model, methods))
-        self.library = load(files, [*flags, *define], compiler)
+        self.methods = with_built_in(methods)
+        files = lambda: model.once(("batch files", *methods), lambda: _files(model, methods))  # noqa: E731
+        asked = digest("batch", model.robot, tuple(methods))
+        self.library = load(files, [*flags, *define], compiler, asked=asked)
 
     def prepared(self, p: np.ndarray) -> tuple[np.ndarray, dict[int, str]]:
         """The constants of robots with the parameters ``p`` (robots, n_parameters), as bytes (robots, size).
@@ -109,7 +113,7 @@ class CompiledBatch:
         status, fault, done = (np.full(q.shape[2], x, np.int32) for x in (OK, -1, 0))
         task = _Task(q, v, tau, w_ext, constants, hold, q[0].copy(), v[0].copy(), status, fault)
         real = ctypes.c_float if self.real is np.float32 else ctypes.c_double
-        step = getattr(self.library, f"{self.project.name}_step_batch_{known(method, self.project)}")
+        step = getattr(self.library, f"{self.model.robot.name}_step_batch_{known(method, self.methods)}")
 
         def call(first: int, size: int, k: int, periods: int) -> None:
             """Some periods of the scenarios from `first` on."""
@@ -190,12 +194,12 @@ def _in_threads(call: Callable[[int, int, int, int], None], shares: Sequence[tup
             over.set()
 
 
-def _files(model: RobotModel, methods: Sequence[Method]) -> tuple[RuntimeProject, dict[str, str]]:
-    """The sources of a batch, and its project."""
+def _files(model: RobotModel, methods: Sequence[Method]) -> dict[str, str]:
+    """The sources of a batch."""
     project, name = RuntimeProject(model.chain, model.version, batch=True, methods=methods), model.robot.name
     library = (f"{name}_batch.c", f"{name}_parameters.c", f"{name}_real.c")
     files = {file: text for file, text in project.files().items() if file.endswith(".h") or file in library}
-    return project, files | {"shim.c": project.shim("batch_shim.c")}
+    return files | {"shim.c": project.shim("batch_shim.c")}
 
 
 def compiled_batch(model: RobotModel, single: bool, methods: Sequence[Method] = ()) -> CompiledBatch:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -17,9 +17,10 @@ from ..backends.c.forms import split
 from ..backends.c.shim import shims
 from ..errors import ScrewgenError
 from ..integrators.method import Method
-from ..integrators.methods import method_of
+from ..integrators.methods import with_built_in
 from ..robot_model import RobotModel
-from .differentiated import NO_METHOD, CompiledDerivatives
+from .asked import digest
+from .differentiated import CompiledDerivatives
 from .forms import Forms, LazyLibrary
 from .lean import RuntimeProject
 from .library import load
@@ -59,17 +60,31 @@ class Compiled(CompiledDerivatives):
         self._arguments = (layout, parameters, single, tuple(flags), compiler, derivatives, cache, tuple(methods), by_p)
         self.model, self.chain, self.single = model, model.chain, single
         self.real = np.dtype(np.float32 if single else np.float64)
-        options: dict[str, Any] = {"derivatives": derivatives, "methods": methods, "outputs": True, "by_p": by_p}
-        self.project = RuntimeProject(self.chain, model.version, parameters, layout, **options)
-        define = [f"-D{self.project.name.upper()}_REAL_FLOAT"] if single else []
+        self.methods, self.chosen = with_built_in(methods), self.chain.parameters.chosen(by_p)
+        self.with_derivatives = derivatives
+        define = [f"-D{self.chain.robot.name.upper()}_REAL_FLOAT"] if single else []
+        asked = digest(model.robot, layout, parameters, derivatives, tuple(methods), self.chosen)
+        compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
+        found = lambda part: compiled(lambda: self._sources[part], asked=asked and f"{part} {asked}")  # noqa: E731
+        self.library = Forms(found("joint"), LazyLibrary(lambda: found("dae")))
+        self._sensors = LazyLibrary(lambda: found("sensors"))
+        self._place()
+        self.prepare(None)
+
+    @cached_property
+    def project(self) -> RuntimeProject:
+        """Of which the sources are written, where the cache does not have what is made of them."""
+        layout, parameters, *_, methods, by_p = self._arguments
+        options: dict[str, Any] = {"derivatives": self.with_derivatives, "outputs": True, "by_p": by_p}
+        return RuntimeProject(self.chain, self.model.version, parameters, layout, methods=methods, **options)
+
+    @cached_property
+    def _sources(self) -> dict[str, Mapping[str, str]]:
+        """The files of each library."""
         files = self.project.files() | shims(self.project)
         joint, dae = split(self.project, files)
         headers = {name: text for name, text in files.items() if name.endswith(".h")}
-        compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
-        self.library = Forms(compiled(joint), LazyLibrary(lambda: compiled(dae)))
-        self._sensors = LazyLibrary(lambda: compiled(headers | self.project.sensing()))
-        self._place()
-        self.prepare(None)
+        return {"joint": joint, "dae": dae, "sensors": headers | self.project.sensing()}
 
     def __reduce__(self) -> tuple[Callable, tuple]:
         return _compiled_anew, (self.model, self._arguments, self.p)
@@ -329,22 +344,3 @@ def _compiled_anew(model: RobotModel, said: tuple, p: Array | None) -> Compiled:
     out = Compiled(model, *said)
     out.prepare(p)
     return out
-
-
-class CompiledStepper:
-    """A stepper of :mod:`screwgen.simulation` that steps the joint form in the generated C."""
-
-    default = "modal_implicit"
-
-    def __init__(self, compiled: Compiled, model: RobotModel, integrator: str | Method, p: Given):
-        self.compiled, self.method = compiled, method_of(integrator, compiled.project.methods, NO_METHOD)
-        compiled.prepare(p)
-
-    def initial(self, q: Numbers, v: Numbers) -> Pair:
-        return np.array(q, float), np.array(v, float)
-
-    def step(self, state: Pair, tau: Loads, w_ext: Loads, dt: float) -> Pair:
-        return self.compiled.step(*state, tau, w_ext, dt, self.method)
-
-    def coordinates(self, state: Pair) -> Pair:
-        return state

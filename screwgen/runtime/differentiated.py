@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -13,12 +13,12 @@ import numpy as np
 from ..algorithms.parameter_slopes import BY_P, Differentiable
 from ..arguments import Loads, Numbers, choice, seconds
 from ..backends.c.by_p import STEPS, rows
+from ..backends.c.derivatives import without_wrenches
 from ..backends.numpy.numeric import singular
 from ..errors import ScrewgenError, SingularError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..topology.chain import Chain
-from .lean import RuntimeProject
 from .memory import Array, Memory, Real, pointer
 
 STATUS = ("ok", "non-finite input or result", "singular", "bad argument")
@@ -28,10 +28,10 @@ Derivatives = tuple[Array, Array, Array, Array]
 NO_METHOD = "in the generated C there is no integrator"
 
 
-def known(method: str | Method, project: RuntimeProject) -> Method:
-    """An integrator of the library of a project; raises UsageError where it is not one of its methods."""
-    wanted = method_of(method, project.methods, NO_METHOD)
-    if wanted not in project.methods.values():
+def known(method: str | Method, methods: Mapping[str, Method]) -> Method:
+    """An integrator of a library with some methods; raises UsageError where it is not one of them."""
+    wanted = method_of(method, methods, NO_METHOD)
+    if wanted not in methods.values():
         raise UsageError(f"{NO_METHOD} '{wanted}' as it is given; compile the model with methods=({wanted},)")
     return wanted
 
@@ -59,7 +59,9 @@ class Scratch(dict):
 class CompiledDerivatives(Memory):
     """The functions that need ``derivatives=True``."""
 
-    project: RuntimeProject
+    methods: Mapping[str, Method]
+    chosen: tuple[int, ...]
+    with_derivatives: bool
     single: bool
     p: np.ndarray | None
     _prepared_for: object = ()
@@ -96,7 +98,7 @@ class CompiledDerivatives(Memory):
         """
         self._needs_derivatives()
         c = self.chain
-        if why := self.project.context["derivatives"]["wrenches"]["missing"]:
+        if why := without_wrenches(self.chain):
             raise UsageError(f"there is no C of the derivatives of the wrenches: {why}; use CasADi's")
         shapes = [(c.n, 6, *k) for k in ((), (c.nv,), (c.nvz,), (c.n_tau,))]
         return self._differentiated("linearise_wrenches", shapes, (q, v, tau, w_ext))
@@ -131,7 +133,7 @@ class CompiledDerivatives(Memory):
 
     def _by_p(self, name: str, shapes: tuple[tuple[int, ...], ...], given: tuple, dt: float = 0.0) -> Any:
         """What such a function writes, an array for each result, the last axis that of the parameters."""
-        if not (count := len(self.project.chosen)):
+        if not (count := len(self.chosen)):
             raise UsageError('this model was compiled without parameters to differentiate by; give by_p=("arm.*",)')
         sizes = [math.prod(shape) * count for shape in shapes]
         found = np.zeros(sum(sizes), self.real)
@@ -148,7 +150,7 @@ class CompiledDerivatives(Memory):
         return out if len(out) > 1 else out[0]
 
     def _needs_derivatives(self) -> None:
-        if not self.project.with_derivatives:
+        if not self.with_derivatives:
             raise UsageError("this model was compiled without derivatives; compile it with derivatives=True")
 
     @cached_property
@@ -157,10 +159,9 @@ class CompiledDerivatives(Memory):
 
     def number(self, method: str | Method) -> int:
         """The number that an integrator has in the library; raises UsageError where it has none."""
-        methods = self.project.methods
-        if isinstance(method, str) and method in methods:
-            return list(methods).index(method)
-        return list(methods.values()).index(known(method, self.project))
+        if isinstance(method, str) and method in self.methods:
+            return list(self.methods).index(method)
+        return list(self.methods.values()).index(known(method, self.methods))
 
     def _real(self, value: float) -> Real:
         return ctypes.c_float(value) if self.single else ctypes.c_double(value)

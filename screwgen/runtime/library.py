@@ -1,10 +1,11 @@
 """Shared libraries of generated C: compiled once, cached by content in a folder of the user, and loaded.
 
-The key of an entry is the hash of sources, flags and compiler. An entry is a library that ends in the digest of its key
-and itself, so one that is truncated, or stands under the name of another, is detected without loading it. It is built
-aside and renamed, so processes may build the same library at once. If the folder cannot be written, the library is
-built in a temporary folder. The same holds if others than this user and root can write to the folder, because its
-contents run as this user. The folder may be deleted at any time.
+The key of an entry is the hash of sources, flags and compiler. What was asked for has a name in the cache, too, so that
+sources need not be written to be found (:mod:`.asked`): a small file with the key of the entry. An entry is a library
+that ends in the digest of its key and itself, so one that is truncated, or stands under the name of another, is
+detected without loading it. It is built aside and renamed, so processes may build the same library at once. If the
+folder cannot be written, the library is built in a temporary folder. The same holds if others than this user and root
+can write to the folder, because its contents run as this user. The folder may be deleted at any time.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import subprocess
 import tempfile
 import time
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from functools import lru_cache
@@ -42,27 +43,40 @@ ABANDONED = 24 * 3600.0
 ROOT = 0
 """The system's user, who is trusted."""
 
+MAX_NAMES = 4 * MAX_ENTRIES
+"""The largest number of names of what was asked for."""
+
 DIGEST = hashlib.sha256().digest_size
 
 
 def load(
-    files: Mapping[str, str], flags: Sequence[str], compiler: str | None = None, cache: bool | str | os.PathLike = True
+    files: Mapping[str, str] | Callable[[], Mapping[str, str]],
+    flags: Sequence[str],
+    compiler: str | None = None,
+    cache: bool | str | os.PathLike = True,
+    asked: str = "",
 ) -> ctypes.CDLL:
     """The library of C files by name, from the cache if it is there.
 
-    `compiler`: by default the environment's CC, else cc. `cache`: a folder, True for the user's (`cache_folder`), or
-    False to build and forget. Raises ScrewgenError where there is no compiler or it fails.
+    `files`: or what makes them, which is called only where the cache has no entry of the name `asked`, a text that two
+    sets of files never share. `compiler`: by default the environment's CC, else cc. `cache`: a folder, True for the
+    user's (`cache_folder`), or False to build and forget. Raises ScrewgenError where there is no compiler or it fails.
     """
-    used = {n: text for n, text in files.items() if n.endswith((".c", ".h")) and n not in PROGRAMS}
     command = compiler_command(compiler)
     flags = (*flags, *_once(tuple(command), tuple(flags)))
-    key = _key(used, flags, command)
     folder = cache_folder() if cache is True else Path(cache) if cache else None
-    if folder is not None and _trusted(folder):
-        if library := _kept(folder, key):
-            return library
+    kept = folder if folder is not None and _trusted(folder) else None
+    name = asked and _key({"asked": asked}, flags, command)
+    if kept and name and (library := _named(kept, name)):
+        return library
+    made = files() if callable(files) else files
+    used = {n: text for n, text in made.items() if n.endswith((".c", ".h")) and n not in PROGRAMS}
+    if kept:
         with suppress(OSError):
-            return _build_and_keep(folder, key, used, command, flags)
+            key = _key(used, flags, command)
+            library = _kept(kept, key) or _build_and_keep(kept, key, used, command, flags)
+            _keep_name(kept, name, key)
+            return library
     with tempfile.TemporaryDirectory(prefix="screwgen-") as place:
         return ctypes.CDLL(str(_compiled(Path(place), used, command, flags)))
 
@@ -219,6 +233,28 @@ def _kept(folder: Path, key: str) -> ctypes.CDLL | None:
     return library
 
 
+def _named(folder: Path, name: str) -> ctypes.CDLL | None:
+    """The library of what was asked for by a name; None where the cache does not know it."""
+    try:
+        with open_regular(folder / f"{name}.key") as stream:
+            ours, key = _private(os.fstat(stream.fileno())), stream.read().decode("ascii", "replace")
+    except OSError:
+        return None
+    stated, _, seal = key.partition(" ")
+    return _kept(folder, stated) if ours and seal == _seal(name, stated.encode()).hex() else None
+
+
+def _keep_name(folder: Path, name: str, key: str) -> None:
+    """Let the cache know an entry by the name by which it was asked for."""
+    if not name:
+        return
+    with suppress(OSError), tempfile.TemporaryDirectory(prefix="building-", dir=folder) as place:
+        path = Path(place) / "name"
+        path.touch(mode=0o600)
+        path.write_text(f"{key} {_seal(name, key.encode()).hex()}")
+        os.replace(path, folder / f"{name}.key")
+
+
 def _seal(key: str, library: bytes) -> bytes:
     """What binds the bytes of a library to the key that they were built for."""
     return hashlib.sha256(key.encode() + library).digest()
@@ -240,9 +276,9 @@ def _build_and_keep(
 
 def _prune(folder: Path) -> None:
     with suppress(OSError):
-        entries = sorted(folder.glob("*.so"), key=lambda path: path.stat().st_mtime, reverse=True)
-        for path in entries[MAX_ENTRIES:]:
-            path.unlink()
+        for pattern, most in (("*.so", MAX_ENTRIES), ("*.key", MAX_NAMES)):
+            for path in sorted(folder.glob(pattern), key=lambda path: path.stat().st_mtime, reverse=True)[most:]:
+                path.unlink()
         for path in folder.glob("building-*"):
             if time.time() - path.stat().st_mtime > ABANDONED:
                 shutil.rmtree(path, ignore_errors=True)

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .memory import Array, LinkMotions, Real
+import numpy as np
+
+from ..arguments import Given, Loads, Numbers
+from ..integrators.method import Method
+from ..integrators.methods import method_of
+from ..robot_model import RobotModel
+from .differentiated import NO_METHOD
+from .memory import Array, LinkMotions, Pair, Real
 
 if TYPE_CHECKING:
     from .compiled import Compiled
@@ -42,3 +49,22 @@ class Stepper:
     def kinematics(self) -> LinkMotions:
         """Poses of all links and of their tips, and twists of the tips, in the state."""
         return self._compiled.motion()
+
+
+class CompiledStepper:
+    """A stepper of :mod:`screwgen.simulation` that steps the joint form in the generated C."""
+
+    default = "modal_implicit"
+
+    def __init__(self, compiled: Compiled, model: RobotModel, integrator: str | Method, p: Given):
+        self.compiled, self.method = compiled, method_of(integrator, compiled.methods, NO_METHOD)
+        compiled.prepare(p)
+
+    def initial(self, q: Numbers, v: Numbers) -> Pair:
+        return np.array(q, float), np.array(v, float)
+
+    def step(self, state: Pair, tau: Loads, w_ext: Loads, dt: float) -> Pair:
+        return self.compiled.step(*state, tau, w_ext, dt, self.method)
+
+    def coordinates(self, state: Pair) -> Pair:
+        return state

@@ -18,7 +18,7 @@ from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
 from ..runtime.batch import compiled_batch
-from ..runtime.compiled import NO_METHOD
+from ..runtime.differentiated import NO_METHOD
 from .compiled_runs import added
 from .validity import Validity
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ..algorithms.rod_line import lengths, rod_line
 from ..arguments import Numbers, parameters_keyword
 from ..backends.numpy.numeric import EPSILON, function_of
 from ..bodies import markers
 from ..errors import UsageError
+from ..lazily import transform
 from ..robot_model import RobotModel
 from ..spec.link_class import EXACT, LinkClass
 from ..spec.parameters import coordinate_names
@@ -43,7 +43,7 @@ def screws(model: RobotModel, q: np.ndarray, v: np.ndarray, parameters: Numbers 
     x = mapped(model.casadi()["dae_state"], q, v, _values(model, parameters))
     poses = x[:, : 7 * n].reshape(-1, n, 7)
     twists = x[:, 7 * n + r : 13 * n + r].reshape(-1, n, 6)
-    turns = Rotation.from_quat(poses[..., :4].reshape(-1, 4), scalar_first=True)
+    turns = transform.Rotation.from_quat(poses[..., :4].reshape(-1, 4), scalar_first=True)
     theta, place = turns.as_rotvec(), turns.inv().apply(poses[..., 4:].reshape(-1, 3))
     return Screws(theta.reshape(-1, n, 3), place.reshape(-1, n, 3), twists[..., :3], twists[..., 3:])
 

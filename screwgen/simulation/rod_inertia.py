@@ -10,9 +10,9 @@ from functools import cache
 from itertools import pairwise
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from ..bodies.collocation import FINE, RodTurn, collocation, gauss, points
+from ..lazily import transform
 from ..spec.link_class import LinkClass
 
 PLACES, WEIGHTS = gauss(2 * FINE)
@@ -46,10 +46,10 @@ def inertia(key: LinkClass, eta: np.ndarray) -> np.ndarray:
 def centreline(key: LinkClass, eta: np.ndarray) -> np.ndarray:
     """Those (N, places, 3) at ``PLACES``, from the tangents at the points of the rod."""
     turns, stretches, reach = _numbers(key)
-    R, tangents = Rotation.from_quat(np.tile([0.0, 0.0, 0.0, 1.0], (len(eta), 1))), []
+    R, tangents = transform.Rotation.from_quat(np.tile([0.0, 0.0, 0.0, 1.0], (len(eta), 1))), []
     for turn, stretch in zip(turns, stretches, strict=True):
         crossed = sum((np.cross(eta @ a.T, eta @ b.T) for a, b in turn.crossed), np.zeros(3))
-        R = R * Rotation.from_rotvec(eta @ turn.linear.T + crossed)
+        R = R * transform.Rotation.from_rotvec(eta @ turn.linear.T + crossed)
         tangents.append(R.apply(np.array([1.0, 0.0, 0.0]) + eta @ stretch.T))
     return np.einsum("pk,kni->npi", reach, np.array(tangents))
 

@@ -10,12 +10,12 @@ from collections.abc import Collection
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg import block_diag
 
 from ..arguments import Numbers, parameters_keyword
 from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
 from ..bases import products
 from ..errors import SingularError
+from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation.mobility import jacobian
 from ..spec.modes import DIRECTIONS, NEEDS, SHEARED, Modes
@@ -167,4 +167,4 @@ def _space(model: RobotModel, rich: RobotModel, directions: Collection[str]) -> 
             blocks.append(np.reshape(products(shapes, kept), (shapes.count, kept.count)))
         body = elastic(few)
         blocks.append(np.eye(body.modes if body else 0))
-    return block_diag(*blocks)
+    return linalg.block_diag(*blocks)

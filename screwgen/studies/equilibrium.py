@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.linalg
 
 from .. import notebook
 from ..algorithms.travels import efforts
 from ..arguments import Given, Numbers, parameters_keyword
 from ..backends.numpy.closing import OpenLoopError, closed_softly
 from ..errors import UsageError
+from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation.limited_inputs import warn_at_rest
 from ..simulation.mobility import stated_joints
@@ -251,7 +251,7 @@ def _stability(statics: Statics, b: Balance) -> tuple[str, np.ndarray, tuple[str
     K = statics.scaled(b)[1]
     if not len(K):
         return "stable", np.zeros(0), ()
-    eigenvalues, vectors = scipy.linalg.eig(K) if statics.w_ext.any() else scipy.linalg.eigh((K + K.T) / 2)
+    eigenvalues, vectors = linalg.eig(K) if statics.w_ext.any() else linalg.eigh((K + K.T) / 2)
     order = np.argsort(eigenvalues.real)
     values, vectors = eigenvalues.real[order], vectors[:, order]
     moved = statics.directions(b) @ vectors
@@ -269,6 +269,6 @@ def _flutters(statics: Statics, b: Balance) -> bool:
     i, D = statics.moving, statics.units[statics.moving]
     M = statics.model.numpy(statics.p).mass_matrix(b.q)[np.ix_(i, i)]
     Z = statics.directions(b)
-    squares = scipy.linalg.eigvals(statics.scaled(b)[1], Z.T @ (M / np.outer(D, D)) @ Z)
+    squares = linalg.eigvals(statics.scaled(b)[1], Z.T @ (M / np.outer(D, D)) @ Z)
     squares = squares[np.isfinite(squares)]
     return bool((np.abs(squares.imag) > 1e-6 * np.abs(squares)).any())

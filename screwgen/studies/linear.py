@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.linalg import block_diag
 
 from .. import notebook
 from ..algorithms.gauges import base_strains, strain_names
@@ -15,6 +14,7 @@ from ..algorithms.linear_model import OUTPUTS as OUTPUT_PARTS
 from ..arguments import Given, Loads, Numbers, array, choice, nearest
 from ..backends.numpy.numeric import Numeric
 from ..errors import UnknownNameError, UsageError
+from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation.definiteness import check_definite
 from ..simulation.mobility import motions
@@ -218,7 +218,7 @@ def _changes(model: RobotModel, *point: Numbers) -> tuple[np.ndarray, ...]:
 def with_internal_states(chain: Chain, own: np.ndarray, T: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The places of the states among [δ; v], and all changes by theirs, from those of independent coordinates."""
     behind = np.arange(2 * chain.nv, chain.nv + chain.nvz)
-    return np.concatenate([own, chain.nv + own, behind]), block_diag(T, np.eye(len(behind)))
+    return np.concatenate([own, chain.nv + own, behind]), linalg.block_diag(T, np.eye(len(behind)))
 
 
 def whole(chain: Chain, q: Numbers | None, p: Numbers) -> np.ndarray:

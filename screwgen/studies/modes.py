@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import scipy.linalg
 
 from ..arguments import Given, Numbers, choice, parameters_keyword
 from ..backends.numpy.closing import closed_softly
 from ..backends.numpy.vibrations import uncoupled, vibrations, without_rigid_motion
 from ..errors import SingularError, UsageError
+from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation.definiteness import check_definite
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
@@ -140,7 +140,7 @@ def _at_rest(model: RobotModel, q: np.ndarray, p: np.ndarray, moving: np.ndarray
         columns[held] = vectors
         if len(free):
             coupling = M[np.ix_(free, held)] @ vectors
-            columns[free] = -scipy.linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
+            columns[free] = -linalg.solve(M[np.ix_(free, free)], coupling, assume_a="pos")
         out[moving] = basis @ columns if N is None else N @ (basis @ columns)
     except np.linalg.LinAlgError:
         raise _singular(model, q, p) from None

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy.linalg
 
+from ..lazily import linalg
 from ..simulation.mobility import closing, sharing
 from .statics import Balance, Statics
 
@@ -41,9 +41,9 @@ class StaticsWithLoops(Statics):
         J = self._loops(q, None)[1]
         A = J[:, i] / D
         shares = sharing(self.model, q, J, self.p)
-        forces = shares * (scipy.linalg.lstsq(shares * A.T, b.force[i] / D, cond=RANK)[0] if len(i) else 0.0)
+        forces = shares * (linalg.lstsq(shares * A.T, b.force[i] / D, cond=RANK)[0] if len(i) else 0.0)
         bend, wrench = self._loops(q, forces)[3:]
-        more = {"J": J, "forces": forces, "motions": scipy.linalg.null_space(A, rcond=RANK), "loop_wrench": wrench.T}
+        more = {"J": J, "forces": forces, "motions": linalg.null_space(A, rcond=RANK), "loop_wrench": wrench.T}
         own = {name: getattr(b, name) for name in Balance.__dataclass_fields__}
         own |= {"force": b.force - J.T @ forces, "stiffness": b.stiffness - bend}
         own["scale"] = np.maximum(b.scale, np.abs(J.T) @ np.abs(forces))
@@ -74,7 +74,7 @@ class StaticsWithLoops(Statics):
             if not np.max(np.abs(gap)) >= CLOSED:
                 break
             q = q.copy()
-            q[i] -= scipy.linalg.lstsq(J[:, i] / D, gap[:, 0], cond=RANK)[0] / D
+            q[i] -= linalg.lstsq(J[:, i] / D, gap[:, 0], cond=RANK)[0] / D
             if not np.isfinite(q).all():
                 break
         return q

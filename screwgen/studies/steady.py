@@ -10,11 +10,11 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import scipy.linalg
 
 from ..algorithms.travels import efforts
 from ..arguments import Numbers
 from ..errors import SingularError, UsageError
+from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation import validity as valid
 from ..simulation.definiteness import check_definite
@@ -210,7 +210,7 @@ def _natural(K: np.ndarray, G: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.n
         omega, states = np.linalg.eigh(-1j * skew)
         x = states[:n, n:] / np.sqrt(k)[:, None]
         return omega[n:], np.zeros(n), vectors @ _real(x)
-    values, states = scipy.linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-np.diag(k), -G]]))
+    values, states = linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-np.diag(k), -G]]))
     size = GROWTH * np.max(np.abs(values))
     real, turn = np.where(np.abs(values.real) > size, values.real, 0.0), np.where(values.imag > size, values.imag, 0.0)
     kept = np.flatnonzero((turn > 0) & (real >= 0) | (real > 0) & (np.abs(values.imag) <= size))

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-import scipy.linalg
 
 from ..algorithms.travels import efforts
+from ..lazily import linalg
 from ..robot_model import RobotModel
 from ..simulation.definiteness import check_definite
 from ..simulation.mobility import closing
@@ -41,6 +41,6 @@ def about(
     M, K, _ = numeric.slopes(q, still, None, None, tau)
     _, J, _, bend, wrench = (np.array(x) for x in closing(model)(q, still, forces, p))
     K = K - bend
-    kept = scipy.linalg.null_space(J[:, :m], rcond=RANK)
+    kept = linalg.null_space(J[:, :m], rcond=RANK)
     rigid = kept @ unresisted(K[:, :m] @ kept, tau, K[:, m:] @ q[m:])
     return Steady(q, still, M, np.zeros_like(M), (K + K.T) / 2, tau, p, rigid, J, dict(loops), wrench.T)

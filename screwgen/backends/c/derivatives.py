@@ -61,10 +61,15 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
     }
 
 
+def without_wrenches(chain: Chain) -> str:
+    """Why there are no derivatives of the joint wrenches; empty where there are."""
+    return "those of robots with loops are not derived" if chain.closing.rows else ""
+
+
 def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     """The same of the joint wrenches, or why they are ``missing``."""
-    if chain.closing.rows:
-        return {"missing": "those of robots with loops are not derived"}
+    if missing := without_wrenches(chain):
+        return {"missing": missing}
     program = wrench_program(chain, "baked" if baked else "constants")
     nv, count = chain.nv, program.operation_count
     product = 12 * chain.n * nv * (2 * nv + chain.n_tau)

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
-import sympy as sp
-
 from ...arguments import Numbers
+from ...lazily import sp
 from ...spec.parameters import Parameter
 from ..latex.layout import PAGE, Formula, equation
 from .names import MEANINGS, Name, dotted

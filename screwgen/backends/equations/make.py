@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-import sympy as sp
 
 from ...algorithms import fused
 from ...arguments import Numbers
 from ...errors import UsageError
+from ...lazily import sp
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
 from . import names as nm

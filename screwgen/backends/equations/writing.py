@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-import sympy as sp
-
+from ...lazily import sp
 from ..latex.layout import width
 from .names import Name
 from .numbers import exactly

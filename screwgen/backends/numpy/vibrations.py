@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-import scipy.linalg
 
+from ...lazily import linalg
 from ...spec.base import FIXED
 from ...spec.joint import Joint
 from ...spec.parameters import parameters
@@ -39,11 +39,11 @@ def vibrations(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """
     if not len(k):
         return np.zeros(0), np.zeros((0, 0))
-    L = scipy.linalg.cholesky(M, lower=True)
-    periods, vectors, _, scale, _, failed = scipy.linalg.lapack.dgejsv(L.T / np.sqrt(k), joba=0, jobv=3, jobp=0)
+    L = linalg.cholesky(M, lower=True)
+    periods, vectors, _, scale, _, failed = linalg.lapack.dgejsv(L.T / np.sqrt(k), joba=0, jobv=3, jobp=0)
     if failed:
         raise np.linalg.LinAlgError("the Jacobi method does not converge")
-    return scale[1] / scale[0] / periods, scipy.linalg.solve_triangular(L.T, vectors)
+    return scale[1] / scale[0] / periods, linalg.solve_triangular(L.T, vectors)
 
 
 def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -54,9 +54,9 @@ def uncoupled(K: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     k, held = np.diag(K).copy(), np.flatnonzero(np.diag(K))
     T = np.eye(len(K))
     if not np.array_equal(K, np.diag(k)):
-        C = scipy.linalg.cholesky(K[np.ix_(held, held)], lower=True)
+        C = linalg.cholesky(K[np.ix_(held, held)], lower=True)
         k[held] = np.diag(C) ** 2
-        T[np.ix_(held, held)] = scipy.linalg.solve_triangular(C / np.diag(C), np.eye(len(held)), lower=True).T
+        T[np.ix_(held, held)] = linalg.solve_triangular(C / np.diag(C), np.eye(len(held)), lower=True).T
     return T, k
 
 
@@ -66,9 +66,9 @@ def without_rigid_motion(M: np.ndarray, k: np.ndarray) -> tuple[np.ndarray, np.n
     Such a coordinate follows the others without force: `M <- M_ee − M_er M_rr⁻¹ M_re`.
     """
     free, held = np.flatnonzero(k == 0), np.flatnonzero(k)
-    factor = scipy.linalg.cho_factor(M[np.ix_(free, free)]) if len(free) else None
+    factor = linalg.cho_factor(M[np.ix_(free, free)]) if len(free) else None
     rest = M[np.ix_(held, held)]
     if factor is not None and len(held):
         coupling = M[np.ix_(free, held)]
-        rest = rest - coupling.T @ scipy.linalg.cho_solve(factor, coupling)
+        rest = rest - coupling.T @ linalg.cho_solve(factor, coupling)
     return rest, k[held], len(free)

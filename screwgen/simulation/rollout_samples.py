@@ -76,10 +76,10 @@ class Source:
 
     def measured(self, name: str, q: np.ndarray, v: np.ndarray) -> np.ndarray | tuple[np.ndarray, ...]:
         """What sensors measure at the samples (batch, samples, …); a tuple where a function has several results."""
-        p, samples, tau = self.given["parameters"], q.shape[1], self.applied(q, v)
+        p, samples = self.given["parameters"], q.shape[1]
         if name == STRAIN and len(p) == 1:
             return strain(self.model, q, p[0])
-        found = []
+        tau, found = self.applied(q, v), []
         for k in range(len(q)):
             held = {
                 "tau": tau[k],

@@ -120,6 +120,10 @@ def condense(s: Scope) -> tuple[Array, Array]:
     follows, alone = mx.zeros(len(m)), mx.zeros(len(m))
     driving = np.where([axis in s.key.added_axes for axis in range(s.key.joints)], -force, tau - force)
     for k, axis in enumerate(s.key.added_axes):
+        if axis in s.key.prescribed:  # the rotor's acceleration is given, the axis feels it by the gear
+            follows[k], alone[k] = 0.0, effort[axis]
+            driving[axis] = driving[axis] - coupling[k] * effort[axis]
+            continue
         inverse = 1.0 / m[k]
         if axis in s.key.elastic_travels:
             found = et.condensed(s, axis, effort[axis], m[k], f[k], inverse)
@@ -132,6 +136,11 @@ def condense(s: Scope) -> tuple[Array, Array]:
     s.keep("rotor_W", follows)
     s.keep("rotor_w", alone)
     return inertia, driving
+
+
+def prescribed(s: Scope) -> list[int]:
+    """The axes of the joint whose acceleration is given; where the drive is elastic that is the rotor's."""
+    return [axis for axis in s.key.prescribed if axis not in s.key.added_axes]
 
 
 def accelerate_added(s: Scope, qddot: Array) -> None:
@@ -154,7 +163,9 @@ def rotor_accelerations(s: Scope) -> None:
         return
     tau = s.read("tau")
     torque = mx.array([tau[axis] for axis in s.key.added_axes])
-    s.write("thetaddot", (torque - s.read("f_theta")) / s.read("m_theta"))
+    found = (torque - s.read("f_theta")) / s.read("m_theta")
+    given = [axis in s.key.prescribed for axis in s.key.added_axes]
+    s.write("thetaddot", np.where(given, torque, found))
 
 
 def drive_power(s: Scope) -> None:
@@ -178,7 +189,7 @@ def driven_rate(s: Scope, axis: int, guarded: bool = True) -> Value:
 def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
     """What acts on the joint's axes besides dampers and springs with one end at rest, and the inertia of the axes.
 
-    That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause. Dry
+    That is the torque, where motion is given the acceleration, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause. Dry
     friction and stops are included, and what a transmission makes of the drive.
     """
     tau, inertia = s.read("tau").copy(), armature(s)
@@ -197,7 +208,7 @@ def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
         if drive_of(s.key, axis).damping:
             tau[axis] = tau[axis] - of("gear_damping", axis) * s.read("thetadot")[k]
     for axis, force in axis_forces(s, q, qdot):
-        tau[axis] = tau[axis] - force
+        tau[axis] = tau[axis] if axis in prescribed(s) else tau[axis] - force
     return tau, inertia
 
 

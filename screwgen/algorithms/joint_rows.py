@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ..algebra.expression import Diagonal, Expression, identity, stack, zeros
+from collections.abc import Sequence
+
+from ..algebra.expression import Diagonal, Expression, identity, matrix, stack, zeros
 from ..algebra.screw import diagonal_blocks, shift, twice
 from ..ir.block import Block
 from ..spec.link_class import LinkClass
@@ -19,7 +21,8 @@ def joint_rows_block(key: LinkClass) -> Block:
     """The six completed rows of a joint: the projected acceleration constraint, and the balance of the motor torques.
 
     ``P (J_B Vdot_i - X Vdot_T - J_B beta) + S S^+ w - S^+T (tau - J_m qddot - b qdot - k q) = 0``
-    with ``qddot = S^+ (J_B Vdot_i - X Vdot_T - J_B beta)``. The projector ``P`` (43) has rank 6 - m; the torque
+    with ``qddot = S^+ (J_B Vdot_i - X Vdot_T - J_B beta)``. An axis whose acceleration ``a`` is given has ``qddot = a``
+    in place of its balance, along its column of ``S``. The projector ``P`` (43) has rank 6 - m; the torque
     balance completes the six rows.
     """
     b = Block("joint_rows", "Rows of the joint")
@@ -37,19 +40,29 @@ def joint_rows_block(key: LinkClass) -> Block:
     J_B = b.step("J_B", shift(joint_point(b, key)))
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
-    inert = identity(size) - N
+    inert, borne, balance, driven = identity(size) - N, N, S_plus.T, S_plus.T
+    if given := [axis for axis in key.prescribed if axis not in key.added_axes]:
+        leads = _selection(m, given)
+        balance = S_plus.T @ (identity(m) - leads)
+        inert, borne, driven = inert + S @ leads @ S_plus, balance @ S.T, balance + S @ leads
     if key.has_constant_inertia or key.has_travelling_inertia:
         J_m = b.input("J_m", (m, 1)) if key.has_travelling_inertia else b.parameter("armature", (m, 1))
-        inert = inert + S_plus.T @ Diagonal(J_m) @ S_plus
+        inert = inert + balance @ Diagonal(J_m) @ S_plus
     P_c = b.step("P_c", _whole(inert, identity(3)))
-    b.step("joint_w", _whole(N, zeros(3, 3)))
+    b.step("joint_w", _whole(borne, zeros(3, 3)))
     b.step("joint_V", P_c @ J_B)
     PX = b.step("PX", P_c @ X)
     passive = _passive(b, key)
     bias = -(P_c @ J_B @ beta) - PX @ b_P
-    b.step("joint_H", bias + _column(S_plus.T @ passive) if passive is not None else bias)
-    b.step("joint_W", _column(S_plus.T @ tau) if m else zeros(6))
+    b.step("joint_H", bias + _column(balance @ passive) if passive is not None else bias)
+    b.step("joint_W", _column(driven @ tau) if m else zeros(6))
     return b
+
+
+def _selection(m: int, axes: Sequence[int]) -> Expression:
+    """(m, m): one on the diagonal of the given axes, zero elsewhere."""
+    rows = [[int(i == j and i in axes) for j in range(m)] for i in range(m)]
+    return matrix(rows, (m, m), r"\mathbf{I}_{a}")
 
 
 def _rows_in_space(b: Block) -> Block:

@@ -19,7 +19,7 @@ import numpy as np
 from ..ir.program import Array, Value
 from ..spec.link_class import EXACT
 from . import matrices as mx
-from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia
+from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia, prescribed
 from .elastic_travels import carrying_along
 from .joint_terms import joint_point, rotation
 from .modal_elimination import eliminate_modes, modal_accelerations
@@ -181,12 +181,17 @@ def eliminate(s: Scope) -> None:
 def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
-    The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`.
+    The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`. An axis whose acceleration a is given is
+    not eliminated: it adds ``M s a`` to the bias and leaves the inertia whole.
     """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
-        U = s.name("U", mx.multiply(M, S))
         own, driving = condense(s)
+        for axis in prescribed(s):
+            a = s.read("tau")[axis]
+            h = s.name("h_given", h + mx.multiply(M, S[:, axis]) * a, "h_V")
+            S, own, driving = without_column(S, axis), with_entry(own, axis, 1.0), with_entry(driving, axis, a)
+        U = s.name("U", mx.multiply(M, S))
         inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
         L, inverse = mx.factorise(inertia, s.tracer, scale)
@@ -197,6 +202,20 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
         s.keep("joint_W", W)
         s.keep("joint_w", w)
         return s.name("Lambda_i", mx.subtract_product(M, Z, W)), s.name("p_i", h + mx.multiply(Z.T, w))
+
+
+def without_column(S: Array, k: int) -> Array:
+    """The motion subspace without the motion of an axis."""
+    out = S.copy()
+    out[:, k] = 0.0
+    return out
+
+
+def with_entry(x: Array, k: int, value: Value) -> Array:
+    """A vector with another entry."""
+    out = x.copy()
+    out[k] = value
+    return out
 
 
 def accelerate(s: Scope) -> None:

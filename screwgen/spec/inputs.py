@@ -14,10 +14,13 @@ from .tendons import TENSIONS
 
 
 class Torques(Input):
-    """Torques of joint axes, of those that slide forces; where drives are elastic they act on rotors."""
+    """Torques of joint axes, of those that slide forces; where drives are elastic they act on rotors.
+
+    Of an axis whose motion is given its acceleration; where its drive is elastic that of the rotor.
+    """
 
     words = "torques of axes"
-    kinds = ("torque", "force")
+    kinds = ("torque", "force", "acceleration")
     signal = "tau"
 
     def names(self, robot: Robot) -> list[str]:
@@ -71,4 +74,6 @@ def efforts(robot: Robot) -> Iterator[tuple[Link, int, str, str]]:
     """Link and number of every axis, and what its input is called, with its unit: that of the axis, or of its drive."""
     for link in robot.links:
         for j, (screw, own) in enumerate(zip(link.joint.screws, link.joint.driven, strict=True)):
-            yield link, j, *own.effort(screw)
+            turns = own.elastic or screw.turn
+            given = ("acceleration", "rad/s²" if turns else "m/s²")
+            yield link, j, *(given if j in link.joint.prescribed else own.effort(screw))

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
-from ..elements import AxisElement
+from ..elements import AxisElement, HeldLaw
 from ..joints.kind import JointKind
 from ..joints.product import product
 from ..joints.screw import Screw, Vector
@@ -17,7 +17,7 @@ from .limit import Limit
 from .limit import check as check_limits
 from .part import Part
 from .stated import Stated
-from .values import refuse
+from .values import array, choice, quoted, refuse
 
 Axes = Annotated[tuple[Vector | Screw, ...], PlainValidator(axes), PlainSerializer(written)]
 PerAxis = tuple[float, ...]
@@ -40,9 +40,19 @@ STIFFNESS = Stated(
     several=True,
 )
 
+TORQUE, MOTION = "torque", "motion"
+"""What the input of an axis is: the effort of its drive, from which its acceleration follows, or the acceleration."""
+ACTUATION = (TORQUE, MOTION)
+PER_AXIS_WORDS = ("drives", "limits", "elements", "actuation")
 MOVED_BY = ("armature", "drives")
 """The keys that say what drives an axis."""
 PER_AXIS = ("armature", "damping", "stiffness")
+
+
+def _actuation(value: Any) -> tuple[str, ...]:
+    """A word of `ACTUATION` for each axis."""
+    said = array(value, f"an array of {quoted(ACTUATION[0])} or {quoted(ACTUATION[1])}, one for each axis")
+    return tuple(choice(*ACTUATION)(one) for one in said)
 
 
 class Mount(Part):
@@ -80,6 +90,12 @@ class Joint(Part):
         None, description="the limits of each axis, an array of tables: range and stops; {} is none"
     )
 
+    actuation: Annotated[tuple[str, ...], PlainValidator(_actuation), PlainSerializer(list)] | None = Field(
+        None,
+        description='"torque": the input of the axis is the effort of its drive; "motion": its acceleration, and the '
+        "effort follows; of several axes an array",
+    )
+
     elements: Annotated[tuple[OfAxis, ...], PlainValidator(axis_elements), PlainSerializer(stated)] | None = Field(
         None, description="what else acts on each axis, an array of tables such as { spring = { … } }; {} is nothing"
     )
@@ -93,8 +109,13 @@ class Joint(Part):
             return given
         alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
         one = dict | Drive | Limit | AxisElement
-        tables = {k: [given[k]] for k in ("drives", "limits", "elements") if isinstance(given.get(k), one)}
+        tables = {k: [given[k]] for k in PER_AXIS_WORDS if isinstance(given.get(k), one | str)}
         return given | alone | tables
+
+    @property
+    def prescribed(self) -> tuple[int, ...]:
+        """The axes whose motion is given."""
+        return tuple(k for k, what in enumerate(self.actuation or ()) if what == MOTION)
 
     @property
     def driven(self) -> tuple[Drive, ...]:
@@ -150,7 +171,7 @@ class Joint(Part):
 
     @model_validator(mode="after")
     def _a_joint_without_axes_has_damping_alone(self) -> Self:
-        for name in ("armature", "stiffness", "drives", "limits", "elements") if self.kind.curved else ():
+        for name in ("armature", "stiffness", *PER_AXIS_WORDS) if self.kind.curved else ():
             if getattr(self, name) is not None:
                 said = f"is stated of a {self.kind.name} joint, which has no axes; leave it out, damping aside"
                 raise refuse(said, at=(name,))
@@ -163,6 +184,17 @@ class Joint(Part):
             if values is not None and len(values) != len(self.axes):
                 what = f"has length {len(values)}; it must hold one number per axis, {len(self.axes)}"
                 raise refuse(what, at=(name,))
+        if self.actuation is not None and len(self.actuation) != len(self.axes):
+            what = f"has length {len(self.actuation)}; it must hold one word per axis, {len(self.axes)}"
+            raise refuse(what, at=("actuation",))
+        for axis in self.prescribed:
+            if drive := self.driven[axis].travel:
+                what = f'is "motion" of an axis that a {drive.SHORT} drives; give the motion of the axis without it'
+                raise refuse(what, at=("actuation", axis))
+        for axis, own in enumerate(self.elements or ()):
+            if axis in self.prescribed and any(isinstance(one, HeldLaw) for one in own):
+                said = 'changes the effort of a drive, and the axis has actuation "motion"; leave out one of them'
+                raise refuse(said, at=("elements", axis))
         if self.elements is not None and len(self.elements) != len(self.axes):
             what = f"has length {len(self.elements)}; it must hold one table per axis, {len(self.axes)}"
             raise refuse(f"{what}; an empty one is no element", at=("elements",))

@@ -93,7 +93,9 @@ class LinkClass:
     stop_damping: tuple[int, ...] = ()
     """The axes whose stops have damping."""
     limited_efforts: tuple[int, ...] = ()
-    """The axes whose efforts have a limit."""
+    """The axes whose efforts have a limit that a step holds."""
+    prescribed: tuple[int, ...] = ()
+    """The axes whose motion is given: their input is an acceleration."""
     elements: tuple[tuple[type[AxisElement], int], ...] = ()
     """The elements of the axes by their kind, each with its axis."""
     tendons: tuple[TendonClass, ...] = ()
@@ -311,7 +313,10 @@ def link_class(
         drives=drive_classes(joint),
         stops=stops(joint),
         stop_damping=tuple(k for k, x in enumerate(joint.limits or ()) if x.damping is not None),
-        limited_efforts=tuple(k for k, x in enumerate(joint.limits or ()) if x.effort is not None),
+        limited_efforts=tuple(
+            k for k, x in enumerate(joint.limits or ()) if x.effort is not None and k not in joint.prescribed
+        ),
+        prescribed=joint.prescribed,
         elements=tuple((type(one), axis) for axis, own in enumerate(joint.elements or ()) for one in own),
         frame_at=link.frame_at is not None,
         length=link.length is not None,

@@ -152,6 +152,14 @@ class Coordinates(LawCoordinates):
         return out
 
     @cached_property
+    def prescribed(self) -> list[int]:
+        """The joint coordinates, as their numbers, whose drives move as is given: their input is an acceleration.
+
+        Of an elastic drive it is that of its rotor; :attr:`held_places` says where in `v`.
+        """
+        return [self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.prescribed]
+
+    @cached_property
     def elastic_travels(self) -> dict[int, int]:
         """The joint coordinates, as their numbers, that elastic gears of transmissions drive: the place of each gear's
         coordinate in `v`."""

@@ -7,7 +7,7 @@ from collections import Counter
 from ...spec.parameters import per_internal
 from ...topology.chain import Chain
 from ..templates import FEATURES
-from . import closing, forces, held, inputs, laws
+from . import closing, forces, held, inputs, laws, prescribed
 from .code import Place
 
 
@@ -25,7 +25,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     """
     written = closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
     written += ("internal",) * bool(chain.n_internal)
-    written += inputs.features(chain) + held.HELD * chain.holds
+    written += inputs.features(chain) + held.HELD * chain.holds + prescribed.PRESCRIBED * bool(chain.prescribed)
     acting = forces.content(chain, baked, place)
     out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
     kept = forces.scratch(chain, acting)
@@ -37,6 +37,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     rates = dict(sorted((z, chain.nv - chain.n_given + acted.coordinate) for own in pairs for z, acted in own))
     out |= {"internal_rates_of": list(rates.values())}
     out |= {"z_offset": chain.z_offset[:-1], "N_CHANGES": "$$_NV + $$_NVZ" if chain.n_internal else "2 * $$_NV"}
+    out |= {"prescribed": prescribed.content(chain)} if chain.prescribed else {}
     out |= {"held": held.content(chain, baked, place) if chain.holds else None}
     out["switches"] = laws.calls(chain, "on") or forces.switches(chain) or held.switches(chain)
     out["exponential"] = laws.calls(chain, "exp")

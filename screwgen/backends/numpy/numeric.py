@@ -38,7 +38,7 @@ from ...errors import ScrewgenError, SingularError
 from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
-from . import by_p
+from . import by_p, prescribed
 from .python import Function, compiled
 from .rates import ValuesPerRate
 
@@ -235,7 +235,8 @@ class Numeric:
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         found = self._slopes(q, v, vdot, w_ext, tau)
         M, f_v = symmetric(found.M), np.hstack([found.f_v, found.f_z])
-        by_q, by_v, by_tau = (np.linalg.solve(M, x) for x in (-found.f_q, -f_v, given))
+        M, by_q, by_v, by_tau = prescribed.set_apart(self.chain, M, -found.f_q, -f_v, given)
+        by_q, by_v, by_tau = (np.linalg.solve(M, x) for x in (by_q, by_v, by_tau))
         return with_internal_rates(found, by_q, by_v, by_tau)
 
     def _by_inputs(self, q: Numbers) -> np.ndarray:
@@ -257,8 +258,10 @@ class Numeric:
         f, J = of_numbers(f), rows.J.astype(float)
         inertia, others = symmetric(f.M), f.f_z.shape[1] + given.shape[1]
         drifts = [rows.by_q, rows.by_v, np.zeros((len(J), others))]
-        unconstrained = np.linalg.solve(inertia, np.hstack([-f.f_q, -f.f_v, -f.f_z, given]))
+        inertia, *forces = prescribed.set_apart(self.chain, inertia, -f.f_q, np.hstack([-f.f_v, -f.f_z]), given)
+        unconstrained = np.linalg.solve(inertia, np.hstack(forces))
         reach = np.linalg.solve(inertia, J.T)
+        reach[prescribed.places(self.chain)] = 0.0
         found = unconstrained - reach @ self.row_forces(J @ reach, J @ unconstrained + np.hstack(drifts).astype(float))
         return with_internal_rates(f, *np.split(found, [self.chain.nv, self.chain.nv + self.chain.nvz], axis=1))
 

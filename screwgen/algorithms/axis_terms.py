@@ -189,8 +189,9 @@ def driven_rate(s: Scope, axis: int, guarded: bool = True) -> Value:
 def joint_torque(s: Scope, q: Array, qdot: Array) -> tuple[Array, Array]:
     """What acts on the joint's axes besides dampers and springs with one end at rest, and the inertia of the axes.
 
-    That is the torque, where motion is given the acceleration, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause. Dry
-    friction and stops are included, and what a transmission makes of the drive.
+    That is the torque, or of an elastic drive the part of its gear's torque that the rotor's angle and rate cause. Dry
+    friction and stops are included, and what a transmission makes of the drive. Of axes whose motion is given it is
+    the acceleration.
     """
     tau, inertia = s.read("tau").copy(), armature(s)
     if s.key.travels:

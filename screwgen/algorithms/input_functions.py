@@ -15,6 +15,7 @@ from ..topology.chain import Chain
 from . import matrices as mx
 from . import tendons
 from .axis_terms import drive_power
+from .loops import Loads
 from .schedule import OUTWARD, Algorithm, Phase
 
 POWER: Algorithm = (Phase(drive_power, OUTWARD), Phase(tendons.power, OUTWARD))
@@ -31,6 +32,10 @@ class InputFunctions:
     world: Sequence
     given: tuple[Sequence, Sequence] | None
     alone: Callable[[], Self]
+    without_forces: Callable[[], Self]
+    with_loops: Callable[..., Loads]
+    coupling_torques: Callable[..., list]
+    forward: Callable[..., tuple[list, list]]
     loads: Callable[..., tuple[list, list]]
     energy: Callable[..., tuple[Value, Value]]
     _run: Callable[..., tuple[list, list]]
@@ -75,6 +80,22 @@ class InputFunctions:
                 forces = self._exerted(row, q)
                 told[row] = [x * mx.dot(force, v) for x, force in zip(values, forces, strict=True)]
         return [x for row in self.chain.inputs for x in told[row]]
+
+    def drive_efforts(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
+        """The entries of ``tau`` with, in place of accelerations that are given, the efforts that they need."""
+        given = self.with_loops(q, v, tau, w_ext)
+        links, _ = self.forward(q, v, *given)
+        vdot = self.chain.join(links, "qddot", "etaddot")
+        force = self.falling(tau).without_forces().loads(q, v, vdot, given.w_ext)[0]
+        coupled = self.coupling_torques(q, v, tau, w_ext) if self.chain.closing.couplings else [0.0] * len(tau)
+        out = list(tau)
+        for k in self.chain.prescribed:  # of a coupling's torque the drive is relieved
+            out[k] = force[self.chain.held_places[k]] - coupled[k]
+        return out
+
+    def effort_power(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
+        """The power that each drive gives to the arm where the motion of some is given."""
+        return self.drive_power(q, v, self.drive_efforts(q, v, tau, w_ext))
 
     def exerted(self, q: Sequence) -> Rows:
         """The generalised forces (nv,) per unit of each input, those of torques left out."""

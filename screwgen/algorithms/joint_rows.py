@@ -40,7 +40,9 @@ def joint_rows_block(key: LinkClass) -> Block:
     J_B = b.step("J_B", shift(joint_point(b, key)))
     N = b.step("N", S @ S_plus if m else zeros(size, size))
     b.step("P", _whole(identity(size) - N, identity(3)))
-    inert, borne, balance, driven = identity(size) - N, N, S_plus.T, S_plus.T
+    balance: Expression = S_plus.T
+    borne: Expression = N
+    inert, driven = identity(size) - N, balance
     if given := [axis for axis in key.prescribed if axis not in key.added_axes]:
         leads = _selection(m, given)
         balance = S_plus.T @ (identity(m) - leads)

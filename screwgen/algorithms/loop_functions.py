@@ -77,8 +77,8 @@ class LoopFunctions:
         still.given, still.section = (self._inertia(), [0.0] * chain.n_given), nullcontext
         exerted = []
         for unit in state.units():
-            borne = [-x for x in still.loads(q, rest, rest, unit.w_ext)[0]]
-            for k, torque in enumerate(unit.tau, chain.base_v):
+            borne = [-x for x in still.loads(q, rest, rest, state.wrenches(unit))[0]]
+            for k, torque in enumerate(state.torques(unit), chain.base_v):
                 borne[k] = borne[k] + torque
             exerted.append(borne)
         passive, driven = chain.passive_axes, chain.driven_axes
@@ -147,7 +147,7 @@ class LoopFunctions:
         still = self.alone()
         still.given, still.section = (inertia, [0.0] * self.chain.n_given), nullcontext
         rest = [0.0] * self.chain.nv
-        found = [still.forward(q, rest, *unit) for unit in state.units()]
+        found = [still.forward(q, rest, *state.loads(unit)) for unit in state.units()]
         answers = [state.accelerations(*one) for one in found]
         with self.section("loops: accelerations of the gaps by unit forces of the rows"):
             A = mx.symmetric(len(answers), lambda i, j: state.rows[i].power(answers[j]))

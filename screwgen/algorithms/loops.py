@@ -224,13 +224,15 @@ class LoopState:
         return total
 
     def loads(self, forces: Vector) -> Loads:
-        """Both."""
-        return Loads(self.torques(forces), self.wrenches(forces))
+        """Both, as far as they move anything: torques on axes whose motion is given do not."""
+        own = self.chain.prescribed
+        torques = [0.0 if k in own else x for k, x in enumerate(self.torques(forces))]
+        return Loads(torques, self.wrenches(forces))
 
-    def units(self) -> Iterator[Loads]:
-        """What a unit force of each row exerts."""
+    def units(self) -> Iterator[Vector]:
+        """A unit force of each row."""
         count = len(self.rows)
-        return (self.loads([float(j == k) for j in range(count)]) for k in range(count))
+        return ([float(j == k) for j in range(count)] for k in range(count))
 
 
 @cache

@@ -34,6 +34,18 @@ def drive_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
     return {"power": f.drive_power(q, v, tau)}
 
 
+@fused.program("q v tau w_ext")
+def drive_effort(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
+    """``(q, v, tau, w_ext) -> (effort)``."""
+    return {"effort": f.drive_efforts(q, v, tau, w_ext)}
+
+
+@fused.program("q v tau w_ext")
+def effort_power(f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> fused.Outputs:
+    """``(q, v, tau, w_ext) -> (power)``."""
+    return {"power": f.effort_power(q, v, tau, w_ext)}
+
+
 @fused.program("q v tau", algorithms=(HOLD,))
 def held_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
     """``(q, v, tau) -> (held)``: what a step that begins at the state holds."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import io
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -163,10 +163,10 @@ class Recorder:
         measures = self.measures(q, wrench, motion, self.table.p)[0]
         return wrench if self.table.watch(t, measures.reshape(-1, len(MEASURES))) else None
 
-    def __call__(self, row: int, q: np.ndarray, v: np.ndarray, wrench: np.ndarray, tau: np.ndarray) -> None:
-        """Keep a sample."""
+    def __call__(self, row: int, q: np.ndarray, v: np.ndarray, wrench: np.ndarray, held: Sequence[np.ndarray]) -> None:
+        """Keep a sample; ``held``: the inputs and tip wrenches that act."""
         p = self.table.p
-        given, tip = {"q": q, "v": v, "tau": tau}, self.tip_pose(q, p)[1]
+        given, tip = {"q": q, "v": v, "tau": (tau := held[0]), "w_ext": held[1]}, self.tip_pose(q, p)[1]
         told = [x for names, report in self.reports.values() for x in report(*(given[name] for name in names), p)]
         self.table.rows[row] = np.concatenate([self.table.times[row : row + 1], q, v, tau, wrench, tip, *told])
         self.table.filled(row + 1)
@@ -190,7 +190,8 @@ class Recorder:
             return energy(state)
 
         given = self.hold(*plant.coordinates(before), tau)
-        power = sum(float(np.sum(reported("drive_power", x, given))) for x in (before, after)) / 2
+        told, more = ("effort_power", (given, w_ext)) if "effort_power" in self.reports else ("drive_power", (given,))
+        power = sum(float(np.sum(reported(told, x, *more))) for x in (before, after)) / 2
         self.table.loops.begin(lambda: energy(before))
         self.table.loops.weigh(t, energy(after), power * dt, again)
 

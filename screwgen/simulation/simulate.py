@@ -178,7 +178,7 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
                         table.acted(task.rows(k), wrench)
                         if model.chain.holds:
                             table.limited.take(np.array([t]), tau, held)
-                        record(task.rows(k), q, v, joints, held)
+                        record(task.rows(k), q, v, joints, (held, wrench))
                 if k < task.steps:
                     before, given = state, (tau, wrench, task.reach(k))
                     state = plant.step(before, *given)

@@ -37,7 +37,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     rates = dict(sorted((z, chain.nv - chain.n_given + acted.coordinate) for own in pairs for z, acted in own))
     out |= {"internal_rates_of": list(rates.values())}
     out |= {"z_offset": chain.z_offset[:-1], "N_CHANGES": "$$_NV + $$_NVZ" if chain.n_internal else "2 * $$_NV"}
-    out |= {"prescribed": prescribed.content(chain)} if chain.prescribed else {}
+    out |= {"prescribed": prescribed.content(chain) if chain.prescribed else None}
     out |= {"held": held.content(chain, baked, place) if chain.holds else None}
     out["switches"] = laws.calls(chain, "on") or forces.switches(chain) or held.switches(chain)
     out["exponential"] = laws.calls(chain, "exp")

@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import SingularError, UsageError
 from ..model import Model, derive
 from ..simulation.state import refusals, state_in
-from ..spec.inputs import input_units
+from ..spec.inputs import effort_names, effort_units, input_units
 from ..spec.load import one_line
 from ..spec.parameters import coordinate_units
 from ..spec.ranges import within
@@ -283,7 +283,7 @@ def text(model: Model, e: Equilibrium) -> str:
         told |= dict.fromkeys(e.held_joints, ", held")
     units = [unit + told.get(name, "") for name, unit in named]
     lines += table(angles, model.q_names[joints], e.q[joints], units)
-    lines += table(torques, model.tau_names, e.tau, input_units(model.robot))
+    lines += table(torques, effort_names(model.robot), e.effort, effort_units(model.robot))
     lines += [f"{'tip in the inertial frame':29}" + heads(1)]
     lines += [f"{'  position, m':29}" + row(e.tip_position), f"{'  deflection, mm':29}" + row(1e3 * e.tip_deflection)]
     titles = ("deflection of its tip, mm", "joint moment, N·m", "joint force, N")

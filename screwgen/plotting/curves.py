@@ -49,7 +49,10 @@ AXIS_CURVES = (
     *(AxisCurves(one.title, one.symbol, one.unit, "q", f".{one.name}[") for one in ADDED),
     AxisCurves("Torques", "τ", "N·m", "tau", ".torque[", "bound"),
     AxisCurves("Forces of drives", "f", "N", "tau", ".force[", "bound"),
+    AxisCurves("Given accelerations", "a", "rad/s²", "tau", ".acceleration["),
+    AxisCurves("Efforts of drives", "τ", "N·m", "drive_effort", ".effort[", "bound"),
     AxisCurves("Power of drives", "P", "W", "drive_power", ".power["),
+    AxisCurves("Power of drives", "P", "W", "effort_power", ".power["),
 )
 """The panels of axes, for figures and for the viewer."""
 

@@ -109,8 +109,10 @@ def _other_inputs(run: Run) -> Iterator[Panel]:
     for row, title, symbol, unit, array in (
         (TENSIONS, "Tensions of tendons", "T", "N", "tau"),
         (TENSIONS, "Power of tendons", "P", "W", "drive_power"),
+        (TENSIONS, "Power of tendons", "P", "W", "effort_power"),
         (None, "Other inputs", "u", _unit(run), "tau"),
         (None, "Power of other inputs", "P", "W", "drive_power"),
+        (None, "Power of other inputs", "P", "W", "effort_power"),
     ):
         if array in run.arrays and (kept := places(run.tau_names, row)):
             pairs = zip(run.arrays[array][:, kept].T, _owners(run, row), strict=True)

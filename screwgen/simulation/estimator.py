@@ -16,6 +16,7 @@ import numpy as np
 
 from ..algorithms.measurement import Measurement, SensorNumber, comparison
 from ..arguments import Given
+from ..backends.numpy import prescribed
 from ..backends.numpy.covariance import corrected, root
 from ..backends.numpy.covariance import deviations as of_innovations
 from ..backends.numpy.held import HeldChain
@@ -251,7 +252,7 @@ class Estimator(KalmanFilter):
         at = slice(chain.nv - chain.n_given, None)
         M[at, at] += chain.modal_product(own.added(FIRM)[:, None], np.eye(chain.n_given))
         _, J, J_q, *_ = (np.array(x) for x in closing(self.model)(q, v, np.zeros(len(chain.closing.rows)), self._p))
-        answers = np.linalg.solve(M, J.T)
+        answers = prescribed.answers(chain, M, J.T)
         return J, J_q, self._numeric.row_forces(J @ answers, answers.T).T
 
     def _conditioned(self, S: np.ndarray) -> np.ndarray:

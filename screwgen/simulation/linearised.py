@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..arguments import Numbers, parameters_keyword
+from ..backends.numpy import prescribed
 from ..backends.numpy.dae_step import space_of
 from ..errors import SingularError, UsageError
 from ..integrators.method import Method
@@ -202,10 +203,13 @@ class Linearised:
         n, heavy = self.model.chain.n_given, self.mass_matrix.copy()
         own = slice(self.model.nv - n, None)
         heavy[own, own] += self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
-        factor = np.linalg.solve(heavy, self.mass_matrix - np.diag(self.armature))
+        given, force = prescribed.places(self.model.chain), self.mass_matrix - np.diag(self.armature)
+        force[:, given] -= heavy[:, given]
+        factor = prescribed.answers(self.model.chain, heavy, force)
+        factor[given, given] = 1.0
         if self.model.chain.closing.rows:
             J = mobility.jacobian(self.model, self.q, self.p)
-            reach = np.linalg.solve(heavy, J.T)
+            reach = prescribed.answers(self.model.chain, heavy, J.T)
             factor += reach @ self.numeric.row_forces(J @ reach, J @ (np.eye(len(heavy)) - factor))
         return AccelerationSlopes(*(factor @ slope for slope in self._light))
 
@@ -220,6 +224,9 @@ class Linearised:
         elif self.trim is not None:
             modes = np.append(np.zeros(chain.n_given - nv + b + m), self.trim[b + m :])
             force, torque = force + modes, torque - self.trim[b : b + m]
+        if self.trim is not None and chain.prescribed:  # accelerations that are given, and zero
+            torque = torque.copy()
+            torque[chain.prescribed] = 0.0
         parts = np.cumsum([nv, nv, m, chain.n_given])
         seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
         still = [np.zeros((parts[-1], k)) for k in (6 * n, chain.n_inertia, len(self.p))]

@@ -65,6 +65,20 @@ def input_units(robot: Robot) -> list[str]:
     return [unit for row in inputs(robot) for unit in row.units(robot)]
 
 
+def effort_names(robot: Robot) -> list[str]:
+    """The names of what drives exert: those of `tau`, and `arm.effort[0]` where the motion of an axis is given."""
+    given = {f"{link.name}.acceleration[{j}]" for link in robot.links for j in link.joint.prescribed}
+    return [name.replace(".acceleration[", ".effort[") if name in given else name for name in input_names(robot)]
+
+
+def effort_units(robot: Robot) -> list[str]:
+    """Their units."""
+    axes = [
+        (screw, own) for link in robot.links for screw, own in zip(link.joint.screws, link.joint.driven, strict=True)
+    ]
+    return [own.effort(screw)[1] for screw, own in axes] + input_units(robot)[len(axes) :]
+
+
 def quantities(robot: Robot) -> list[str]:
     """The key of `ranges.RANGES` of each."""
     return [row.quantity for row in inputs(robot) for _ in row.names(robot)]

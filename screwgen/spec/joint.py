@@ -136,7 +136,8 @@ class Joint(Part):
 
     def is_moved(self, axis: int) -> bool:
         """Whether something drives an axis, see `MOVED_BY`."""
-        return bool((self.armature and self.armature[axis]) or self.driven[axis] != Drive())
+        moved = (self.armature and self.armature[axis]) or self.driven[axis] != Drive()
+        return bool(moved or axis in self.prescribed)
 
     def between(self, axis: int) -> str:
         """What stands between the effort of a drive and its axis, which it then does not act on; empty if nothing."""

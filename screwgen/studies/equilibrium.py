@@ -45,6 +45,8 @@ class Equilibrium:
     """(nq,): joint coordinates, those of rotors, then modal ones."""
     tau: np.ndarray
     """(n_tau,): torques where they act, N·m, of slides forces, N; for held joints those that hold them; tensions, N."""
+    effort: np.ndarray
+    """(n_tau,): the same where the motion of axes is given; their entries in `tau`, accelerations, are zero."""
     held: bool
     """Whether joints are held; if not, they are free under `tau`."""
     held_joints: tuple[str, ...]
@@ -85,7 +87,7 @@ class Equilibrium:
 
     def _repr_html_(self) -> str:
         """Coordinates with the torques on the joints, and the tip."""
-        torques = [*map(notebook.number, self.tau), *[""] * (len(self.q) - len(self.tau))]
+        torques = [*map(notebook.number, self.effort), *[""] * (len(self.q) - len(self.tau))]
         rows = [*zip(self.q_names, self.q, torques, strict=True)]
         rows += [(f"tip_position.{axis}", x, "") for axis, x in zip("xyz", self.tip_position, strict=True)]
         force = "torque, N·m; of slides force, N" if any(".slide[" in x for x in self.q_names) else "torque, N·m"
@@ -225,9 +227,11 @@ def _report(statics: Statics, b: Balance, held: np.ndarray, wanted: Asked, state
     holding = efforts(model.chain, np.where(held, b.force[driven], 0.0), b.q[:m], statics.p, held=True)
     stability, eigenvalues, loose = _stability(statics, b)
     named = lambda which: tuple(name for name, there in zip(model.q_names[:m], which, strict=True) if there)  # noqa: E731
+    effort = np.append(np.where(held, holding + 0.0, statics.load[driven]), statics.others)
     return Equilibrium(
         q=b.q,
-        tau=np.append(np.where(held, holding + 0.0, statics.load[driven]), statics.others),
+        tau=np.where(np.isin(np.arange(model.n_tau), model.chain.prescribed), 0.0, effort),
+        effort=effort,
         held=wanted.at_all,
         held_joints=named(held),
         passive=named(wanted.joints & ~held & (statics.springs[:m] > 0)),

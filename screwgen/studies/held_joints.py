@@ -38,17 +38,24 @@ class Asked(NamedTuple):
 
 
 def asked(model: RobotModel, hold: Hold, free: Sequence[str], sprung: np.ndarray) -> Asked:
-    """The joints that the arguments of `equilibrium` hold; `sprung` (n_joints,): those with springs."""
+    """The joints that the arguments of `equilibrium` hold; `sprung` (n_joints,): those with springs.
+
+    Those whose motion is given are held by that.
+    """
+    given = np.isin(np.arange(model.n_joints), model.chain.prescribed)
     if isinstance(hold, str):
         choice(hold, ("all",), "hold: True, False, 'all' or a list of names; there is no")
     if not isinstance(hold, bool | str):
         if len(free):
             raise UsageError("hold and free both name joints; name those to hold, or those to leave free")
-        named = _named(model, hold, "hold")
+        named = _named(model, hold, "hold") | given
         return Asked(named, named, True, True)
-    at_all = bool(hold) or len(free) > 0
-    joints = ~_named(model, free, "free") & at_all
-    return Asked(joints, joints if hold == "all" else joints & ~sprung, False, at_all)
+    at_all, freed = bool(hold) or len(free) > 0, _named(model, free, "free")
+    if stuck := [model.q_names[model.chain.base_q + k] for k in np.flatnonzero(freed & given)]:
+        raise UsageError(f"free: the motion of {stuck[0]} is given; leave it out")
+    joints = (~freed & at_all) | given
+    held = joints if hold == "all" else joints & (~sprung | given)
+    return Asked(joints, held, False, bool(at_all or given.any()))
 
 
 def _named(model: RobotModel, names: Sequence[str], what: str) -> np.ndarray:

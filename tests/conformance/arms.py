@@ -158,6 +158,13 @@ def _boom(row: Row) -> dict:
         boom["bodies"] = [{"at": "base", "mass": 0.7, "com": [0.02, 0.05, -0.03]}, copy.deepcopy(PAYLOAD)]
     if row["axis"] == "limited" and row["base"] != "afloat":
         boom["joint"]["limits"] = [{"effort": ENOUGH} for _ in boom["joint"]["axes"]]
+    if (
+        row["axis"] == "given motion"
+        and row["base"] != "afloat"
+        and row["turn"] != "ball"
+        and row["closing"] not in LOOPS
+    ):
+        boom["joint"]["actuation"] = ["motion", *["torque"] * (len(boom["joint"]["axes"]) - 1)]
     if row["more"] == "markers":
         boom["markers"] = [{"name": "lug", "at": 0.45}]
     if "boom.eye" in str(FORCES.get(row["force"])):
@@ -191,6 +198,8 @@ def _fore(row: Row) -> dict:
             joint["limits"] = [{"lower": -0.1, "upper": 0.15, "stiffness": 90.0, "damping": 3.0}]
         case "limited":
             joint["limits"] = [{"effort": EFFORT}]
+        case "given motion":
+            joint["actuation"] = "motion"
         case "passive":
             joint |= {"damping": [0.3], "stiffness": [12.0]}
             joint |= {} if drive and "rotor_inertia" in drive else {"armature": [0.06]}

@@ -22,7 +22,8 @@ def covering() -> tuple[Row, ...]:
 
 def beside(level: str, factor: str) -> list[Row]:
     """Rows that hold a level beside all others that it can stand with, by factor one after the other; then it alone."""
-    others = {name: list(own) for name, own in FACTORS.items() if name != factor}
+    later = list(LATER)[list(LATER).index(level) :]
+    others = {name: [x for x in own if x not in later] for name, own in FACTORS.items() if name != factor}
     plain, out = {name: own[0] for name, own in others.items()} | {factor: level}, []
     left = {(name, x) for name, own in others.items() for x in own[1:] if possible({factor: level, name: x})}
     while left:

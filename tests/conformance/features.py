@@ -71,6 +71,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "stops": "stops at limits",
         "limited": "limits of efforts, which steps keep",
         "passive": "armature, damping and stiffness of an axis",
+        "given motion": "axes whose motion is given",
     },
     "closing": {
         "open": "",
@@ -105,6 +106,7 @@ FACTOR_OF: dict[str, str] = {
 
 BESIDE_BALLS = "what acts on single coordinates, and what closes loops, is not known beside ball joints yet"
 NO_JOINT = "a base that floats has no joint"
+TRAVELS = ("cylinder", "four-bar", "elastic cylinder", "elastic four-bar")
 IMPOSSIBLE: dict[tuple[str, str], str] = {
     ("exact rod", "flat"): "an exact rod turns what its tip carries",
     ("exact fore", "flat"): "an exact rod turns what its tip carries",
@@ -115,6 +117,7 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     ("profile", "frequencies"): "measured frequencies take the place of stiffness, which a profile states",
     **{("afloat", turn): NO_JOINT for turn in list(FACTORS["turn"])[1:]},
     **{("ball", drive): BESIDE_BALLS for drive in list(FACTORS["drive"])[1:]},
+    **{(drive, "given motion"): "the input of a transmission is its force" for drive in TRAVELS},
     **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
     **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:]},
 }
@@ -130,7 +133,7 @@ APART: dict[tuple[str, str], dict[str, str]] = {
 }
 """Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
 
-LATER: dict[str, str] = {"bristles": "drive"}
+LATER: dict[str, str] = {"bristles": "drive", "given motion": "axis"}
 """Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""
 
 NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "exact fore")}

@@ -279,7 +279,7 @@ TABLE: list[Mutant] = [
     M("bristles", "JAX", "screwgen/backends/jax/functions.py",
       '"z": v[jnp.array(self.chain.internal[law])]', '"z": 0 * v[jnp.array(self.chain.internal[law])]'),
     # ------------------------------------------------------------------------------------------- what users do with it
-    M("ball loop", "runs", C + "features/loops_in_runs.jinja", "power += m->drive_power[i];", "(void)i;"),
+    M("ball loop", "runs", C + "features/loops_in_runs.jinja", "power += m->{{ power }}[i];", "(void)i;"),
     M("hinge loop", "estimator", "screwgen/simulation/estimator.py",
       "[-reach @ J_q @ keep, keep]])", "[np.zeros((n, n)), keep]])"),
     M("afloat", "estimator", "screwgen/simulation/estimator.py",

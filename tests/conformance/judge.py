@@ -172,6 +172,30 @@ class Judge:
         return out
 
     @cached_property
+    def prescribed(self) -> dict[int, int]:
+        """The axes whose motion is given, by their numbers; their places among rates, of elastic drives the rotor's."""
+        out, axis, rotor = {}, 0, self.oracle.n_joint
+        for link in self.robot["links"]:
+            joint = link["joint"]
+            count = 3 if joint["axes"] == "ball" else len(joint["axes"])
+            said = joint.get("actuation", [])
+            for k in range(count):
+                elastic = "stiffness" in (joint.get("drives") or [{}] * count)[k]
+                if (said if isinstance(said, str) else said[k : k + 1]) in ("motion", ["motion"]):
+                    out[axis + k] = rotor if elastic else 6 * ("base" in self.robot) + axis + k
+                rotor += elastic
+            axis += count
+        return out
+
+    @cached_property
+    def efforts(self) -> np.ndarray:
+        """(n_tau,): what the drives exert, also those whose motion is given."""
+        out, tau = self.given[2].copy(), self.state["tau"]
+        for axis in self.prescribed:
+            out[axis] = tau[6 * ("base" in self.robot) + axis]
+        return out
+
+    @cached_property
     def given(self) -> tuple[np.ndarray, ...]:
         """q, v, tau, w_ext of the product."""
         q, v, tau, w_ext = (self.state[name] for name in ("q", "v", "tau", "w_ext"))
@@ -188,8 +212,10 @@ class Judge:
             else:
                 Q.append(q[own])
                 tau_out.append(tau[own])
-        q_out = np.concatenate([*Q, q[self.oracle.n_joint :]])
-        rates, inputs = np.append(self.map @ v, self.bristles.z), np.concatenate([*tau_out, self.tensions])
+        q_out, torques = np.concatenate([*Q, q[self.oracle.n_joint :]]), np.concatenate(tau_out)
+        for axis, place in self.prescribed.items():
+            torques[axis] = self.vdot[place]
+        rates, inputs = np.append(self.map @ v, self.bristles.z), np.append(torques, self.tensions)
         return q_out, rates, inputs, self.outer.laid(w_ext, self.pushes)
 
     @cached_property

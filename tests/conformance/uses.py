@@ -78,7 +78,7 @@ def energy(case: Case) -> None:
     loads = 0 * w_ext
     nv = case.model.nv
     moved = (f.forward_dynamics(q, v, tau, loads)[0] - f.forward_dynamics(q, v, 0 * tau, loads)[0])[:nv]
-    given, M = f.drive_power(q, v, tau), case.judge.mass_matrix
+    given, M = drive_power(f, q, v, tau, loads) - drive_power(f, q, v, 0 * tau, loads), case.judge.mass_matrix
     most = np.abs(v[:nv]) @ np.abs(M) @ np.abs(moved) + np.abs(given).sum()
     assert abs(v[:nv] @ M @ moved - given.sum()) <= case.tolerance * most, (
         "drives do not give the power that moves the arm"
@@ -88,7 +88,7 @@ def energy(case: Case) -> None:
         there, rates = c.step(q, v, tau, loads, h, "rk4") if sign > 0 else (q, v)
         ends.append(sum(f.energy(there, rates)))
     middle, rates = c.step(q, v, tau, loads, h / 2, "rk4")
-    power = float(np.sum(f.drive_power(middle, rates, case.acting)))
+    power = float(np.sum(drive_power(f, middle, rates, case.acting, loads)))
     lost = power - (ends[1] - ends[0]) / h
     scale = abs(power) + sum(map(abs, f.energy(q, v))) + 1.0
     assert lost >= -1e-5 * scale, f"gains {-lost:.3g} W from nothing"
@@ -108,6 +108,11 @@ def energy(case: Case) -> None:
         "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])
     ):
         assert abs(lost) <= 1e-5 * scale, f"{lost:.3g} W vanish"
+
+
+def drive_power(f, q, v, tau, w_ext) -> np.ndarray:
+    """Of each input, also where it is an acceleration."""
+    return f.effort_power(q, v, tau, w_ext) if f.chain.prescribed else f.drive_power(q, v, tau)
 
 
 def equilibrium(case: Case) -> None:

@@ -23,9 +23,10 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     and ``exponential``: whether a law calls `on` or `exp`; ``internal``: names and units of internal states, and
     ``NVZ`` the length of v.
     """
-    written = closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
+    written = prescribed.PRESCRIBED * bool(chain.prescribed)
+    written += closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
     written += ("internal",) * bool(chain.n_internal)
-    written += inputs.features(chain) + held.HELD * chain.holds + prescribed.PRESCRIBED * bool(chain.prescribed)
+    written += inputs.features(chain) + held.HELD * chain.holds
     acting = forces.content(chain, baked, place)
     out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
     kept = forces.scratch(chain, acting)

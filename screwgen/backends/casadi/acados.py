@@ -129,8 +129,12 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
         driven[place] = tau[joint]
     if chain.closing.couplings:
         driven[chain.base_v : chain.base_v + chain.n_joints] += torques
+    balance = force - driven
+    for joint in chain.prescribed:  # its acceleration in place of its balance
+        place = chain.held_places[joint]
+        balance[place] = xdot[nq + place] - tau[joint]
     internal = xdot[nq + nv :] - vdot[nv:]
-    implicit = ca.vertcat(xdot[:nq] - rates, force - driven, internal, rows)
+    implicit = ca.vertcat(xdot[:nq] - rates, balance, internal, rows)
     return {
         "x": x,
         "xdot": xdot,

@@ -28,3 +28,13 @@ def set_apart(
         x[own] = 0.0
     M[own, own] = by_tau[own, chain.prescribed] = 1.0
     return M, by_q, by_v, by_tau
+
+
+def answers(chain: Chain, M: np.ndarray, forces: np.ndarray) -> np.ndarray:
+    """The accelerations (nv, k) by generalised forces (nv, k), while nothing else acts; what is given does not move."""
+    if not (own := places(chain)):
+        return np.linalg.solve(M, forces)
+    others = np.setdiff1d(np.arange(len(M)), own)
+    out = np.zeros(forces.shape)
+    out[others] = np.linalg.solve(M[np.ix_(others, others)], forces[others])
+    return out

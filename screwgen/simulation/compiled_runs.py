@@ -117,9 +117,11 @@ class CompiledRuns:
             c.tau[:], c.w_ext[:] = task.given(0.0, task.q0, task.v0)
         if task.progress:
             task.progress(0, task.steps)
-        if type(task.law) is PD and task.law.plain and not task.given.wrenches_vary:
+        alone = not task.given.wrenches_vary and task.given.motion is None
+        if type(task.law) is PD and task.law.plain and alone:
             self._take_law(task.law)
         asked = self.plan.pd is None and (task.given.torques_vary or task.given.wrenches_vary)
+        asked = asked or task.given.motion is not None
         (self._step_by_step if asked else self._in_slices)(task)
 
     def _take_law(self, law: PD) -> None:
@@ -143,6 +145,7 @@ class CompiledRuns:
         c, often = self.compiled, max(1, task.steps // 200)
         for k in range(task.steps + 1):
             with at_time(task.time(k)):
+                task.given.place(task.time(k), c.q, c.v)
                 c.tau[:], c.w_ext[:] = task.given(task.time(k), c.q, c.v)
             if task.sampled(k):
                 self.table.acted(task.rows(k), c.w_ext)

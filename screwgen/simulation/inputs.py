@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import Numbers, fits, real_numbers
 from ..errors import ScrewgenError, UsageError
 from ..robot_model import RobotModel
+
+if TYPE_CHECKING:
+    from .prescribed_motion import GivenMotion
 
 
 def started(controller: Any, q0: np.ndarray, model: RobotModel | None = None, p: Any = None) -> Any:
@@ -37,10 +40,12 @@ def coordinates(values: Numbers | None, name: str, model: RobotModel, p: Numbers
 class Inputs:
     """Torques (n_tau,) and tip wrenches (n, 6) at an instant, from functions, constants or nothing.
 
-    Wrenches may be a mapping from names of links and pushes.
+    Wrenches may be a mapping from names of links and pushes. `motion`: that of axes that is given, whose accelerations
+    stand in place of their torques.
     """
 
-    def __init__(self, model: RobotModel, controller: Any, w_ext: Any):
+    def __init__(self, model: RobotModel, controller: Any, w_ext: Any, motion: GivenMotion | None = None):
+        self.motion = motion
         self.torques_vary, self.wrenches_vary = callable(controller), callable(w_ext)
         self.shape = (model.n_links, 6)
         rows = lambda x: model.chain.tip_wrenches(x, "w_ext:") if isinstance(x, Mapping) else x  # noqa: E731
@@ -62,7 +67,16 @@ class Inputs:
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         torque, wrench = self.sources
-        return torque(t, q, v), wrench(t, q, v)
+        tau = torque(t, q, v)
+        if self.motion is not None:
+            tau = tau.copy()
+            tau[self.motion.axes] = self.motion.accelerations(t)
+        return tau, wrench(t, q, v)
+
+    def place(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
+        """Put axes whose motion is given where they are at a time."""
+        if self.motion is not None:
+            self.motion.place(t, q, v)
 
 
 def _source(given: Any, name: str, shape: tuple[int, ...]) -> Callable:

@@ -23,6 +23,7 @@ from .failed_runs import Judge
 from .inputs import Inputs, at_time, coordinates, started
 from .integrate import EquationForm, JointStepper, left
 from .mobility import check_closed, check_staying_closed
+from .prescribed_motion import Curve, GivenMotion
 from .recording import WATCH, Recorder, RunTask, SampleTable, Walk, check_size, stored
 from .runs import FORMATS, Run, check_output
 
@@ -53,6 +54,7 @@ def simulate(
     parameters: Given = None,
     progress: Callable[[int, int], None] | None = None,
     *,
+    motion: Mapping[str, Curve] | None = None,
     backend: str | None = None,
     every: int = 1,
     store: str | os.PathLike[str] | None = None,
@@ -69,6 +71,9 @@ def simulate(
     `parameters`: all values, or those that differ from the file's by name. `progress(done, all)` is called
     now and then. A run has steps + 1 samples, or with `every` those of every so many steps and of the end; where
     `duration` is no multiple of `step` the last step is shorter and ends at `duration`.
+
+    `motion`: of axes with `actuation = "motion"`, by the names of their coordinates: a spline of SciPy's, or a function
+    of t that gives coordinate and rate. They are exactly there at the ends of steps, and accelerate evenly between.
 
     `backend`: "c" steps the joint form in the generated C, compiled when it is first needed and kept (`library`);
     constants and :class:`PD` stay in it, other controllers are called from it. "casadi" steps in Python, on functions
@@ -101,11 +106,14 @@ def simulate(
     check_size(model, -(-steps // every) + 1)
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
     q0, v0 = coordinates(q0, "q0", model, p), coordinates(v0, "v0", model, p)
+    moved = GivenMotion(model, motion, step, duration) if motion else None
+    if moved is not None:
+        moved.place(0.0, q0, v0)
     check_loops(model, p, q0, v0)
     law = started(controller, q0, model, p)
     if isinstance(law, PD):
         hits.warn_goals(model, p, law.set_points)
-    given = Inputs(model, law, w_ext)
+    given = Inputs(model, law, w_ext, moved)
     table = SampleTable(model, time_grid(duration, step, every), p, q0, given)
     judge = Judge(Sampled(model, p, given, law, method_used(form, integrator), step, duration), q0, v0)
     try:
@@ -165,6 +173,9 @@ def _numpy_walk(model: RobotModel, integrator: str | Method | None, form: str | 
             t = task.time(k)
             with at_time(t):
                 q, v = plant.coordinates(state)
+                if task.given.motion is not None:
+                    task.given.place(t, q, v)
+                    state = plant.initial(q, v)
                 tau, wrench = task.given(t, q, v)
                 held = record.hold(q, v, tau)
                 table.hits(t, q, v)

@@ -170,6 +170,8 @@ def split_row(line: str) -> tuple[str, ...]:
 
 _LETTERS = {
     "M*": r"\mathbf{M}^*",
+    "H*": r"\mathbf{H}^*_i",
+    "h_MD": r"\mathbf{h}_{M_D,i}",
     "F_{i+1}": r"\mathcal{F}_{i+1}",
     "F_i": r"\mathcal{F}_i",
     "F_j": r"\mathcal{F}_j",

@@ -89,7 +89,7 @@ class Loops:
         first = [x.rpartition(" = ")[2] for x in self.formulas(r"\mathbf{W}_A")]
         if "n" in gap.directions:
             return {"A": value(first[0], known), "B": value(self.formulas(r"\mathbf{W}_B")[0], known)}
-        on_a = value(first[1], known)
+        on_a = value(first[-1], known)
         return {"A": on_a, "B": -on_a}
 
     @staticmethod
@@ -123,7 +123,7 @@ class Loops:
             rate = self.axes[b].qdot - r * self.axes[a].qdot
             return axes[b] - r * axes[a] + 2 * gap.rate * rate + gap.rate**2 * g
         known = self._tips(gap, tips) | {rf"\mathbf{{W}}_{x}": unit[x] for x in "AB"}
-        kind = 0 if "n" in gap.directions else 1
+        kind = 0 if "n" in gap.directions else -1
         known[r"\gamma"] = value(self.formulas(r"\gamma")[kind], self._lookup(known))
         own = {
             "g": self.formulas("g")[kind],

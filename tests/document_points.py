@@ -159,7 +159,7 @@ def exact_rod(scope: Scope, parts: list[Part], s: float = 1.0) -> dict:
 
 def _section(scope, part, turned, stretch, before, length, zeta, rate) -> dict:
     r = len(zeta)
-    old = before or {r"\mathbf{R}_k": np.eye(3), r"\mathbf{W}_k": np.zeros((3, r)), r"\mathbf{w}_k": np.zeros((3, 1))}
+    old = before or {r"\mathbf{R}_k": np.eye(3), r"\mathbf{W}_k": np.zeros((3, r)), r"\boldsymbol{\omega}_{s,k}": np.zeros((3, 1))}
     local = {
         r"\boldsymbol{\Omega}_k": turned["theta"],
         r"\partial\boldsymbol{\Omega}_k": turned["by"],
@@ -167,8 +167,8 @@ def _section(scope, part, turned, stretch, before, length, zeta, rate) -> dict:
         r"\ddot{\boldsymbol{\Omega}}_k": turned["bend"],
         r"\mathbf{R}_{k-1}": old[r"\mathbf{R}_k"],
         r"\mathbf{W}_{k-1}": old[r"\mathbf{W}_k"],
-        r"\mathbf{w}_{k-1}": old[r"\mathbf{w}_k"],
-        r"\mathbf{b}_{k-1}": old.get(r"\mathbf{b}_k", np.zeros((3, 1))),
+        r"\boldsymbol{\omega}_{s,k-1}": old[r"\boldsymbol{\omega}_{s,k}"],
+        r"\boldsymbol{\alpha}_{s,k-1}": old.get(r"\boldsymbol{\alpha}_{s,k}", np.zeros((3, 1))),
         r"\boldsymbol{\gamma}_k": stretch @ zeta,
         r"\partial\boldsymbol{\gamma}_k": stretch,
         r"\dot{\boldsymbol{\gamma}}_k": stretch @ rate,
@@ -185,8 +185,8 @@ def _section_symbols(scope, rod, at, end, s, Z) -> dict:
         r"\mathbf{R}_T": end[r"\mathbf{R}_k"],
         r"\boldsymbol{\Psi}_c": end[r"\mathbf{W}_k"] @ Z,
         r"\mathbf{J}_l": np.eye(3),
-        r"\boldsymbol{\omega}_s": end[r"\mathbf{w}_k"],
-        r"\boldsymbol{\alpha}_s": end[r"\mathbf{b}_k"],
+        r"\boldsymbol{\omega}_s": end[r"\boldsymbol{\omega}_{s,k}"],
+        r"\boldsymbol{\alpha}_s": end[r"\boldsymbol{\alpha}_{s,k}"],
         r"\mathbf{r}_T": start + sum_of(r"\mathbf{t}_k"),
         r"\boldsymbol{\phi}_c": sum_of(r"\partial\mathbf{t}_k") @ Z,
         r"\dot{\mathbf{u}}_T": sum_of(r"\dot{\mathbf{t}}_k"),
@@ -223,15 +223,15 @@ def _sums(scope, parts, rod, at, Z) -> dict:
     a_0 = scope(r"\mathbf{a}_r") if scope.has(r"\mathbf{a}_r") else scope(r"\mathbf{a}_0")
     force = [w * a_0 for w in centre]
     summed = dict.fromkeys(("J", "C", "M", "tau"), 0.0)
-    letters = {"J": r"\mathbf{J}_k", "C": r"\mathbf{C}_k", "M": r"\mathbf{M}_k", "tau": r"\boldsymbol{\tau}_k"}
+    letters = {"J": r"\mathbf{J}_{\mu,m}", "C": r"\mathbf{C}_{\mu,m}", "M": r"\mathbf{M}_{\mu,m}", "tau": r"\boldsymbol{\tau}_{\mu,m}"}
     for c, share in zip(rows, shares, strict=True):
-        own = {r"\mathrm{d}m_k/\mu": np.full((1, 1), share), r"\mathbf{r}_k": mean(c, t), r"\mathbf{P}_k": mean(c, by)}
-        own |= {r"\mathbf{a}_k": mean(c, a_t), r"\mathbf{u}_k": mean(c, u_t)}
+        own = {r"\mathrm{d}m_m/\mu": np.full((1, 1), share), r"\mathbf{r}_{\mu,m}": mean(c, t), r"\mathbf{P}_{\mu,m}": mean(c, by)}
+        own |= {r"\mathbf{a}_{\mu,m}": mean(c, a_t), r"\mathbf{u}_{\mu,m}": mean(c, u_t)}
         found = run(scope, named["Mass of the rod"], own)
         summed = {n: summed[n] + found[letters[n]] for n in summed}
-        force = [f + w * share * own[r"\mathbf{a}_k"] for f, w in zip(force, c, strict=True)]
-    total |= {r"\sum_k\mathbf{J}_k": summed["J"], r"\sum_k\mathbf{C}_k": summed["C"] @ Z}
-    total |= {r"\sum_k\mathbf{M}_k": Z @ summed["M"] @ Z, r"\sum_k\boldsymbol{\tau}_k": summed["tau"]}
+        force = [f + w * share * own[r"\mathbf{a}_{\mu,m}"] for f, w in zip(force, c, strict=True)]
+    total |= {r"\sum_m\mathbf{J}_{\mu,m}": summed["J"], r"\sum_m\mathbf{C}_{\mu,m}": summed["C"] @ Z}
+    total |= {r"\sum_m\mathbf{M}_{\mu,m}": Z @ summed["M"] @ Z, r"\sum_m\boldsymbol{\tau}_{\mu,m}": summed["tau"]}
     moments = [np.zeros((3, 1)) for _ in at]
     if "Inertia of a section" in named:
         spun = {"I": 0.0, "C": 0.0, "M": 0.0}
@@ -247,9 +247,9 @@ def _sums(scope, parts, rod, at, Z) -> dict:
         total |= {r"\sum_k\mathbf{M}_{s,k}": Z @ spun["M"] @ Z, r"\sum_k\boldsymbol{\tau}_{s,k}": sum(moments)}
     load, moment = 0.0, np.zeros((3, 1))
     for x, f, tau in zip(at[::-1], force[::-1], moments[::-1], strict=True):
-        local = dict(x) | {r"\mathbf{m}_{k+1}": moment, r"\mathbf{f}_k": mu * f, r"\boldsymbol{\tau}_{s,k}": tau}
+        local = dict(x) | {r"\mathbf{m}_{s,k+1}": moment, r"\mathbf{f}_{t,k}": mu * f, r"\boldsymbol{\tau}_{s,k}": tau}
         found = run(scope, named["Load of a section on the modes"], local)
-        moment, load = found[r"\mathbf{m}_k"], load + found[r"\mathbf{h}_{\eta k}"]
+        moment, load = found[r"\mathbf{m}_{s,k}"], load + found[r"\mathbf{h}_{\eta k}"]
     return total | {r"\sum_k\mathbf{h}_{\eta k}": Z @ load}
 
 
@@ -276,8 +276,8 @@ def pull(scope: Scope, parts: list[Part], row: tuple[str, ...], cut: tuple[float
         s = s_0 + (s_1 - s_0) * x
         stretch, curvature = rod.stretch(s), rod.turned(s, 1)
         local = {
-            "w_k": np.full((1, 1), (s_1 - s_0) * w),
-            r"\mathbf{d}_k": ((1 - x) * begin + x * end) / length,
+            "w_{c,k}": np.full((1, 1), (s_1 - s_0) * w),
+            r"\mathbf{d}_{c,k}": ((1 - x) * begin + x * end) / length,
             r"\mathbf{d}'": (end - begin) / (length * (s_1 - s_0)),
             r"\boldsymbol{\gamma}_k": stretch @ zeta,
             r"\boldsymbol{\kappa}_k": curvature @ zeta,

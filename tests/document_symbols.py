@@ -226,6 +226,8 @@ class Scope:
                 return self.step(part.steps[name])
         if name in UNTURNED:
             return np.eye(3)
+        if name.endswith(",i}") and (alone := plain(name.removesuffix(",i}") + "}")) in self.theory:
+            return self(alone)
         if name in self.theory:
             return self._read(self.theory[name])
         for left, right in self.theory.items():

@@ -244,6 +244,20 @@ CARDS_OUTSIDE = """(() => {
   return seen.size > 50 ? out : ["too few symbols"];
 })()"""
 """The symbols whose cards are not within the window."""
+SQUEEZED = """(() => {
+  document.querySelectorAll("details.reference").forEach(x => x.open = true);
+  const out = [], wide = document.documentElement.clientWidth, cells = document.querySelectorAll(".prose td");
+  for (const cell of cells) {
+    const at = cell.getBoundingClientRect();
+    if (at.right > wide || (at.height > 50 && at.width < wide / 2)) out.push(cell.textContent);
+  }
+  return cells.length > 200 ? out : ["too few cells"];
+})()"""
+"""The cells with words that are cut by the edge of a narrow window, or have a word in a line."""
+COVERING = "getComputedStyle(hint).position !== 'static'"
+GAPS = """Math.max(...[...document.querySelectorAll("p msqrt")].filter(x => x.nextElementSibling).map(x =>
+  x.nextElementSibling.getBoundingClientRect().left - x.lastElementChild.getBoundingClientRect().right))"""
+"""How far what follows a root is from it."""
 
 
 @pytest.mark.examples
@@ -254,7 +268,8 @@ def test_a_reader_finds_a_way(program, tmp_path):
     file.write_text(shown("ella"), encoding="utf-8")
     with started(program, tmp_path) as browser:
         browser.open(file)
-        assert browser.run("hint.offsetHeight") > 20
+        assert browser.run("hint.offsetHeight") > 20 and not browser.run(COVERING)
+        assert browser.run(GAPS) < 3.0
         high = "document.documentElement.scrollHeight"
         assert browser.run(high) < 8000
         for level, least in ((2, 10_000), (3, 15_000)):
@@ -290,6 +305,8 @@ def test_a_reader_finds_a_way(program, tmp_path):
         for wide in (1000, 390):
             browser.resize(wide, 844, True)
             assert browser.run("document.documentElement.scrollWidth") <= wide
+        browser.run("document.documentElement.dataset.level = 3")
+        assert browser.run(SQUEEZED) == []
         assert browser.run(CARDS_OUTSIDE) == []
         assert not browser.complaints
         assert all(url in ("about:blank",) or url.startswith(file.as_uri()) for url in browser.requests)

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from collections import defaultdict
+
 import pytest
+from document_robots import robot_with
 from helpers import arm, link
 
 from screwgen import Robot, ScrewgenError
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex.breaking import terms
+from screwgen.backends.latex.content import SYMBOLS, DocumentTable, Paragraph, StepEquation
 from screwgen.backends.latex.notation import Notation, notation
 from screwgen.backends.latex.style import style
 
@@ -47,6 +52,34 @@ def test_a_faulty_table_is_one_line(text, fault, tmp_path):
 def test_symbols_that_would_look_alike_are_refused():
     with pytest.raises(ScrewgenError, match="would both be written"):
         latex.document(ROD, notation=Notation("own", {r"\mathbf{V}": r"\mathbf{v}"}))
+
+
+def skeleton(symbol: str) -> str:
+    """A symbol without its typeface, and with one mark for every index that counts: of a link, a section, a mass."""
+    symbol = re.sub(r"\\(?:mathbf|boldsymbol|mathcal)\{([^{}]*)\}", r"\1", symbol)
+    symbol = re.sub(r"_\{(\w)\}", r"_\1", symbol)
+    return re.sub(r"(?<=[_{,])[ijkm](?![A-Za-z])", "#", symbol)
+
+
+@pytest.mark.parametrize("features", [("exact", "tendons"), ("one exact", "varying", "ball"), ("order 2", "tendons")])
+def test_no_two_symbols_print_alike_but_for_typeface_and_kind_of_index(features):
+    """Sections, masses and points of tendons have letters of their own; so have functions of the place in the text."""
+    content = latex.content(Robot.model_validate(robot_with(*features)))
+    found, steps = defaultdict(set), defaultdict(set)
+    for section in content.sections:
+        for item in section.items:
+            if isinstance(item, StepEquation):
+                found[skeleton(item.step.formula[0][0])].add(item.step.formula[0][0])
+                steps[item.step.name, section.title].add(item.step.formula[0][0])
+            elif isinstance(item, DocumentTable) and section.title == SYMBOLS:
+                for row in item.rows:
+                    found[skeleton(row[0].strip("$"))].add(row[0].strip("$"))
+            elif isinstance(item, Paragraph) and "(R2)" in item.text:
+                for symbol in re.findall(r"(\\mathbf\{b\}_k)\(", item.text):
+                    found[skeleton(symbol)].add(f"{symbol}(x, y)")
+    assert len(found) > 60
+    assert [sorted(own) for name, own in found.items() if "#" in name and len(own) > 1] == []
+    assert [(name, own) for name, own in steps.items() if len(own) > 1] == []
 
 
 def test_a_class_and_a_fragment():

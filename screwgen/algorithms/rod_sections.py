@@ -280,7 +280,7 @@ def _load(s: RodScope, total: dict[str, Array], x: RodSection, behind: Array, ta
     """Add what a moment on a section and a force on its tangent do to the modes; returns the moment with all behind."""
     given = {"R_k": x.R, "G_k": x.G, "t_k": x.t, "theta_eta": x.theta_eta, "stretch": x.stretch}
     with s.routine("rod_load"):
-        return _add(s, total, "section_load", given | {"m_1": behind, "tau_k": tau, "f_k": f}, "m_k")[0]
+        return _add(s, total, "section_load", given | {"m_1": behind, "tau_s_k": tau, "f_k": f}, "m_k")[0]
 
 
 def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str, Array]:
@@ -311,7 +311,7 @@ def sums(motion: RodMotion, block: str, inputs: Mapping[str, Array]) -> dict[str
             given = {f"dI_{axis}": mx.array([dI[k]]) for axis, dI in zip(key.turned, pieces, strict=True)}
             given |= {"R_k": x.R, "W_k": x.W, "w_k": x.w, "b_k": x.bend, "omega": omega, "alpha": alpha}
             with s.routine("rod_spin"):
-                (torques[k],) = _add(s, total, "section_spin", given, "tau_k")
+                (torques[k],) = _add(s, total, "section_spin", given, "tau_s_k")
     mu, moment = s.lower("link", {}, "mu")[0], mx.zeros(3)
     for x, f, tau in zip(motion.at[::-1], forces[::-1], torques[::-1], strict=True):
         moment = _load(s, total, x, moment, tau, mu[0] * f)

@@ -115,10 +115,10 @@ def spin_block(key: LinkClass) -> Block:
         torques.append(own @ (d.T @ nudot) + along @ (hat(nu) @ own))
         energies.append(dI @ (along @ along))
     b.step("I_k", add(*I), symmetric=True)
-    b.step("C_k", add(*C))
-    b.step("M_k", add(*M), symmetric=True)
-    b.step("tau_k", add(*torques))
-    b.step("K_k", add(*energies))
+    b.step("C_s_k", add(*C))
+    b.step("M_s_k", add(*M), symmetric=True)
+    b.step("tau_s_k", add(*torques))
+    b.step("K_s_k", add(*energies))
     return b
 
 
@@ -134,7 +134,7 @@ def load_block(key: LinkClass) -> Block:
     r = key.modes
     R, G, t = b.input("R_k", (3, 3)), b.input("G_k", (3, 3)), b.input("t_k", (3, 1))
     by_modes, stretch = b.input("theta_eta", (3, r)), b.input("stretch", (3, r))
-    behind, tau, f = b.input("m_1", (3, 1)), b.input("tau_k", (3, 1)), b.input("f_k", (3, 1))
+    behind, tau, f = b.input("m_1", (3, 1)), b.input("tau_s_k", (3, 1)), b.input("f_k", (3, 1))
     m = b.step("m_k", behind + tau + hat(t) @ f)
     b.step("h_eta_k", by_modes.T @ (G.T @ m) + stretch.T @ (R.T @ f))
     return b
@@ -142,7 +142,7 @@ def load_block(key: LinkClass) -> Block:
 
 SUMS = {
     "element": {"J_k": "J_rod", "C_k": "C_rod", "M_k": "M_rod", "tau_k": "tau_rod", "K_k": "K_rod"},
-    "section_spin": {"I_k": "I_spin", "C_k": "C_spin", "M_k": "M_spin", "tau_k": "tau_spin", "K_k": "K_spin"},
+    "section_spin": {"I_k": "I_spin", "C_s_k": "C_spin", "M_s_k": "M_spin", "tau_s_k": "tau_spin", "K_s_k": "K_spin"},
     "section_load": {"h_eta_k": "h_rod"},
 }
 """What a mass and a section contribute, and the sum that takes it: the inputs of the link's equations."""
@@ -232,7 +232,7 @@ def masses(b: Block, key: LinkClass, body: RodBody) -> None:
     if c.masses is not None:
         dm = b.step("dm", _at_points(b, "dm", [l * number(w) * body.sampled("rhoA", s) for s, w in c.masses]))
         b.step("shares", dm @ Inverse(b.symbol("mu")))
-        centre = matrix_of(np.array([c.reach(s) for s, _ in c.masses]).T, r"\mathbf{A}^{\top}")
+        centre = matrix_of(np.array([c.reach(s) for s, _ in c.masses]).T, r"[c_{km}]")
         b.step("centre", centre @ b.symbol("shares"))
     for axis in key.turned:
         words: dict[str, Any] = {

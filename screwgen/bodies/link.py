@@ -38,6 +38,10 @@ def _moment(columns: int, *moments: Expression) -> Expression:
     return zeros(6, columns) if is_zero(moment) else stack(moment, zeros(3, columns))
 
 
+WITH_HALF = "gyroscopic wrench and weight, with half of the Coriolis wrench"
+"""What H* is of a link that bends."""
+
+
 class LinkBlock(Block):
     """The block of one link class, written down in the order of the derivation.
 
@@ -172,7 +176,8 @@ class LinkBlock(Block):
         rigid = self.integral(stack(hat(rho) @ field, field))
         omegas = self.entries(omega)
         spinning = self._turned(lambda t: t.inertia @ omegas[t.axis])
-        H = self.step("H_star", add(rigid, h_c, spinning, self._spun_up()))
+        words = {"meaning": WITH_HALF} if self.key.modes and not self.turning else {}
+        H = self.step("H_star", add(rigid, h_c, spinning, self._spun_up()), **words)
         self.step("h_V", H + h_MD)
         modal = self.integral(self.body.moved.T @ (field + 2 * coriolis)) if self.key.modes else zeros(0)
         alphas = self.entries(self.alpha) if self.turning else []

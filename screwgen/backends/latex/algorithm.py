@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from itertools import count
+from typing import NamedTuple
 
 import sympy as sp
 
 from ...algebra.notation import latex
 from ...algebra.rewrite import symbols
+from ...joints.constraints import Angle, Distance
 from ...spec.link_class import LinkClass
 from ...topology.chain import Chain
 from ..templates import render
 from . import elements, forces
 from .content import Display, DocumentTable, Item, Paragraph, parse
 from .layout import Row
-from .link_class import pointwise
+from .link_class import FIELD, pointwise, said_of_field
 from .steps import BlockView, StepView
 
 ALGORITHM = "Algorithm"
@@ -25,6 +27,8 @@ NUMBER = re.compile(r"\(A#\)")
 LABEL = r"\text{"
 GIVEN = "@@given"
 """What stands in the template where the table of given symbols goes."""
+ALONE = r"(?<![\\A-Za-z_])(?<!_\{)(?<!\w,)(?<!mathbf\{)"
+"""What stands before a symbol: a letter that is bold or an index is another symbol or none."""
 TENSION = r" + \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
 """What the tensions of tendons do to the rows of a link."""
 MAIN = ("section", "element", "section_spin", "section_load", "link", "tip", "tip_body", "joint", "link_rows", "tendon")
@@ -43,26 +47,56 @@ def lines(chain: Chain, biased: bool) -> list[Item]:
     return parse(text)
 
 
-def items(lines: Sequence[Item], views: Iterable[BlockView]) -> Iterator[Item]:
-    """The content of the section. ``views``: the blocks that the lines need, of all classes."""
+def items(lines: Sequence[Item], views: Iterable[BlockView], keys: Iterable[LinkClass]) -> Iterator[Item]:
+    """The content of the section. ``views``: the blocks that the lines need, of all classes, the ``keys``."""
     for item in lines:
-        yield _given(lines, views) if isinstance(item, Paragraph) and item.text == GIVEN else item
+        yield _given(lines, views, keys) if isinstance(item, Paragraph) and item.text == GIVEN else item
 
 
-def _given(lines: Sequence[Item], views: Iterable[BlockView]) -> DocumentTable:
-    """The symbols of the lines that the steps of the classes define, by the part of the class that has them."""
-    own = defined(lines)
-    steps = {plain(step.formula[0][0]): (step, view) for view in reversed(list(views)) for step in view.steps}
-    seen: set[str] = set()
-    rows: dict[str, list[str]] = {}
+class Source(NamedTuple):
+    """What gives a symbol: the part of a class, the symbol as it is printed, and all that it is made of."""
+
+    part: str
+    symbol: str
+    text: str
+
+
+def _given(lines: Sequence[Item], views: Iterable[BlockView], keys: Iterable[LinkClass]) -> DocumentTable:
+    """The symbols that lines and other parts of a class take from a part of it, each with the line that first needs it.
+
+    A line needs what it uses, and what that is made of.
+    """
+    sources = _sources(views, keys, defined(lines))
+    uses = {name: [x for x in sources if x != name and occurs(x, own.text)] for name, own in sources.items()}
+    taken = {x for name, own in uses.items() for x in own if sources[x].part != sources[name].part}
+    first: dict[str, str] = {}
     for row in (row for row in _rows(lines) if row[-1].startswith(LABEL)):
-        for symbol in (s for s in steps if s not in own and s not in seen and occurs(s, row[1])):
-            seen.add(symbol)
-            step, view = steps[symbol]
-            number = row[-1].removeprefix(LABEL).removesuffix("}")
-            rows.setdefault(view.title, []).append(f"${step.formula[0][0]}$ {number}")
-    head = ("part of a class", "what the lines take from it, and the line that first needs it")
-    return DocumentTable(head, (0.2, 0.8), tuple((t, ", ".join(x)) for t, x in rows.items()), essential=True)
+        needed = [x for x in sources if occurs(x, row[1])]
+        taken.update(needed)
+        while needed:
+            if (name := needed.pop()) not in first:
+                first[name] = row[-1].removeprefix(LABEL).removesuffix("}")
+                needed += uses[name]
+    rows: dict[str, list[str]] = {}
+    numbers = list(dict.fromkeys(first.values()))
+    for name in sorted(taken & first.keys(), key=lambda x: (numbers.index(first[x]), list(sources).index(x))):
+        rows.setdefault(sources[name].part, []).append(f"${sources[name].symbol}$ {first[name]}")
+    head = ("part of a class", "what lines and other parts take from it, and the line that first needs it")
+    order = dict.fromkeys(source.part for source in sources.values())
+    return DocumentTable(head, (0.2, 0.8), tuple((t, ", ".join(rows[t])) for t in order if t in rows), essential=True)
+
+
+def _sources(views: Iterable[BlockView], keys: Iterable[LinkClass], known: Set[str]) -> dict[str, Source]:
+    """By symbol: the steps of all classes, and what the text on a kinematic field says; not what is ``known``."""
+    found: dict[str, Source] = {}
+    for symbol, text in (pair for key in keys if pointwise(key) for pair in said_of_field(key)):
+        found.setdefault(plain(symbol), Source(FIELD, symbol, text))
+    for view in views:
+        for step in view.steps:
+            symbol = step.formula[0][0]
+            other = found.get(plain(symbol), Source(view.title, symbol, ""))
+            found[plain(symbol)] = other._replace(text=f"{other.text} {_text(step)}")
+    return {name: source for name, source in found.items() if name not in known}
 
 
 def defined(lines: Sequence[Item]) -> set[str]:
@@ -83,7 +117,7 @@ def plain(formula: str) -> str:
 
 def occurs(symbol: str, formula: str) -> bool:
     """Whether a formula uses a symbol."""
-    return re.search(r"(?<![\\A-Za-z])" + re.escape(plain(symbol)) + r"(?!\}?[\w{]|\}_)", plain(formula)) is not None
+    return re.search(ALONE + re.escape(plain(symbol)) + r"(?!\}?[\w{]|\}_)", plain(formula)) is not None
 
 
 def parted(
@@ -142,8 +176,10 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "floating": chain.floating,
         "jointed": any(not key.floats for key in keys),
         "welded": any(not key.floats and not key.joints for key in keys),
-        "bodies": any(key.bodies_at("tip") for key in keys),
+        "bodies": bodies(chain),
         "slides": chain.slides,
+        "rigid": any(not key.modes for key in keys),
+        "stations": any(chain.tree.stations),
         "biased": biased,
         "bias": BIAS if biased else "",
         "carried_bias": r" + \boldsymbol{\beta}_i" if biased else "",
@@ -156,12 +192,19 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "inputs": _inputs(chain),
         "loops": loops,
         "joined": bool(chain.robot.loops),
+        "distances": any(isinstance(closing.row, Distance) for closing in chain.closing.rows),
+        "angles": any(isinstance(closing.row, Angle) for closing in chain.closing.rows),
         "couplings": bool(chain.robot.couplings),
         "markers": any(segment.marker is not None for segment in chain.segments),
         "relations": bool(chain.closing.related),
         "shared": chain.closing.overconstrained,
         **joint_terms(chain),
     }
+
+
+def bodies(chain: Chain) -> bool:
+    """Whether the lines have bodies at tips."""
+    return any(key.bodies_at("tip") for key in chain.keys)
 
 
 def joint_terms(chain: Chain) -> Mapping[str, object]:
@@ -177,12 +220,14 @@ def joint_terms(chain: Chain) -> Mapping[str, object]:
     mounted, placed = chain.slides or any(key.mount_xyz for key in keys), any(key.frame_at for key in keys)
     said = [f"the {name} ${vector}$" for name, _, vector, _ in terms]
     said += [r"the point $\mathbf{r}_M$ of its mount on the section that carries it"] if mounted else []
+    said += [r"the angles $\boldsymbol{\alpha}_M$ of its mount"] if any(key.mount_rpy for key in keys) else []
     said += [r"its point $\mathbf{r}_B$ in $\mathcal{F}_i$"] if placed else []
     return {
         "mounted": mounted,
         "placed": placed,
         "point": "J" if chain.slides else "M",
         "of_joints": " and ".join(filter(None, (", ".join(said[:-1]), *said[-1:]))),
+        "terms": [name for name, *_ in terms],
         "axis_terms": [{"matrix": matrix, "vector": vector} for _, matrix, vector, _ in terms],
         "armature": r" + \mathbf{J}_m" if AXES[0] in terms else "",
         "resisting": "".join(rf" - {matrix}\,{with_}" for _, matrix, _, with_ in terms if matrix != AXES[0][1]),

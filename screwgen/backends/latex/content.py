@@ -73,6 +73,16 @@ class DocumentTable:
     repeats: bool = False
     """Whether it only says what other items say."""
 
+    @property
+    def is_prose(self) -> bool:
+        """Whether some of its several columns have sentences: on a narrow page such rows are set as paragraphs."""
+        return len(self.head) > 3 and any(len(_plain_words(cell)) > WORDS for row in self.rows for cell in row)
+
+
+def _plain_words(cell: str) -> list[str]:
+    """The words of a cell but for its formulas."""
+    return re.sub(r"\$[^$]*\$", "", cell).split()
+
 
 @dataclass(frozen=True)
 class DrawingItem:
@@ -168,8 +178,12 @@ def split_row(line: str) -> tuple[str, ...]:
 
 # ---------------------------------------------------------------------------------------------- words
 
+WORDS = 2
+"""A cell of more words has a sentence."""
 _LETTERS = {
     "M*": r"\mathbf{M}^*",
+    "H*": r"\mathbf{H}^*_i",
+    "h_MD": r"\mathbf{h}_{M_D,i}",
     "F_{i+1}": r"\mathcal{F}_{i+1}",
     "F_i": r"\mathcal{F}_i",
     "F_j": r"\mathcal{F}_j",

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
+from fractions import Fraction
+from math import factorial
 from typing import Any
 
 import numpy as np
@@ -60,9 +62,11 @@ PLAIN = DocumentStyle()
 TENSION = r" - \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsymbol{\ell}_c \end{bmatrix}"
 """What the tensions of tendons do to the rows of a link."""
 DERIVATION = "Derivation"
+BEYOND = 9
+"""Where Stumpff functions have check values: beyond the range of their series."""
 BIASES = ("beta_omega", "beta_v")
 """The steps of the accelerations that velocities cause at a joint."""
-NAMED = {"tip": ("b_omega", "b_v"), "tip_body": ("S_T", "I_T", "h_T_tau")}
+NAMED = {"tip": ("b_omega", "b_v"), "tip_body": ("m_T", "S_T", "I_T", "h_T_tau", "h_T_F")}
 """By block: the steps that lines of the algorithm ask for, of which it is said where they are zero."""
 
 
@@ -122,7 +126,8 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     if alone(chain):
         blocks = {key: at_rest(own) for key, own in blocks.items()}
     carrying = {chain.keys[parent] for parent in chain.tree.parents if parent >= 0}
-    views = {key: class_views(key, blocks[key], key in carrying) for key in chain.classes}
+    told = {block: names for block, names in NAMED.items() if block != "tip_body" or algorithm.bodies(chain)}
+    views = {key: class_views(key, blocks[key], key in carrying, told) for key in chain.classes}
     known = [(blocks[key][view.name], view) for key in chain.classes for view in views[key]]
     named = [
         *THEORY,
@@ -137,7 +142,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     sections = [_robot(robot, chain), _conventions(robot, chain), motion.motion(chain)]
     lines = algorithm.lines(chain, any(step.name in BIASES for own in views.values() for v in own for step in v.steps))
     parts = {key: algorithm.parted(lines, views[key], key) for key in chain.classes}
-    given = algorithm.items(lines, [view for key in chain.classes for view in parts[key][0]])
+    given = algorithm.items(lines, [view for key in chain.classes for view in parts[key][0]], chain.classes)
     sections.append(DocumentSection(ALGORITHM, [*given, *check_value.items(chain)]))
     sections.append(motion.mass_matrix(chain))
     shown_steps: dict[LinkClass, dict] = {key: {} for key in chain.classes}
@@ -180,10 +185,12 @@ def alone(chain: Chain) -> bool:
     return chain.n == 1 and not chain.floating
 
 
-def class_views(key: LinkClass, blocks: Mapping[str, Block], carrying: bool = True) -> tuple[BlockView, ...]:
+def class_views(
+    key: LinkClass, blocks: Mapping[str, Block], carrying: bool = True, told: Mapping[str, Sequence[str]] = NAMED
+) -> tuple[BlockView, ...]:
     """The blocks of a class in a reader's order; a step that an earlier block has is not shown again.
 
-    ``carrying``: whether a link of the class carries another.
+    ``carrying``: whether a link of the class carries another. ``told``: as `NAMED`.
     """
     seen: dict[str, Seen] = {}
     letters = [LETTERS[direction] for direction, _ in key.directions if direction in LETTERS]
@@ -192,7 +199,7 @@ def class_views(key: LinkClass, blocks: Mapping[str, Block], carrying: bool = Tr
     given = (tables.named_axes(key), structure(key, blocks) | next_joint, (key.joints, key.modes), parts)
     out: list[BlockView] = []
     for name in ordered(blocks):
-        out.append(block_view(blocks[name], seen, *given, told=NAMED.get(name, ())))
+        out.append(block_view(blocks[name], seen, *given, told=told.get(name, ())))
         if name == "tip":
             out += station_views(key, seen, given, {step.name for step in out[-1].steps})
     return tuple(out)
@@ -235,7 +242,7 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
         Heading("Links"),
         Paragraph(
             "A link sits on the tip of the one above it, the first on the base, unless its remarks name another; "
-            "`world` is the base."
+            "`world` is the base. A link carries those that sit on it and no others."
         ),
         tables.links(chain),
         *besides(chain),
@@ -253,8 +260,15 @@ def _conventions(robot: Robot, chain: Chain) -> DocumentSection:
         placed=any(key.frame_at for key in chain.keys),
         modes=bool(chain.n_modes),
         turning=robot.section_rotation and any(key.modes for key in chain.keys),
+        beyond=BEYOND,
+        values=", ".join(tables.exact(stumpff(k, BEYOND)) for k in range(1, 6)),
     )
     return DocumentSection("Conventions", parse(text))
+
+
+def stumpff(k: int, x: int) -> float:
+    """A Stumpff function to the last digit: its series, in fractions."""
+    return float(sum(Fraction((-x) ** j, factorial(k + 2 * j)) for j in range(40)))
 
 
 def _derivation(robot: Robot, chain: Chain) -> DocumentSection:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -19,6 +20,7 @@ from .layout import equation as broken
 from .steps import BlockView
 from .tables import DIRECTION, decimal, modes, named_axes, stations
 
+FIELD = "Kinematic field"
 ORDER = (
     *("section", "element", "section_spin", "section_load"),
     *("link", "turning_link", "tip", "tip_body", "tip_pose", "joint", "posture"),
@@ -40,6 +42,15 @@ OTHERS = "Not needed for the algorithm: energies, poses, the rows of the stacked
 def pointwise(key: LinkClass) -> bool:
     """Whether steps are evaluated at points along a link, so that they are read in their order."""
     return key.order == EXACT or bool(key.tendons)
+
+
+def said_of_field(key: LinkClass) -> Iterator[tuple[str, str]]:
+    """The symbols that the formulas on the kinematic field define, each with what these say."""
+    for item in _field(key):
+        for row in item.formula if isinstance(item, Display) else ():
+            for left, right in zip(row[::2], row[1::2], strict=False):
+                if right.strip().startswith("="):
+                    yield re.sub(r"^\\q*quad\s*", "", left.strip()), right
 
 
 def ordered(blocks: Mapping[str, Block]) -> list[str]:
@@ -123,7 +134,7 @@ def _size(item: StepEquation) -> tuple[Hashable, ...]:
 def _parts(key: LinkClass, views: Sequence[BlockView], appendix: bool) -> Iterator[Part]:
     """The field, then every block; constants come first in the link block."""
     if not appendix:
-        yield "Kinematic field", tuple(map(_essential, _field(key)))
+        yield FIELD, tuple(map(_essential, _field(key)))
     axes = tuple((name, f"= {axis_latex(axis)}") for axis, name in named_axes(key))
     for view in views:
         groups = [(view.title, view.steps)]

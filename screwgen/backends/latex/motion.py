@@ -101,11 +101,18 @@ def motion(chain: Chain) -> DocumentSection:
     besides += (
         r", and $-\partial\boldsymbol{\ell}_c$, the derivative of a tendon's length, where its tension meets the modes"
     ) * bool(chain.n_tensions)
-    modal = r"The rows of the modes balance the stiffness and the damping of the links, in $\mathbf{h}_i$."
+    flexible, has = [key for key in chain.keys if key.modes], joint_terms(chain)
+    own = ["stiffness"] * bool(flexible) + ["damping"] * any(key.damping for key in flexible)
+    terms = [name for name in ("stiffness", "damping") if name in has["terms"]]
+    acting = ["velocities", "weight", *dict.fromkeys((*own, *terms))]
+    modal = rf"The rows of the modes balance the {' and the '.join(own)} of the links, in $\mathbf{{h}}_i$."
     values = {
         "loops": bool(chain.closing.rows),
         "joined": bool(chain.robot.loops),
-        "modal": modal * any(k.modes for k in chain.keys),
+        "modal": modal * bool(flexible),
+        "acting": f"{', '.join(acting[:-1])} and {acting[-1]}",
+        "terms": " and ".join(terms),
+        "armatures": "armature" in has["terms"],
         "bodies": any(k.bodies_at("tip") for k in chain.keys),
         "besides": besides,
         "borne": BORNE * bool(chain.forces),

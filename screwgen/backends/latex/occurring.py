@@ -20,7 +20,7 @@ from .layout import Formula
 from .symbols import Entry
 
 FORMULA = re.compile(r"\$([^$]*)\$")
-LINK = r"(?:i|\d+|i[+-]1|\{(?:i|\d+|i[+-]1)\})"
+LINK = r"(?:i|[1-9]\d*|i[+-]1|\{(?:i|[1-9]\d*|i[+-]1)\})"
 """The number of a link below a symbol."""
 ALONE = r"(?<![A-Za-z\\])(?<!\\mathbf\{)(?<!\\boldsymbol\{)(?<!\\mathrm\{)(?<!_)(?<!_\{)"
 """What stands before a symbol: a letter that is bold or upright, or an index, is another symbol or none."""

@@ -184,7 +184,8 @@ def _view(
     definition = Definition(s, right, entries, labels, own)
     digits = _digits(s, entries, write) if s.binding <= Binding.PARAMETER else ()
     alone = equation(left, *sides) if sides and (bracket or below) and _repeats(block, right) else ()
-    about = (s.name, s.meaning, s.unit, s.frame, step.equation, s.binding)
+    meaning = s.meaning + ", symmetric" * bool(below and _is_symmetric(entries))
+    about = (s.name, meaning, s.unit, s.frame, step.equation, s.binding)
     return StepView(*about, formula, below, definition, digits, alone)
 
 
@@ -234,7 +235,7 @@ def _components(block: Block, step: Step, right: ex.Expression, write: Scalars, 
             return whole, blocks
     if width(bracket) <= PAGE - 8.0:
         return bracket, ()
-    return "", _rows(step, made, write) if evaluated else ()
+    return "", _rows(step, entries, write) if evaluated else ()
 
 
 def _worth_showing(block: Block, step: Step, right: ex.Expression, entries: np.ndarray, write: Scalars) -> bool:
@@ -322,12 +323,19 @@ def _common(entries: np.ndarray) -> sp.Expr:
     return sp.Mul(*(base**n for base, n in lowest.items() if n > 0 or base in equal))
 
 
-def _rows(step: Step, made: dict[sp.Symbol, sp.Expr], write: Scalars) -> Formula:
-    """One equation per component that needs one; components that are too long are left to the equation above."""
-    places = {label: index for index, label in step.signal.labels()}
-    wanted = list(made)
+def _is_symmetric(entries: np.ndarray) -> bool:
+    return len(entries) > 1 and entries.shape[0] == entries.shape[1] and bool((entries == entries.T).all())
+
+
+def _rows(step: Step, entries: np.ndarray, write: Scalars) -> Formula:
+    """One equation per component that is not zero; components that are too long are left to the equation above.
+
+    Of a symmetric matrix those on the diagonal and above it.
+    """
+    mirrored = _is_symmetric(entries)
+    wanted = [(i, j) for (i, j), value in np.ndenumerate(entries) if value != 0 and not (mirrored and j < i)]
     first, last = (wanted, []) if len(wanted) <= MANY else (wanted[:8], wanted[-4:])
-    equations = [equation(entry(step.signal, places[s.name]), write.terms(made[s])) for s in first + last]
-    if not made or any(len(e) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in e) for e in equations):
+    equations = [equation(entry(step.signal, place), write.terms(entries[place])) for place in first + last]
+    if not step.assignments or any(len(e) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in e) for e in equations):
         return ()
     return columns(equations[: len(first)], equations[len(first) :])

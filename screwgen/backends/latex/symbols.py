@@ -60,11 +60,11 @@ def _signals(block: Block, view: BlockView) -> Iterator[NamedSignal]:
     """The signals that the shown steps define or use."""
     defined = {s.name for s in view.defined}
     yield from (s for s in view.defined if not s.display.startswith("-"))
-    for used in view.used:
-        if used.name in block.inputs or (used.name in block.steps and used.name not in defined):
-            yield block.signal(used.name)
-        elif used.name in block.along:
-            yield block.along[used.name]
+    for name in dict.fromkeys(used.name.partition("[")[0] for used in view.used):
+        if name in block.inputs or (name in block.steps and name not in defined):
+            yield block.signal(name)
+        elif name in block.along:
+            yield block.along[name]
 
 
 def _entry(display: str, known: list[Counted]) -> Entry:

@@ -179,7 +179,7 @@ def _constants(shapes: Shapes, i: int) -> Iterable[str]:
 def parameters(items: Sequence[tuple[Parameter, str]]) -> DocumentTable:
     """The numbers of the robot file, each with the LaTeX of its symbol in the equations, if it has one."""
     rows = (
-        (f"`{p.name}`", f"${symbol}$" if symbol else NONE, exact(p.value), plain_unit(p.unit), p.description)
+        (f"`{p.name}`", f"${symbol}$" if symbol else "not used", exact(p.value), plain_unit(p.unit), p.description)
         for p, symbol in items
     )
     head, widths = ("parameter", "symbol", "value", "unit", "meaning"), (0.23, 0.09, 0.245, 0.12, 0.315)

@@ -111,13 +111,13 @@ PLACES: tuple[Named, ...] = (
 """Of tips and joints."""
 
 ELIMINATION: tuple[Named, ...] = (
-    (r"\mathbf{M}^A_i", "$\\mathbf{M}_i$ with what the link carries", MIXED, ALL, "F_i", STATE),
-    (r"\mathbf{h}^A_i", "$\\mathbf{h}_i$ with what the link carries", WRENCH, "6 + r_i", "F_i", STATE),
-    (r"\hat{\mathbf{M}}_i", "inertia of the link and all that it carries, modes eliminated", MIXED, LINK, "F_i", STATE),
-    (r"\hat{\mathbf{h}}_i", "bias of the link and all that it carries, modes eliminated", WRENCH, "6", "F_i", STATE),
+    (r"\mathbf{M}^A_i", "$\\mathbf{M}_i$ with what the links on it add", MIXED, ALL, "F_i", STATE),
+    (r"\mathbf{h}^A_i", "$\\mathbf{h}_i$ with what the links on it add", WRENCH, "6 + r_i", "F_i", STATE),
+    (r"\hat{\mathbf{M}}_i", "inertia of the link and of all further out, modes eliminated", MIXED, LINK, "F_i", STATE),
+    (r"\hat{\mathbf{h}}_i", "bias of the link and of all further out, modes eliminated", WRENCH, "6", "F_i", STATE),
     (r"\bar{\mathbf{S}}_i", "motion subspace of the joint, for the origin of F_i", "1, m", "6 × n_{q,i}", "F_i", STATE),
     (r"\boldsymbol{\Delta}_i", "inertia that the axes of the joint move", "kg*m^2, kg", JOINT, "-", STATE),
-    (r"\mathbf{f}_{q,i}", "forces of the axes less bias, damping and stiffness", "N*m, N", "n_{q,i}", "-", STATE),
+    (r"\mathbf{f}_{q,i}", "forces of the axes that are left to accelerate them", "N*m, N", "n_{q,i}", "-", STATE),
     (r"\boldsymbol{\Lambda}_i", "articulated inertia: modes and joint eliminated", MIXED, LINK, "F_i", STATE),
     (r"\mathbf{p}_i", "articulated bias: modes and joint eliminated", WRENCH, "6", "F_i", STATE),
     (
@@ -135,7 +135,7 @@ ELIMINATION: tuple[Named, ...] = (
 
 ROBOT: tuple[Named, ...] = (
     (r"\mathbf{M}", "mass matrix of the robot", MIXED, "n_v × n_v", "-", STATE),
-    (r"\mathbf{h}", "bias of velocities, weight, springs and dampers", "N*m, N", "n_v", "-", STATE),
+    (r"\mathbf{h}", "bias, the generalised forces that need no acceleration and no input", "N*m, N", "n_v", "-", STATE),
     (r"\mathbf{q}", "coordinates of the robot", "rad, m", "n_q", "-", STATE),
     (r"\mathbf{u}", "inputs: torques and forces of the drives, tensions", "N*m, N", "n_u", "-", STATE),
     (r"\mathbf{B}_u", "directions of the inputs", "1, m", "n_v × n_u", "-", STATE),
@@ -160,7 +160,7 @@ CLOSING: tuple[Named, ...] = (
 """Of rows that close loops."""
 
 BLOCKS: tuple[Named, ...] = (
-    (r"\mathbf{M}^c_j", "inertia of link $j$ with all that it carries, nothing moving", MIXED, LINK, "F_j", STATE),
+    (r"\mathbf{M}^c_j", "inertia of link $j$ with all further out, no joint or mode moving", MIXED, LINK, "F_j", STATE),
     (r"\mathbf{Y}_k", "takes the twist of the carrying link to that of link $k$", "-, m", LINK, "F_k", STATE),
     (r"\mathbf{Y}_{\eta,k}", "takes its modal rates to the twist of link $k$", "1/m, -", "6 × r_i", "F_k", STATE),
     (r"\mathbf{U}_{q,j}", "wrenches on link $j$ by accelerations of its joint", WRENCH, "6 × n_{q,j}", "F_j", STATE),

@@ -10,6 +10,7 @@ from document_symbols import Printed, plain
 from latex_formula import value
 
 KINDS = {
+    "given": "A rotor whose motion is given",
     "elastic": "A drive whose gear is elastic",
     "geared": "with the gear's stiffness",
     "rigid": "A rigid gear adds",
@@ -47,6 +48,8 @@ class Axis:
     states: dict[str, float] = field(default_factory=dict)
     """Internal states, by the kind of what has them."""
     rates: dict[str, float] = field(default_factory=dict)
+    given: bool = False
+    """Whether its motion is given, of an elastic drive that of its rotor."""
     known: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -160,6 +163,8 @@ class Axis:
 
     def rotor(self) -> float:
         """The acceleration of the rotor behind an elastic gear."""
+        if self.given:
+            return self.read(self.formula("given", r"\ddot{\vartheta}"), {})
         torque = self.read(self.formula("elastic", r"\tau_J"), {})
         right = self.read(self.formula("elastic", r"J_r\,\ddot{\vartheta}"), {r"\tau_J": torque})
         return right / self.numbers["J_r"]
@@ -203,4 +208,5 @@ def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
             numbers.setdefault("J_r", 0.0)
         sign = 0.0 if side == "–" else float(side)
         out.append(Axis(link, k, numbers, limits, elements, transmission, sign, said, words))
+        out[-1].given = any(x[2] == f"`{link}.acceleration[{k}]`" for x in document.table("in $\\mathbf{u}$"))
     return out

@@ -120,9 +120,10 @@ class Run:
     def _on_axes(self, link: Link, torques: Mapping) -> Env:
         nv, own = link.sizes[1], self.state.scopes[link.number].given["parameters"]
         base = {s: [own.get(f"{s}_{{{'m' if s == 'j' else 'q'},{k + 1}}}", 0.0) for k in range(nv)] for s in "jkd"}
-        effort = np.zeros(nv)
+        effort, told, given = np.zeros(nv), np.zeros(nv), np.zeros(nv)
         for axis in link.axes:
             k = axis.number
+            told[k], given[k] = axis.tau, axis.given and not axis.elastic
             total, inertia, stiffness, damping = self.efforts[axis.name, k]
             effort[k] = total + torques.get(self.axes.index(axis), 0.0)
             base["j"][k] += inertia
@@ -132,7 +133,9 @@ class Run:
         out = {plain(names[s]): np.reshape(base[s], (-1, 1)) for s in base}
         if link.sizes[0] != nv:  # a ball joint has no springs
             out[r"\mathbf{q}_i"] = np.zeros((nv, 1))
-        return out | {plain(x): effort[:, None] for x in (r"\boldsymbol{\tau}_{q,i}", r"\boldsymbol{\tau}_i")}
+        out |= {plain(r"\mathbf{E}_i"): np.diag(given), plain(r"\bar{\mathbf{E}}_i"): np.diag(1 - given)}
+        acting = {plain(r"\boldsymbol{\tau}_{q,i}"): effort[:, None], plain(r"\boldsymbol{\tau}_i"): effort[:, None]}
+        return out | acting | ({plain(r"\boldsymbol{\tau}_i"): told[:, None]} if given.any() else {})
 
     def _known(self, scope: Scope, env: Env) -> Callable[[str], Value]:
         return lambda name: env[plain(name)] if plain(name) in env else scope(name)

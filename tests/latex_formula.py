@@ -17,7 +17,7 @@ WORDS = "left|right|frac|tfrac|sqrt|sum|cos|sin|exp|max|begin|end|times|quad|ope
 LETTER += rf"|\\partial\\ell|\\(?!{WORDS})[a-zA-Z]+|[a-zA-Z])"
 SCRIPT = r"(?:\{[^{}]*\}|\\[a-zA-Z]+|[a-zA-Z0-9])"
 SYMBOL = re.compile(
-    rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^[*APc])?(?:_{SCRIPT})?"
+    rf"(?P<tilde>\\tilde\{{)?(?P<letter>{LETTER})(?(tilde)\}})'*(?:_{SCRIPT})?(?:\^[*APacf])?(?:_{SCRIPT})?"
 )
 NUMBER = re.compile(r"(?:(\d+(?:\.\d+)?)\\times )?10\^\{(-?\d+)\}|\d+(?:\.\d+)?")
 POWER = re.compile(r"\^(?:\{(\d+)\}|(\d))")

@@ -64,7 +64,7 @@ def joint_rows_block(key: LinkClass) -> Block:
 def _selection(m: int, axes: Sequence[int]) -> Expression:
     """(m, m): one on the diagonal of the given axes, zero elsewhere."""
     rows = [[int(i == j and i in axes) for j in range(m)] for i in range(m)]
-    return matrix(rows, (m, m), r"\mathbf{I}_{a}")
+    return matrix(rows, (m, m), r"\mathbf{E}_i")
 
 
 def _rows_in_space(b: Block) -> Block:

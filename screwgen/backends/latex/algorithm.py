@@ -165,6 +165,7 @@ AXES = (
     ("stiffness", r"\mathbf{K}_q", r"\mathbf{k}_q", r"\mathbf{q}_i"),
 )
 """What acts on axes linearly: its name, its diagonal matrix, the vector of that, and what it acts with."""
+INPUT = r"\boldsymbol{\tau}_i"
 BIAS = r" + \hat{\mathbf{M}}_i\,\boldsymbol{\beta}_i"
 
 
@@ -199,6 +200,28 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "relations": bool(chain.closing.related),
         "shared": chain.closing.overconstrained,
         **joint_terms(chain),
+        **_driving(chain),
+    }
+
+
+def _driving(chain: Chain) -> Mapping[str, object]:
+    """What drives the axes, and what of their motion is free: of axes whose motion is given, nothing."""
+    terms = joint_terms(chain)
+    free, bias, effort = rf"{terms['S']}_i", r"\hat{\mathbf{h}}_i", f"{elements.effort(chain)}{terms['resisting']}"
+    if not (given := elements.moved_axes(chain)):
+        return {"given": given, "S_f": free, "S_f_T": rf"{free}^{{\top}}", "h_f": bias, "driving": effort}
+    masked = (
+        rf"\bar{{\mathbf{{E}}}}_i\,\left( {effort} \right)"
+        if terms["resisting"]
+        else rf"\bar{{\mathbf{{E}}}}_i\,{effort}"
+    )
+    return {
+        "given": given,
+        "S_f": r"\mathbf{S}^f_i",
+        "S_f_T": r"{\mathbf{S}^f_i}^{\top}",
+        "h_f": r"\hat{\mathbf{h}}^a_i",
+        "driving": effort if effort == INPUT else rf"{masked} + \mathbf{{E}}_i\,{INPUT}",
+        "armature": (rf"{terms['armature']}\,\bar{{\mathbf{{E}}}}_i" if terms["armature"] else "") + r" + \mathbf{E}_i",
     }
 
 
@@ -241,4 +264,6 @@ def joint_terms(chain: Chain) -> Mapping[str, object]:
 def _inputs(chain: Chain) -> str:
     if elements.acting(chain):
         return r"$\boldsymbol{\tau}_{q,i}$ what acts on the axes of joint $i$, by the last section"
-    return r"$\boldsymbol{\tau}_i$ the torques of joint $i$" + ", of slides forces" * chain.slides
+    if elements.moved_axes(chain):
+        return rf"${INPUT}$ the inputs of joint $i$"
+    return rf"${INPUT}$ the torques of joint $i$" + ", of slides forces" * chain.slides

@@ -34,6 +34,11 @@ INPUTS = (
     r"the tip frame. The joint wrenches $\mathbf{w}_i$ come link by link, the moment first."
 )
 
+GIVEN = (
+    r" Of axes whose motion is given the input is the acceleration; their rows of the equation of motion then say what "
+    r"their drives exert."
+)
+
 
 def tables(chain: Chain) -> Iterator[Item]:
     """The table of the coordinates, and that of the inputs."""
@@ -42,7 +47,8 @@ def tables(chain: Chain) -> Iterator[Item]:
     balls = any(nq != nv and not key.floats for nq, nv, key in sizes)
     yield Paragraph(ABOUT + BALL * balls + INTERNAL * bool(chain.internal), essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
-    yield Paragraph(INPUTS + TURNED * bool(chain.turned_wrenches), essential=True)
+    said = INPUTS + GIVEN * bool(chain.prescribed) + TURNED * bool(chain.turned_wrenches)
+    yield Paragraph(said, essential=True)
     rows = inputs(chain)
     if rows:
         yield DocumentTable(
@@ -177,6 +183,9 @@ def _acts(chain: Chain, k: int) -> str:
     where = (
         f"the joint of link {link + 1}, $q_{{{k + 1}}}$" if chain.keys[link].screws else f"the joint of link {link + 1}"
     )
-    if k in chain.added_joints and kind is None:
+    rotor = k in chain.added_joints and kind is None
+    if k in chain.prescribed:
+        return f"is the acceleration of the rotor that drives {where}" if rotor else f"is the acceleration of {where}"
+    if rotor:
         return f"the rotor that drives {where}"
     return f"{where}, through a {kind.WORD}" if kind is not None else where

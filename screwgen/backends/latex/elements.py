@@ -33,6 +33,20 @@ def effort(chain: Chain) -> str:
     return r"\boldsymbol{\tau}_{q,i}" if acting(chain) else r"\boldsymbol{\tau}_i"
 
 
+def moved_axes(chain: Chain) -> bool:
+    """Whether the motion of axes is given; where a drive is elastic that of its rotor is."""
+    return any(axis not in key.added_axes for key in chain.keys for axis in key.prescribed)
+
+
+GIVEN_ROTOR = r"""
+A rotor whose motion is given, as the table of inputs says, has its input as acceleration:
+
+$$
+\ddot{\vartheta} &= \tau
+$$
+"""
+
+
 def equations(chain: Chain) -> list[str]:
     """Their sections of text."""
     drives, bends = _drives(chain), any(drive.bend for drive in _drives(chain))
@@ -42,6 +56,7 @@ def equations(chain: Chain) -> list[str]:
     out += [stop.EQUATIONS] if STOP in chain.laws else []
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
+    out += [GIVEN_ROTOR] * any(axis in key.added_axes for key in chain.keys for axis in key.prescribed)
     out += [law.equations() for law in dict.fromkeys(law for laws in chain.laws_of_inputs for law in laws)]
     return out + ([gear.travel_equations(chain.travel_kinds)] if chain.elastic_travels else [])
 

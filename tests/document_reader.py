@@ -55,7 +55,7 @@ class Run:
             axis.prepare()
         self.efforts = {(axis.name, axis.number): axis.effort() for axis in self.axes}
         self.loops = Loops(self.document, state.scopes, self.axes)
-        self.acting = Acting(self.document, state.scopes, state.w_ext)
+        self.acting = Acting(self.document, state.scopes, state.w_ext, state.tau)
         self.pulls = [self._pulls(link) for link in self.links]
 
     def solved(self) -> tuple[np.ndarray, np.ndarray]:

@@ -105,7 +105,7 @@ class State:
     """A reading in a state: scopes for all links and their sections."""
 
     def __init__(self, reading: Reading, q, v, tau, w_ext):
-        self.reading, self.links, self.w_ext = reading, reading.links, w_ext
+        self.reading, self.links, self.w_ext, self.tau = reading, reading.links, w_ext, tau
         self._split(q, v, tau)
         self.scopes: list[Scope] = []
         self.stations: dict[tuple[int, float], Scope] = {}

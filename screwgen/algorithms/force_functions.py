@@ -14,6 +14,8 @@ from typing import Any, Self
 import numpy as np
 
 from ..ir.program import Array, Value
+from ..spec.forces import FORCE_INPUTS
+from ..spec.input import Input
 from ..topology.chain import Chain
 from ..topology.forces import PlacedForce
 from . import force_programs as programs
@@ -37,8 +39,11 @@ class ForceFunctions:
     chain: Chain
     world: Sequence
     acts: bool
+    chosen: Sequence = ()
+    """The inputs of all forces, in their order; zero where none are given."""
     apply: Apply
     section: Callable[[str], AbstractContextManager]
+    entries: Callable[[Sequence], Iterator[tuple[Input, list]]]
     _run: Callable[..., tuple[list, list]]
     motion: Callable[..., list[dict[str, list]]]
 
@@ -52,6 +57,14 @@ class ForceFunctions:
         """The functions of the same robot whose tips bear nothing but the wrenches that are given in their frames."""
         out = copy(self)
         out.acts = False
+        return out
+
+    def under_inputs(self, tau: Sequence) -> Self:
+        """The same functions with the inputs of forces that are among ``tau``, if there are any."""
+        if not (self.chain.chooses_forces and len(tau)):
+            return self
+        out = copy(self)
+        out.chosen = next((own for row, own in self.entries(tau) if row is FORCE_INPUTS), ())
         return out
 
     def with_forces(self, q: Sequence, v: Sequence, w_ext: Sequence) -> Sequence:
@@ -125,6 +138,25 @@ class ForceFunctions:
                 D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)
                 yield i, D_q, mx.multiply(by_twist, J)
 
+    def input_powers(self, q: Sequence, v: Sequence) -> list[Value]:
+        """The power that each input of a force gives to the robot."""
+        tips, forces = self._tips(q, v), [force for force in self.chain.forces if force.shape.inputs]
+        found = (self._applied(force, tips, programs.powers(force.shape), twists=True)["power"] for force in forces)
+        return [x for own in found for x in own]
+
+    def wrenches_per_input(self, q: Sequence, v: Sequence) -> Iterator[list[Value]]:
+        """The derivatives of the wrenches on all tips (6 n,) with each input of a force."""
+        tips = self._tips(q, v)
+        for force in self.chain.forces:
+            count = len(force.shape.inputs)
+            found = self._applied(force, tips, programs.input_slopes(force.shape), twists=True) if count else {}
+            for k in range(count):
+                total: list[Value] = [0.0] * (6 * self.chain.n)
+                for end, name in zip(force.ends, ("first", "second"), strict=True):
+                    if end is not None:
+                        total[6 * end : 6 * end + 6] = found[name][6 * k : 6 * k + 6]
+                yield total
+
     def _applied(self, force: PlacedForce, tips: Sequence[Tip], program: Any, twists: bool) -> Mapping[str, list]:
         """What a program of a force gives in a state of all tips."""
         first, second = (self._end(force, i, tips) for i in force.ends)
@@ -132,7 +164,8 @@ class ForceFunctions:
         d = mx.name(f"d_{force.name}", mx.multiply(first.R.T, second.r - first.r))
         given: dict[str, list] = {"R": list(R.flat), "d": list(d)}
         given |= {"V_A": list(self._twist(first)), "V_B": list(self._twist(second))} if twists else {}
-        given |= {"numbers": list(self.world[3:][force.numbers])}
+        idle = [0.0] * len(force.shape.inputs)
+        given |= {"numbers": [*self.world[3:][force.numbers], *(self.chosen[force.inputs] if self.chosen else idle)]}
         return self.apply(force.tips[-1], -1, program, given)
 
     def _end(self, force: PlacedForce, segment: int | None, tips: Sequence[Tip]) -> Tip:

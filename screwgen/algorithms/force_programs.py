@@ -1,7 +1,8 @@
 """The programs of forces between frames (:mod:`..interactions`): their wrenches on both ends, energies, slopes.
 
 All are functions of how the tips of two segments lie and move: ``R`` (9) and ``d`` (3), the pose of the second in the
-first, and the twists ``V_A``, ``V_B`` (6) of both, each in its own axes, and of the ``numbers`` that the robot states.
+first, and the twists ``V_A``, ``V_B`` (6) of both, each in its own axes, and of the ``numbers`` that the robot states,
+behind which stand the inputs of the force.
 """
 
 from __future__ import annotations
@@ -42,6 +43,23 @@ def quantities(shape: InteractionClass) -> Program:
 
 
 @cache
+def powers(shape: InteractionClass) -> Program:
+    """``(R, d, V_A, V_B, numbers) -> (power)`` that its inputs give to the robot."""
+    tracer, inputs = _inputs(shape, "R d V_A V_B")
+    found = shape.power(tracer, _relative(inputs), list(inputs["numbers"]))
+    return _program(tracer, shape, "R d V_A V_B", power=mx.array(found))
+
+
+@cache
+def input_slopes(shape: InteractionClass) -> Program:
+    """``(R, d, V_A, V_B, numbers) -> (first, second)``: how the wrenches change with each input, (inputs, 6)."""
+    tracer, inputs = _inputs(shape, "R d V_A V_B")
+    found, chosen = _wrenches(tracer, shape, inputs), [*inputs["numbers"]][shape.count :]
+    slopes = {name: mx.array(columns([*own], chosen)) for name, own in found.items()}
+    return _program(tracer, shape, "R d V_A V_B", **slopes)
+
+
+@cache
 def slopes(shape: InteractionClass) -> Program:
     """``(R, d, V_A, V_B, numbers) -> (by_pose, by_twist)``: the derivatives of both wrenches, (12, 12) row by row.
 
@@ -74,11 +92,15 @@ def _relative(inputs: dict[str, Array]) -> Relative:
 SIZES = {"R": 9, "d": 3, "V_A": 6, "V_B": 6}
 
 
+def _sizes(shape: InteractionClass, names: str) -> dict[str, int]:
+    return {name: SIZES[name] for name in names.split()} | {"numbers": shape.count + len(shape.inputs)}
+
+
 def _inputs(shape: InteractionClass, names: str) -> tuple[Tracer, dict[str, Array]]:
-    tracer, sizes = Tracer(), {name: SIZES[name] for name in names.split()} | {"numbers": shape.count}
+    tracer, sizes = Tracer(), _sizes(shape, names)
     return tracer, {name: mx.array(tracer.input(name, size), (size,)) for name, size in sizes.items()}
 
 
 def _program(tracer: Tracer, shape: InteractionClass, names: str, **outputs: Array) -> Program:
-    sizes = {name: SIZES[name] for name in names.split()} | {"numbers": shape.count}
+    sizes = _sizes(shape, names)
     return tracer.program(shape.kind.KIND, sizes, {name: list(x.flat) for name, x in outputs.items()})

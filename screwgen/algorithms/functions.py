@@ -279,7 +279,7 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
         return rates(self.chain, q, v, self.apply)
 
     def energy(self, q: Sequence, v: Sequence) -> tuple[Value, Value]:
-        """Kinetic and potential energy."""
+        """Kinetic and potential energy; that of forces with inputs is of :meth:`under_inputs`."""
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
         return sum_of(links, "kinetic"), sum_of(links, "potential") + self.energy_of_forces(q)

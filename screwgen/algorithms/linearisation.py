@@ -31,7 +31,8 @@ def linearisation(chain: Chain, constants: str = "constants", own: bool = True) 
             vdot, _ = f.forward_dynamics(*given)
             found = slopes(f, x["q"], x["v"], vdot, x["w_ext"], x["tau"], own)
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
-        rows |= {"exerted": [x for force in f.exerted(x["q"]) for x in force]} if chain.other_inputs else {}
+        exerted = f.exerted(x["q"], x["v"], x["tau"]) if chain.other_inputs else []
+        rows |= {"exerted": [x for force in exerted for x in force]} if chain.other_inputs else {}
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
 
     return fuse(chain, "linearisation", inputs(chain, "q v tau w_ext m_eta f_eta"), body, constants)

@@ -54,7 +54,7 @@ def slopes(
     triangle of ``M`` counts.  Without ``own`` the given inertia, the springs, dampers, friction and stops of single
     coordinates are left out: a step takes them elsewhere.
     """
-    at = list(dict.fromkeys(acting_tips(f.chain)))
+    f, at = f.under_inputs(tau), list(dict.fromkeys(acting_tips(f.chain)))
     found, moved = moving_slopes(f, (q, v, vdot, f.with_forces(q, v, w_ext), tau), at, own)
     _take_forces(f, q, v, w_ext, found, moved)
     return found
@@ -64,7 +64,7 @@ def closed_slopes(
     f: Functions, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence, own: bool = True
 ) -> tuple[list, Slopes, RowChange]:
     """Of a robot with loops: ``vdot``, the same of ``f - J^T lambda`` at held forces lambda, and the loops' rows."""
-    chain = f.chain
+    chain, f = f.chain, f.under_inputs(tau)
     outer = Loads(tau, f.with_forces(q, v, w_ext))
     shut, forces = f.row_forces(q, v, outer)
     loads = outer.plus(shut.loads(forces))

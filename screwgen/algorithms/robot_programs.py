@@ -40,10 +40,16 @@ def held_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.
     return {"held": f.held(q, v, tau)}
 
 
-@fused.program("q")
-def exerted(f: Functions, q: Sequence) -> fused.Outputs:
-    """``(q) -> (exerted)``: the generalised forces per unit of each input but torques, (inputs, nv)."""
-    return {"exerted": [x for force in f.exerted(q) for x in force]}
+@fused.program("q v tau")
+def exerted(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
+    """``(q, v, tau) -> (exerted)``: the generalised forces per unit of each input but torques, (inputs, nv)."""
+    return {"exerted": [x for force in f.exerted(q, v, tau) for x in force]}
+
+
+@fused.program("q v tau")
+def by_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
+    """``(q, v, tau) -> (force)``: the generalised forces of all inputs but torques."""
+    return {"force": f.by_inputs(q, v, tau)}
 
 
 @fused.program("tau", constants="constants", algorithms=())
@@ -64,10 +70,10 @@ def cylinder_length(f: Functions, q: Sequence) -> fused.Outputs:
     return {"cylinder_length": f.cylinder_lengths(q)}
 
 
-@fused.program("q v")
-def force_quantities(f: Functions, q: Sequence, v: Sequence) -> fused.Outputs:
+@fused.program("q v (tau)")
+def force_quantities(f: Functions, q: Sequence, v: Sequence, tau: Sequence = ()) -> fused.Outputs:
     """``(q, v) -> (force_quantities)`` of the forces between frames."""
-    return {"force_quantities": f.force_quantities(q, v)}
+    return {"force_quantities": f.under_inputs(tau).force_quantities(q, v)}
 
 
 @fused.program("q")

@@ -6,6 +6,7 @@ from .drag import Drag
 from .interaction import FORCE as FORCE
 from .interaction import POTENTIAL as POTENTIAL
 from .interaction import TORQUE as TORQUE
+from .interaction import ForceInput as ForceInput
 from .interaction import Interaction as Interaction
 from .interaction import InteractionClass as InteractionClass
 from .interaction import LawEquation as LawEquation

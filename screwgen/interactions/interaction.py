@@ -50,6 +50,18 @@ class ReportedQuantity(NamedTuple):
     meaning: str
 
 
+class ForceInput(NamedTuple):
+    """An entry of ``tau`` that acts on an interaction: unit, meaning, letter in its formula.
+
+    ``adds_to``: the number to which it is added, if it is no key of its own. At zero a force is that of the file.
+    """
+
+    unit: str
+    meaning: str
+    symbol: str
+    adds_to: str = ""
+
+
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
     """A field with a number; the rest as of :class:`Number`."""
     return field(default=default, metadata={"number": Number(unit, meaning, symbol, **more)})
@@ -103,17 +115,25 @@ class Interaction:
     """A force between two frames, to be inherited.
 
     ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments and documents;
-    ``QUANTITIES``: what runs report of it, by names that none of its numbers has.
+    ``QUANTITIES``: what runs report of it, by names that none of its numbers has; ``INPUTS``: what a controller may
+    choose of it, entries of ``tau`` as ``rope.paid_out``.
     """
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
     QUANTITIES: ClassVar[Mapping[str, ReportedQuantity]] = {}
+    INPUTS: ClassVar[Mapping[str, ForceInput]] = {}
+
+    @staticmethod
+    def has_inputs(has: Collection[str]) -> bool:
+        """Whether a controller chooses its ``INPUTS``; ``has``: numbers that are stated, choices that are true."""
+        return True
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         """The wrench in a state.
 
+        ``keys``: the numbers and choices, and the inputs that are added to no number; what is not stated is zero.
         Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, and ``t.named(name, x)``, which names a value in
         generated code. Functions are ``sqrt``, ``sin``, ``cos`` and ``on``, which is 1 where x > 0, else 0; all of them
         stand in :data:`..ir.program.FUNCTIONS`. A root of what may vanish needs a small number below it.
@@ -124,6 +144,11 @@ class Interaction:
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
         """The potential, J; none by default."""
         return 0.0
+
+    @staticmethod
+    def power(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        """The power that each of ``INPUTS`` gives to the robot, W; must be stated of a kind that has any."""
+        raise NotImplementedError
 
     @staticmethod
     def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
@@ -188,7 +213,7 @@ class InteractionClass:
     chosen: tuple[tuple[str, bool], ...]
 
     def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> WrenchOnSecond:
-        """The wrench of the numbers that are stated, entry by entry."""
+        """The wrench of the numbers that are stated, entry by entry, and of the inputs behind them."""
         return self.kind.wrench(t, x, **self._keys(numbers))
 
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
@@ -206,6 +231,11 @@ class InteractionClass:
         return self.kind.equations(self.has)
 
     @property
+    def inputs(self) -> Mapping[str, ForceInput]:
+        """What a controller chooses of it, by name."""
+        return self.kind.INPUTS if self.kind.has_inputs(self.has) else {}
+
+    @property
     def drawn(self) -> str:
         """How pictures draw it."""
         return self.kind.drawn(self.has)
@@ -215,15 +245,23 @@ class InteractionClass:
         found = self.kind.outputs(t, x, **self._keys(numbers))
         return [found[name] for name in self.kind.QUANTITIES]
 
+    def power(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[Value]:
+        """The power of its inputs, in their order."""
+        found = self.kind.power(t, x, **self._keys(numbers))
+        return [found[name] for name in self.inputs]
+
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
         given: dict[str, Any] = {}
         rest = iter(numbers)
         for name, one in self.kind.table().items():
             of = (lambda: next(rest)) if name in self.stated else (lambda: 0.0)
             given[name] = tuple(of() for _ in one.entries) if one.entries else of()
+        for name, entry in self.kind.INPUTS.items():
+            value = next(rest) if name in self.inputs else 0.0
+            given |= {entry.adds_to: given[entry.adds_to] + value} if entry.adds_to else {name: value}
         return given | dict(self.chosen)
 
     @property
     def count(self) -> int:
-        """How many numbers are stated, entry by entry."""
+        """How many numbers are stated, entry by entry; inputs follow them."""
         return sum(len(self.kind.table()[name].entries) or 1 for name in self.stated)

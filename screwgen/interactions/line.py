@@ -1,7 +1,9 @@
 """A spring and a damper along the line between two points; with `slack` a rope, which pulls alone.
 
 With the length ``l`` between the points it pulls both together with ``T = k (l - rest) + c dl/dt``. A rope of that
-stiffness pulls where it is longer than its rest length, and never pushes.
+stiffness pulls where it is longer than its rest length, and never pushes. With `winch` a controller chooses how much
+line is paid out: ``T = k (l - rest - paid_out) + c (dl/dt - speed)``. The speed is an input of its own, for between two
+samples nobody knows the rate of a length, and both the damping and the power of the winch need it.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ from typing import Any, ClassVar
 from .interaction import (
     FORCE,
     POTENTIAL,
+    ForceInput,
     Interaction,
     LawEquation,
     Relative,
@@ -38,6 +41,10 @@ class SpringLine(Interaction):
         "length": ReportedQuantity("m", "distance of the ends"),
         "pull": ReportedQuantity("N", "force that pulls the ends together"),
     }
+    INPUTS: ClassVar = {
+        "paid_out": ForceInput("m", "line that the winch has paid out, beyond the rest length", "s_w", adds_to="rest"),
+        "speed": ForceInput("m/s", "rate at which the winch pays out", r"\dot{s}_w"),
+    }
 
     stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
     rest: float | None = number(
@@ -47,12 +54,27 @@ class SpringLine(Interaction):
         "N·s/m", "damping along the line", r"c_\ell", default=None, sign="non-negative", least=1e-12, most=1e18
     )
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
+    winch: bool = choice("whether a winch changes its rest length, by two inputs: the line paid out and its rate")
+
+    @staticmethod
+    def has_inputs(has: Collection[str]) -> bool:
+        return "winch" in has
+
+    @property
+    def fault(self) -> tuple[str, str] | None:
+        if self.winch and self.rest is None:
+            return "winch", "is stated without rest, the length without any line paid out; state that, or leave it out"
+        return None
 
     @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         length, pull = _pulled(t, x, keys)
         share = t.named("pull_over_length", pull / length)
         return WrenchOnSecond((0.0, 0.0, 0.0), tuple(-(share * y) for y in x.d))
+
+    @staticmethod
+    def power(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
+        return {"paid_out": 0.0, "speed": -(_pulled(t, x, keys)[1] * keys["speed"])}
 
     @staticmethod
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
@@ -62,9 +84,10 @@ class SpringLine(Interaction):
 
     @staticmethod
     def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
-        stretch = r"(\ell - \ell_0)" if "rest" in has else r"\ell"
-        pull = rf"k_\ell\,{stretch}" + r" + c_\ell\,\dot{\ell}" * ("damping" in has)
-        taut = r"\mathrm{H}(\ell - \ell_0)\," * ("rest" in has)
+        rest, speed = (r"\ell_0 - s_w", r"(\dot{\ell} - \dot{s}_w)") if "winch" in has else (r"\ell_0", r"\dot{\ell}")
+        stretch = rf"(\ell - {rest})" if "rest" in has else r"\ell"
+        pull = rf"k_\ell\,{stretch}" + rf" + c_\ell\,{speed}" * ("damping" in has)
+        taut = rf"\mathrm{{H}}(\ell - {rest})\," * ("rest" in has)
         pull, taut = (rf"{taut}\max\left( 0,\ {pull} \right)", taut) if "slack" in has else (pull, "")
         rate = LawEquation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
         return (
@@ -80,6 +103,8 @@ class SpringLine(Interaction):
 
     @staticmethod
     def drawn(has: Collection[str]) -> str:
+        if "winch" in has:  # its length at rest is known to who chooses it, not to pictures
+            return "line"
         return "rope" if "slack" in has else "spring"
 
     @staticmethod
@@ -90,7 +115,7 @@ class SpringLine(Interaction):
 def _pulled(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Value, Value]:
     """The length, and the force that pulls both ends together."""
     length = _length(t, x)
-    rate = dot(x.d, x.v) / length
+    rate = dot(x.d, x.v) / length - keys["speed"]
     stretch = length - keys["rest"]
     pull = keys["stiffness"] * stretch + keys["damping"] * rate
     return length, t.call("on", stretch) * t.call("on", pull) * pull if keys["slack"] else pull

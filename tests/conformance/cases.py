@@ -76,6 +76,11 @@ class Case:
         most = np.append(most, np.full(len(tau) - len(most), np.inf))
         return np.clip(tau, -most, most)
 
+    def energy(self, functions, q, v, tau, *p):
+        """Kinetic and potential; of the inputs too where these act on forces between frames."""
+        of = functions["energy"] if p else functions.energy
+        return of(q, v, *(tau,) * self.model.chain.chooses_forces, *p)
+
     @property
     def tolerance(self) -> float:
         """Of the judge: the larger of 1e-10 and 50 eps cond."""

@@ -104,7 +104,10 @@ class Judge:
     @cached_property
     def acted(self) -> tuple[np.ndarray, ...]:
         """What acts on sections in the state, as `Outer.acting` has it."""
-        return tuple(x.full() for x in self.outer.acting(self.state["q"], self.state["v"], self.pushes.T))
+        return self._acted(self.outer.winches)
+
+    def _acted(self, winches: np.ndarray) -> tuple[np.ndarray, ...]:
+        return tuple(x.full() for x in self.outer.acting(self.state["q"], self.state["v"], self.pushes.T, winches))
 
     def _forces(self, q, tau) -> np.ndarray:
         """Those of drives, springs on axes, tendons, and of what acts on sections."""
@@ -189,7 +192,8 @@ class Judge:
                 Q.append(q[own])
                 tau_out.append(tau[own])
         q_out = np.concatenate([*Q, q[self.oracle.n_joint :]])
-        rates, inputs = np.append(self.map @ v, self.bristles.z), np.concatenate([*tau_out, self.tensions])
+        rates = np.append(self.map @ v, self.bristles.z)
+        inputs = np.concatenate([*tau_out, self.tensions, self.outer.winches.ravel()])
         return q_out, rates, inputs, self.outer.laid(w_ext, self.pushes)
 
     @cached_property
@@ -206,9 +210,10 @@ class Judge:
 
     @cached_property
     def forces(self) -> np.ndarray:
-        """(nv,): the generalised forces of the motion in the open tree, springs on axes and on sections among them."""
+        """(nv,): the generalised forces of the motion in the open tree without inputs, those of springs among them."""
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
-        own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0] + self.acted[0][:, 0]
+        own = self.acting(q, np.zeros(len(self.tensions)))[0].full()[:, 0]
+        own = own + self._acted(0 * self.outer.winches)[0][:, 0]
         own = own + self.bristles.forces(v)
         found = self.oracle.inverse_dynamics(q, v, self.motion[0], w_ext) - own
         return np.linalg.solve(self.map.T, found)
@@ -290,6 +295,7 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
     judge = Judge(robot, twin, oracle, state)
     judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
     judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)
+    judge.outer.winches = rng.uniform(-0.3, 0.3, judge.outer.winches.shape)
     judge.bristles.z = rng.uniform(-0.04, 0.04, len(judge.bristles.z))
     return judge
 

@@ -47,10 +47,12 @@ Frame = tuple[ca.SX, ca.SX]
 
 
 class Outer:
-    """``rows``: those of the product that are not of links; ``links``: where the others stand among all."""
+    """``rows``: those of the product that are not of links; ``links``: where the others stand among all; ``winches``:
+    the line that each has paid out, and the rate of that."""
 
     def __init__(self, robot: dict, twin: dict, oracle: Oracle):
         self.robot, self.oracle = robot, oracle
+        self.winches = np.zeros((sum("winch" in x.get("line", {}) for x in robot.get("forces", [])), 2))
         self.names = [link["name"] for link in twin["links"]]
         self.rows: list[Row] = []
         self.links: list[int] = []
@@ -82,15 +84,18 @@ class Outer:
 
     @cached_property
     def acting(self) -> ca.Function:
-        """(q, v, pushes (6, rows)) -> the generalised forces (nv,), the energy of springs, what is equivalent on the
-        tips (6, n), in their axes, and what the welds of the rows transmit (6, rows).
+        """(q, v, pushes (6, rows), winches) -> the generalised forces (nv,), the energy of springs, what is equivalent
+        on the tips (6, n), in their axes, and what the welds of the rows transmit (6, rows).
         """
         q, v, W = self.oracle.q, self.oracle.v, ca.SX.sym("pushes", 6, len(self.rows))
-        force, energy = ca.SX.zeros(self.oracle.nv), ca.SX(0)
+        force, energy, wound = ca.SX.zeros(self.oracle.nv), ca.SX(0), ca.SX.sym("wound", *self.winches.shape)
+        winches = iter(ca.vertsplit(wound) if wound.numel() else ())
         on_tips, on_rows = ca.SX.zeros(6, self.oracle.n), ca.SX.zeros(6, len(self.rows))
         for stated in self.robot.get("forces", []):
             ends = [self._end(x) for x in stated["between"]]
-            own = self._line(stated["line"], *ends) if "line" in stated else self._bushing(stated["bushing"], *ends)
+            drum = ca.horzsplit(next(winches)) if "winch" in stated.get("line", {}) else (0.0, 0.0)
+            line = "line" in stated
+            own = self._line(stated["line"], *ends, *drum) if line else self._bushing(stated["bushing"], *ends)
             force, energy, point = force + own.force, energy + own.energy, ends[1][1]
             for end, sign in zip(stated["between"], (-1, 1), strict=True):
                 if isinstance(end, str):
@@ -105,7 +110,7 @@ class Outer:
             on_tips += self._on_tip(row.place, torque, load, r)
             on_rows[:, k] += ca.vertcat(R.T @ torque, R.T @ load)
         found = [force, energy, on_tips, -on_rows]
-        return ca.Function("outer", [q, v, W], [ca.densify(x) for x in found])
+        return ca.Function("outer", [q, v, W, wound], [ca.densify(x) for x in found])
 
     def _section(self, place: Place) -> Frame:
         return self.oracle.section(place.link, self.oracle.clouds[place.link], place.s)
@@ -120,12 +125,12 @@ class Outer:
         turn = rates([R], self.oracle.q, self.oracle.v)[0] @ R.T
         return ca.vertcat(turn[2, 1], turn[0, 2], turn[1, 0])
 
-    def _line(self, law: dict, first: Frame, second: Frame) -> Acting:
+    def _line(self, law: dict, first: Frame, second: Frame, paid_out: float, speed: float) -> Acting:
         """A spring and a damper along a line, or a rope."""
         q, line, slack = self.oracle.q, second[1] - first[1], law.get("slack", False)
         length = ca.norm_2(line)
-        stretch = length - law.get("rest", 0.0)
-        damped = law.get("damping", 0.0) * rates([length], q, self.oracle.v)[0]
+        stretch = length - law.get("rest", 0.0) - paid_out
+        damped = law.get("damping", 0.0) * (rates([length], q, self.oracle.v)[0] - speed)
         pull = law["stiffness"] * stretch + damped
         taut = ca.logic_and(stretch > 0, pull > 0) if slack else 1
         energy = law["stiffness"] * stretch**2 / 2 * ((stretch > 0) if slack else 1)

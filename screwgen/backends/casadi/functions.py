@@ -168,10 +168,15 @@ def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
     )
 
 
-def exerted(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
+def exerted(chain: Chain, q: ca.SX, v: ca.SX, tau: ca.SX, p: ca.SX) -> ca.SX:
     """(nv, inputs): the generalised forces per unit of each input but torques of axes."""
-    found = expressions(programs.exerted(chain), {"q": q, "p": p})["exerted"]
+    found = expressions(programs.exerted(chain), {"q": q, "v": v, "tau": tau, "p": p})["exerted"]
     return ca.densify(ca.reshape(found, chain.nv, chain.n_tau - chain.n_joints))
+
+
+def by_inputs(chain: Chain, q: ca.SX, v: ca.SX, tau: ca.SX, p: ca.SX) -> ca.SX:
+    """(nv,): the generalised forces of all inputs but torques of axes."""
+    return expressions(programs.by_inputs(chain), {"q": q, "v": v, "tau": tau, "p": p})["force"]
 
 
 def side_by_side(entries: ca.SX, rows: int, columns: int) -> ca.SX:

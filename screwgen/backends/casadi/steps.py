@@ -133,7 +133,8 @@ def scaling(chain: Chain) -> ca.Function:
             tau[joint] /= ratio
     q = ca.vertcat(ca.SX.ones(chain.q_offset[-1]), ratios, modes)
     moves, at_home = ca.vertcat(ca.SX.ones(first + m), ratios, modes), ca.SX(ca.DM(list(chain.home)))
-    forces = ca.horzsplit(ca.fabs(exerted(chain, at_home, given["p"]))) if chain.other_inputs else []
+    at_rest = ca.SX.zeros(chain.nvz), ca.SX.zeros(chain.n_tau)
+    forces = ca.horzsplit(ca.fabs(exerted(chain, at_home, *at_rest, given["p"]))) if chain.other_inputs else []
     sizes = [ca.mmax(force * moves) for force in forces]  # nothing where an input does nothing at home
     others = [ca.if_else(size > 0, twice / size, 1.0) for size in sizes]
     v = ca.vertcat(ca.sqrt(twice / inertia), *(ca.sqrt(twice / k) for k in _bristles(chain, properties)))

@@ -163,11 +163,16 @@ def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
     """One row for each input."""
     names, units = coordinate_names(chain.robot).tau, input_units(chain.robot)
     out = []
-    for k, (name, unit) in enumerate(zip(names, units, strict=True)):
+    drives = chain.n_joints + chain.n_tensions
+    for k, (name, unit) in enumerate(zip(names[:drives], units, strict=False)):
         tendon = k - chain.n_joints
         symbol = rf"$\tau_{{{k + 1}}}$" if tendon < 0 else rf"$T_{{{tendon + 1}}}$"
         about = _acts(chain, k) if tendon < 0 else "tension of the tendon, along its pieces"
         out.append((f"{k + 1}", symbol, f"`{name}`", about, plain_unit(unit)))
+    chosen = ((force.name, entry) for force in chain.forces for entry in force.shape.inputs.values())
+    for k, (force, entry) in enumerate(chosen, drives):
+        about = f"`{force}`: {entry.meaning}"
+        out.append((f"{k + 1}", f"${entry.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])))
     return tuple(out)
 
 

@@ -97,6 +97,7 @@ class _Written:
         given = Relative(*(self._entries(*of) for of in RELATIVE.values()))
         table = shape.kind.table()
         numbers = [self._symbol(latex) for name in shape.stated for latex in symbols(table[name])]
+        numbers += [self._symbol(entry.symbol) for entry in shape.inputs.values()]
         tracer = _SymbolTracer()
         wrench = shape.wrench(tracer, given, numbers)
         sides = [*zip((TORQUE,) * 3, "xyz", wrench.torque, strict=True)]

@@ -90,6 +90,11 @@ class Chain(Coordinates, InputTable):
         return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
 
     @property
+    def n_force_states(self) -> int:
+        """The number of internal states of forces between frames, the last entries of `v`."""
+        return self.forces[-1].states.stop if self.forces else 0
+
+    @property
     def n_force_numbers(self) -> int:
         """The numbers of all forces between frames, the last parameters."""
         return sum(force.count for force in self.forces)

@@ -196,7 +196,7 @@ TABLE: list[Mutant] = [
     # ------------------------------------------------------------------------------------- forces between frames
     M("line spring", "judge", INTERACTIONS + "line.py",
       'keys["stiffness"] * stretch + keys["damping"] * rate', 'keys["stiffness"] * stretch'),
-    M("rope", "judge", ALGORITHMS + "functions.py", ' + self.energy_of_forces(q)', ""),
+    M("rope", "judge", ALGORITHMS + "functions.py", ' + self.energy_of_forces(q, v)', ""),
     M("line spring", "judge", ALGORITHMS + "force_functions.py",
       "                    if end is not None:\n", '                    if end is not None and name == "second":\n'),
     M("bushing", "judge", ALGORITHMS + "force_programs.py",

@@ -96,7 +96,7 @@ def acting(model, given) -> Acting:
     """What a document says to act in a state."""
     q, v, tau, w_ext = (np.asarray(x, float) for x in given)
     read = reading(model)
-    return Acting(read.document, State(read, q, v, tau, w_ext).scopes, w_ext, tau)
+    return Acting(read.document, State(read, q, v, tau, w_ext))
 
 
 def potential(stated: dict, given) -> float:

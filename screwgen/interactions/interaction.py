@@ -73,6 +73,12 @@ class ForceState(NamedTuple):
     symbol: str
     size: float
 
+    @property
+    def rate_symbol(self) -> str:
+        """The letter of its rate."""
+        letter, _, index = self.symbol.partition("_")
+        return rf"\dot{{{letter}}}" + f"_{index}" * bool(index)
+
 
 class StateRate(NamedTuple):
     """How a state z changes: ``zdot = gain - decay z``, with a decay that is not negative.
@@ -186,7 +192,8 @@ class Interaction:
 
     @staticmethod
     def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
-        r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``.
+        r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``,
+        then the rates of states under their ``rate_symbol``.
 
         What has no equation is zero. ``has``: the numbers that are stated, and the choices that are true.
 

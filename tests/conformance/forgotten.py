@@ -113,7 +113,7 @@ TABLE: list[Mutant] = [
     # ---------------------------------------------------------------------------------------- CasADi, acados, JAX
     M("tendon", "CasADi", "screwgen/backends/casadi/steps.py", "tau=ca.vertcat(tau, *others))", "tau=tau)"),
     M("tendon", "acados", "screwgen/backends/casadi/acados.py",
-      "driven += by_inputs(chain, q, v, tau, p)", "driven += 0 * exerted(chain, q, p) @ others"),
+      "driven += by_inputs(chain, q, v, tau, p)", "driven += 0 * by_inputs(chain, q, v, tau, p)"),
     M("slide loop", "acados", ALGORITHMS + "linear_model.py",
       "a + 2.0 * c.stabilisation * b + c.stabilisation**2 * g", "a + 2.0 * c.stabilisation * b"),
     M("friction", "JAX", "screwgen/backends/jax/functions.py",

@@ -138,12 +138,18 @@ def _stumpff(order: int, x: Any) -> Any:
 # ------------------------------------------------------------------------------ the functions of a robot
 
 
+def stated(chain: Chain, names: str) -> list[str]:
+    """The inputs of a function, which blanks separate: those in brackets where inputs act on forces between frames."""
+    bare = {f"({name.strip('()')})": name.strip("()") for name in names.split()} if chain.chooses_forces else {}
+    return [bare.get(name, name) for name in names.split() if name in bare or name[0] != "("]
+
+
 def inputs(chain: Chain, names: str) -> dict[str, int]:
-    """The lengths of inputs by name, in the order of ``names``, which blanks separate."""
+    """The lengths of inputs by name, in the order of ``names``, see :func:`stated`."""
     sizes = {"q": chain.nq, "v": chain.nvz, "vdot": chain.nvz, "tau": chain.n_tau, "w_ext": 6 * chain.n}
     sizes |= {"m_eta": chain.n_inertia, "f_eta": chain.n_given, "wrench": 6 * chain.n, "motion": 4 * chain.n}
     sizes |= {"x": state_size(chain), "z": unknown_size(chain)}
-    return {name: sizes[name] for name in names.split()}
+    return {name: sizes[name] for name in stated(chain, names)}
 
 
 class Maker(Hashable, Protocol):
@@ -248,10 +254,10 @@ def inertial_force(f: Functions, q: Sequence, vdot: Sequence) -> Outputs:
     return {"force": still.inverse_dynamics(q, [0.0] * f.chain.nv, vdot, [0.0] * 6 * f.chain.n)}
 
 
-@program("q v")
-def energy(f: Functions, q: Sequence, v: Sequence) -> Outputs:
+@program("q v (tau)")
+def energy(f: Functions, q: Sequence, v: Sequence, tau: Sequence = ()) -> Outputs:
     """``(q, v) -> (kinetic, potential)``."""
-    kinetic, potential = f.energy(q, v)
+    kinetic, potential = f.under_inputs(tau).energy(q, v)
     return {"kinetic": [kinetic], "potential": [potential]}
 
 

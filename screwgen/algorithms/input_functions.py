@@ -8,6 +8,7 @@ from typing import Self
 
 from ..errors import UsageError
 from ..ir.program import Value
+from ..spec.forces import FORCE_INPUTS
 from ..spec.input import Input
 from ..spec.inputs import TORQUES
 from ..spec.tendons import TENSIONS
@@ -31,12 +32,17 @@ class InputFunctions:
     chain: Chain
     world: Sequence
     given: tuple[Sequence, Sequence] | None
+    under_inputs: Callable[[Sequence], Self]
+    input_powers: Callable[[Sequence, Sequence], list]
+    wrenches_per_input: Callable[[Sequence, Sequence], Iterator[list]]
+    wrenches_per_state: Callable[[Sequence, Sequence], Iterator[list]]
     alone: Callable[[], Self]
     without_forces: Callable[[], Self]
     with_loops: Callable[..., Loads]
     coupling_torques: Callable[..., list]
     forward: Callable[..., tuple[list, list]]
     loads: Callable[..., tuple[list, list]]
+    with_forces: Callable[..., Sequence]
     energy: Callable[..., tuple[Value, Value]]
     _run: Callable[..., tuple[list, list]]
     motion: Callable[..., list[dict[str, list]]]
@@ -61,8 +67,8 @@ class InputFunctions:
         return out
 
     def falling(self, tau: Sequence) -> Self:
-        """The same functions with the free fall that inputs change."""
-        out = self
+        """The same functions with the free fall, and with the inputs of forces, that are among ``tau``."""
+        out = self.under_inputs(tau)
         for row, values in self.entries(tau):
             if row.free_fall is not None:
                 out = copy(out)
@@ -76,8 +82,10 @@ class InputFunctions:
         told: dict[Input, list] = {TORQUES: [x for link in links for x in link["power"]]}
         told[TENSIONS] = self._of_tendons(links, "tendon_power")
         for row, values in self.entries(tau):
-            if row not in told:
-                forces = self._exerted(row, q)
+            if row is FORCE_INPUTS:
+                told[row] = self.under_inputs(tau).input_powers(q, v)
+            elif row not in told:
+                forces = self._exerted(row, q, v)
                 told[row] = [x * mx.dot(force, v) for x, force in zip(values, forces, strict=True)]
         return [x for row in self.chain.inputs for x in told[row]]
 
@@ -97,26 +105,70 @@ class InputFunctions:
         """The power that each drive gives to the arm where the motion of some is given."""
         return self.drive_power(q, v, self.drive_efforts(q, v, tau, w_ext))
 
-    def exerted(self, q: Sequence) -> Rows:
-        """The generalised forces (nv,) per unit of each input, those of torques left out."""
-        return [force for row in self.chain.other_inputs for force in self._exerted(row, q)]
+    def exerted(self, q: Sequence, v: Sequence, tau: Sequence) -> Rows:
+        """The generalised forces (nv,) per unit of each input, those of torques left out.
 
-    def _exerted(self, row: Input, q: Sequence) -> Rows:
+        Of forces between frames they are the slopes at the inputs ``tau``; others are linear in theirs.
+        """
+        f = self.under_inputs(tau)
+        return [force for row in self.chain.other_inputs for force in f._exerted(row, q, v)]
+
+    def by_inputs(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
+        """The generalised forces (nv,) of all inputs, those of torques left out."""
+        out: list[Value] = [0.0] * self.chain.nv
+        for row, values in self.entries(tau):
+            if row is FORCE_INPUTS:
+                out = [a + b for a, b in zip(out, self._by_forces(q, v, tau), strict=True)]
+            elif row is not TORQUES:
+                for x, force in zip(values, self._exerted(row, q, v), strict=True):
+                    out = [a + x * b for a, b in zip(out, force, strict=True)]
+        return out
+
+    def _by_forces(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
+        """What forces between frames exert under their inputs, less what they exert without."""
+        still, rest, none = self._still(), [0.0] * self.chain.nv, [0.0] * (6 * self.chain.n)
+        acted = (f.with_forces(q, v, none) for f in (self, self.under_inputs(tau)))
+        idle, under = (still.loads(q, rest, rest, w)[0] for w in acted)
+        return [a - b for a, b in zip(idle, under, strict=True)]
+
+    def _exerted(self, row: Input, q: Sequence, v: Sequence) -> Rows:
+        if row is FORCE_INPUTS:
+            return [[-x for x in found[0]] for found in self._needed(q, self.wrenches_per_input(q, v))]
         if row is TENSIONS:
             joints = [0.0] * self.chain.eta_v
             return [[*joints, *(-x for x in pull)] for pull in self.pulls(q)]
         return [[-x for x in self._fallen(row, q, unit)[0]] for unit in self._units(row)]
 
-    def wrenches_of_inputs(self, q: Sequence) -> Rows:
+    def _needed(self, q: Sequence, units: Iterator[list]) -> Iterator[tuple[list, list]]:
+        """The loads at rest that each of some wrenches on all tips (6 n,) needs, as `_fallen`."""
+        still, rest = self._still(), [0.0] * self.chain.nv
+        none = still.loads(q, rest, rest, [0.0] * (6 * self.chain.n))
+        for wrenches in units:
+            pairs = zip(none, still.loads(q, rest, rest, wrenches), strict=True)
+            force, wrench = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
+            yield force, wrench
+
+    def wrenches_of_inputs(self, q: Sequence, v: Sequence, tau: Sequence) -> Rows:
         """The joint wrenches (6 n,) that a unit of each input adds while nothing moves, those of torques left out."""
         n, borne = self.chain.n, 6 * self.chain.floating
         out: Rows = []
         for row in self.chain.other_inputs:
+            if row is FORCE_INPUTS:
+                out += self._felt(q, self.under_inputs(tau).wrenches_per_input(q, v))
+                continue
             for unit in self._units(row):
                 wrench: list[Value] = [0.0] * (6 * n)
                 wrench[borne:] = wrench[borne:] if row.free_fall is None else self._fallen(row, q, unit)[1][borne:]
                 out.append(wrench)
         return out
+
+    def wrenches_of_states(self, q: Sequence, v: Sequence, tau: Sequence) -> Rows:
+        """The joint wrenches (6 n,) that a unit of each internal state of a force adds."""
+        return self._felt(q, self.under_inputs(tau).wrenches_per_state(q, v))
+
+    def _felt(self, q: Sequence, units: Iterator[list]) -> Rows:
+        borne = 6 * self.chain.floating
+        return [[0.0] * borne + wrench[borne:] for _, wrench in self._needed(q, units)]
 
     def _units(self, row: Input) -> Rows:
         count = len(row.names(self.chain.robot))
@@ -125,13 +177,18 @@ class InputFunctions:
     def _fallen(self, row: Input, q: Sequence, entries: Sequence) -> tuple[list, list]:
         """The loads at rest that a change of free fall needs: what they are under it less what they are without."""
         assert row.free_fall is not None
-        still, rest = self.alone(), [0.0] * self.chain.nv
-        still.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given
+        still, rest = self._still(), [0.0] * self.chain.nv
         under = copy(still)
         under.world = row.free_fall(entries)
         pairs = zip(*(f.loads(q, rest, rest, [0.0] * (6 * self.chain.n)) for f in (still, under)), strict=True)
         force, wrench = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
         return force, wrench
+
+    def _still(self) -> Self:
+        """The functions of the robot alone, without springs."""
+        still = self.alone()
+        still.given = [0.0] * self.chain.n_inertia, [0.0] * self.chain.n_given
+        return still
 
     def tendon_lengths(self, q: Sequence) -> list:
         """The lengths of all tendons."""

@@ -34,6 +34,7 @@ class LoopFunctions:
     levers: Callable[[Sequence], list]
     alone: Callable[[], Self]
     with_forces: Callable[..., Sequence]
+    under_inputs: Callable[[Sequence], Self]
     _moving_tips: Callable[..., tuple[list, list[loops.Tip]]]
 
     def loop_wrenches(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
@@ -44,7 +45,7 @@ class LoopFunctions:
 
     def loop_forces(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[loops.LoopState, list]:
         """The loops in a state, and the forces of their rows."""
-        return self.row_forces(q, v, loops.Loads(tau, self.with_forces(q, v, w_ext)))
+        return self.row_forces(q, v, loops.Loads(tau, self.under_inputs(tau).with_forces(q, v, w_ext)))
 
     def row_forces(self, q: Sequence, v: Sequence, given: loops.Loads) -> tuple[loops.LoopState, list]:
         """The same where what acts on the tips is known."""
@@ -57,7 +58,7 @@ class LoopFunctions:
 
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
         """Torques and wrenches on the tips, those of the loops and of forces between frames included."""
-        given = loops.Loads(tau, self.with_forces(q, v, w_ext))
+        given = loops.Loads(tau, self.under_inputs(tau).with_forces(q, v, w_ext))
         if not self.chain.closing.rows:
             return given
         state, forces = self.row_forces(q, v, given)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,10 +18,12 @@ from .signals import Signal
 
 @dataclass(frozen=True)
 class RobotFunction:
-    """A function of a robot, of ``inputs``, names that blanks separate; ``results``: name -> shape, unit, frame and
-    meaning; ``program`` makes it as one program, whose ``body`` runs on `Functions`; ``algorithms``: those that the
-    body runs; ``offered``: of which robots there is one; ``c_file``: which file of the C has it, if any, see
-    ``OUTPUTS``; ``about``: a sentence."""
+    """A function of a robot, of ``inputs``, names that blanks separate, see :func:`.fused.stated`.
+
+    ``results``: name -> shape, unit, frame and meaning; ``program`` makes it as one program, whose ``body`` runs on
+    `Functions`; ``algorithms``: those that the body runs; ``offered``: of which robots there is one; ``c_file``: which
+    file of the C has it, if any, see ``OUTPUTS``; ``about``: a sentence.
+    """
 
     name: str
     inputs: str
@@ -34,8 +36,12 @@ class RobotFunction:
 
     @property
     def names(self) -> list[str]:
-        """The names of the inputs."""
-        return self.inputs.split()
+        """The names of the inputs, those left out that only robots have whose inputs act on forces between frames."""
+        return [name for name in self.inputs.split() if name[0] != "("]
+
+    def of(self, chain: Chain) -> RobotFunction:
+        """The function as a robot has it: with all its inputs."""
+        return replace(self, inputs=" ".join(fused.stated(chain, self.inputs)))
 
 
 def shape(signal: Signal, chain: Chain) -> tuple[int, ...]:

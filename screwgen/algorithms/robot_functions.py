@@ -69,7 +69,7 @@ FUNCTIONS = (
     ),
     RobotFunction(
         "energy",
-        "q v",
+        "q v (tau)",
         {
             "kinetic": Signal((), "J", "-", "kinetic energy"),
             "potential": Signal((), "J", "-", "potential energy of weight, springs and modes"),
@@ -198,7 +198,7 @@ FUNCTIONS = (
     ),
     RobotFunction(
         "force_quantities",
-        "q v",
+        "q v (tau)",
         {"force_quantities": Signal(("NQUANTITIES",), "m, N", "-", "what forces between frames report")},
         programs.force_quantities,
         (MOTION,),
@@ -306,7 +306,7 @@ FUNCTIONS = (
 
 def offered(chain: Chain) -> tuple[RobotFunction, ...]:
     """The functions that a robot has."""
-    return tuple(function for function in FUNCTIONS if function.offered(chain))
+    return tuple(function.of(chain) for function in FUNCTIONS if function.offered(chain))
 
 
 def reported(chain: Chain) -> tuple[RobotFunction, ...]:

@@ -19,10 +19,10 @@ def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
     return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.closing.couplings else {})
 
 
-@program("q v w_ext")
-def acting_wrenches(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence) -> Outputs:
+@program("q v (tau) w_ext")
+def acting_wrenches(f: Functions, q: Sequence, v: Sequence, w_ext: Sequence, tau: Sequence = ()) -> Outputs:
     """``(q, v, w_ext) -> (acted)``: the wrenches on all tips in their frames, those of forces included."""
-    return {"acted": f.with_forces(q, v, w_ext)}
+    return {"acted": f.under_inputs(tau).with_forces(q, v, w_ext)}
 
 
 @program("q v")

@@ -29,7 +29,8 @@ def wrench_slopes(
     f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
 ) -> dict[str, Array]:
     """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a floating base."""
-    chain, acted = f.chain, f.with_forces(q, v, w_ext)
+    chain, f = f.chain, f.under_inputs(tau)
+    acted = f.with_forces(q, v, w_ext)
     stores = f.sensitivities(q, v, vdot, acted, tau)
     links = [arrays(chain, i, store, ("answer", "w_J")) for i, store in enumerate(stores)]
     out = {kind: mx.zeros(6 * chain.n, chain.nv) for kind in KINDS}
@@ -118,14 +119,18 @@ def _take_forces(
 def wrench_program(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row.
 
-    Where inputs change free fall also ``wrench_input`` (inputs, 6 n): what each but torques adds at held accelerations.
+    Where inputs change free fall, or forces between frames, also ``wrench_input`` (inputs, 6 n): what a unit of each
+    but torques adds at held accelerations; with internal states of forces ``wrench_state`` (states, 6 n) alike.
     """
     chain.refuse_loops("derivatives of joint wrenches", "differentiate the CasADi functions")
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
         found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"])
-        of_inputs = [w for wrench in f.wrenches_of_inputs(x["q"]) for w in wrench] if chain.falls else []
-        more = {"wrench_input": of_inputs} if chain.falls else {}
+        own = f.wrenches_of_inputs(x["q"], x["v"], x["tau"]) if chain.inputs_load_links else []
+        more = {"wrench_input": [w for wrench in own for w in wrench]} if chain.inputs_load_links else {}
+        if chain.n_force_states:
+            by_state = f.wrenches_of_states(x["q"], x["v"], x["tau"])
+            more |= {"wrench_state": [w for wrench in by_state for w in wrench]}
         return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS} | more
 
     found = fuse(chain, "wrench_slopes", inputs(chain, "q v vdot tau w_ext"), body, constants)

@@ -181,7 +181,7 @@ class Recorder:
             return np.concatenate(self.reports[name][1](*plant.coordinates(state), *more, self.table.p))
 
         def energy(state: _State) -> np.ndarray:
-            return reported("energy", state)
+            return reported("energy", state, *[given] * ("tau" in self.reports["energy"][0]))
 
         def again() -> np.ndarray:
             state = before

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NamedTuple
 from pydantic import Field, PlainSerializer, PlainValidator, model_serializer, model_validator
 
 from ..interactions import KINDS, Interaction, Number
+from .input import Input
 from .loops import marked
 from .markers import ENDS
 from .messages import unknown
@@ -108,6 +109,8 @@ def _checked(kind: type[Interaction], given: dict[str, Any], at: Path) -> Intera
             found[name] = boolean(given[name])
     if shared := kind.QUANTITIES.keys() & {*kind.table(), *kind.choices()}:
         raise refuse(f"reports {min(shared)}, which is one of its numbers too; choose another name", at)
+    if shared := kind.INPUTS.keys() & {*kind.QUANTITIES, *kind.table(), *kind.choices()}:
+        raise refuse(f"has the input {min(shared)}, a name that it has otherwise too; choose another name", at)
     out = kind(**found)
     if out.fault is not None:
         key, said = out.fault
@@ -194,6 +197,22 @@ class Force(Part):
                 yield stated, value[k], one.unit_of(k), f"{one.meaning}, {entry}", one.sign, (k,)
         for k, value in enumerate(self.point or ()):
             yield POINT, value, "m", f"end in the world, inertial frame, {'xyz'[k]}", "any", (k,)
+
+
+class InputsOfForces(Input):
+    """What a controller chooses of forces between frames, as the line that a winch pays out."""
+
+    words = "inputs of forces between frames"
+    quantity = "force_input"
+
+    def names(self, robot: Robot) -> list[str]:
+        return [f"{force.name}.{name}" for force in robot.forces for name in force.law.shape.inputs]
+
+    def units(self, robot: Robot) -> list[str]:
+        return [entry.unit for force in robot.forces for entry in force.law.shape.inputs.values()]
+
+
+FORCE_INPUTS = InputsOfForces()
 
 
 class Push(Part):

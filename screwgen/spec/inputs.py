@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from ..errors import UsageError
+from .forces import FORCE_INPUTS
 from .input import Input
 from .robot import Link, Robot
 from .tendons import TENSIONS
@@ -34,7 +35,7 @@ class Torques(Input):
 
 
 TORQUES = Torques()
-OTHERS: tuple[Input, ...] = (TENSIONS,)
+OTHERS: tuple[Input, ...] = (TENSIONS, FORCE_INPUTS)
 """Those that a robot file may state besides."""
 KIND = re.compile(rf"\.({'|'.join(kind for row in (TORQUES, *OTHERS) for kind in row.kinds)})(?=\[|$)")
 """The kind of an input in its name."""
@@ -42,7 +43,7 @@ KIND = re.compile(rf"\.({'|'.join(kind for row in (TORQUES, *OTHERS) for kind in
 
 def inputs(robot: Robot) -> tuple[Input, ...]:
     """The kinds of input of a robot, torques of axes first."""
-    for row in robot.inputs:
+    for row in (FORCE_INPUTS, *robot.inputs):
         if taken := next((name for name in row.names(robot) if KIND.search(name)), None):
             what = f"is a name that the product's own inputs have; end the names of {row.words} otherwise"
             raise UsageError(f"inputs: '{taken}' {what}")

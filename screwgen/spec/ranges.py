@@ -97,6 +97,7 @@ RANGES = {
     "q": Range(number, 0.0, 1e6, "rad or m"),
     "v": Range(number, 0.0, 1e9, "rad/s or m/s"),
     "tau": Range(number, 0.0, 1e15, "N·m or N"),
+    "force_input": Range(number, 0.0, 1e15, "m, m/s"),
     "w_ext": Range(number, 0.0, 1e15, "N·m or N"),
     "kp": Range(non_negative, 0.0, 1e15, "N·m/rad or N/m"),
     "kd": Range(non_negative, 0.0, 1e15, "N·m·s/rad or N·s/m"),

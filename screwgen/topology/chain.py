@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
-from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
@@ -19,17 +18,15 @@ from ..arguments import Numbers, Parameters, array, choice
 from ..errors import SingularError, UsageError
 from ..interactions import ReportedQuantity
 from ..spec.assumptions import assumptions
-from ..spec.input import Input
-from ..spec.inputs import TORQUES, inputs
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
 from ..spec.markers import TIP as END
 from ..spec.parameters import turning
 from ..spec.robot import Robot
 from ..spec.segments import segments
-from ..spec.tendons import TENSIONS
 from .coordinates import Coordinates
 from .forces import placed_forces
+from .inputs import InputTable
 from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels
@@ -40,7 +37,7 @@ SPARED = 0.9
 """The part of the reach of a four-bar linkage that is well away from its dead centres."""
 
 
-class Chain(Coordinates):
+class Chain(Coordinates, InputTable):
     """A robot as the algorithms see it: one class per link, the coordinates, the tree and what closes it."""
 
     def __init__(self, robot: Robot):
@@ -93,53 +90,9 @@ class Chain(Coordinates):
         return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
 
     @property
-    def n_tau(self) -> int:
-        """The number of inputs, the entries of ``tau``: a torque per axis, then those of other kinds."""
-        return max(own.stop for own in self.inputs.values())
-
-    @cached_property
-    def inputs(self) -> dict[Input, slice]:
-        """The kinds of input, torques of axes first, each with the slice of its entries in ``tau``."""
-        rows = inputs(self.robot)
-        ends = list(accumulate((len(row.names(self.robot)) for row in rows), initial=0))
-        return {row: slice(*span) for row, span in zip(rows, pairwise(ends), strict=True)}
-
-    @property
-    def other_inputs(self) -> dict[Input, slice]:
-        """The same without torques of axes."""
-        return {row: own for row, own in self.inputs.items() if row is not TORQUES}
-
-    @property
-    def falls(self) -> bool:
-        """Whether an input changes the acceleration of free fall."""
-        return any(row.free_fall is not None for row in self.inputs)
-
-    @property
-    def n_tensions(self) -> int:
-        """The number of tensions."""
-        return len(TENSIONS.names(self.robot))
-
-    def with_idle_inputs(self, torques: np.ndarray) -> np.ndarray:
-        """The inputs (n_tau,) of torques (n_joints,) alone: all others are zero, so tendons are slack."""
-        return np.append(torques, np.zeros(self.n_tau - self.n_joints))
-
-    @cached_property
-    def tensions(self) -> list[list[int]]:
-        """For every link the tension of each piece of a tendon along it, as its number among all tensions."""
-        return TENSIONS.of_links(self)
-
-    def fallen(self, p: np.ndarray, tau: np.ndarray) -> np.ndarray:
-        """The parameters with the gravity under which the arm moves while inputs (n_tau,) change free fall."""
-        out = np.array(p, float)
-        for row, own in self.inputs.items():
-            out[:3] += [0.0] * 3 if row.free_fall is None else [float(x) for x in row.free_fall(tau[own].tolist())]
-        return out
-
-    def refuse_inputs(self, what: str, instead: str, *known: Input) -> None:
-        """Raises UsageError where there are inputs besides torques of axes and the ``known`` ones."""
-        for row in self.other_inputs:
-            if row not in known:
-                raise UsageError(f"robot '{self.robot.name}' has {row.words}, for which there is no {what}; {instead}")
+    def n_force_states(self) -> int:
+        """The number of internal states of forces between frames, the last entries of `v`."""
+        return self.forces[-1].states.stop if self.forces else 0
 
     @property
     def n_force_numbers(self) -> int:

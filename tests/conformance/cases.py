@@ -11,8 +11,9 @@ import numpy as np
 from helpers import model_of, quick
 
 from conformance.arms import arm_of, varied
+from conformance.drawn import drawn
 from conformance.features import FACTORS, Row, features
-from conformance.judge import Judge, drawn
+from conformance.judge import Judge
 from screwgen import Model
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled
@@ -75,6 +76,11 @@ class Case:
         most = [table.get("effort", np.inf) for table in tables]
         most = np.append(most, np.full(len(tau) - len(most), np.inf))
         return np.clip(tau, -most, most)
+
+    def energy(self, functions, q, v, tau, *p):
+        """Kinetic and potential; of the inputs too where these act on forces between frames."""
+        of = functions["energy"] if p else functions.energy
+        return of(q, v, *(tau,) * self.model.chain.chooses_forces, *p)
 
     @property
     def tolerance(self) -> float:

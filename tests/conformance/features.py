@@ -86,6 +86,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "line spring": "a spring and damper between a place along a link and a tip",
         "rope": "a rope from a point of the world to a tip",
         "bushing": "a bushing between a place along a link and a tip",
+        "winch": "a line whose rest length a winch changes, by inputs, beside one that relaxes, an internal state",
         "push": "a wrench from outside in world axes, at a place along a link",
         "marker push": "a wrench from outside in the axes of a tip, beside that of the link",
     },
@@ -133,7 +134,7 @@ APART: dict[tuple[str, str], dict[str, str]] = {
 }
 """Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
 
-LATER: dict[str, str] = {"bristles": "drive", "given motion": "axis"}
+LATER: dict[str, str] = {"bristles": "drive", "given motion": "axis", "winch": "force"}
 """Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""
 
 NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "exact fore")}

@@ -69,11 +69,11 @@ def judge(case: Case) -> None:
     if case.model.chain.prescribed:
         near(f.drive_effort(*case.given), j.efforts, case.tolerance, "efforts", np.abs(j.forces).max())
     near(f.mass_matrix(case.given[0]), j.mass_matrix, case.tolerance, "mass matrix")
-    q, v, _, w_ext = case.given
+    q, v, tau, w_ext = case.given
     inertia = j.mass_matrix @ j.vdot[: case.model.nv]  # the size of forces that may balance
     found = np.append(f.inverse_dynamics(q, v, j.vdot, w_ext), inertia)
     near(found, np.append(j.forces, inertia), case.tolerance, "inverse dynamics")
-    near(np.array(f.energy(q, v)), np.array(j.energy), case.tolerance, "energy")
+    near(np.array(case.energy(f, q, v, tau)), np.array(j.energy), case.tolerance, "energy")
     poses, x = j.oracle.poses(j.state["q"]), j.state
     for found, (R, place) in ((f.link_pose(q), ("R", "origin")), (f.tip_poses(q), ("tip_R", "tip_point"))):
         near(found[0][j.outer.links], poses[R], case.tolerance, R)
@@ -294,7 +294,7 @@ def by_elimination(case: Case, c: Compiled) -> None:
     vdot, wrench = f.forward_dynamics(q, v, tau, w_ext)
     near(c.accelerations(q, v, tau, w_ext), vdot, case.solved, "accelerations alone")
     loads = w_ext + f.loop_wrenches(q, v, tau, w_ext) if case.model.chain.closing.rows else w_ext
-    if not case.model.chain.falls:  # inverse dynamics is that of a base at rest
+    if not case.model.chain.inputs_load_links:  # inverse dynamics is that without inputs
         near(c.inverse_dynamics(q, v, vdot, loads)[1], wrench, case.tolerance, "wrenches of inverse dynamics")
     near(c.mass_matrix(q), f.mass_matrix(q), case.agreement, "mass matrix")
     x = f.dae_state(q, v)
@@ -319,11 +319,11 @@ def parameters(case: Case) -> None:
     other = model_of(varied(case.robot, np.random.default_rng(case.seed), kept))
     (q, v, tau, w_ext), p, model = case.given, np.array(other.parameter_values), case.model
     assert other.parameter_names == model.parameter_names
-    vdot, energy = other.numpy().forward_dynamics(q, v, tau, w_ext)[0], other.numpy().energy(q, v)
-    found = {x: (f.forward_dynamics(q, v, tau, w_ext)[0], f.energy(q, v))
+    vdot, energy = other.numpy().forward_dynamics(q, v, tau, w_ext)[0], case.energy(other.numpy(), q, v, tau)
+    found = {x: (f.forward_dynamics(q, v, tau, w_ext)[0], case.energy(f, q, v, tau))
              for x, f in (("NumPy", model.numpy(p)), ("C", case.c().fresh(p)))}  # fmt: skip
     f = model.casadi()
-    found["CasADi"] = flat(f["forward_dynamics"](q, v, tau, w_ext.T, p)[0]), flat(f["energy"](q, v, p))
+    found["CasADi"] = flat(f["forward_dynamics"](q, v, tau, w_ext.T, p)[0]), flat(case.energy(f, q, v, tau, p))
     for name, (rates, energies) in found.items():
         near(rates, vdot, case.tolerance, f"accelerations by {name}")
         near(energies, energy, case.tolerance, f"energies by {name}")

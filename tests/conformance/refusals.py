@@ -23,7 +23,7 @@ class Refusal(NamedTuple):
 
 
 LOOPED = ("ball loop", "hinge loop", "slide loop", "welded loop", "coupling")
-BETWEEN = ("line spring", "rope", "bushing")
+BETWEEN = ("line spring", "rope", "bushing", "winch")
 REFUSALS: tuple[Refusal, ...] = (
     *(
         Refusal("derivatives of wrenches", (x,), "those of robots with loops are not derived", "not derived for loops")

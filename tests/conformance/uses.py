@@ -77,8 +77,11 @@ def energy(case: Case) -> None:
     c, f, h = case.c(), case.model.numpy(), 1e-5
     loads = 0 * w_ext
     nv = case.model.nv
-    moved = (f.forward_dynamics(q, v, tau, loads)[0] - f.forward_dynamics(q, v, 0 * tau, loads)[0])[:nv]
-    given, M = drive_power(f, q, v, tau, loads) - drive_power(f, q, v, 0 * tau, loads), case.judge.mass_matrix
+    wound = case.judge.outer.winches.size  # what winches do is judged by the energy of their lines below
+    idle = np.where(np.arange(len(tau)) < len(tau) - wound, 0.0, tau)
+    moved = (f.forward_dynamics(q, v, tau, loads)[0] - f.forward_dynamics(q, v, idle, loads)[0])[:nv]
+    given = (drive_power(f, q, v, tau, loads) - drive_power(f, q, v, idle, loads))[: len(tau) - wound]
+    M = case.judge.mass_matrix
     most = np.abs(v[:nv]) @ np.abs(M) @ np.abs(moved) + np.abs(given).sum()
     assert abs(v[:nv] @ M @ moved - given.sum()) <= case.tolerance * most, (
         "drives do not give the power that moves the arm"
@@ -86,11 +89,11 @@ def energy(case: Case) -> None:
     ends = []
     for sign in (-1, 1):
         there, rates = c.step(q, v, tau, loads, h, "rk4") if sign > 0 else (q, v)
-        ends.append(sum(f.energy(there, rates)))
+        ends.append(sum(case.energy(f, there, rates, paid_out(case, sign * h / 2))))
     middle, rates = c.step(q, v, tau, loads, h / 2, "rk4")
     power = float(np.sum(drive_power(f, middle, rates, case.acting, loads)))
     lost = power - (ends[1] - ends[0]) / h
-    scale = abs(power) + sum(map(abs, f.energy(q, v))) + 1.0
+    scale = abs(power) + sum(map(abs, case.energy(f, q, v, tau))) + 1.0
     assert lost >= -1e-5 * scale, f"gains {-lost:.3g} W from nothing"
     lossy = {
         "passive",
@@ -103,6 +106,7 @@ def energy(case: Case) -> None:
         "cylinder",
         "four-bar",
         "line spring",
+        "winch",
     }
     if not (lossy | {"rope", "bushing"}) & set(case.features) and not any(
         "damping" in d for link in case.robot["links"] for d in link["joint"].get("drives", [])
@@ -115,6 +119,13 @@ def drive_power(f, q, v, tau, w_ext) -> np.ndarray:
     return f.effort_power(q, v, tau, w_ext) if f.chain.prescribed else f.drive_power(q, v, tau)
 
 
+def paid_out(case: Case, dt: float) -> np.ndarray:
+    """The inputs as a step holds them, with what winches have paid out dt later at their rates."""
+    tau, winches = case.acting.copy(), case.judge.outer.winches
+    tau[len(tau) - winches.size :] += dt * (winches[:, [1]] * [1.0, 0.0]).ravel()
+    return tau
+
+
 def equilibrium(case: Case) -> None:
     """Where it is found nothing accelerates: joints held, torques follow, with little weight or none."""
     model, chain = case.model, case.model.chain
@@ -122,6 +133,7 @@ def equilibrium(case: Case) -> None:
     light = {f"gravity[{k}]": weight * g for k, g in enumerate(case.robot["gravity"])}
     q = closed(case)[0]
     start, pulled = q if chain.floating else q[: model.n_joints], 0.1 * case.given[2][model.n_joints :]
+    pulled[[name.endswith(".speed") for name in model.tau_names[model.n_joints :]]] = 0.0  # nothing moves
     rest = screwgen.equilibrium(model, start, pulled if len(pulled) else None, hold=True, parameters=light)
     f = model.numpy(model.chain.parameters.vector(light))
     zero = np.zeros(model.nv)

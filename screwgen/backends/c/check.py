@@ -64,8 +64,8 @@ def recorded(chain: Chain) -> list[Recorded]:
 def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     """``tolerance`` of each precision as a C literal, and ``lost``: the relative error of float if it is too large.
 
-    ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones; where inputs change the
-    free fall they are not compared. ``assembly``: that of float for the assembled system, if it needs a larger one.
+    ``inverse``: the tolerances for the wrenches of inverse dynamics, if they need larger ones; where inputs load the
+    links they are not compared. ``assembly``: that of float for the assembled system, if it needs a larger one.
     Raises :class:`UsageError` if double precision does not suffice.
     """
     errors = {name: [state.errors[name] for state in states] for name in USUAL}
@@ -78,7 +78,7 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     larger = any(float(more[name]) > float(tolerance[name]) for name in USUAL)
     lost = percent(needed["single"]) if needed["single"] > LOOSEST else ""
     extent = max((x for state in states for x in state.case["extent"]), default=1.0)
-    inverses = more if larger and not chain.falls else {}
+    inverses = more if larger and not chain.inputs_load_links else {}
     assembly = "" if lost else _assembly(chain, states, float(tolerance["single"]))
     found: dict[str, object] = {"tolerance": tolerance, "inverse": inverses, "lost": lost, "assembly": assembly}
     return found | {"extent": repr(float(f"{extent:.6g}"))}

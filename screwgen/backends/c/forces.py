@@ -55,6 +55,7 @@ def content(chain: Chain, baked: bool, at: Place) -> dict[str, object]:
             "quantities": [f"{name} ({ascii_unit(x.unit)})" for name, x in chain.force_quantities.items()],
             "groups": _groups(chain, numbers),
             "turned_links": list(chain.turned_wrenches),
+            "chosen": chain.chooses_forces,
             "turned": [chain.names[i] for i in chain.turned_wrenches],
         }
     }

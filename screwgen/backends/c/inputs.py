@@ -20,14 +20,15 @@ def features(chain: Chain) -> tuple[str, ...]:
 
 def content(chain: Chain, place: Place) -> dict[str, object] | None:
     """The templates' context: how many ``others`` there are than ``axes``; the statements that find the free fall that
-    inputs change, None where none does; whether no loops close the ``tree``."""
+    inputs change, None where none does; whether inputs are ``loading`` links; whether no loops close the ``tree``."""
     if not chain.other_inputs:
         return None
     own = {"tau": entries("tau"), "free_fall": entries("free_fall")}
     placed = piece_place(chain, "kept", own, place)
     lines = pieces(free_fall(chain), placed, ("c", "tau"))["pieces"][0] if chain.falls else None
     others = chain.n_tau - chain.n_joints
-    return {"axes": chain.n_joints, "others": others, "free_fall": lines, "tree": not chain.closing.rows}
+    told = {"free_fall": lines, "loading": chain.inputs_load_links, "tree": not chain.closing.rows}
+    return {"axes": chain.n_joints, "others": others, **told}
 
 
 def scratch(chain: Chain) -> dict[str, Signal]:

@@ -16,7 +16,7 @@ from ...algorithms.dae_functions import dae_names, state_size, unknown_size
 from ...errors import UsageError
 from ...spec.parameters import WRENCH, coordinate_names, parameters
 from ...topology.chain import Chain
-from .functions import coordinate_rates, exerted, expressions
+from .functions import by_inputs, coordinate_rates, expressions
 
 FORMS = ("joint", "dae")
 BINDINGS = ("runtime", "baked")
@@ -121,10 +121,10 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     rows, torques, loads = _closing(chain, q, v, xdot[nq:], z, p) if chain.closing.rows else (ca.SX(0, 1), 0, 0)
     force = functions["inverse_dynamics"](q, v, xdot[nq:], w_ext + loads, p)
     driven = ca.SX(nv, 1)
-    torques_of_axes, others = ca.vertsplit(tau, [0, chain.n_joints, chain.n_tau])
+    torques_of_axes = tau[: chain.n_joints]
     driven[chain.effort_places] = torques_of_axes * functions["levers"](q, p) if chain.travels else torques_of_axes
     if chain.other_inputs:
-        driven += exerted(chain, q, p) @ others
+        driven += by_inputs(chain, q, v, tau, p)
     for joint, place in chain.elastic_travels.items():
         driven[place] = tau[joint]
     if chain.closing.couplings:

@@ -144,7 +144,20 @@ def modal_functions(chain: Chain) -> LazyFunctions:
         ("measures", "q wrench motion p", fused.measures),
         ("modal_properties", "p", fused.modal_properties),
     )
-    return LazyFunctions({row[0]: making(*row) for row in rows})
+    return LazyFunctions({row[0]: making(*row) for row in rows} | _memories(chain))
+
+
+def _memories(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """The rates of the internal states of forces between frames in both forms."""
+
+    def made(name: str, program: Program) -> ca.Function:
+        given = {x: ca.SX.sym(x, size) for x, size in program.inputs.items()}
+        return function(name, given, **expressions(program, given))
+
+    rows = {"force_rates": programs.force_rates, "dae_force_rates": programs.dae_force_rates}
+    return {
+        k: partial(lambda k, make: made(k, make(chain)), k, make) for k, make in rows.items() if chain.n_force_states
+    }
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:
@@ -168,10 +181,15 @@ def coordinate_rates(chain: Chain, q: ca.SX, v: ca.SX, p: ca.SX) -> ca.SX:
     )
 
 
-def exerted(chain: Chain, q: ca.SX, p: ca.SX) -> ca.SX:
+def exerted(chain: Chain, q: ca.SX, v: ca.SX, tau: ca.SX, p: ca.SX) -> ca.SX:
     """(nv, inputs): the generalised forces per unit of each input but torques of axes."""
-    found = expressions(programs.exerted(chain), {"q": q, "p": p})["exerted"]
+    found = expressions(programs.exerted(chain), {"q": q, "v": v, "tau": tau, "p": p})["exerted"]
     return ca.densify(ca.reshape(found, chain.nv, chain.n_tau - chain.n_joints))
+
+
+def by_inputs(chain: Chain, q: ca.SX, v: ca.SX, tau: ca.SX, p: ca.SX) -> ca.SX:
+    """(nv,): the generalised forces of all inputs but torques of axes."""
+    return expressions(programs.by_inputs(chain), {"q": q, "v": v, "tau": tau, "p": p})["force"]
 
 
 def side_by_side(entries: ca.SX, rows: int, columns: int) -> ca.SX:

@@ -67,7 +67,14 @@ class CasadiAccelerations:
         vdot = expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
         order = sorted(remembering, key=lambda one: one[0])
         states = [expressions(state_rate(law), given | {"a": vdot[i]})["rate"] for _, law, i, given in order]
-        return ca.vertcat(vdot, *states)
+        return ca.vertcat(vdot, *states, *self._of_forces(q_there, v_there, v, h))
+
+    def _of_forces(self, q: ca.SX, v: ca.SX, start: ca.SX, h: ca.SX | float) -> list[ca.SX]:
+        """The rates of the internal states of forces between frames."""
+        if not self.chain.n_force_states:
+            return []
+        given = {"q": q, "v": v, "start": start[self.chain.force_states], "h": ca.SX(h)}
+        return [expressions(programs.force_rates(self.chain), self.given | given)["rate"]]
 
 
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
@@ -133,7 +140,8 @@ def scaling(chain: Chain) -> ca.Function:
             tau[joint] /= ratio
     q = ca.vertcat(ca.SX.ones(chain.q_offset[-1]), ratios, modes)
     moves, at_home = ca.vertcat(ca.SX.ones(first + m), ratios, modes), ca.SX(ca.DM(list(chain.home)))
-    forces = ca.horzsplit(ca.fabs(exerted(chain, at_home, given["p"]))) if chain.other_inputs else []
+    at_rest = ca.SX.zeros(chain.nvz), ca.SX.zeros(chain.n_tau)
+    forces = ca.horzsplit(ca.fabs(exerted(chain, at_home, *at_rest, given["p"]))) if chain.other_inputs else []
     sizes = [ca.mmax(force * moves) for force in forces]  # nothing where an input does nothing at home
     others = [ca.if_else(size > 0, twice / size, 1.0) for size in sizes]
     v = ca.vertcat(ca.sqrt(twice / inertia), *(ca.sqrt(twice / k) for k in _bristles(chain, properties)))
@@ -141,11 +149,12 @@ def scaling(chain: Chain) -> ca.Function:
 
 
 def _bristles(chain: Chain, properties: Mapping[str, ca.SX]) -> list[ca.SX]:
-    """The stiffness of every internal state."""
+    """The stiffness of every internal state; of one of a force such that 1 J is its usual size."""
     found = {}
     for law, places in chain.internal.items():
         for k, place in enumerate(places):
             own = {name: properties[name][k] for name in law.constants}
             given = dict.fromkeys(("side", "x", "w", "there", "h", "z"), ca.SX(0)) | own
             found[place] = expressions(stuck(law), given)["stiffness"]
-    return [found[place] for place in sorted(found)]
+    sizes = (state.size for force in chain.forces for state in force.shape.states.values())
+    return [found[place] for place in sorted(found)] + [ca.SX(2.0 / size**2) for size in sizes]

@@ -45,7 +45,7 @@ def tables(chain: Chain) -> Iterator[Item]:
     yield Heading("Coordinates and inputs")
     sizes = zip(np.diff(chain.q_offset), np.diff(chain.v_offset), chain.keys, strict=True)
     balls = any(nq != nv and not key.floats for nq, nv, key in sizes)
-    yield Paragraph(ABOUT + BALL * balls + INTERNAL * bool(chain.internal), essential=True)
+    yield Paragraph(ABOUT + BALL * balls + INTERNAL * bool(chain.n_internal), essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
     said = INPUTS + GIVEN * bool(chain.prescribed) + TURNED * bool(chain.turned_wrenches)
     yield Paragraph(said, essential=True)
@@ -153,6 +153,10 @@ def _internal(chain: Chain, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         of = f"{'of the rotor of the drive ' * rotors}of $q_{{{joint + 1}}}$"
         symbol = rf"${law.state.symbol}_{{{joint + 1}}}$"
         yield NONE, f"{k + 1}", symbol, f"`{names[k]}`", f"{law.state.meaning}, {of}", plain_unit(units[k])
+    kept = ((force.name, state) for force in chain.forces for state in force.shape.states.values())
+    for k, (force, state) in enumerate(kept, chain.force_states.start):
+        about = f"`{force}`: {state.meaning}"
+        yield NONE, f"{k + 1}", f"${state.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])
 
 
 def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tuple[int, str, int, int]]:
@@ -169,11 +173,16 @@ def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
     """One row for each input."""
     names, units = coordinate_names(chain.robot).tau, input_units(chain.robot)
     out = []
-    for k, (name, unit) in enumerate(zip(names, units, strict=True)):
+    drives = chain.n_joints + chain.n_tensions
+    for k, (name, unit) in enumerate(zip(names[:drives], units, strict=False)):
         tendon = k - chain.n_joints
         symbol = rf"$\tau_{{{k + 1}}}$" if tendon < 0 else rf"$T_{{{tendon + 1}}}$"
         about = _acts(chain, k) if tendon < 0 else "tension of the tendon, along its pieces"
         out.append((f"{k + 1}", symbol, f"`{name}`", about, plain_unit(unit)))
+    chosen = ((force.name, entry) for force in chain.forces for entry in force.shape.inputs.values())
+    for k, (force, entry) in enumerate(chosen, drives):
+        about = f"`{force}`: {entry.meaning}"
+        out.append((f"{k + 1}", f"${entry.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])))
     return tuple(out)
 
 

@@ -24,6 +24,7 @@ from .layout import fill, width
 STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
 TURNED = " External wrenches of pushes in axes of the world have inertial components instead."
 BORNE = " External wrenches hold those of forces between frames."
+CHOSEN = r" Inputs of these act in their laws alone; their columns of $\mathbf{B}_u$ are zero."
 SYMBOLS: tuple[Named, ...] = (
     (r"\mathbf{R}_{AB}", "takes components in axes of B to those of A", "-", "3 × 3", "-", STATE),
     (r"\mathbf{d}_{AB}", "point B from point A", "m", "3", "A", STATE),
@@ -80,6 +81,10 @@ def symbols(chain: Chain) -> Iterator[Named]:
         for one in kind.table().values():
             yield one.symbol, one.meaning, _asterisks(one.unit), f"{len(one.entries) or 1}", "-", PARAMETER
     for shape in dict.fromkeys(force.shape for force in chain.forces):
+        told = [(one.symbol, one.meaning, one.unit) for one in shape.inputs.values()]
+        told += [(one.symbol, one.meaning, one.unit) for one in shape.states.values()]
+        yield from ((symbol, meaning, _asterisks(unit), "1", "-", STATE) for symbol, meaning, unit in told)
+    for shape in dict.fromkeys(force.shape for force in chain.forces):
         for own in equations(shape):
             if own.meaning:
                 size = "3" if r"\mathbf" in own.symbol else "1"
@@ -117,6 +122,8 @@ def lines(chain: Chain) -> str:
         "latex/forces.tex.jinja",
         markers=any(segment.marker is not None for segment in chain.segments),
         turned=bool(chain.turned_wrenches),
+        chosen=chain.chooses_forces,
+        remembering=bool(chain.n_force_states),
         laws=laws,
         world=any(None in force.ends for force in chain.forces),
         steps=any(r"\mathrm{H}" in law.lines for law in laws),

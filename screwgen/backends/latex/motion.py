@@ -10,7 +10,7 @@ from ...topology.chain import Chain
 from ..templates import render
 from .algorithm import joint_terms
 from .content import DocumentSection, Item, Paragraph, parse
-from .forces import BORNE
+from .forces import BORNE, CHOSEN
 from .layout import PAGE, matrix, width
 
 MOTION, MASS = "Equation of motion", "Mass matrix"
@@ -115,7 +115,7 @@ def motion(chain: Chain) -> DocumentSection:
         "armatures": "armature" in has["terms"],
         "bodies": any(k.bodies_at("tip") for k in chain.keys),
         "besides": besides,
-        "borne": BORNE * bool(chain.forces),
+        "borne": BORNE * bool(chain.forces) + CHOSEN * chain.chooses_forces,
     }
     items = parse(render("latex/motion.tex.jinja", **values))
     return DocumentSection(MOTION, [_sought(item) for item in items])

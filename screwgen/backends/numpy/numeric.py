@@ -145,16 +145,16 @@ class Numeric:
     @property
     def _exerting(self) -> tuple[Algorithm, ...]:
         """The algorithms that the forces of inputs need."""
-        return (PULLS, INVERSE) if self.chain.falls else (PULLS,)
+        return (PULLS, INVERSE) if self.chain.inputs_load_links else (PULLS,)
 
     def __getattr__(self, name: str) -> Callable:
         """The functions of :data:`~screwgen.algorithms.robot_functions.FUNCTIONS`, by name, and as
         ``forward_dynamics_by_p(q, v, tau, w_ext, of="arm.*")`` their derivatives by parameters, see :mod:`.by_p`."""
         if name.endswith(BY_P) and name.removesuffix(BY_P) in BY_NAME:
-            return partial(by_p.of_function, self, BY_NAME[name.removesuffix(BY_P)])
+            return partial(by_p.of_function, self, BY_NAME[name.removesuffix(BY_P)].of(self.chain))
         if name not in BY_NAME:
             raise AttributeError(f"'Numeric' has no attribute '{name}'", name=name, obj=self)
-        return partial(self._results, BY_NAME[name])
+        return partial(self._results, BY_NAME[name].of(self.chain))
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *BY_NAME]
@@ -229,7 +229,7 @@ class Numeric:
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Partial derivatives of ``vdot`` (nvz,) with q (nvz, nv), v (nvz, nvz) and tau (nvz, n_tau); with the pose by
         ``pose exp(δ)``."""
-        given = self._by_inputs(q)
+        given = self._by_inputs(q, v, tau)
         if self.chain.closing.rows:
             return self._closed_derivatives(given, *self.rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
@@ -239,13 +239,13 @@ class Numeric:
         by_q, by_v, by_tau = (np.linalg.solve(M, x) for x in (by_q, by_v, by_tau))
         return with_internal_rates(found, by_q, by_v, by_tau)
 
-    def _by_inputs(self, q: Numbers) -> np.ndarray:
+    def _by_inputs(self, q: Numbers, v: Numbers, tau: Loads) -> np.ndarray:
         """(nv, n_tau): the generalised forces per unit of each input."""
         chain = self.chain
         out = np.zeros((chain.nv, chain.n_tau))
         out[:, : chain.n_joints] = np.eye(chain.nv)[:, chain.effort_places] * self.levers(q)
         out[list(chain.elastic_travels.values()), list(chain.elastic_travels)] = 1.0
-        exerted = self._functions(*self._exerting).exerted(*self.rows(q=q))
+        exerted = self._functions(*self._exerting).exerted(*self.rows(q=q, v=v, tau=tau))
         out[:, chain.n_joints :] = np.array(exerted, float).reshape(chain.n_tau - chain.n_joints, chain.nv).T
         return out
 

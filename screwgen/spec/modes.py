@@ -1,6 +1,6 @@
 """The mode shapes of a link: how many in each direction, of which basis."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
@@ -37,6 +37,15 @@ def named(basis: str | Basis) -> str:
 
 Count = Annotated[int, PlainValidator(count)]
 BasisName = Annotated[str | Callable, PlainValidator(basis)]
+
+
+def points_for(counts: Iterable[int], bases: Iterable[str | Basis]) -> int:
+    """The Gauss points of a link of order "exact": two more than the most modes of a direction.
+
+    Shapes that are no polynomials take more to have their inertia to eight digits.
+    """
+    most = max(counts)
+    return most + 2 if set(bases) <= {"", DEFAULT} else 2 * most + 4
 
 
 class Modes(Part):

@@ -115,6 +115,8 @@ def shape(link: Link) -> Iterator[tuple[str, Value]]:
         yield from numbers("", Section, link.section)
     for direction, values in link.modes.frequencies or ():
         yield f"frequencies.{direction}", values
+    for direction in link.rest.directions if link.rest else ():
+        yield f"{'rest_at' if link.rest.places else 'rest'}.{direction}", link.rest.values(direction)
     yield from numbers("damping.", Damping, link.damping)
 
 

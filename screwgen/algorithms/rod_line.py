@@ -25,6 +25,16 @@ def rod_line(key: LinkClass, places: tuple[float, ...]) -> Program:
     return scope.program("rod_line")
 
 
+@cache
+def rod_pose(key: LinkClass, s: float) -> Program:
+    """The same at one place, with ``turn``, the rotation of the section there, row by row."""
+    scope = Scope(key, Tracer(), {})
+    motion = motion_along(scope, {"eta": scope.read("eta")})
+    scope.outputs["line"] = [*motion.sum_of(motion.points.reach(s).tolist(), "t")[0]] if s else [0.0] * 3
+    scope.outputs["turn"] = [*motion.end(s).R.ravel()]
+    return scope.program("rod_pose")
+
+
 def lengths(key: LinkClass, length: float, rest: Sequence[float] = ()) -> dict[str, list[float]]:
     """The constants of :func:`rod_line` for a link, or a segment, of that length in m.
 

@@ -135,7 +135,7 @@ class Collocation:
 
     def turn(self, a: float, b: float) -> RodTurn:
         """From the section at a to that at b."""
-        psi_a, once = self._turned(a, 0), 0.0
+        psi_a, once = self._turned(a, 0), np.zeros((1, 1))
         for share, weight in self.within(a, b, FINE):
             s = a + (b - a) * share
             psi, kappa = (np.array([self._turned(x, n) for x in s]) for n in (0, 1))

@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..algorithms.rod_line import lengths, rod_line
 from ..arguments import Numbers, parameters_keyword
-from ..backends.numpy.numeric import EPSILON, function_of
+from ..backends.numpy.rest_shape import bent_line, line_at_rest
 from ..bodies import markers
 from ..errors import UsageError
 from ..robot_model import RobotModel
@@ -106,7 +105,7 @@ def _rest(model: RobotModel, i: int, points: np.ndarray) -> np.ndarray:
     """The places (points, 3) of the centreline of a segment at rest from its base, m."""
     key, link = model.chain.keys[i], model.robot.links[model.chain.segments[i].link]
     if key.rest:
-        return rest_line(key, own_length(model, i), own_rest(model, i), tuple(points.tolist()))
+        return line_at_rest(key, own_length(model, i), own_rest(model, i), points.tolist())
     return points[:, None] / link.pieces * end(link)
 
 
@@ -117,17 +116,8 @@ def bent_rod(
 
     `rest`: the numbers of its curvature at rest.
     """
-    place, constants = function_of(rod_line(key, points)), lengths(key, length, rest)
-    lines = [place({"eta": one, **constants}, EPSILON)[0]["line"] for one in eta.tolist()]
-    return np.reshape(lines, (len(lines), len(points), 3)) - rest_line(key, length, rest, points)
-
-
-def rest_line(key: LinkClass, length: float, rest: Sequence[float], points: tuple[float, ...]) -> np.ndarray:
-    """The centreline (points, 3) of a segment at rest from its base, in F_i components, m; of most rods straight."""
-    if not key.rest:
-        return np.outer(points, [length, 0.0, 0.0])
-    place, constants = function_of(rod_line(key, points)), lengths(key, length, rest)
-    return np.reshape(place({"eta": [0.0] * key.modes, **constants}, EPSILON)[0]["line"], (len(points), 3))
+    lines = [bent_line(key, length, rest, one, points) for one in eta]
+    return np.reshape(lines, (len(lines), len(points), 3)) - line_at_rest(key, length, rest, points)
 
 
 def own_length(model: RobotModel, i: int) -> float:

@@ -68,7 +68,7 @@ TABLE: list[Mutant] = [
       "for station, w in weights(self.key).at(s).items()",
       "for station, w in list(weights(self.key).at(s).items())[:1]"),
     M("profile", "judge", "screwgen/spec/profile.py", "self.density * (Iy + Iz)}", "self.density * Iy}"),
-    M("exact fore", "judge", ALGORITHMS + "phases.py",
+    M("curved fore", "judge", ALGORITHMS + "phases.py",
       's.keep("M_bent", -s.lower("link", {}, "M_Wphi")[0])', 's.keep("M_bent", mx.zeros(s.key.modes, s.key.modes))'),
     M("station", "judge", ALGORITHMS + "phases.py",
       'total = total + mx.shift_wrench(station.kept("r_T"), load)', "total = total + mx.zeros(6)"),

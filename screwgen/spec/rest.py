@@ -48,9 +48,9 @@ class RestCurvature(Part):
         """All that are stated."""
         return tuple(getattr(self, name) for name in self.directions)
 
-    def turn(self) -> float:
-        """How far the rod turns per length, 1/m."""
-        return math.hypot(*self.numbers)
+    def turn(self, first: float = 0.0, last: float = 1.0) -> float:
+        """How far the rod turns at most between two places, over the length of the link, 1/m."""
+        return (last - first) * math.hypot(*self.numbers)
 
 
 DIRECTIONS = tuple(name for name, _ in stated_numbers(RestCurvature))
@@ -64,7 +64,10 @@ class RestStation(RestCurvature):
 
 
 class RestStations(Part):
-    """The same at stations from base to tip, linear in s between them; two stations at one place are a step."""
+    """The same at stations from base to tip, linear in s between them.
+
+    Two stations at one place are a step, which only a place where segments meet can be.
+    """
 
     stations: tuple[RestStation, ...] = Field(description="at least two stations, from at = 0.0 to at = 1.0")
 
@@ -93,10 +96,17 @@ class RestStations(Part):
         """All of them, direction by direction."""
         return tuple(x for name in self.directions for x in self.values(name))
 
-    def turn(self) -> float:
-        """How far the rod turns at most, from base to tip, per length, 1/m."""
-        pairs = pairwise(self.stations)
-        return math.fsum((b.at - a.at) * (a.turn() + b.turn()) / 2 for a, b in pairs)
+    def turn(self, first: float = 0.0, last: float = 1.0) -> float:
+        """How far the rod turns at most between two places, over the length of the link, 1/m."""
+        cut = ((a, b, max(a.at, first), min(b.at, last)) for a, b in pairwise(self.stations))
+        return math.fsum((end - start) * _mean(a, b, start, end) for a, b, start, end in cut if end > start)
+
+
+def _mean(a: RestStation, b: RestStation, start: float, end: float) -> float:
+    """The mean of the curvatures at two places between stations, 1/m."""
+    shares = ((s - a.at) / (b.at - a.at) for s in (start, end))
+    pairs = list(zip(a.numbers, b.numbers, strict=True))
+    return math.fsum(math.hypot(*((1 - x) * u + x * v for u, v in pairs)) for x in shares) / 2
 
 
 def rest_or_stations(value: Any, handler: Any) -> Any:
@@ -119,14 +129,15 @@ else:
 def gauss_points(link: "Link") -> int:
     """The points of a link of order "exact" that its file asks for; 0: by the number of its modes.
 
-    Where the link is bent at rest they are one more for each quarter of a turn of it, or of a segment.
+    Where the link is bent at rest they are one more for each quarter of a turn of it, or of the segment that turns
+    most.
     """
     modes = link.modes
     if modes.points or not link.rest:
         return modes.points or 0
     own = {modes.basis_of(d) for d, count in zip(OF_MODES, modes.counts, strict=False) if count}
-    quarters = 2 * link.rest.turn() * (link.length or 0.0) / (math.pi * link.pieces)
-    return min(points_for(modes.counts, own) + math.ceil(quarters), MAX_POINTS)
+    most = max(link.rest.turn(k / link.pieces, (k + 1) / link.pieces) for k in range(link.pieces))
+    return min(points_for(modes.counts, own) + math.ceil(2 * most * (link.length or 0.0) / math.pi), MAX_POINTS)
 
 
 def refuse_rest(link: "Link", order: int | str, at: Path) -> None:
@@ -138,6 +149,11 @@ def refuse_rest(link: "Link", order: int | str, at: Path) -> None:
     if order != "exact":
         what = f"is stated of a link of order {order}, whose shape is that of a straight rod"
         raise refuse(f'{what}; state order = "exact", or leave it out', at=at)
+    s = link.rest.places
+    for k in range(1, len(s)):
+        if s[k] == s[k - 1] and not math.isclose(round(s[k] * link.segments), s[k] * link.segments, rel_tol=1e-12):
+            what = f"is {s[k]} again, a step within a segment of the link"
+            raise refuse(f"{what}; state segments that meet there, or stations apart", at=(*at, k, "at"))
     if link.frame_at is not None:
         what = "is stated beside frame_at, but the frame of a curved link is at its base"
         raise refuse(f"{what}; leave one of them out", at=at)

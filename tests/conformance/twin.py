@@ -49,9 +49,9 @@ def _piece(link: dict, i: int, k: int) -> dict:
         piece["section"] = [{"at": (s - first) * k, **at(s)} for s in places]
         piece["section"][0]["at"], piece["section"][-1]["at"] = 0.0, 1.0
     if "rest" in link:
-        piece["modes"]["points"] = count_of_points(link | {"length": piece["length"]})
-    if isinstance(link.get("rest"), list):
-        piece["rest"] = _cut(link["rest"], first, last)
+        cut = [_cut(link["rest"], j / k, (j + 1) / k) for j in range(k)]
+        piece["modes"]["points"] = max(count_of_points(piece | {"rest": own}) for own in cut)
+        piece["rest"] = cut[i]
     own = lambda end: [b for b in link.get("bodies", []) if b["at"] == end]  # noqa: E731
     piece["bodies"] = own("base") * (i == 0) + own("tip") * (i == k - 1)
     piece["name"] = link["name"] if i == k - 1 else f"{link['name']}_{i}"
@@ -70,8 +70,10 @@ def _piece(link: dict, i: int, k: int) -> dict:
     return piece | ({"tendons": tendons} if tendons else {})
 
 
-def _cut(stations: list[dict], first: float, last: float) -> list[dict]:
+def _cut(stations: dict | list[dict], first: float, last: float) -> dict | list[dict]:
     """The stations of a piece from `first` to `last`, of what is linear between those of the whole."""
+    if isinstance(stations, dict):
+        return stations
     line, near = [key for key in stations[0] if key != "at"], 1e-14
     inner = [x for x in stations if first < x["at"] < last]
     ends = [curvature_at_rest(stations, s) for s in (first + near, last - near)]

@@ -216,7 +216,7 @@ def _field(key: LinkClass) -> Iterator[Item]:
     if key.tendons:
         count, straight = len(collocation(key).places), key.order == 1
         kinks = ", ".join(f"{s:.6g}" for s in _within(key, key.rest_at))
-        given = {"points": count, "straight": straight, "stretched": stretched or straight}
+        given: dict[str, int | str] = {"points": count, "straight": straight, "stretched": stretched or straight}
         given |= {"rest": bool(key.rest), "kinks": kinks}
         yield from parse(render("latex/tendon.tex.jinja", segments=key.segments > 1, **given))
     alike: dict[tuple, list[str]] = {}

@@ -8,6 +8,9 @@ from scipy.spatial.transform import Rotation
 
 import screwgen
 from screwgen.backends.numpy.rest_shape import section_at_rest
+from screwgen.paper.printed import PrintedModel
+from screwgen.plotting import mode_plot
+from screwgen.studies.modes import mode_shapes
 
 UNIT = {"rhoA": 1.0, "EIy": 1.0, "EIz": 1.0, "GJ": 0.8, "rhoIp": 1e-2}
 NONE = (0.0, 0.0, 0.0)
@@ -188,3 +191,27 @@ def test_what_a_curved_rod_carries_sits_on_its_curve():
     wanted = centreline(STATIONS, 0.8, 0.3)
     assert np.abs(R[1] - turn).max() < 1e-14 and np.abs(r[1] - place).max() < 1e-14
     assert np.abs(turn - wanted[0]).max() < 1e-4 and np.abs(place - wanted[1]).max() < 1e-4
+
+
+@pytest.mark.parametrize(
+    "does, said",
+    [
+        (lambda robot: robot.without("bending_y", "bending_z", "torsion"), "would be straight without modes"),
+        (lambda robot: screwgen.write_sid(robot.links[0], "rod.sid"), "data of straight rods alone are written"),
+        (lambda robot: PrintedModel(robot), "the paper's links are straight at rest"),
+    ],
+)
+def test_what_knows_straight_links_alone_says_so(does, said):
+    robot = rod(0.8, MODES, STATIONS, axes="z").robot
+    assert robot.without("torsion").links[0].rest == robot.links[0].rest
+    with pytest.raises(screwgen.UsageError, match=said) as error:
+        does(robot)
+    assert "\n" not in str(error.value)
+
+
+def test_shapes_of_modes_are_drawn_across_the_curve():
+    """Of a quarter of a circle, whose tip lies across its base: no square is without a side."""
+    model = rod(QUARTER, {"bending_y": 1, "bending_z": 1, "torsion": 1}, {"bending_y": 1.0})
+    found = mode_shapes(model, np.zeros(3))
+    with np.errstate(all="raise"):
+        assert mode_plot.png(model, np.zeros(3), found).startswith(b"\x89PNG")

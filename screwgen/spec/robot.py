@@ -239,7 +239,10 @@ class Robot(Part):
         return self.base == FLOATING
 
     def without(self, *directions: str) -> Self:
-        """The same robot without the modes of some `DIRECTIONS`, such as "axial"; raises UsageError."""
+        """The same robot without the modes of some `DIRECTIONS`, such as "axial".
+
+        Raises UsageError, also for a link that is curved at rest and would be left without modes.
+        """
         for name in directions:
             if name not in DIRECTIONS:
                 raise UsageError(f"there is no direction '{name}'; choose {' or '.join(DIRECTIONS)}")
@@ -319,6 +322,8 @@ def stiffened(link: Link, directions: tuple[str, ...]) -> Link:
     modes = without(link.modes, directions)
     if modes.total:
         return link.model_copy(update={"modes": modes})
+    if link.rest:
+        raise UsageError(f"link '{link.name}' is curved at rest and would be straight without modes; leave it one")
     rigid = {"modes": modes.model_copy(update={"points": None}), "segments": 1, "tendons": ()}
     return link.model_copy(update=rigid | {"order": None if link.order == "exact" else link.order})
 

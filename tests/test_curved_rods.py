@@ -1,5 +1,7 @@
 """Rods that are curved and twisted at rest, beside Castigliano's beams, rings and springs; what holds of any rod."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from helpers import arm, link, model_of, quick, relative
@@ -14,6 +16,13 @@ from screwgen.studies.modes import mode_shapes
 
 UNIT = {"rhoA": 1.0, "EIy": 1.0, "EIz": 1.0, "GJ": 0.8, "rhoIp": 1e-2}
 NONE = (0.0, 0.0, 0.0)
+QUARTER = np.pi / 2
+
+
+@cache
+def quarter():
+    """A clamped quarter of a circle of unit radius, from x to y."""
+    return rod(QUARTER, {"bending_y": 4, "bending_z": 4, "torsion": 4}, {"bending_y": 1.0})
 
 
 def rod(length: float, modes: dict, rest, axes=(), gravity=NONE, **more):
@@ -37,7 +46,6 @@ def compliance(model, load: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 # ------------------------------------------------------------------------------- arcs, rings, springs
 
-QUARTER = np.pi / 2
 ARC = {  # of a unit force at the tip of a quarter of a circle of unit radius, from x to y
     "out of the plane": ([0, 0, 1], {2: QUARTER / 2 + (3 * QUARTER / 2 - 2) / 0.8}),
     "towards the centre": ([0, 1, 0], {0: 0.5 - 1.0, 1: 3 * QUARTER / 2 - 2}),
@@ -50,7 +58,7 @@ ARC = {  # of a unit force at the tip of a quarter of a circle of unit radius, f
 def test_a_quarter_of_a_circle_is_that_of_castigliano(way):
     """In one piece, to 0.01 %."""
     force, wanted = ARC[way]
-    model = rod(QUARTER, {"bending_y": 4, "bending_z": 4, "torsion": 4}, {"bending_y": 1.0})
+    model = quarter()
     assert model.numpy().tip_pose(np.zeros(12))[1] == pytest.approx([1.0, 1.0, 0.0], abs=1e-9)
     moved, turned = compliance(model, np.array([0, 0, 0, *force], float))
     for axis, value in wanted.items():

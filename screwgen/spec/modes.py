@@ -68,7 +68,7 @@ class Modes(Part):
     points: Annotated[int, PlainValidator(gauss_points)] | None = Field(
         None,
         description='points of integration along a link of order "exact"; without it two more than modes, of '
-        "other bases twice as many",
+        "other bases twice as many, and one more for each quarter of a turn at rest",
     )
     frequencies: Frequencies | None = Field(None, description="measured natural frequencies in place of stiffness")
 

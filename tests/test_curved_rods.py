@@ -12,6 +12,7 @@ import screwgen
 from screwgen.backends.numpy.rest_shape import section_at_rest
 from screwgen.paper.printed import PrintedModel
 from screwgen.plotting import mode_plot
+from screwgen.spec.load import loads
 from screwgen.studies.modes import mode_shapes
 
 UNIT = {"rhoA": 1.0, "EIy": 1.0, "EIz": 1.0, "GJ": 0.8, "rhoIp": 1e-2}
@@ -223,3 +224,9 @@ def test_shapes_of_modes_are_drawn_across_the_curve():
     found = mode_shapes(model, np.zeros(3))
     with np.errstate(all="raise"):
         assert mode_plot.png(model, np.zeros(3), found).startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("rest", [{"bending_y": 0.5}, STATIONS, RAMP])
+def test_a_file_that_is_written_is_the_same_robot(rest):
+    robot = rod(0.8, MODES, rest, segments=2).robot
+    assert loads(screwgen.dump(robot), "arm.toml", ".") == robot

@@ -40,13 +40,15 @@ def functions(direction: str, basis: str, count: int) -> list:
 class Rod:
     """The shapes of a class of links, from its table of shapes and what is said of their families."""
 
-    def __init__(self, parts: list[Part]):
+    def __init__(self, parts: list[Part], segment: tuple[int, int] = (0, 1)):
+        self.segment = segment
         field = next(p for p in parts if p.title == "Kinematic field")
         self.text = field.text
         rows = next(t for t in field.tables if t.head[0] == "shape" and t.head[1] == "direction").rows
         self.modes = [(row[1].replace(" in ", " "), int(row[2]) - 1) for row in rows]
         counts = {d: sum(x == d for x, _ in self.modes) for d, _ in self.modes}
         self.shapes = {d: functions(d, self._family(d), n) for d, n in counts.items()}
+        self.rest = self._rest()
         self.points = int(re.search(r"(\d+) Gauss points", self.text)[1])
         self.s, self.w = gauss(self.points)
 
@@ -56,6 +58,29 @@ class Rod:
         wanted = direction.replace(" ", " in ")
         said = next(match[2] for match in named if match and wanted in match[1].split(" and "))
         return "polynomial" if "polynomial" in said else "clamped_free"
+
+    def _rest(self) -> list[tuple[np.ndarray, list[float], int]]:
+        """Of each number at rest its column, the stations along the whole link, and the number of its own."""
+        said = re.search(
+            r"columns of \$[^$]*\$ that are (.*?)(?:, each times .*? stations \$([^$]*)\$ .*?)?\. In \(R2\)", self.text
+        )
+        if said is None:
+            return []
+        signs = [(m[2], -1.0 if m[1] else 1.0) for m in re.finditer(r"\$(-?)\\mathbf\{e\}_([xyz])\$", said[1])]
+        axes = [sign * np.eye(3)["xyz".index(letter)] for letter, sign in signs]
+        places = [number(x) for x in said[2].split(",")] if said[2] else []
+        return [(axis, places, k) for axis in axes for k in range(len(places) or 1)]
+
+    def resting(self, s: float) -> np.ndarray:
+        """(3, p): the columns of the curvature at rest at s, along the segment."""
+        whole = (self.segment[0] + s) / self.segment[1]
+        at = lambda places, k: np.interp(whole, places, np.eye(len(places))[k]) if places else 1.0  # noqa: E731
+        return np.array([at(places, k) * axis for axis, places, k in self.rest]).reshape(-1, 3).T
+
+    def kinks(self, a: float, b: float) -> list[float]:
+        """From a to b, with the stations of the curvature at rest between them."""
+        places = {x * self.segment[1] - self.segment[0] for _, own, _ in self.rest for x in own}
+        return [a, *sorted(s for s in places if a + 1e-12 < s < b - 1e-12), b]
 
     def at(self, s: float) -> list[np.ndarray]:
         """Value, first and second derivative of each mode's shape, (3, r)."""
@@ -75,7 +100,12 @@ class Rod:
             if d in TURN:
                 axis, sign = TURN[d]
                 out[axis, m] = sign * table[derivative + (d != "torsion")][m]
-        return out
+        return np.hstack([out, self.resting(s) if derivative else self._integral(s)]) if self.rest else out
+
+    def _integral(self, s: float) -> np.ndarray:
+        """(3, p): the integral of the columns at rest from the base, which are linear between stations."""
+        ends = pairwise(self.kinks(0.0, s))
+        return sum(((b - a) * self.resting((a + b) / 2) for a, b in ends), np.zeros((3, len(self.rest))))
 
     def reach(self, s: float) -> np.ndarray:
         """The integrals from 0 to s of the Lagrange polynomials of the points."""
@@ -105,23 +135,32 @@ def scale(rod: Rod, length: float) -> np.ndarray:
     return np.diag([1.0 if d == "torsion" else 1.0 / length for d, _ in rod.modes])
 
 
+def parted(rod: Rod, a: float, b: float, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Gauss points from a to b and their weights, so many between stations of the curvature at rest."""
+    x, w = gauss(count)
+    parts = [(c + (d - c) * x, (d - c) * w) for c, d in pairwise(rod.kinks(a, b))]
+    return tuple(np.concatenate(values) for values in zip(*parts, strict=True))
+
+
 def column(x) -> np.ndarray:
     return np.reshape(x, (-1, 1))
 
 
 def turn(rod: Rod, a: float, b: float, zeta, rate) -> dict[str, np.ndarray]:
     """(R2) from the section at a to that at b, with its derivative and its rates."""
-    x, w = gauss(FINE)
+    modes, still = len(rate), np.zeros((len(zeta) - len(rate), 1))
+    rate = np.vstack([rate, still])
+    y, w = parted(rod, a, b, FINE)
     start, end = rod.turned(a, 0), rod.turned(b, 0)
-    psi = [rod.turned(a + (b - a) * y, 0) - start for y in x]
-    kappa = [rod.turned(a + (b - a) * y, 1) for y in x]
+    psi = [rod.turned(x, 0) - start for x in y]
+    kappa = [rod.turned(x, 1) for x in y]
     cross = lambda u, v: skew(u) @ v  # noqa: E731
-    half = 0.5 * (b - a)
+    half = 0.5
     total, by, bend = (end - start) @ zeta, end - start, np.zeros((3, 1))
     by = by + half * sum(v * (skew(p @ zeta) @ k - skew(k @ zeta) @ p) for v, p, k in zip(w, psi, kappa, strict=True))
     total = total + half * sum(v * cross(p @ zeta, k @ zeta) for v, p, k in zip(w, psi, kappa, strict=True))
     bend = 2 * half * sum(v * cross(p @ rate, k @ rate) for v, p, k in zip(w, psi, kappa, strict=True))
-    return {"theta": total, "by": by, "rate": by @ rate, "bend": bend}
+    return {"theta": total, "by": by[:, :modes], "rate": by @ rate, "bend": bend}
 
 
 def run(scope: Scope, part: Part, local: dict) -> dict:
@@ -132,17 +171,18 @@ def run(scope: Scope, part: Part, local: dict) -> dict:
     return found
 
 
-def exact_rod(scope: Scope, parts: list[Part], s: float = 1.0) -> dict:
+def exact_rod(scope: Scope, parts: list[Part], s: float = 1.0, segment: tuple[int, int] = (0, 1)) -> dict:
     """The sums along a rod, and its section at s, by the LaTeX of their symbols in the equations of the link."""
-    rod, named = Rod(parts), {p.title: p for p in parts}
+    rod, named = Rod(parts, segment), {p.title: p for p in parts}
     length, r = float(scope("l_i").item()), len(rod.modes)
     Z = scale(rod, length)
     zeta, rate = Z @ scope(r"\boldsymbol{\eta}_i"), Z @ scope(r"\dot{\boldsymbol{\eta}}_i")
+    whole = np.vstack([zeta, scope(r"\boldsymbol{\zeta}_0")]) if rod.rest else zeta
     none, before, place, at = np.zeros((3, r)), None, 0.0, []
 
     def section(to: float, stretch: np.ndarray) -> dict:
         return _section(
-            scope, named["Section of the rod"], turn(rod, place, to, zeta, rate), stretch, before, length, zeta, rate
+            scope, named["Section of the rod"], turn(rod, place, to, whole, rate), stretch, before, length, zeta, rate
         )
 
     end = None
@@ -271,7 +311,8 @@ def pull(scope: Scope, parts: list[Part], row: tuple[str, ...], cut: tuple[float
 
     ``cut``: where the link, or its segment, begins and ends along the link of the row.
     """
-    rod, part = Rod(parts), next(p for p in parts if p.title.startswith("Tendon at"))
+    count = round(1 / (cut[1] - cut[0]))
+    rod, part = Rod(parts, (round(cut[0] * count), count)), next(p for p in parts if p.title.startswith("Tendon at"))
     s_0, s_1, d_0, d_1 = number(row[3]), number(row[4]), vector(row[5]), vector(row[6])
     first, last = max(s_0, cut[0]), min(s_1, cut[1])
     if first >= last:
@@ -284,18 +325,17 @@ def pull(scope: Scope, parts: list[Part], row: tuple[str, ...], cut: tuple[float
     zeta = Z @ scope(r"\boldsymbol{\eta}_i")
     if "At order 1 the length is linear" in rod.text:
         zeta = 0 * zeta
-    total = 0.0
-    for x, w in zip(*gauss(rod.points), strict=True):
-        s = s_0 + (s_1 - s_0) * x
-        stretch, curvature = rod.stretch(s), rod.turned(s, 1)
+    whole, total = np.vstack([zeta, scope(r"\boldsymbol{\zeta}_0")]) if rod.rest else zeta, 0.0
+    for s, w in zip(*parted(rod, s_0, s_1, rod.points), strict=True):
+        x, stretch, curvature = (s - s_0) / (s_1 - s_0), rod.stretch(s), rod.turned(s, 1)
         local = {
-            "w_{c,k}": np.full((1, 1), (s_1 - s_0) * w),
+            "w_{c,k}": np.full((1, 1), w),
             r"\mathbf{d}_{c,k}": ((1 - x) * begin + x * end) / length,
             r"\mathbf{d}'": (end - begin) / (length * (s_1 - s_0)),
             r"\boldsymbol{\gamma}_k": stretch @ zeta,
-            r"\boldsymbol{\kappa}_k": curvature @ zeta,
+            r"\boldsymbol{\kappa}_k": curvature @ whole,
             r"\partial\boldsymbol{\gamma}_k": stretch,
-            r"\partial\boldsymbol{\kappa}_k": curvature,
+            r"\partial\boldsymbol{\kappa}_k": curvature[:, : len(zeta)],
         }
         total = total + run(scope, part, local)[plain(r"\partial\ell_k")]
     return length * Z @ total

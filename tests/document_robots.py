@@ -114,6 +114,20 @@ def forced(robot: dict) -> None:
     robot["pushes"] = [{"name": "wind", "at": "upper.lug"}, {"name": "grip", "at": "hand.tip", "axes": "marker"}]
 
 
+def curved(robot: dict) -> None:
+    """Exact links, two of them curved at rest: by stations, and the same all along."""
+    robot["order"] = "exact"
+    bent = {"bending_y": 0.6, "bending_z": -0.4, "torsion": 0.5}
+    robot["links"][UPPER]["rest"] = [
+        {"at": 0.0, **bent},
+        {"at": 0.35, "bending_y": 0.2, "bending_z": 0.3, "torsion": -0.2},
+    ]
+    robot["links"][UPPER]["rest"] += [{"at": 1.0, **bent}]
+    robot["links"][FORE]["rest"] = {"bending_z": 0.8}
+    for link in robot["links"]:
+        link.pop("frame_at", None)
+
+
 def branched(robot: dict) -> None:
     robot["links"][HAND]["parent"] = "upper"
     robot["links"][HAND]["at"] = {"s": 0.45}
@@ -130,6 +144,7 @@ SLOTS: dict[str, dict[str, Change]] = {
         "order 2": lambda robot: robot.update(order=2),
         "exact": lambda robot: robot.update(order="exact"),
         "one exact": of(UPPER, order="exact"),
+        "curved": curved,
     },
     "upper": {
         "varying": varying,

@@ -176,7 +176,7 @@ class State:
         scope = Scope(self.reading.document, link.parts, given)
         scope.parent = self._carrier(link)
         if any(part.title == "Section of the rod" for part in link.parts):
-            scope.given |= {plain(n): x for n, x in exact_rod(scope, link.parts).items()}
+            scope.given |= {plain(n): x for n, x in exact_rod(scope, link.parts, 1.0, link.segment).items()}
         return scope
 
     def _carrier(self, link: Link) -> Scope:
@@ -202,6 +202,8 @@ class State:
             scope.parent = whole.parent
             scope.given |= {name: x for part in over for name, x in plain_values(scope, part)}
             if any(part.title == "Section of the rod" for part in link.parts):
-                scope.given = scope.given | {plain(n): x for n, x in exact_rod(scope, link.parts, s).items()}
+                scope.given = scope.given | {
+                    plain(n): x for n, x in exact_rod(scope, link.parts, s, link.segment).items()
+                }
             self.stations[parent, s] = scope
         return self.stations[parent, s]

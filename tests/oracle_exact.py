@@ -7,6 +7,7 @@ and everything else are derived from them by the oracle. No package code.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import casadi as ca
 import numpy as np
@@ -31,6 +32,8 @@ class ExactLink(Link):
     section_inertia: np.ndarray = field(default_factory=lambda: np.zeros((3, 0)))
     """(3, N) per length at the sections."""
     basis: str = "polynomial"
+    rest: dict | list | None = None
+    """Its curvature at rest, as the robot file states it."""
 
     # strains ------------------------------------------------------------------------------------------
 
@@ -74,13 +77,18 @@ class ExactLink(Link):
         """The rotation of the section at b from that at a, by the first two terms of the Magnus expansion."""
         from oracle_cloud import rotation_vector_matrix
 
-        x, w = gauss(FINE)
-        psi_a = ca.DM(self.strains(a)[0]) @ eta
-        theta = ca.DM(self.strains(b)[0]) @ eta - psi_a
-        for s, weight in zip(a + (b - a) * x, (b - a) * w, strict=True):
-            psi, kappa, _ = self.strains(s)
-            theta += 0.5 * weight * self.length * ca.cross(ca.DM(psi) @ eta - psi_a, ca.DM(kappa) @ eta)
+        psi_a = self._turned(a, eta)
+        theta = self._turned(b, eta) - psi_a
+        for s, weight in zip(*between(self.rest, a, b, FINE), strict=True):
+            kappa = ca.DM(self.strains(s)[1]) @ eta + curvature_at_rest(self.rest, s)
+            theta += 0.5 * weight * self.length * ca.cross(self._turned(s, eta) - psi_a, kappa)
         return before @ rotation_vector_matrix(theta)
+
+    def _turned(self, s: float, eta: ca.SX) -> ca.SX:
+        """The integral of the curvature from the base to s."""
+        nodes, weights = between(self.rest, 0.0, s, 2)
+        at_rest = sum((w * curvature_at_rest(self.rest, x) for x, w in zip(nodes, weights, strict=True)), np.zeros(3))
+        return ca.DM(self.strains(s)[0]) @ eta + self.length * at_rest
 
     def rotations(self, eta: ca.SX) -> list[ca.SX]:
         """Of the sections at the points."""
@@ -106,6 +114,44 @@ class ExactLink(Link):
             weights = [lagrange_integral(self.points, j, s) for j in range(len(self.points))]
             columns.append(self.length * sum((w * t for w, t in zip(weights, tangents, strict=True)), ca.SX.zeros(3)))
         return ca.horzcat(*columns) + ca.repmat(ca.DM([self.a, 0, 0]), 1, len(at))
+
+
+# the shape at rest -------------------------------------------------------------------------------------
+
+TURNS = {"torsion": (0, 1.0), "bending_z": (1, -1.0), "bending_y": (2, 1.0)}
+
+
+def curvature_at_rest(rest: dict | list | None, s: float) -> np.ndarray:
+    """(3,) 1/m: as the file states it, linear between its stations; of a link that states none zero."""
+    stations = rest if isinstance(rest, list) else [{"at": 0.0, **(rest or {})}, {"at": 1.0, **(rest or {})}]
+    a, b = next(pair for pair in pairwise(stations) if pair[1]["at"] > pair[0]["at"] and s <= pair[1]["at"])
+    share, out = (s - a["at"]) / (b["at"] - a["at"]), np.zeros(3)
+    for name, (axis, sign) in TURNS.items():
+        out[axis] = sign * ((1 - share) * a.get(name, 0.0) + share * b.get(name, 0.0))
+    return out
+
+
+def between(rest: dict | list | None, a: float, b: float, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights of a quadrature from a to b, so many nodes between stations of the curvature at rest."""
+    kinks = sorted({x["at"] for x in rest if a < x["at"] < b}) if isinstance(rest, list) else []
+    x, w = gauss(count)
+    parts = [(c + (d - c) * x, (d - c) * w) for c, d in pairwise([a, *kinks, b])]
+    return tuple(np.concatenate(values) for values in zip(*parts, strict=True))
+
+
+def count_of_points(link: dict) -> int:
+    """The Gauss points of a link: as its file states, or by its modes, and one for each quarter turn of it at rest."""
+    modes = link["modes"]
+    most = max(modes.get(d, 0) for d in DIRECTIONS)
+    straight = most + 2 if modes.get("basis", "polynomial") == "polynomial" else 2 * most + 4
+    rest = link.get("rest")
+    ends = sorted({0.0, 1.0, *(x["at"] for x in rest)}) if isinstance(rest, list) else [0.0, 1.0]
+    near = 1e-12
+    turns = [
+        (b - a) * np.linalg.norm([curvature_at_rest(rest, a + near), curvature_at_rest(rest, b - near)], axis=1).mean()
+        for a, b in pairwise(ends)
+    ]
+    return modes.get("points", straight + int(np.ceil(2 * sum(turns) * link["length"] / np.pi - near)))
 
 
 def lagrange_integral(points: np.ndarray, j: int, s: float) -> float:

@@ -237,7 +237,7 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
     K, damping = modal_matrices(link, line, shapes, weights)
     quadratic = link.get("order", order) == 2 and any(counts.values())
     exact = link.get("order", order) == "exact" and any(counts.values())
-    kind, more = (Link, {}) if not exact else exact_parts(link, counts, parts)
+    kind, more = (Link, {}) if not exact else exact_parts(link, parts)
     if exact:
         nodes, weights = more.pop("masses")
         line = properties_along(link["section"], nodes)
@@ -258,14 +258,11 @@ def read_link(link: dict, extra_nodes: int = 0, order: int = 1) -> Link:
     )
 
 
-def exact_parts(link: dict, counts: dict, parts: tuple) -> tuple[type, dict]:
+def exact_parts(link: dict, parts: tuple) -> tuple[type, dict]:
     """What a link of order "exact" has besides: its sections, and where its masses are."""
-    from oracle_exact import ExactLink, gauss
+    from oracle_exact import ExactLink, count_of_points, gauss
 
-    most = max(counts.values())
-    modes = link.get("modes", {})
-    basis = modes.get("basis", "polynomial")
-    count = modes.get("points", most + 2 if basis == "polynomial" else 2 * most + 4)
+    basis, count = link["modes"].get("basis", "polynomial"), count_of_points(link)
     points, weights = gauss(count)
     stations, between = stations_of(link["section"])
     degree = len(stations) - 1 if between == "polynomial" else 1
@@ -276,4 +273,4 @@ def exact_parts(link: dict, counts: dict, parts: tuple) -> tuple[type, dict]:
     products = [[np.prod((s - x) / (p - x)) for s in fine] for p, x in zip(points, others, strict=True)]
     inertia = np.array([products @ (shares * line[name]) for name in ("rhoIp", "rhoIy", "rhoIz")]) / weights
     own = dict(points=points, section_weights=weights, section_inertia=inertia, basis=basis, masses=masses)
-    return ExactLink, own
+    return ExactLink, own | {"rest": link.get("rest")}

@@ -36,6 +36,7 @@ LIMITS = {
     "no_gravity": 0.15,
     "second_order": 0.0,  # of a link, or of a robot
     "exact": 0.0,  # of a link: order "exact", drawn from a stream of its own
+    "curved": 0.0,  # of an exact link whose frame is at its base: curvature at rest, from a stream of its own
     "time": 0.0,  # of a flexible link: Kelvin–Voigt damping, drawn from a stream of its own
     "stations": 0.0,  # of a link: a section that varies
     "shear": 0.0,  # of each of: modes of shear in a plane, rotary inertia about an axis
@@ -74,12 +75,24 @@ def random_robot(rng, n_links: int | None = None, **limits) -> dict:
         for link in robot["links"]:
             if chance(own, limits["exact"]) and any(n for d, n in link.get("modes", {}).items() if d != "basis"):
                 link["order"] = "exact"
+    if limits["curved"]:
+        own = np.random.default_rng([int(robot["name"][5:]), 2])
+        for link in robot["links"]:
+            if link.get("order") == "exact" and "frame_at" not in link and chance(own, limits["curved"]):
+                link["rest"] = curvature(own, link["length"])
     if limits["time"]:
         own = np.random.default_rng([int(robot["name"][5:]), 1])
         for link in robot["links"]:
             if link.get("modes") and chance(own, limits["time"]):
                 link["damping"] = {**link.get("damping", {}), "time": float(own.uniform(0.0, 0.01))}
     return robot if any(link["joint"]["axes"] for link in robot["links"]) else _unweld(rng, robot, limits)
+
+
+def curvature(rng, length: float) -> dict | list[dict]:
+    """What a link is bent by at rest, up to a radian in each direction, the same all along or by three stations."""
+    names = rng.permutation(["bending_y", "bending_z", "torsion"])[: rng.integers(1, 4)]
+    drawn = lambda: {str(name): float(rng.uniform(-1, 1) / length) for name in names}  # noqa: E731
+    return drawn() if rng.random() < 0.5 else [{"at": s, **drawn()} for s in (0.0, float(rng.uniform(0.2, 0.8)), 1.0)]
 
 
 def _known(limits: dict) -> dict:

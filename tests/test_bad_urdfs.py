@@ -138,6 +138,7 @@ SIDES = [
     ('[[links]]\nname = "arm"', 'links[0].name: is "arm", no link of'),
     (FORE * 2, 'links[1].name: is "fore" again; state all of a link in one table'),
     (FORE + 'parent = "base"', "links[0].parent (link fore): is what the URDF states; change it there"),
+    (FORE + "rest = { bending_y = 1.0 }", "links[0].rest (link fore): bends the link away from where the URDF has"),
     (FORE + 'joint.axes = ["z"]', "links[0].joint.axes (link fore): is what the URDF states"),
     (FORE + "section = { rhoA = 1 }", "links[0].tip (link fore): is missing, and the link carries 0"),
     (UPPER + 'tip = "wrist"', 'links[0].tip (link upper): is "wrist", no joint that the link carries'),

@@ -20,7 +20,7 @@ EXAMPLES = (
     "flexible_arm",
     "gantry",
 )
-EXAMPLES += ("parallelogram", "six_link", "space_arm", "tentacle")
+EXAMPLES += ("parallelogram", "six_link", "soft_gripper", "space_arm", "tentacle")
 BEYOND = (
     ("weld loop", "skew"),
     ("sliding loop", "tendons", "varying"),
@@ -29,7 +29,7 @@ BEYOND = (
     ("coupling", "carried", "tendons"),
     ("branched", "floating", "slide"),
     ("forces", "order 2", "hinge loop"),
-    ("forces", "exact", "floating"),
+    ("forces", "curved", "floating"),
     ("forces", "branched", "coupling"),
     ("bristles", "bristles of a slide", "carried"),
     ("falling", "bent bristles of a slide"),

@@ -35,8 +35,12 @@ def bent(modes: int = 3, **more):
     return model_of(arm(rod, gravity=(0, 0, 0), order="exact"))
 
 
+CURVED = [{"at": 0.0, "bending_y": 1.0, "torsion": 0.5}, {"at": 1.0, "bending_y": 2.0, "torsion": 0.8}]
 ORDER, SECTION = 'order = "exact"', "section = { rhoA = 1.0, EIz = 1.0 }\n"
 MODES, JOINT = "modes = { bending_y = 2 }\n", 'joint = { axes = ["z"] }\n'
+REST = "rest = { bending_y = 1.0 }\n"
+STEP = "rest = [{ at = 0.0, bending_y = 0.0 }, { at = 0.5, bending_y = 0.0 }, { at = 0.5, bending_y = 2.0 }, "
+STEP += "{ at = 1.0, bending_y = 0.0 }]\n"
 WRONG = [
     (ORDER, 'order = "exakt"', 'order: is "exakt"; it must be 1, 2 or "exact"'),
     (ORDER, "order = 3", 'order: is 3; it must be 1, 2 or "exact"'),
@@ -57,6 +61,25 @@ WRONG = [
     (JOINT, f"{JOINT}points = 5\n", "points .link rod.: is an unknown key here; it belongs in modes"),
     ("= 2 }", "= 2, points = 5 }\norder = 1", "modes.points .link rod.: is stated of a link that is not of order"),
     (GOOD, GOOD.replace(ORDER, "order = 2").replace("= 2 }", "= 2, points = 6 }"), "points .*: is stated of a link"),
+    (JOINT, f"{JOINT}rest = {{}}\n", "rest .link rod.: states nothing; state bending_y, bending_z or torsion"),
+    (
+        JOINT,
+        f"{JOINT}rest = {{ bending_x = 1.0 }}\n",
+        r"rest.bending_x .link rod.: is an unknown key; did you mean ben",
+    ),
+    (JOINT, f"{JOINT}rest = {{ bending_y = 1e7 }}\n", "rest.bending_y .link rod.: is 10000000.0; it must be from -1e"),
+    (JOINT, f"{JOINT}rest = [{{ at = 0.0, torsion = 1.0 }}]\n", "rest .link rod.: has 1 stations; it must have from 2"),
+    (JOINT, f"{JOINT}rest = 2.0\n", "rest .link rod.: is 2.0; it must be a table of bending_y, bending_z, torsion"),
+    (JOINT, f"{JOINT}{STEP}", r"rest\[2\].at .link rod.: is 0.5 again, a step within a segment of the link; state seg"),
+    (JOINT, f"{JOINT}{STEP.replace('2.0 }', '2.0, torsion = 1.0 }')}", r"rest\[0\].torsion .*: is missing; station 2"),
+    (JOINT, f"{JOINT}{REST}frame_at = 0.1\n", "rest .link rod.: is stated beside frame_at, but the frame of a curved"),
+    (GOOD, GOOD.replace(ORDER, "") + REST, 'rest .link rod.: is stated of a link of order 1, .* state order = "exact"'),
+    (MODES, REST, "rest .link rod.: is stated for a rigid link; state modes with it, or leave it out"),
+    (
+        ", EIz = 1.0 }\nmodes = { bending_y = 2 }",
+        f" }}\nmodes = {{ bending_y = 1, frequencies = {{ bending_y = [2.0] }} }}\n{REST}",
+        "rest .link rod.: is stated beside modes.frequencies, but measured frequencies are those of a straight rod",
+    ),
     (JOINT, f"{JOINT}damping = {{}}\n", "damping .link rod.: states nothing; state ratio or time"),
     (JOINT, f"{JOINT}damping = {{ time = -1 }}\n", "damping.time .link rod.: is -1; it must be >= 0"),
 ]
@@ -84,10 +107,11 @@ def test_a_link_that_loses_its_modes_is_no_longer_exact():
 
 def test_the_line_of_a_bent_rod_ends_at_its_tip():
     """Where plots and tables put the centreline and where the dynamics puts the tip are one place."""
-    for model in (bent(), bent(frame_at=0.2), bent(segments=2)):
+    for model in (bent(), bent(frame_at=0.2), bent(segments=2), bent(rest=CURVED), bent(rest=CURVED, segments=2)):
         q = np.random.default_rng(3).normal(size=model.nq) * 0.2
         assert np.allclose(centrelines(model, q, [0.0, 1.0])[0, 1], model.numpy().tip_pose(q)[1], atol=1e-14)
-    assert np.abs(displacements(bent(), np.zeros((1, 3)), 0, [0.0, 0.3, 1.0])).max() < 1e-15
+        still = np.zeros((1, model.nq))
+        assert np.abs(displacements(model, still, 0, [0.0, 0.3, 1.0])).max() < 1e-15
 
 
 def test_a_circle_with_one_mode():
@@ -130,9 +154,11 @@ def test_documents_show_the_recursion():
     assert re.search(r"collocated at the 5\s+Gauss points", text)
 
 
-def test_the_page_bends_rods_as_far_as_the_model_does():
+@pytest.mark.parametrize("rest", [None, {"bending_y": -2.5, "torsion": 1.0}, CURVED])
+def test_the_page_bends_rods_as_far_as_the_model_does(rest):
     """The sections that the page integrates, bent by 0.4 of the length, against the centreline of 12 points."""
-    rod = link("rod", 1.0, [], 1.0, {"bending_y": 3, "points": 12}, section={"EIy": 1.0, "EIz": 1.0})
+    modes, section = {"bending_y": 3, "points": 12}, {"EIy": 1.0, "EIz": 1.0}
+    rod = link("rod", 1.0, [], 1.0, modes, section=section, **({"rest": rest} if rest else {}))
     model = model_of(arm(rod, gravity=(0, 0, 0), order="exact"))
     q = np.zeros(model.nq)
     q[model.chain.eta_q :] = [0.4, 0.05, -0.004]

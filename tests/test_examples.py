@@ -49,6 +49,14 @@ def test_two_units_move_together(example, capsys, tmp_path):
 
 
 @pytest.mark.examples
+def test_a_soft_gripper_closes():
+    said = run("soft_gripper.py").stdout
+    apart = [float(x) for x in re.findall(r"tips +([\d.]+) mm apart", said)]
+    assert apart == sorted(apart, reverse=True) and apart[0] > 150 and apart[-1] < 20
+    assert (ROOT / "build" / "soft_gripper" / "soft_gripper.html").exists()
+
+
+@pytest.mark.examples
 def test_demo_runs_over_an_older_folder():
     """Of another arm of the same name: the folder is replaced."""
     require_tool("make")

@@ -205,6 +205,7 @@ def test_a_fault_in_the_robot_file_has_one_line(body, message, file):
 
 BESIDE = {
     "length": ("length = 1.0", "links.0..length .*is stated beside body, whose file gives it; leave it out"),
+    "rest": ("rest = { bending_y = 1.0 }", "links.0..rest .*is stated beside body, whose file gives it; leave it out"),
     "section": ("length = 1.0\nsection = { rhoA = 1.0 }", "stated beside body"),
     "modes": ("modes = { bending_y = 2 }", "links.0..modes .*is stated beside body, which has modes of its own"),
     "damping": ("damping = { ratio = 0.01 }", "links.0..damping .*is stated beside body, whose file has De"),

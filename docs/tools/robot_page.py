@@ -32,6 +32,7 @@ from screwgen.spec import (  # noqa: E402  # noqa: E402
     modes,
     profile,
     reduced,
+    rest,
     section,
     stations,
     tendons,
@@ -62,6 +63,7 @@ PARTS = (
     ),
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
     *(drive.Friction, drive.FrictionMemory, drive.Stribeck, drive.FrictionBend, drive.Transmission),
+    rest.RestCurvature,
     *(four_bar.FourBar, limit.Limit, spec.Body, reduced.Reduced),
     *(loops.Loop, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),
 )

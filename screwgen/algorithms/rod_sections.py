@@ -82,6 +82,8 @@ class RodMotion:
     etaddot: Array
     scale: Array
     """(r,): coordinates of unit length per modal coordinate."""
+    rest: Array
+    """(p,): the numbers of the curvature at rest, times the length."""
     at: list[RodSection] = field(default_factory=list)
 
     @property
@@ -132,14 +134,14 @@ class RodMotion:
 
     def _turned(self, turn: RodTurn) -> tuple[Array, Array, Array, Array]:
         """A turn, its derivative with the modes, its rate, and its second rate."""
-        theta, by_modes = _along(turn.linear, self.eta), constants(turn.linear)
-        rate, bend = (_along(turn.linear, x) for x in (self.etadot, self.etaddot))
+        r, still = len(self.eta), mx.zeros(len(self.rest))
+        motion = [np.append(self.eta, self.rest), np.append(self.etadot, still), np.append(self.etaddot, still)]
+        by_modes, (theta, rate, bend) = constants(turn.linear[:, :r]), (_along(turn.linear, x) for x in motion)
         for A, B in turn.crossed:
-            motion = (self.eta, self.etadot, self.etaddot)
             (a, b), (adot, bdot), (addot, bddot) = ((_along(A, x), _along(B, x)) for x in motion)
             theta, rate = theta + mx.cross(a, b), rate + mx.cross(adot, b) + mx.cross(a, bdot)
             bend = bend + 2.0 * mx.cross(adot, bdot) + mx.cross(addot, b) + mx.cross(a, bddot)
-            by_modes = by_modes + _crossed(a, B) - _crossed(b, A)
+            by_modes = by_modes + _crossed(a, B[:, :r]) - _crossed(b, A[:, :r])
         return theta, by_modes, rate, bend
 
     def next(self, before: RodSection, turn: RodTurn, stretch: np.ndarray) -> RodSection:
@@ -206,6 +208,11 @@ def modal_scale(s: RodScope) -> Array:
     return mx.array([1.0 if d == "torsion" else per_length for d, _ in s.key.directions])
 
 
+def rest_turns(s: RodScope) -> Array:
+    """(p,): the numbers of the curvature at rest, times the length: coordinates of unit length that stay."""
+    return s.lower("link", {}, "kappa_0")[0] if s.key.rest else mx.zeros(0)
+
+
 def motion_along(s: RodScope, inputs: Mapping[str, Array], recall: bool = False) -> RodMotion:
     """The motion along the rod in the state of some inputs, found once in a scope.
 
@@ -222,7 +229,7 @@ def motion_along(s: RodScope, inputs: Mapping[str, Array], recall: bool = False)
         coordinates, rates, accelerations = (scale * x for x in (eta, etadot, etaddot))
         for name, values in (("unit_eta", coordinates), ("unit_etadot", rates), ("unit_etaddot", accelerations)):
             mx.name(name, values)
-        motion = RodMotion(rod, coordinates, rates, accelerations, scale)
+        motion = RodMotion(rod, coordinates, rates, accelerations, scale, rest_turns(rod))
         own = _all_of("eta", eta) and _all_of("etadot", etadot)
         if recall and own and "rod_R" in rod.layouts:
             motion.recall()

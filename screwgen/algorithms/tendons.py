@@ -10,13 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..bodies.collocation import collocation, gauss, points
+from ..bodies.collocation import collocation, points
 from ..ir.derivative import columns
 from ..ir.program import Array, Value
 from ..spec.link_class import LinkClass
 from ..spec.tendons import TendonClass, offset_label
 from . import matrices as mx
-from .rod_sections import constants, length_of, modal_scale
+from .rod_sections import constants, length_of, modal_scale, rest_turns
 from .scope import Scope
 
 
@@ -31,15 +31,15 @@ class TendonPoint:
     stretch: np.ndarray
     """(3, r): the stretch there by each mode."""
     curvature: np.ndarray
-    """(3, r): the curvature there by each mode, times the length."""
+    """(3, r + p): the curvature there by each mode, and by each number at rest, times the length."""
 
 
 def quadrature(key: LinkClass, tendon: TendonClass) -> list[TendonPoint]:
     """The Gauss points of a piece of a tendon."""
     (first, last), (a, b), rod = tendon.span, tendon.mixed, collocation(key)
-    x, w = gauss(points(key))
     at = lambda s: (rod.stretch(s), rod.curvature(s))  # noqa: E731
-    pairs = zip(x.tolist(), ((last - first) * w).tolist(), strict=True)
+    pieces = rod.within(first, last, points(key))
+    pairs = [pair for x, w in pieces for pair in zip(x.tolist(), ((last - first) * w).tolist(), strict=True)]
     return [TendonPoint(share, a + (b - a) * s, *at(first + (last - first) * s)) for s, share in pairs]
 
 
@@ -110,14 +110,15 @@ def _total(s: Scope, tendon: TendonClass, at: list[TendonPoint], what: str, bent
     """The sum of a step of the tendon's block over its points, along the bent link or the straight one."""
     (per_length,), (first, last) = s.lower("link", {}, "per_length")[0], tendon.span
     eta = modal_scale(s) * s.read("eta") if bent else mx.zeros(s.key.modes)
+    zeta = np.append(eta, rest_turns(s)) if s.key.rest else eta
     ends = [[per_length * s.constant(offset_label(tendon.number, end, axis)) for axis in "yz"] for end in range(2)]
     offset = lambda x: mx.array([0.0, *((1.0 - x) * a + x * b for a, b in zip(*ends, strict=True))])  # noqa: E731
     slope, total = (offset(tendon.mixed[1]) - offset(tendon.mixed[0])) * (1.0 / (last - first)), None
     for x in at:
         gamma_eta, kappa_eta = constants(x.stretch), constants(x.curvature)
         given = {"share": mx.array([x.share]), "offset": offset(x.mixed), "slope": slope}
-        given |= {"gamma": mx.multiply(gamma_eta, eta), "kappa": mx.multiply(kappa_eta, eta)}
-        given |= {"gamma_eta": gamma_eta, "kappa_eta": kappa_eta}
+        given |= {"gamma": mx.multiply(gamma_eta, eta), "kappa": mx.multiply(kappa_eta, zeta)}
+        given |= {"gamma_eta": gamma_eta, "kappa_eta": kappa_eta[:, : s.key.modes]}
         (value,) = s.lower("tendon", given, what)
         total = value if total is None else total + value
     assert total is not None

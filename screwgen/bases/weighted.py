@@ -68,6 +68,12 @@ class Weights:
             a, b, functions = next(p for p in self.pieces() if s <= p[1])
             return {station: float(form((mpf(s) - a) / (b - a))) for station, form in functions}
 
+    def corners(self) -> list[tuple[float, float, dict[int, tuple[float, float]]]]:
+        """The intervals with the weight functions at their two ends, by station, which tell those that are linear."""
+        with mpmath.workdps(working_digits(0)):
+            at = lambda form: (float(form(mpf(0))), float(form(mpf(1))))  # noqa: E731
+            return [(float(a), float(b), {k: at(form) for k, form in own}) for a, b, own in self.pieces()]
+
     def _whole(self) -> list[Piece]:
         """Those along the whole link."""
         s = [mpf(place) for place in self.places]

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache, cached_property
+from itertools import pairwise
 
 import numpy as np
 
-from ..bases import DEFAULT, Shapes
+from ..bases import Shapes
+from ..bases.weighted import Weights
 from ..spec.link_class import TURN, LinkClass
 from ..spec.markers import TIP
+from ..spec.modes import points_for
 from .varying_fields import weights
 
 FINE = 20
@@ -25,7 +28,9 @@ NEGLIGIBLE = 1e-14
 
 @dataclass(frozen=True)
 class RodTurn:
-    """The turn from one section to the next, ``Omega = C eta + sum of (A eta) x (B eta)``, rad.
+    """The turn from one section to the next, ``Omega = C zeta + sum of (A zeta) x (B zeta)``, rad.
+
+    ``zeta`` is the r modal coordinates, then the p numbers of the curvature at rest.
 
     The first two terms of the Magnus expansion, ``∫kappa`` and ``1/2 ∫(psi - psi_0) x kappa`` with psi the integral of
     kappa. The second has few products: as many as an antisymmetric form on the modes' shapes has planes, one with up to
@@ -33,9 +38,9 @@ class RodTurn:
     """
 
     linear: np.ndarray
-    """C, (3, r)."""
+    """C, (3, r + p)."""
     crossed: tuple[tuple[np.ndarray, np.ndarray], ...]
-    """The pairs A, B, (3, r) each."""
+    """The pairs A, B, (3, r + p) each."""
 
 
 @dataclass(frozen=True)
@@ -125,16 +130,41 @@ class Collocation:
         return out
 
     def curvature(self, s: float) -> np.ndarray:
-        """(3, r): the curvature ``kappa`` at the place s by each mode, times the length."""
+        """(3, r + p): the curvature ``kappa`` at s by each mode and each number at rest, times the length."""
         return self._about(self._turned(s, 1))
 
     def turn(self, a: float, b: float) -> RodTurn:
         """From the section at a to that at b."""
-        fine, own = gauss(FINE)
-        s, psi_a = a + (b - a) * fine, self._turned(a, 0)
-        psi, kappa = (np.array([self._turned(x, n) for x in s]) for n in (0, 1))
-        once = 0.5 * (b - a) * (psi - psi_a).T @ (own[:, None] * kappa)
+        psi_a, once = self._turned(a, 0), np.zeros((1, 1))
+        for share, weight in self.within(a, b, FINE):
+            s = a + (b - a) * share
+            psi, kappa = (np.array([self._turned(x, n) for x in s]) for n in (0, 1))
+            once = once + 0.5 * (b - a) * (psi - psi_a).T @ (weight[:, None] * kappa)
         return RodTurn(self._about(self._turned(b, 0) - psi_a), tuple(self._pairs(0.5 * (once - once.T))))
+
+    def within(self, a: float, b: float, count: int) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Gauss points from a to b, as shares of the way, and their weights; so many between kinks of the curvature."""
+        x, w = gauss(count)
+        kinks = [(s - a) / (b - a) for s, _, _ in self._resting[1:] if a < s < b]
+        return [(u + (v - u) * x, (v - u) * w) for u, v in pairwise([0.0, *kinks, 1.0])]
+
+    @cached_property
+    def _resting(self) -> list[tuple[float, float, dict[int, tuple[float, float]]]]:
+        """The pieces along which the curvature at rest is linear: ends, and its values there by each station."""
+        if not self.key.rest_at:
+            return [(0.0, 1.0, {0: (1.0, 1.0)})]
+        return Weights(self.key.rest_at, segment=self.key.segment, segments=self.key.segments).corners()
+
+    def _at_rest(self, station: int, s: float, derivative: int) -> float:
+        """The turn of the section at s by a unit of curvature at rest at a station, or that curvature itself."""
+        total = 0.0
+        for start, end, values in self._resting:
+            (near, far), way = values.get(station, (0.0, 0.0)), min(s, end) - start
+            here = near + (far - near) * way / (end - start)
+            if derivative and start <= s <= end:
+                return here
+            total += max(way, 0.0) * 0.5 * (near + here)
+        return total
 
     def _pairs(self, K: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
         """The pairs a, b with ``K = 1/2 sum of (a b^T - b a^T)``, by elimination, largest pivots first."""
@@ -147,30 +177,27 @@ class Collocation:
         return [pair for pair in out if _cross(*pair)]
 
     def _about(self, values: np.ndarray) -> np.ndarray:
-        """(3, r): a number for each mode about the axis that it turns the sections about."""
-        out = np.zeros((3, self.key.modes))
-        for m, (direction, _) in enumerate(self.key.directions):
+        """(3, r + p): a number for each mode, and each number at rest, about the axis that it turns sections about."""
+        out = np.zeros((3, len(values)))
+        for m, (direction, _) in enumerate((*self.key.directions, *self.key.rest_shapes)):
             if direction in TURN and abs(values[m]) > NEGLIGIBLE:
                 row, sign = TURN[direction]
                 out[row, m] = sign * values[m]
         return out
 
     def _turned(self, s: float, derivative: int) -> np.ndarray:
-        """(r,): how far each mode turns the section at s about its axis, or the derivative of that along the rod."""
+        """(r + p,): how far each mode, then each number at rest, turns the section at s, or the derivative of that."""
         shape = lambda d, i: self._shape(d, i, s, derivative + (d != "torsion"))  # noqa: E731
-        return np.array([shape(d, i) if d in TURN else 0.0 for d, i in self.key.directions])
+        resting = [self._at_rest(station, s, derivative) for _, station in self.key.rest_shapes]
+        return np.array([shape(d, i) if d in TURN else 0.0 for d, i in self.key.directions] + resting)
 
     def _shape(self, direction: str, i: int, s: float, order: int) -> float:
         return _evaluated(self.key.shapes(direction), float(s), order)[i]
 
 
 def points(key: LinkClass) -> int:
-    """The number of Gauss points: as the file states, or two more than the most modes of a direction.
-
-    Shapes that are no polynomials take more to have their inertia to eight digits.
-    """
-    most = max(key.counts)
-    return key.points or (most + 2 if set(key.bases) <= {"", DEFAULT} else 2 * most + 4)
+    """The number of Gauss points: as the file asks for, or by the number of modes."""
+    return key.points or points_for(key.counts, key.bases)
 
 
 @cache

@@ -153,6 +153,8 @@ class ExactLinkBlock(LinkBlock):
 
     def _constants(self) -> None:
         super()._constants()
+        if self.key.rest:
+            self.step("kappa_0", cast(RodBody, self.body).length @ rest_curvature(self, self.key))
         masses(self, self.key, cast(RodBody, self.body))
 
     def _moments(self) -> None:
@@ -221,6 +223,17 @@ class ExactLinkBlock(LinkBlock):
 
     def _carries_at_base(self) -> bool:
         return bool(self.key.bodies_at("base") or self.key.body)
+
+
+def rest_curvature(b: Block, key: LinkClass) -> Expression:
+    """(p, 1): the numbers of the curvature at rest, direction by direction, which are parameters."""
+    parts: list[Expression] = []
+    for direction in key.rest:
+        if key.rest_at:
+            parts.append(b.parameter(f"rest_at_{direction}", (len(key.rest_at), 1), numbered=(0,)))
+        else:
+            parts.append(b.parameter(f"rest_{direction}", (1, 1)))
+    return stack(*parts) if len(parts) > 1 else parts[0]
 
 
 def masses(b: Block, key: LinkClass, body: RodBody) -> None:

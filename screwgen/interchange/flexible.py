@@ -79,6 +79,9 @@ def _refuse_the_urdfs(side: SideFile, name: str, table: dict[str, Any]) -> None:
     stated = ["parent"] if "parent" in table else [f"joint.{key}" for key in ("axes", "mount") if key in joint]
     if stated:
         raise side.fault(name, stated[0], "is what the URDF states; change it there")
+    if "rest" in table:
+        what = "bends the link away from where the URDF has what it carries"
+        raise side.fault(name, "rest", f"{what}; state it in the robot file that is written")
     if not isinstance(table.get("bodies", []), list):
         raise side.fault(name, "bodies", f"is {shown(table['bodies'])}; it must be an array of tables")
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
 from ..backends.numpy.numeric import Numeric
+from ..backends.numpy.rest_shape import link_at_rest
 from ..errors import UsageError
 from ..joints.screw import Screw
 from ..reduction.invariants import hat
@@ -28,6 +30,8 @@ from .urdf import BOUNDLESS
 OPEN_RANGE = 10.0
 """m: the range of a slide without limits, for the sliders of viewers."""
 MASSLESS = 1e-15
+CURVED = 12
+"""Cylinders along a link that is curved at rest."""
 GREY, BLUE = "rigid", "flexible"
 COLOURS = {GREY: "0.55 0.57 0.6 1", BLUE: "0.25 0.45 0.7 1"}
 
@@ -121,7 +125,13 @@ class _Writer:
         """The undeformed tip frame in axes of the link frame, from the joint point."""
         if body := elastic(link):
             return Pose(np.array(body.tip.axes), np.array(body.tip.origin))
-        return Pose(HERE.R, np.array([link.length or 0.0, 0.0, 0.0]))
+        return self._section(link, 1.0)
+
+    def _section(self, link: Link, s: float) -> Pose:
+        """That of a section of a rod."""
+        if not link.rest:
+            return Pose(HERE.R, s * np.array([link.length or 0.0, 0.0, 0.0]))
+        return Pose(*link_at_rest(Chain(self._alone(link)), 0, s))
 
     def _link(self, i: int, link: Link) -> None:
         self.lines.append(f'  <link name="{link.name}">')
@@ -147,28 +157,26 @@ class _Writer:
 
     def _inertia(self, link: Link) -> np.ndarray:
         """(6, 6): the inertia of the undeformed link about its joint point, for twists [ω; v] in link axes."""
-        update = {"joint": Joint(axes=()), "parent": None, "at": "tip", "frame_at": None}
-        alone = self.robot.model_copy(
-            update={
-                "links": (link.model_copy(update=update),),
-                "base": FLOATING,
-                "gravity": (0.0, 0.0, 0.0),
-                **dict.fromkeys(OF_SEVERAL, ()),
-            }
-        )
-        chain = Chain(alone)
+        chain = Chain(self._alone(link))
         q = np.zeros(chain.nq)
         q[3] = 1.0
         return Numeric(chain).mass_matrix(q)[:6, :6]
 
+    def _alone(self, link: Link) -> Robot:
+        """The robot that is a link alone, afloat."""
+        update = {"joint": Joint(axes=()), "parent": None, "at": "tip", "frame_at": None}
+        alone = {"links": (link.model_copy(update=update),), "base": FLOATING, "gravity": (0.0, 0.0, 0.0)}
+        return self.robot.model_copy(update={**alone, **dict.fromkeys(OF_SEVERAL, ())})
+
     def _shapes(self, i: int, link: Link) -> Iterator[list[str]]:
         """A ball at the joint, cylinders along the link and from it to the joints that it carries, boxes for bodies."""
         yield _visual(HERE, f'<sphere radius="{self.size:g}"/>', GREY)
-        end = self._end(link).p
-        lines = [(np.zeros(3), end, BLUE if of_link(link) else GREY)]
+        count, colour = (CURVED if link.rest else 1), BLUE if of_link(link) else GREY
+        ends = [self._place(link, k / count) for k in range(count + 1)]
+        lines = [(start, stop, colour) for start, stop in pairwise(ends)]
         for j, carrier in enumerate(self.carriers):
             if carrier == i:
-                lines.append((self.places[j] * end, self._mount(j).p, GREY))
+                lines.append((self._place(link, self.places[j]), self._mount(j).p, GREY))
         for start, stop, colour in lines:
             if (size := float(np.linalg.norm(stop - start))) > 1e-9:
                 middle = Pose(_towards((stop - start) / size), (start + stop) / 2)
@@ -178,6 +186,10 @@ class _Writer:
                 place = (self._end(link) if body.at == "tip" else HERE) @ Pose(HERE.R, np.array(body.com))
                 yield _visual(place, f'<box size="{" ".join([f"{self.size:g}"] * 3)}"/>', GREY)
 
+    def _place(self, link: Link, s: float) -> np.ndarray:
+        """A point of the centreline of a link."""
+        return self._section(link, s).p if link.rest else s * self._end(link).p
+
     # joints
 
     def _mount(self, i: int) -> Pose:
@@ -186,7 +198,10 @@ class _Writer:
         placed = pose((mount and mount.xyz) or (0, 0, 0), (mount and mount.rpy) or (0, 0, 0))
         if self.carriers[i] < 0:
             return placed
-        end, s = self._end(self.robot.links[self.carriers[i]]), self.places[i]
+        carrier, s = self.robot.links[self.carriers[i]], self.places[i]
+        if carrier.rest:
+            return self._section(carrier, s) @ placed
+        end = self._end(carrier)
         turned = end.R if s == 1 and self.robot.section_rotation else HERE.R
         return Pose(turned, s * end.p) @ placed
 

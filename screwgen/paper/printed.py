@@ -59,6 +59,10 @@ class PrintedModel:
                 raise UsageError(f"({label}) changes no number of a system; choose {' or '.join(PRINTED)}")
         if any(link.pieces > 1 for link in robot.links):
             raise UsageError(f"{robot.name}: the paper has no segments of links; leave them out, or the formulation")
+        if any(link.rest for link in robot.links):
+            raise UsageError(
+                f"{robot.name}: the paper's links are straight at rest; leave out rest, or the formulation"
+            )
         self.robot = self._reduced(robot)
         self.model = derive(self.robot)
         if any(direction == "torsion" for key in self.model.chain.keys for direction, _ in key.directions):

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
+from ..backends.numpy.rest_shape import link_at_rest
 from ..errors import UsageError
 from ..robot_model import RobotModel
 from ..simulation.motion import centrelines, modal_columns, twist
@@ -67,7 +68,7 @@ def figure(model: RobotModel, q: np.ndarray, found: ModeShapes) -> Figure:
     count = min(len(found.frequencies), MOST)
     if not count:
         raise UsageError("there are no modes to draw: every link is rigid and no joint has a spring; leave out --plot")
-    rest, frames = centrelines(model, q, STATIONS), model.numpy().link_pose(q)[0][model.chain.firsts]
+    rest, frames = centrelines(model, q, STATIONS), _frames(model, q)
     rows = -(-count // COLUMNS)
     more = f", the lowest {count} of {len(found.frequencies)} modes" if count < len(found.frequencies) else ""
     out = canvas(-(-count // rows) * PANEL[0], rows * PANEL[1] + 0.8, f"Mode shapes of {model.robot.name}{more}")
@@ -78,6 +79,14 @@ def figure(model: RobotModel, q: np.ndarray, found: ModeShapes) -> Figure:
         points = _draw(axes, model, rest, frames, amplified(rest, field(model, q, shape)))
         fit(axes, points, title, meaning(model, shape))
     return out
+
+
+def _frames(model: RobotModel, q: np.ndarray) -> np.ndarray:
+    """(n, stations, 3, 3): the axes of the links' sections, undeformed, as columns."""
+    links, count = model.numpy().link_pose(q)[0][model.chain.firsts], range(len(model.robot.links))
+    return np.array(
+        [[R @ link_at_rest(model.chain, i, s)[0] for s in STATIONS] for i, R in zip(count, links, strict=True)]
+    )
 
 
 # ------------------------------------------------------------------------------ what moves
@@ -121,11 +130,13 @@ def amplified(rest: np.ndarray, shape: ModeMotion) -> ModeMotion:
 def sections(line: np.ndarray, frame: np.ndarray, turn: np.ndarray, width: float) -> np.ndarray:
     """The corners (stations, 5, 3), m, of square sections across a centreline; the first corner closes the square.
 
-    `line` (stations, 3), m; `frame` (3, 3): the link's axes at rest; `turn` (stations,) rad: about the centreline.
+    `line` (stations, 3), m; `frame` (stations, 3, 3), or of a straight link (3, 3): the axes of its sections at rest;
+    `turn` (stations,) rad: about the centreline.
     """
+    frame = np.array(np.broadcast_to(frame, (len(line), 3, 3)))
     tangent = np.gradient(line, axis=0)
     tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
-    up = Rotation.from_rotvec(turn[:, None] * frame[:, 0]).apply(frame[:, 1])
+    up = Rotation.from_rotvec(turn[:, None] * frame[..., 0]).apply(frame[..., 1])
     up -= np.sum(up * tangent, axis=1, keepdims=True) * tangent
     up /= np.linalg.norm(up, axis=1, keepdims=True)
     side = np.cross(tangent, up)

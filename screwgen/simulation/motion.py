@@ -5,13 +5,13 @@ Every function takes the coordinates of N samples, as a run holds them: `q`, `v`
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..algorithms.rod_line import lengths, rod_line
 from ..arguments import Numbers, parameters_keyword
-from ..backends.numpy.numeric import EPSILON, function_of
+from ..backends.numpy.rest_shape import bent_line, line_at_rest
 from ..bodies import markers
 from ..errors import UsageError
 from ..lazily import transform
@@ -52,15 +52,22 @@ def displacements(model: RobotModel, q: np.ndarray, link: int, points: Numbers) 
     """The elastic displacement `r_xi = phi eta` (N, points, 3) of a link's centreline, m, in F_i components, (72).
 
     `points`: places along the link as s in [0, 1], base to tip. `link`: its number in the robot. Of a link with
-    segments the displacement from the straight link in the axes of its first segment, however large.
+    segments the displacement from the link at rest in the axes of its first segment, however large.
     """
     first, points = model.chain.firsts[link], np.asarray(points, float)
     if model.chain.segments[first].count == 1:
         return _bent(model, q, first, points)
-    R, r = _poses(model, q)
-    out = (_centreline(model, q, R, r, link, points) - r[:, None, first]) @ R[:, first]
+    if model.chain.keys[first].rest:
+        return _lines(model, q, link, points) - _lines(model, np.array([model.chain.home]), link, points)
+    out = _lines(model, q, link, points)
     out[..., 0] -= (model.robot.links[link].length or 0.0) * points
     return out
+
+
+def _lines(model: RobotModel, q: np.ndarray, link: int, points: np.ndarray) -> np.ndarray:
+    """The centreline (N, points, 3) of a link in the axes of its first segment, m."""
+    (R, r), first = _poses(model, q), model.chain.firsts[link]
+    return (_centreline(model, q, R, r, link, points) - r[:, None, first]) @ R[:, first]
 
 
 def tip_deflections(model: RobotModel, q: np.ndarray) -> dict[int, np.ndarray]:
@@ -89,22 +96,40 @@ def _bent(model: RobotModel, q: np.ndarray, i: int, points: np.ndarray) -> np.nd
     """The displacements of a segment."""
     key = model.chain.keys[i]
     if key.order == EXACT:
-        return bent_rod(key, own_length(model, i), modal(model, q, i), tuple(points.tolist()))
+        return bent_rod(key, own_length(model, i), own_rest(model, i), modal(model, q, i), tuple(points.tolist()))
     shapes = markers.displacement(model.chain.keys[i], tuple(points))
     return np.einsum("nr,pkr->npk", modal(model, q, i), shapes)
 
 
-def bent_rod(key: LinkClass, length: float, eta: np.ndarray, points: tuple[float, ...]) -> np.ndarray:
-    """Those (N, points, 3) of a rod of order EXACT at modal coordinates (N, r), by the program of its line."""
-    place, constants = function_of(rod_line(key, points)), lengths(key, length)
-    lines = [place({"eta": one, **constants}, EPSILON)[0]["line"] for one in eta.tolist()]
-    return np.reshape(lines, (len(lines), len(points), 3)) - np.outer(points, [length, 0.0, 0.0])
+def _rest(model: RobotModel, i: int, points: np.ndarray) -> np.ndarray:
+    """The places (points, 3) of the centreline of a segment at rest from its base, m."""
+    key, link = model.chain.keys[i], model.robot.links[model.chain.segments[i].link]
+    if key.rest:
+        return line_at_rest(key, own_length(model, i), own_rest(model, i), points.tolist())
+    return points[:, None] / link.pieces * end(link)
+
+
+def bent_rod(
+    key: LinkClass, length: float, rest: Sequence[float], eta: np.ndarray, points: tuple[float, ...]
+) -> np.ndarray:
+    """Those (N, points, 3) of a rod of order EXACT at modal coordinates (N, r), by the program of its line.
+
+    `rest`: the numbers of its curvature at rest.
+    """
+    lines = [bent_line(key, length, rest, one, points) for one in eta]
+    return np.reshape(lines, (len(lines), len(points), 3)) - line_at_rest(key, length, rest, points)
 
 
 def own_length(model: RobotModel, i: int) -> float:
     """That of a segment, m."""
     link = model.robot.links[model.chain.segments[i].link]
     return reach(link) / link.pieces
+
+
+def own_rest(model: RobotModel, i: int) -> tuple[float, ...]:
+    """The numbers of the curvature at rest of the link of a segment, 1/m; none where it is straight."""
+    rest = model.robot.links[model.chain.segments[i].link].rest
+    return rest.numbers if rest else ()
 
 
 def modal(model: RobotModel, q: np.ndarray, i: int) -> np.ndarray:
@@ -129,7 +154,7 @@ def _centreline(
     for k in np.unique(number):
         i, at, local = first + k, number == k, own.pieces * points[number == k] - k
         place = _bent(model, q, i, local)
-        place += local[:, None] / own.pieces * end(own) - [own.frame_at or 0.0, 0.0, 0.0]
+        place += _rest(model, i, local) - [own.frame_at or 0.0, 0.0, 0.0]
         out[:, at] = r[:, None, i] + place @ R[:, i].transpose(0, 2, 1)
     return out
 
@@ -148,7 +173,7 @@ def modal_columns(model: RobotModel, link: int, direction: str) -> list[int]:
 
 
 def undeformed(model: RobotModel, q: np.ndarray) -> np.ndarray:
-    """The coordinates (N, nq) of the same joint angles with straight links."""
+    """The coordinates (N, nq) of the same joint angles with links at rest."""
     out = np.zeros_like(_samples(model, q, "q"))
     out[:, : model.chain.eta_q] = q[:, : model.chain.eta_q]
     return out

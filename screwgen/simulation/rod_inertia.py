@@ -22,35 +22,41 @@ DEPENDENT = 1e-8
 """Motions whose inertia is below this part of the largest, over their own entries, are no motions of their own."""
 
 
-def inertia_error(key: LinkClass, eta: np.ndarray) -> float:
+def inertia_error(key: LinkClass, eta: np.ndarray, rest: np.ndarray) -> float:
     """The largest part by which the inertia of a rod is off in states (N, r) of unit length, in any of its motions.
+
+    `rest`: the numbers of its curvature at rest, times the length.
 
     It is an eigenvalue of the difference over the inertia: accelerations under given forces are off by about as much.
     """
     fine = replace(key, points=2 * points(key))
-    pairs = zip(*(inertia(one, eta) for one in (key, fine)), strict=True)
+    zeta = np.hstack([eta, np.tile(rest, (len(eta), 1))])
+    pairs = zip(*(inertia(one, zeta) for one in (key, fine)), strict=True)
     return max((_apart(coarse, exact) for coarse, exact in pairs), default=0.0)
 
 
-def inertia(key: LinkClass, eta: np.ndarray) -> np.ndarray:
-    """(N, 6 + modes that move the centreline, the same): of the turn and the motion of its base, and of its modes."""
+def inertia(key: LinkClass, zeta: np.ndarray) -> np.ndarray:
+    """(N, 6 + modes that move the centreline, the same): of the turn and the motion of its base, and of its modes.
+
+    `zeta` (N, r + p): modal coordinates of unit length, then the numbers of the curvature at rest.
+    """
     moving = [m for m, (direction, _) in enumerate(key.directions) if direction != "torsion"]
-    r, unit = centreline(key, eta), STEP * np.eye(key.modes)
-    by_modes = [(centreline(key, eta + unit[m]) - centreline(key, eta - unit[m])) / (2 * STEP) for m in moving]
+    r, unit = centreline(key, zeta), STEP * np.eye(zeta.shape[1])
+    by_modes = [(centreline(key, zeta + unit[m]) - centreline(key, zeta - unit[m])) / (2 * STEP) for m in moving]
     turned = [np.cross(axis, r) for axis in np.eye(3)]
     moved = [np.broadcast_to(axis, r.shape) for axis in np.eye(3)]
     columns = np.stack([*turned, *moved, *by_modes])
     return np.einsum("s,ansi,bnsi->nab", WEIGHTS, columns, columns)
 
 
-def centreline(key: LinkClass, eta: np.ndarray) -> np.ndarray:
+def centreline(key: LinkClass, zeta: np.ndarray) -> np.ndarray:
     """Those (N, places, 3) at ``PLACES``, from the tangents at the points of the rod."""
     turns, stretches, reach = _numbers(key)
-    R, tangents = transform.Rotation.from_quat(np.tile([0.0, 0.0, 0.0, 1.0], (len(eta), 1))), []
+    R, tangents = transform.Rotation.from_quat(np.tile([0.0, 0.0, 0.0, 1.0], (len(zeta), 1))), []
     for turn, stretch in zip(turns, stretches, strict=True):
-        crossed = sum((np.cross(eta @ a.T, eta @ b.T) for a, b in turn.crossed), np.zeros(3))
-        R = R * transform.Rotation.from_rotvec(eta @ turn.linear.T + crossed)
-        tangents.append(R.apply(np.array([1.0, 0.0, 0.0]) + eta @ stretch.T))
+        crossed = sum((np.cross(zeta @ a.T, zeta @ b.T) for a, b in turn.crossed), np.zeros(3))
+        R = R * transform.Rotation.from_rotvec(zeta @ turn.linear.T + crossed)
+        tangents.append(R.apply(np.array([1.0, 0.0, 0.0]) + zeta[:, : key.modes] @ stretch.T))
     return np.einsum("pk,kni->npi", reach, np.array(tangents))
 
 

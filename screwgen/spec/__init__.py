@@ -9,6 +9,7 @@ from .limit import Limit
 from .load import dump, load
 from .modes import DIRECTIONS, Modes
 from .parameters import Parameter, coordinate_names, parameters
+from .rest import RestCurvature, RestStation, RestStations
 from .robot import Body, Damping, Link, Robot
 from .section import Section
 from .stations import Station, Stations
@@ -28,6 +29,9 @@ __all__ = [
     "Modes",
     "Mount",
     "Parameter",
+    "RestCurvature",
+    "RestStation",
+    "RestStations",
     "Robot",
     "Section",
     "Station",

@@ -47,6 +47,11 @@ SENTENCES: tuple[tuple[Condition, str], ...] = (
         "them without expansion: deflections may be large.",
     ),
     (
+        lambda key: bool(key.rest),
+        "The shape of {} without loads is curved or twisted, by numbers among the parameters: strains are measured "
+        "from there.",
+    ),
+    (
         lambda key: _bends(key) and len(key.counts) > 4,
         "The sections of {} shear (Timoshenko).",
     ),

@@ -9,6 +9,7 @@ from .frequencies import Frequencies
 from .joint import Joint, Mount
 from .limit import Limit
 from .part import Part
+from .rest import RestCurvature
 from .robot import Body, Damping, Link, Robot
 from .section import Section
 from .stated import stated_numbers
@@ -59,6 +60,7 @@ FIELDS = {
     **_numbers(Link),
     **_numbers(Section),
     **_numbers(Frequencies, "frequencies."),
+    **_numbers(RestCurvature, "rest."),
     **_numbers(Damping, "damping."),
     **_numbers(Mount, "joint.mount."),
     **{name: x for table, (part, place) in OF_AXES.items() for name, x in _numbers(part, table, place).items()},
@@ -78,6 +80,13 @@ FIELDS |= {  # of a section that is stated at stations
         pattern=f"section[{{}}].{name}", description=f"{FIELDS[name].description}, at a station"
     )
     for name in Section.model_fields
+}
+
+FIELDS |= {  # of a curvature at rest that is stated at stations
+    f"rest_at.{name}": FIELDS[f"rest.{name}"]._replace(
+        pattern=f"rest[{{}}].{name}", description=f"{FIELDS[f'rest.{name}'].description}, at a station"
+    )
+    for name in RestCurvature.model_fields
 }
 
 EFFORT = "joint.limits.effort"

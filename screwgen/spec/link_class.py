@@ -19,6 +19,7 @@ from .joint import Joint
 from .markers import TIP
 from .modes import DIRECTIONS, SHEARED
 from .reduced import damped, directions, elastic
+from .rest import gauss_points
 from .robot import Link
 from .tendons import TendonClass, tendon_classes
 
@@ -73,7 +74,12 @@ class LinkClass:
     order: int | str = 1
     """The order of the rod's shape in its strains, 1 or 2, or EXACT."""
     points: int = 0
-    """The number of Gauss points of a rod of order EXACT that the robot file states; 0: by the number of modes."""
+    """The number of Gauss points of a rod of order EXACT that the robot file states or that its curvature at rest asks
+    for; 0: by the number of modes."""
+    rest: tuple[str, ...] = ()
+    """The directions in which a rod of order EXACT is bent at rest."""
+    rest_at: tuple[float, ...] = ()
+    """The places s in [0, 1] along the link at which that is stated; none: it is the same all along."""
     measured: tuple[str, ...] = ()
     """The directions whose stiffness is stated by natural frequencies."""
     stations: tuple[float, ...] = ()
@@ -83,7 +89,7 @@ class LinkClass:
     segments: int = 1
     """The number of equal segments of the link, of which this is the class of one."""
     segment: int = 0
-    """Which segment, where the section varies; segments of a uniform link have equal bodies."""
+    """Which segment, where section or curvature at rest vary; segments of a uniform link have equal bodies."""
     rotary: tuple[int, ...] = ()
     """The transverse axes (1: y, 2: z) about which the sections have a rotary inertia."""
     drives: tuple[DriveClass, ...] = ()
@@ -250,6 +256,11 @@ class LinkClass:
         of = [d for d, _ in self.directions]
         return tuple((i, j) for i in range(self.modes) for j in range(i) if self._couples(of[i], of[j]))
 
+    @cached_property
+    def rest_shapes(self) -> tuple[tuple[str, int], ...]:
+        """Direction and station (0 of one that is the same all along) of every number of the curvature at rest."""
+        return tuple((direction, k) for direction in self.rest for k in range(len(self.rest_at) or 1))
+
     @property
     def full_inertia(self) -> bool:
         """Whether the inertia of the modes has entries off its diagonal, constant ones or by bending."""
@@ -298,7 +309,7 @@ def link_class(
     """
     joint, modes, count, body = (link.joint if segment == 0 else WELD), link.modes, link.pieces, elastic(link)
     counts, mount, stations = modes.counts, joint.mount, link.section.places if link.section else ()
-    stated = link.section.states if link.section else lambda _: False
+    stated, rest_at = link.section.states if link.section else lambda _: False, link.rest.places if link.rest else ()
     here = {"base": segment == 0, "tip": segment == count - 1}
     bodies = [BodyClass(b.at, b.com is not None, b.inertia is not None) if here[b.at] else None for b in link.bodies]
     return LinkClass(
@@ -328,12 +339,14 @@ def link_class(
         section_rotation=section_rotation and (any(counts[1:4]) or body is not None),
         bodies=tuple(bodies) if any(bodies) else (),
         order=1 + body.geometric if body else (link.order or order) if any(counts) else 1,
-        points=(modes.points or 0) if (link.order or order) == EXACT else 0,
+        points=gauss_points(link) if (link.order or order) == EXACT else 0,
+        rest=link.rest.directions if link.rest else (),
+        rest_at=rest_at,
         measured=modes.measured,
         stations=stations,
         between=link.section.between if link.section else "linear",
         segments=count,
-        segment=segment if stations else 0,
+        segment=segment if stations or rest_at else 0,
         tendons=tendon_classes(link, segment),
         rotary=tuple(k for k, name in ((1, "rhoIy"), (2, "rhoIz")) if stated(name)),
         has_inertialess_section_modes=any(

@@ -1,6 +1,6 @@
 """The mode shapes of a link: how many in each direction, of which basis."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Annotated, Any, Self
 
 from pydantic import Field, PlainValidator, model_validator
@@ -39,6 +39,15 @@ Count = Annotated[int, PlainValidator(count)]
 BasisName = Annotated[str | Callable, PlainValidator(basis)]
 
 
+def points_for(counts: Iterable[int], bases: Iterable[str | Basis]) -> int:
+    """The Gauss points of a link of order "exact": two more than the most modes of a direction.
+
+    Shapes that are no polynomials take more to have their inertia to eight digits.
+    """
+    most = max(counts)
+    return most + 2 if set(bases) <= {"", DEFAULT} else 2 * most + 4
+
+
 class Modes(Part):
     """How many mode shapes describe a link's deflection in each direction, 0 to 32 each.
 
@@ -59,7 +68,7 @@ class Modes(Part):
     points: Annotated[int, PlainValidator(gauss_points)] | None = Field(
         None,
         description='points of integration along a link of order "exact"; without it two more than modes, of '
-        "other bases twice as many",
+        "other bases twice as many, and one more for each quarter of a turn at rest",
     )
     frequencies: Frequencies | None = Field(None, description="measured natural frequencies in place of stiffness")
 

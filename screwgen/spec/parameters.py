@@ -115,6 +115,9 @@ def shape(link: Link) -> Iterator[tuple[str, Value]]:
         yield from numbers("", Section, link.section)
     for direction, values in link.modes.frequencies or ():
         yield f"frequencies.{direction}", values
+    if link.rest is not None:
+        table = "rest_at" if link.rest.places else "rest"
+        yield from ((f"{table}.{direction}", link.rest.values(direction)) for direction in link.rest.directions)
     yield from numbers("damping.", Damping, link.damping)
 
 

@@ -48,6 +48,8 @@ class Range(NamedTuple):
 
 RANGES = {
     "length": Range(positive, 1e-6, 1e6, "m"),
+    "rest curvature": Range(number, 0.0, 1e6, "1/m"),
+    "rest twist": Range(number, 0.0, 1e6, "rad/m"),
     "frame_at": Range(non_negative, 0.0, 1e6, "m"),
     "rhoA": Range(positive, 1e-9, 1e9, "kg/m"),
     "rhoIp": Range(non_negative, 1e-15, 1e12, "kg·m"),

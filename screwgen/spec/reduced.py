@@ -25,7 +25,7 @@ ELASTIC = "elastic"
 """The direction of the modes of a body from a file, which have no single one."""
 FILE = "De"
 """The damping matrix of a body's file."""
-OF_A_ROD = ("length", "frame_at", "section")
+OF_A_ROD = ("length", "frame_at", "section", "rest")
 
 
 def text(value: Any) -> str:

@@ -27,6 +27,7 @@ from .part import Part
 from .physics import inertia
 from .profile import profiled
 from .reduced import link_body, of_link, refuse_axes, refuse_rod
+from .rest import AnyRest, refuse_rest
 from .segments import distinct_names
 from .stated import Stated, stated_numbers
 from .stations import AnySection
@@ -108,6 +109,11 @@ class Link(Part):
     damping: Damping | None = Field(None, description="damping of the modes, as { ratio = 0.01 } or { time = 0.001 }")
     order: Annotated[int | str, PlainValidator(shape_order)] | None = Field(
         None, description="the order of the link's shape, 1, 2 or \"exact\"; without it the robot's"
+    )
+    rest: AnyRest | None = Field(
+        None,
+        description='curvature of a link of order "exact" where nothing loads it, as { bending_y = 2.0 }, or an array '
+        "of stations; without it the link is straight",
     )
     segments: Annotated[int, PlainValidator(segment_count)] = Field(
         1, description="number of equal segments, welded to each other, each with these modes, for large deflections"
@@ -233,7 +239,10 @@ class Robot(Part):
         return self.base == FLOATING
 
     def without(self, *directions: str) -> Self:
-        """The same robot without the modes of some `DIRECTIONS`, such as "axial"; raises UsageError."""
+        """The same robot without the modes of some `DIRECTIONS`, such as "axial".
+
+        Raises UsageError, also for a link that is curved at rest and would be left without modes.
+        """
         for name in directions:
             if name not in DIRECTIONS:
                 raise UsageError(f"there is no direction '{name}'; choose {' or '.join(DIRECTIONS)}")
@@ -274,6 +283,7 @@ class Robot(Part):
             if link.modes.total and (link.order or self.order) == "exact" and not self.section_rotation:
                 what = 'is "exact" with section_rotation = false, but its sections turn; leave one of them out'
                 raise refuse(what, at=("links", i, "order") if link.order else ("order",))
+            refuse_rest(link, link.order or self.order, ("links", i, "rest"))
             if link.modes.points is not None and (link.order or self.order) != "exact":
                 what = 'is stated of a link that is not of order "exact", which has no points; leave it out'
                 raise refuse(what, at=("links", i, "modes", "points"))
@@ -312,6 +322,8 @@ def stiffened(link: Link, directions: tuple[str, ...]) -> Link:
     modes = without(link.modes, directions)
     if modes.total:
         return link.model_copy(update={"modes": modes})
+    if link.rest:
+        raise UsageError(f"link '{link.name}' is curved at rest and would be straight without modes; leave it one")
     rigid = {"modes": modes.model_copy(update={"points": None}), "segments": 1, "tendons": ()}
     return link.model_copy(update=rigid | {"order": None if link.order == "exact" else link.order})
 

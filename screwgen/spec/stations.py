@@ -1,6 +1,7 @@
 """A section that varies along the link, stated at stations."""
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar
 
 from pydantic import BaseModel, Field, PlainValidator, SerializeAsAny, ValidationError, WrapValidator, model_validator
@@ -64,30 +65,12 @@ class Stations(Part):
 
     @model_validator(mode="after")
     def _from_base_to_tip(self) -> Self:
-        s, most = self.places, MOST if self.between == LINEAR else MOST_POLYNOMIAL
-        if not 2 <= len(s) <= most:
-            raise refuse(f"has {len(s)} stations; it must have from 2 to {most}", at=("stations",))
-        for k, end, name in ((0, 0.0, "first"), (len(s) - 1, 1.0, "last")):
-            if s[k] != end:
-                raise refuse(f"is {s[k]}; the {name} station must be at {end}", at=("stations", k, "at"))
-        for k in range(1, len(s)):
-            if s[k] < s[k - 1] or (s[k] == s[k - 1] and self.between == POLYNOMIAL):
-                relation = "not be before" if self.between == LINEAR else "be beyond"
-                what = f"is {s[k]}; it must {relation} the station before it, {s[k - 1]}"
-                raise refuse(what, at=("stations", k, "at"))
-            if (s[k - 1] == s[min(k + 1, len(s) - 1)] and k + 1 < len(s)) or (s[k] == s[k - 1] and s[k] in (0.0, 1.0)):
-                raise refuse(
-                    f"is {s[k]} again; a step has two stations, between base and tip", at=("stations", k, "at")
-                )
+        check_places(self.places, self.between)
         return self
 
     @model_validator(mode="after")
     def _same_properties(self) -> Self:
-        for name in LineProperties.model_fields:
-            stated = [getattr(station, name) is not None for station in self.stations]
-            if any(stated) and not all(stated):
-                what = f"is missing; station {stated.index(True)} states it, so all stations must"
-                raise refuse(what, at=("stations", stated.index(False), name))
+        check_alike(self.stations, tuple(LineProperties.model_fields))
         return self
 
     @model_validator(mode="after")
@@ -100,6 +83,32 @@ class Stations(Part):
                     what = f"the polynomial through {name} is {value:.3g} at s = {s:.3g}"
                     raise refuse(f'is "polynomial", but {what}; state more stations, or "linear"', at=("between",))
         return self
+
+
+def check_places(s: tuple[float, ...], between: str = LINEAR) -> None:
+    """Refuse stations that do not lead from base to tip."""
+    most = MOST if between == LINEAR else MOST_POLYNOMIAL
+    if not 2 <= len(s) <= most:
+        raise refuse(f"has {len(s)} stations; it must have from 2 to {most}", at=("stations",))
+    for k, end, name in ((0, 0.0, "first"), (len(s) - 1, 1.0, "last")):
+        if s[k] != end:
+            raise refuse(f"is {s[k]}; the {name} station must be at {end}", at=("stations", k, "at"))
+    for k in range(1, len(s)):
+        if s[k] < s[k - 1] or (s[k] == s[k - 1] and between == POLYNOMIAL):
+            relation = "not be before" if between == LINEAR else "be beyond"
+            what = f"is {s[k]}; it must {relation} the station before it, {s[k - 1]}"
+            raise refuse(what, at=("stations", k, "at"))
+        if (s[k - 1] == s[min(k + 1, len(s) - 1)] and k + 1 < len(s)) or (s[k] == s[k - 1] and s[k] in (0.0, 1.0)):
+            raise refuse(f"is {s[k]} again; a step has two stations, between base and tip", at=("stations", k, "at"))
+
+
+def check_alike(stations: Sequence[Part], names: Sequence[str]) -> None:
+    """Refuse stations of which only some state one of these numbers."""
+    for name in names:
+        stated = [getattr(station, name) is not None for station in stations]
+        if any(stated) and not all(stated):
+            what = f"is missing; station {stated.index(True)} states it, so all stations must"
+            raise refuse(what, at=("stations", stated.index(False), name))
 
 
 def lagrange(places: tuple[float, ...], values: tuple[float, ...], s: float) -> float:

@@ -32,6 +32,10 @@ def write_sid(link: Link, path: str | os.PathLike[str]) -> None:
         raise UsageError(f"link '{link.name}' has no modes; state modes, or leave it rigid")
     if link.pieces > 1:
         raise UsageError(f"link '{link.name}' has segments, which are bodies of their own; write one without segments")
+    if link.rest:
+        raise UsageError(
+            f"link '{link.name}' is curved at rest; data of straight rods alone are written, leave out rest"
+        )
     Path(path).write_text(sid_text(sid_of(body or invariants_of_rod(link))), encoding="utf-8")
 
 

@@ -13,7 +13,7 @@ def label(parameter: Parameter) -> str:
     """The label under which the blocks know a parameter of a link."""
     index = parameter.index
     match parameter.field:
-        case "damping.ratio" | "damping.time":
+        case "damping.ratio" | "damping.time" | "rest.bending_y" | "rest.bending_z" | "rest.torsion":
             return parameter.field.replace(".", "_")
         case "joint.mount.xyz" | "joint.mount.rpy":
             return f"mount_{parameter.field[-3:]}_{_component(parameter)}"
@@ -39,7 +39,7 @@ def label(parameter: Parameter) -> str:
             return f"body{index[0]}_com_{'xyz'[index[1]]}"
         case "bodies.inertia":
             return f"body{index[0]}_inertia_{index[1] + 1}"
-        case field if field.startswith("section."):
+        case field if field.startswith(("section.", "rest_at.")):
             return f"{field.replace('.', '_')}_{index[0] + 1}"
     return parameter.field
 

@@ -143,6 +143,8 @@ def placed(
             continue
         i = links.index(names[owner])
         link = scene["links"][model.chain.firsts[i]]
+        if link["curved"]:
+            raise UsageError(f"{looks.file}: '{owner}' of {label} is curved at rest; meshes of such are not drawn")
         whole = (points, part.triangles)
         if link["modes"] and any(link["reach"]):
             whole = _cut(*whole, LONGEST * float(np.linalg.norm(link["reach"])), f"{looks.file}: link '{owner}'")

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..backends.numpy.numeric import Numeric
+from ..backends.numpy.rest_shape import section_at_rest
 from ..model import Model
 from ..spec.link_class import EXACT, LinkClass
 from ..spec.robot import Body, Link
@@ -21,11 +22,13 @@ from ..spec.segments import Segment
 from .actuators import cylinders, tendons
 from .lines import lines
 from .pack import floats
-from .shapes import FINE, sections, strains
+from .shapes import FINE, at_rest, sections, strains
 from .solids import thinnest
 
 ROWS = 25
 """Sections at which a flexible link is drawn; links with segments have about as many in all."""
+PER_POINT = 4
+"""The same of a rod that is curved at rest, for each of its points: of a spring some in each of its turns."""
 SLENDER, STOUT, PLAIN = 0.01, 0.03, 0.012
 """Least and largest radius of a tube over the size of the robot, and that of one whose section says nothing."""
 MODULUS_OVER_DENSITY = 2.6e7
@@ -47,16 +50,25 @@ def scene(model: Model, p: np.ndarray | None = None, q: np.ndarray | None = None
     (R, r), (R_tip, r_tip) = numeric.link_pose(rest), numeric.tip_poses(rest)
     tips = np.einsum("nba,nb->na", R, r_tip - r)
     bases = [_base(chain.segments[i], robot.links[chain.segments[i].link], values) for i in range(chain.n)]
-    size = _size(chain.tree.parents, tips, np.array(bases), r)
+    lengths = [values.get(f"{robot.links[x.link].name}.length", 0.0) / x.count for x in chain.segments]
+    straight = [base + np.array([x, 0.0, 0.0]) for base, x in zip(bases, lengths, strict=True)]
+    ends = np.where([[bool(key.rest)] for key in chain.keys], straight, tips)
+    size = _size(chain.tree.parents, ends, np.array(bases), r)
     links = []
     for i, (segment, key) in enumerate(zip(chain.segments, chain.keys, strict=True)):
-        own, parent, reach = robot.links[segment.link], chain.tree.parents[i], tips[i] - bases[i]
+        own, parent, reach = robot.links[segment.link], chain.tree.parents[i], ends[i] - bases[i]
         places = _places(key, own.pieces)
         length, exact = float(np.linalg.norm(reach)) or 1.0, key.order == EXACT
         table = sections(key, length, places)
         columns = strains(key, length, places) if exact else table.columns
+        if key.rest:
+            columns = np.concatenate([columns, at_rest(key, _curvature(own, values), places)[:, None]], axis=1)
         at, carried = _carried(model, i)
         mount = _between(carried, (R, r), i, parent, R_tip, r_tip, tips, np.array(bases))
+        if parent >= 0 and chain.keys[parent].rest and carried != 1.0:
+            rest = _curvature(robot.links[chain.segments[parent].link], values)
+            turn, place = section_at_rest(chain.keys[parent], lengths[parent], rest, carried)
+            mount = _mount(R[parent] @ turn, r[parent] + R[parent] @ place, R[i], r[i] + R[i] @ bases[i])
         radius = 0.0 if segment.marker is not None else _radius(own, values, size)
         screws = [{"axis": s.axis, "turn": s.turn, "travel": s.travel} for s in key.screws]
         links.append(
@@ -76,10 +88,11 @@ def scene(model: Model, p: np.ndarray | None = None, q: np.ndarray | None = None
                 "pairs": table.pairs.ravel().tolist(),
                 "base": list(bases[i]),
                 "reach": reach.tolist(),
-                "axes": _quaternion(R[i].T @ R_tip[i]),
+                "axes": _quaternion(np.eye(3) if key.rest else R[i].T @ R_tip[i]),
                 "turns": robot.section_rotation,
                 "places": places.tolist(),
                 "fine": FINE * exact,
+                "curved": bool(key.rest),
                 "columns": floats(columns.swapaxes(0, 1)),
                 "radius": radius,
                 "twists": own.modes.torsion > 0,
@@ -111,7 +124,7 @@ def _hangs(numeric: Numeric, carriers: Sequence[int], i: int, q: np.ndarray) -> 
 
 def _places(key: LinkClass, pieces: int) -> np.ndarray:
     """Where along a link or segment its sections are known: evenly, and where it carries others; the tip is last."""
-    count = max(ROWS // pieces, 5) if key.modes else 2
+    count = max(ROWS // pieces, 5, PER_POINT * key.points * bool(key.rest)) if key.modes else 2
     return np.unique([*np.linspace(0.0, 1.0, count), *key.stations_at])
 
 
@@ -144,7 +157,19 @@ def _between(
         Rp, rp = R_tip[parent], r_tip[parent]
     else:
         Rp, rp = R[parent], r[parent] + R[parent] @ (bases[parent] + carried * (tips[parent] - bases[parent]))
-    return {"at": (Rp.T @ (r[i] + R[i] @ bases[i] - rp)).tolist(), "turn": _quaternion(Rp.T @ R[i])}
+    return _mount(Rp, rp, R[i], r[i] + R[i] @ bases[i])
+
+
+def _mount(Rp: np.ndarray, rp: np.ndarray, R: np.ndarray, r: np.ndarray) -> dict[str, list[float]]:
+    """A joint point at `r` with the axes `R` of its link, in a section at `rp` with the axes `Rp`."""
+    return {"at": (Rp.T @ (r - rp)).tolist(), "turn": _quaternion(Rp.T @ R)}
+
+
+def _curvature(link: Link, values: dict[str, float]) -> list[float]:
+    """The numbers of the curvature at rest of a link, 1/m."""
+    directions, places = (link.rest.directions, link.rest.places) if link.rest else ((), ())
+    stations = [f"[{k}]" for k in range(len(places))] or [""]
+    return [values[f"{link.name}.rest{station}.{direction}"] for direction in directions for station in stations]
 
 
 def _base(segment: Segment, link: Link, values: dict[str, float]) -> tuple[float, float, float]:

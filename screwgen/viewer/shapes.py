@@ -6,12 +6,14 @@ coordinate, so one table serves both. Of exact rods the page and films integrate
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from ..bases import ORDER
 from ..bodies import markers
+from ..bodies.collocation import collocation
 from ..spec.link_class import AXIS, LinkClass
 
 DENSE = np.linspace(0.0, 1.0, 2001)
@@ -53,6 +55,14 @@ def strains(key: LinkClass, length: float, places: np.ndarray) -> np.ndarray:
     steps = np.diff(places)[:, None] * (np.arange(FINE) + 0.5) / FINE
     _, bend, strain = _slopes(key, length, (places[:-1, None] + steps).ravel())
     return np.concatenate([strain, bend], axis=1).swapaxes(1, 2)
+
+
+def at_rest(key: LinkClass, rest: Sequence[float], places: np.ndarray) -> np.ndarray:
+    """(FINE (S - 1), 6): the same at rest, by the numbers of the curvature at rest, 1/m."""
+    steps = np.diff(places)[:, None] * (np.arange(FINE) + 0.5) / FINE
+    rod, middles = collocation(key), (places[:-1, None] + steps).ravel()
+    bend = np.array([rod.curvature(s)[:, key.modes :] @ np.array(rest) for s in middles.tolist()])
+    return np.concatenate([np.zeros_like(bend), bend], axis=1)
 
 
 def _turns(key: LinkClass, length: float, places: np.ndarray) -> np.ndarray:

@@ -39,7 +39,8 @@ class Bend:
 
     def __init__(self, link: dict[str, Any]):
         rows = len(link["places"])
-        count = link["modes"] + len(link["pairs"]) // 2
+        self.rest = np.ones(int(link["curved"]))
+        count = link["modes"] + len(link["pairs"]) // 2 + len(self.rest)
         self.fine, self.places = link["fine"], np.array(link["places"])
         rows = self.fine * (rows - 1) or rows
         self.columns = np.frombuffer(b64decode(link["columns"]), "<f4").reshape(count, rows, 6).astype(float)
@@ -59,7 +60,7 @@ class Bend:
         """(S, 6): displacement, m, and rotation vector of the sections, in the link's frame."""
         eta = q[self.eta]
         products = eta[self.pairs[:, 0]] * eta[self.pairs[:, 1]]
-        table = np.einsum("k,ksc->sc", np.append(eta, products), self.columns)
+        table = np.einsum("k,ksc->sc", np.concatenate([eta, products, self.rest]), self.columns)
         return self._integrated(table) if self.fine else table
 
     def _integrated(self, strains: np.ndarray) -> np.ndarray:

@@ -87,6 +87,7 @@ function integrated(link, q, magnified) {
     const row = Math.floor(step / link.fine) + 1;
     const h = ((link.places[row] - link.places[row - 1]) * length) / link.fine;
     const strain = [1, 0, 0, 0, 0, 0];
+    if (link.curved) for (let c = 0; c < 6; c++) strain[c] += link.shape[(link.modes * steps + step) * 6 + c];
     for (let k = 0; k < link.modes; k++)
       for (let c = 0; c < 6; c++) strain[c] += magnified * q[link.eta + k] * link.shape[(k * steps + step) * 6 + c];
     const bend = strain.slice(3);

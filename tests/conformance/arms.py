@@ -16,6 +16,12 @@ from conformance.features import Row
 BOOM = {"rhoA": 1.2, "EIy": 40.0, "EIz": 55.0, "EA": 4e3, "GJ": 8.0, "rhoIp": 6e-3}
 SHEAR = {"GAy": 900.0, "GAz": 1200.0, "rhoIy": 4e-3, "rhoIz": 5e-3}
 FORE = {"rhoA": 0.9, "EIy": 12.0, "EIz": 15.0, "rhoIp": 4e-3}
+REST = [
+    {"at": 0.0, "bending_y": 0.9, "bending_z": -0.3, "torsion": 0.4},
+    {"at": 0.3, "bending_y": 0.5, "bending_z": 0.4, "torsion": 0.4},
+    {"at": 1.0, "bending_y": 0.7, "bending_z": 0.6, "torsion": -0.5},
+]
+"""Curvature and twist at rest, 1/m."""
 PAYLOAD = {"at": "tip", "mass": 0.8, "com": [0.03, -0.02, 0.04], "inertia": [0.004, 0.005, 0.006, 3e-4, -2e-4, 1e-4]}
 HULL_BODY = {"at": "base", "mass": 4.0, "com": [0.1, 0.05, -0.04], "inertia": [0.3, 0.4, 0.35, 0.02, 0.01, -0.03]}
 TURNS: dict[str, dict] = {
@@ -189,8 +195,8 @@ def _fore(row: Row) -> dict:
         fore |= {"length": 0.5, "section": copy.deepcopy(FORE)}
     if row["fore"] == "rod":
         fore["modes"] = {"bending_y": 1, "bending_z": 1}
-    if row["fore"] == "exact fore":
-        fore |= {"modes": {"bending_y": 2, "bending_z": 1}, "order": "exact"}
+    if row["fore"] == "curved fore":
+        fore |= {"modes": {"bending_y": 2, "bending_z": 1}, "order": "exact", "rest": copy.deepcopy(REST)}
     if row["at"] == "station":
         fore["at"] = {"s": 0.4}
     if row["tendon"] == "shared tendon":

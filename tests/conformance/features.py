@@ -49,7 +49,7 @@ FACTORS: dict[str, dict[str, str]] = {
     "fore": {
         "rigid": "",
         "rod": "a second flexible link",
-        "exact fore": "a second link, exact, that another one carries",
+        "curved fore": "a second link, exact, curved and twisted at rest, that another one carries",
         "elements": "a body from finite elements",
     },
     "at": {"tip": "", "station": "a link carried between base and tip of another"},
@@ -110,7 +110,7 @@ NO_JOINT = "a base that floats has no joint"
 TRAVELS = ("cylinder", "four-bar", "elastic cylinder", "elastic four-bar")
 IMPOSSIBLE: dict[tuple[str, str], str] = {
     ("exact rod", "flat"): "an exact rod turns what its tip carries",
-    ("exact fore", "flat"): "an exact rod turns what its tip carries",
+    ("curved fore", "flat"): "an exact rod turns what its tip carries",
     ("segments", "flat"): "segments turn what their tips carry",
     ("segments", "frame"): "the frame of a link in pieces is at its joint",
     ("segments", "frequencies"): "measured frequencies are those of a whole link",
@@ -137,7 +137,7 @@ APART: dict[tuple[str, str], dict[str, str]] = {
 LATER: dict[str, str] = {"bristles": "drive", "given motion": "axis", "winch": "force"}
 """Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""
 
-NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "exact fore")}
+NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "curved fore")}
 """What a level needs one of."""
 
 

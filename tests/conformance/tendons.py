@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import casadi as ca
 import numpy as np
-from oracle_exact import ExactLink, gauss
+from oracle_exact import ExactLink, between, count_of_points, curvature_at_rest
 
 
 def rod_of(link, table: dict) -> SimpleNamespace:
@@ -23,17 +23,15 @@ def tables(link, table: dict, s: float) -> dict[str, np.ndarray]:
 
 def tendon_length(link, table: dict, tendon: dict, eta: ca.SX) -> ca.SX:
     """The length of a piece of a tendon along a link: ``∫ |e_x + gamma + kappa x d + d'| ds``, at Gauss points."""
-    most, rod = max(link.counts.values()), rod_of(link, table)
-    count = table["modes"].get("points", most + 2 if rod.basis == "polynomial" else 2 * most + 4)
+    rod, rest, count = rod_of(link, table), table.get("rest"), count_of_points(table)
     a, b = tendon.get("from", 0.0), tendon.get("to", 1.0)
     begin, end = (np.array(x) for x in tendon["at"])
     slope, total = (end - begin) / ((b - a) * link.length), ca.SX(0)
-    x, w = gauss(count)
-    for s, weight in zip(x, w * (b - a) * link.length, strict=True):
-        _, kappa, gamma = ExactLink.strains(rod, a + (b - a) * s)
-        offset = begin + s * (end - begin)
-        direction = ca.SX([1.0, 0, 0]) + ca.DM(gamma) @ eta + ca.cross(ca.DM(kappa) @ eta, ca.DM(offset)) + slope
-        total += weight * ca.norm_2(direction)
+    for s, weight in zip(*between(rest, a, b, count), strict=True):
+        _, kappa, gamma = ExactLink.strains(rod, s)
+        offset, bend = begin + (s - a) / (b - a) * (end - begin), ca.DM(kappa) @ eta + curvature_at_rest(rest, s)
+        direction = ca.SX([1.0, 0, 0]) + ca.DM(gamma) @ eta + ca.cross(bend, ca.DM(offset)) + slope
+        total += weight * link.length * ca.norm_2(direction)
     if table.get("order", 1) != 1:
         return total
     start = ca.substitute(total, eta, ca.SX.zeros(eta.numel()))

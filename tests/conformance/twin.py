@@ -9,6 +9,8 @@ from __future__ import annotations
 import copy
 
 import numpy as np
+from oracle_exact import TURNS as TURNS_AT_REST
+from oracle_exact import count_of_points, curvature_at_rest
 from oracle_floating import JOINTS, TURNS
 from oracle_link import read_link
 from oracle_sections import property_at
@@ -46,6 +48,10 @@ def _piece(link: dict, i: int, k: int) -> dict:
         places = [first + eps, *(s - eps for s in inner), last - eps]
         piece["section"] = [{"at": (s - first) * k, **at(s)} for s in places]
         piece["section"][0]["at"], piece["section"][-1]["at"] = 0.0, 1.0
+    if "rest" in link:
+        cut = [_cut(link["rest"], j / k, (j + 1) / k) for j in range(k)]
+        piece["modes"]["points"] = max(count_of_points(piece | {"rest": own}) for own in cut)
+        piece["rest"] = cut[i]
     own = lambda end: [b for b in link.get("bodies", []) if b["at"] == end]  # noqa: E731
     piece["bodies"] = own("base") * (i == 0) + own("tip") * (i == k - 1)
     piece["name"] = link["name"] if i == k - 1 else f"{link['name']}_{i}"
@@ -62,6 +68,18 @@ def _piece(link: dict, i: int, k: int) -> dict:
             at = [(begin + (s - a) / (b - a) * (end - begin)).tolist() for s in (start, to)]
             tendons.append({"name": tendon["name"], "from": (start - first) * k, "to": (to - first) * k, "at": at})
     return piece | ({"tendons": tendons} if tendons else {})
+
+
+def _cut(stations: dict | list[dict], first: float, last: float) -> dict | list[dict]:
+    """The stations of a piece from `first` to `last`, of what is linear between those of the whole."""
+    if isinstance(stations, dict):
+        return stations
+    line, near = [key for key in stations[0] if key != "at"], 1e-14
+    inner = [x for x in stations if first < x["at"] < last]
+    ends = [curvature_at_rest(stations, s) for s in (first + near, last - near)]
+    begin, end = ({key: sign * x[axis] for key, (axis, sign) in TURNS_AT_REST.items() if key in line} for x in ends)
+    moved = [x | {"at": (x["at"] - first) / (last - first)} for x in inner]
+    return [{"at": 0.0, **begin}, *moved, {"at": 1.0, **end}]
 
 
 def _carry_on_piece(link: dict, pieces: list[str]) -> None:

@@ -153,7 +153,7 @@ def content(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | N
     sections += [s for chapter in chapters for s in chapter.sections]
     sections += _classes(chain, parts, shown_steps, appendix=True)
     if (table := numbers.modes(chain)) is not None:
-        sections.append(DocumentSection(MODES, [Paragraph(numbers.ALONE), table]))
+        sections.append(DocumentSection(MODES, [Paragraph(numbers.about(numbers.ALONE, chain)), table]))
     sections += [
         DocumentSection(SYMBOLS, [tables.symbols(occurring(symbols, sections))]),
         DocumentSection(PARAMETERS, [tables.parameters(with_symbols(chain))]),

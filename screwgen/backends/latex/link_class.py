@@ -226,7 +226,9 @@ def _field(key: LinkClass) -> Iterator[Item]:
         yield from _exact(key, sheared, stretched)
     if key.tendons:
         count, straight = len(collocation(key).places), key.order == 1
-        given = {"points": count, "straight": straight, "stretched": stretched or straight}
+        kinks = ", ".join(f"{s:.6g}" for s in _within(key, key.rest_at))
+        given: dict[str, int | str] = {"points": count, "straight": straight, "stretched": stretched or straight}
+        given |= {"rest": bool(key.rest), "kinks": kinks}
         yield from parse(render("latex/tendon.tex.jinja", segments=key.segments > 1, **given))
     alike: dict[tuple, list[str]] = {}
     for direction in dict.fromkeys(d for d, _ in key.directions):
@@ -260,9 +262,17 @@ def _exact(key: LinkClass, sheared: bool, stretched: bool) -> Iterator[Item]:
         "turned": bool(key.turned),
         "offset": key.frame_at,
         "stretched": stretched,
+        "rest": key.rest,
+        "rest_at": ", ".join(f"{s:.6g}" for s in key.rest_at),
         "start": r"\mathbf{a}_r" if key.frame_at else r"\mathbf{a}_0",
     }
     yield from parse(render("latex/exact_rod.tex.jinja", shear=sheared, **given))
+
+
+def _within(key: LinkClass, places: Sequence[float]) -> list[float]:
+    """Which places along a link are within its segment, along this."""
+    own = (s * key.segments - key.segment for s in dict.fromkeys(places))
+    return [s for s in own if 0.0 < s < 1.0]
 
 
 def _from_file(body: Invariants) -> Iterator[Item]:

@@ -94,14 +94,15 @@ def mass_matrix(chain: Chain, at: Sequence[float] | None = None) -> MassMatrix:
         list(changes(chain.robot).values()),
         [k for k, group in enumerate(every) for _ in range(group.size)],
         entries,
-        _posture(at),
+        _posture(chain, at),
         formulas(chain) if small else None,
     )
 
 
-def _posture(at: Sequence[float] | None) -> str:
+def _posture(chain: Chain, at: Sequence[float] | None) -> str:
     if at is None:
-        return "all coordinates at home, joints at 0 and links straight; --at gives another posture"
+        links = "at rest" if any(key.rest for key in chain.keys) else "straight"
+        return f"all coordinates at home, joints at 0 and links {links}; --at gives another posture"
     return "q = " + ", ".join(f"{x:g}" for x in at)
 
 

@@ -40,10 +40,17 @@ HELD = (
     "what it carries. The command `modes` says the same of a robot that has this link alone."
 )
 """What the tables of frequencies mean."""
+CURVED = {ALONE: ("straight and", "as if it were straight and"), HELD: ("straight and", "at rest and")}
+"""The words of them that are others where a link is curved at rest."""
 
 
 Table = list[list[str]]
 """The entries of a matrix, row by row."""
+
+
+def about(text: str, chain: Chain) -> str:
+    """What a table of frequencies means."""
+    return text.replace(*CURVED[text]) if any(key.rest for key in chain.keys) else text
 
 
 def numbers(chain: Chain) -> dict[str, dict[str, Table]]:

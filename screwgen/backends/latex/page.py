@@ -81,6 +81,8 @@ class Extras:
     modes: DocumentTable | None
     held: DocumentTable | None
     """The frequencies of the links, each held at its base."""
+    held_about: str
+    """What they mean."""
     code: GeneratedC
     firsts: Sequence[int]
     """The first link of every class."""
@@ -110,6 +112,7 @@ def extras(chain: Chain, at: Sequence[float] | None = None) -> Extras:
         found,
         table,
         held,
+        numbers.about(numbers.HELD, chain),
         code,
         firsts,
         chain.names,
@@ -193,7 +196,10 @@ def _sections(shown: Document, symbols: Sequence[str], more: Extras | None) -> I
 def _frequencies(more: Extras) -> Iterator[PageSection]:
     """The frequencies of the links."""
     if more.held is not None:
-        items = [PageItem(Paragraph(numbers.HELD), "held-about", CLASSES), PageItem(more.held, "held-table", CLASSES)]
+        items = [
+            PageItem(Paragraph(more.held_about), "held-about", CLASSES),
+            PageItem(more.held, "held-table", CLASSES),
+        ]
         yield PageSection(DocumentSection("Frequencies of the links", []), "held", 0, items)
 
 

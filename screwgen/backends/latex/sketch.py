@@ -113,10 +113,10 @@ def _link(pen: Pen, chain: Chain, part: LinkShape) -> None:
     i, key, segment = part.number, chain.keys[part.number], chain.segments[part.number]
     if pen.far(part.carrier, part.mount) > SHORT:
         pen.line("offset", part.carrier, part.mount)
-    if pen.far(part.straight[0], part.straight[1]) > SHORT:
+    if pen.far(*part.straight) > SHORT:
         pen.line("rod" if key.modes else "rigid", *part.line)
         if key.modes:
-            pen.line("straight", *part.straight)
+            pen.line("straight", *part.rest)
     if on_world(chain, part):
         foot(pen, part, _hangs(pen, part), welded=not key.joint.nv)
     elif not key.joint.nv and segment.first:
@@ -131,7 +131,7 @@ def _link(pen: Pen, chain: Chain, part: LinkShape) -> None:
 def _beside(pen: Pen, part: LinkShape) -> tuple[float, float]:
     """The direction across a link, away from where its modes bend it."""
     x, y = pen.flat(part.line[-1] - part.line[0])
-    bent = pen.flat(part.at(0.5) - part.straight.mean(axis=0))
+    bent = pen.flat(part.at(0.5) - (part.rest[0] + part.rest[-1]) / 2)
     side = np.array([-y, x]) * (1.0 if -y * bent[0] + x * bent[1] > 0 else -1.0)
     return float(side[0]), float(side[1] or 1.0)
 
@@ -220,11 +220,11 @@ def _twist(pen: Pen, part: LinkShape) -> np.ndarray:
 
 def _deflection(pen: Pen, part: LinkShape, letter: str) -> np.ndarray:
     """(2, 3): from where the undeformed tip is, along one axis of the frame; y before z, and all of them of a body."""
-    moved = part.turn.T @ (part.tip - part.straight[1])
+    moved = part.turn.T @ (part.tip - part.rest[-1])
     if letter == ELASTIC:
-        return np.array([part.straight[1], part.tip])
+        return np.array([part.rest[-1], part.tip])
     k = "xyz".index(letter)
-    start, way = part.straight[1] + part.turn[:, :k] @ moved[:k], part.turn[:, k]
+    start, way = part.rest[-1] + part.turn[:, :k] @ moved[:k], part.turn[:, k]
     least = LEAST / pen.scale if abs(moved[k]) * pen.scale < SEEN else moved[k]
     return np.array([start, start + least * way])
 

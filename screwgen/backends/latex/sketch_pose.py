@@ -14,12 +14,13 @@ import numpy as np
 
 from ...bodies.markers import displacement
 from ...spec.link_class import AXIS, LinkClass
-from ...spec.parameters import parameters
+from ...spec.parameters import Parameter, parameters
 from ...spec.reduced import end, reach
 from ...topology.chain import Chain
 from ...topology.tree import TIP
 from ..numpy.closing import CLOSED, modes, nearest, unwound
 from ..numpy.numeric import Numeric
+from ..numpy.rest_shape import bent_line, line_at_rest
 
 MOST_LINKS = 12
 """Of a robot with more links only the first are drawn."""
@@ -60,7 +61,9 @@ class LinkShape:
     line: np.ndarray
     """(places, 3): its centreline from the joint point to the tip."""
     straight: np.ndarray
-    """(2, 3): the ends of the undeformed centreline."""
+    """(2, 3): the ends of the undeformed centreline; of one that is curved at rest those of the line along its base."""
+    rest: np.ndarray
+    """(2, 3), or (places, 3) of a curved one: the undeformed centreline."""
     mount: np.ndarray
     """(3,): where its joint sits, from which slides move it away."""
     carrier: np.ndarray
@@ -141,9 +144,15 @@ def drawn_lengths(chain: Chain) -> dict[int, float]:
 
 
 def drawn(chain: Chain, lengths: dict[int, float]) -> Numeric:
-    """The functions of the robot with links of these lengths."""
-    own = parameters(chain.robot)
-    return Numeric(chain, [lengths[p.link] if p.field == "length" and p.link is not None else p.value for p in own])
+    """The functions of the robot with links of these lengths, which turn as far at rest as they do."""
+    true = true_lengths(chain)
+
+    def value(p: Parameter) -> float:
+        if p.link is None or p.field.partition(".")[0] not in ("length", "rest", "rest_at"):
+            return p.value
+        return lengths[p.link] if p.field == "length" else p.value * true[p.link] / lengths[p.link]
+
+    return Numeric(chain, [value(p) for p in parameters(chain.robot)])
 
 
 def size(chain: Chain, lengths: dict[int, float]) -> float:
@@ -271,19 +280,30 @@ def _part(
     base = r - R @ ahead
     way = end(link)
     way = R @ (way if key.elastic is not None else np.array([lengths[segment.link] / link.pieces, 0.0, 0.0]))
+    rest = np.array([base, base + way])
     line = base + np.outer(PLACES, way) + _displaced(chain, q, i) @ R.T
+    if key.rest and link.rest:
+        turns = [x * (link.length or 0.0) / lengths[segment.link] for x in link.rest.numbers]
+        rod = key, lengths[segment.link] / link.pieces, turns
+        rest = base + line_at_rest(*rod, PLACES) @ R.T
+        line = base + bent_line(*rod, _modal(chain, q, i), PLACES) @ R.T
     line += np.outer(np.square(PLACES), tip - line[-1])
     mount, axes = _joint(chain, q, i, R, base)
     across = {AXIS[direction] for direction, _ in key.directions if direction in AXIS}
     bends = tuple(R[:, k] for k in sorted(across - {0}))
     carrier, straight = _carried(chain, i, mount, before), np.array([base, base + way])
-    return LinkShape(i, R, r, line, straight, mount, carrier, axes, key.slides, bends)
+    return LinkShape(i, R, r, line, straight, rest, mount, carrier, axes, key.slides, bends)
 
 
 def _displaced(chain: Chain, q: np.ndarray, i: int) -> np.ndarray:
     """(places, 3): the displacement of the centreline, in axes of the link."""
+    return np.asarray(displacement(chain.keys[i], PLACES) @ _modal(chain, q, i))
+
+
+def _modal(chain: Chain, q: np.ndarray, i: int) -> np.ndarray:
+    """Its modal coordinates."""
     first = chain.eta_q + chain.eta_offset[i]
-    return np.asarray(displacement(chain.keys[i], PLACES) @ q[first : first + chain.keys[i].modes])
+    return q[first : first + chain.keys[i].modes]
 
 
 def _joint(

@@ -124,6 +124,7 @@ def _remarks(chain: Chain, i: int) -> str:
         "modal damping": key.damping,
         "frame off the joint": key.frame_at,
         f"order {key.order}": key.modes and key.order != 1,
+        "curved at rest": key.rest,
         "spin inertia": key.spin,
         "rotary inertia": key.rotary,
         "measured frequencies": key.measured,

@@ -21,10 +21,10 @@ from ..ir.program import Array, Program, Tracer
 from . import matrices as mx
 from .loops import COMPLIANCE, LEAST
 
-CHEAP = 1e-2
+CHEAP = 1e-4
 """What the square of a force counts on a coordinate of the second rank, beside one of the first; on the third again."""
 REPEATED = 12
-"""Solutions for what is left, each a hundredth of the last where the ranks differ by `CHEAP`."""
+"""Solutions for what is left, each much less than the last where the ranks differ by `CHEAP`."""
 
 
 class Shared(NamedTuple):

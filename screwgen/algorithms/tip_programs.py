@@ -12,11 +12,16 @@ from .fused import Outputs, program
 def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included.
 
-    With couplings also ``closed_tau``, the torques of all axes, those of the couplings included.
+    With couplings also ``closed_tau``, the torques of all axes, those of the couplings included, and ``borne``, those of
+    the couplings on axes whose motion is given.
     """
     f.given = (x["m_eta"], x["f_eta"])
-    found = f.with_loops(x["q"], x["v"], x["tau"], x["w_ext"])
-    return {"closed": found.w_ext} | ({"closed_tau": found.tau} if f.chain.closing.couplings else {})
+    given = x["q"], x["v"], x["tau"], x["w_ext"]
+    found = f.with_loops(*given)
+    if not f.chain.closing.couplings:
+        return {"closed": found.w_ext}
+    torques = f.coupling_torques(*given) if f.chain.prescribed else ()
+    return {"closed": found.w_ext, "closed_tau": found.tau, "borne": [torques[k] for k in f.chain.prescribed]}
 
 
 @program("q v (tau) w_ext")

@@ -7,7 +7,19 @@ from functools import cache
 
 import covertable
 
-from conformance.features import APART, FACTOR_OF, FACTORS, FEATURES, LATER, Row, conditions, features, possible
+from conformance.features import (
+    APART,
+    FACTOR_OF,
+    FACTORS,
+    FEATURES,
+    LATER,
+    Row,
+    conditions,
+    features,
+    pairs,
+    possible,
+    possible_pairs,
+)
 
 
 @cache
@@ -17,24 +29,23 @@ def covering() -> tuple[Row, ...]:
     plain = {factor: own[0] for factor, own in levels.items()}
     apart = ({**plain, **more, **{FACTOR_OF[x]: x for x in pair}} for pair, more in APART.items())
     first = (*covertable.make(levels, strength=2, constraints=conditions()), *apart)
-    return (*first, *(row for level, factor in LATER.items() for row in beside(level, factor)))
+    return (*first, *later(first))
 
 
-def beside(level: str, factor: str) -> list[Row]:
-    """Rows that hold a level beside all others that it can stand with, by factor one after the other; then it alone."""
-    later = list(LATER)[list(LATER).index(level) :]
-    others = {name: [x for x in own if x not in later] for name, own in FACTORS.items() if name != factor}
-    plain, out = {name: own[0] for name, own in others.items()} | {factor: level}, []
-    left = {(name, x) for name, own in others.items() for x in own[1:] if possible({factor: level, name: x})}
+def later(first: tuple[Row, ...]) -> tuple[Row, ...]:
+    """Rows for the levels of `LATER`: beside all others, pair after pair as they fit; then each alone."""
+    held = set().union(*(pairs(features(row)) for row in first))
+    left, out = sorted(possible_pairs() - held, key=sorted), []
     while left:
-        row, held = dict(plain), len(left)
-        for name, x in sorted(left):
-            if row[name] == plain[name] and possible({**row, name: x}):
-                row[name] = x
-        left -= set(row.items())
-        assert len(left) < held, f"beside {level}: no row for {left}"
-        out.append({name: row[name] for name in FACTORS})
-    return [*out, {name: plain[name] for name in FACTORS}]
+        row: dict[str, str] = {}
+        for pair in left:
+            more = {FACTOR_OF[x]: x for x in pair}
+            if all(row.get(factor, x) == x for factor, x in more.items()) and possible(row | more):
+                row |= more
+        out.append({name: row.get(name, next(iter(own))) for name, own in FACTORS.items()})
+        left = [pair for pair in left if not pair <= set(out[-1].values())]
+    plain = {name: next(iter(own)) for name, own in FACTORS.items()}
+    return (*out, *({**plain, factor: level} for level, factor in LATER.items()))
 
 
 @cache

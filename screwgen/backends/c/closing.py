@@ -27,6 +27,7 @@ def loops(chain: Chain, baked: bool, place: Place) -> dict[str, Any]:
         "f_eta": lambda k: f"f_eta[{k}]",
         "closed": lambda k: f"work->input.w_ext[{k // 6}][{k % 6}]",
         "closed_tau": lambda k: f"work->input.tau[{k}]",
+        "borne": lambda k: f"work->borne[{k}]",
         "new_q": lambda k: f"work->state.q[{k}]",
         "new_v": lambda k: f"work->state.v[{k}]",
         "openings": lambda k: f"mismatch[{k // 2}][{k % 2}]",

@@ -159,7 +159,11 @@ def exact_rod(scope: Scope, parts: list[Part], s: float = 1.0) -> dict:
 
 def _section(scope, part, turned, stretch, before, length, zeta, rate) -> dict:
     r = len(zeta)
-    old = before or {r"\mathbf{R}_k": np.eye(3), r"\mathbf{W}_k": np.zeros((3, r)), r"\boldsymbol{\omega}_{s,k}": np.zeros((3, 1))}
+    old = before or {
+        r"\mathbf{R}_k": np.eye(3),
+        r"\mathbf{W}_k": np.zeros((3, r)),
+        r"\boldsymbol{\omega}_{s,k}": np.zeros((3, 1)),
+    }
     local = {
         r"\boldsymbol{\Omega}_k": turned["theta"],
         r"\partial\boldsymbol{\Omega}_k": turned["by"],
@@ -223,9 +227,18 @@ def _sums(scope, parts, rod, at, Z) -> dict:
     a_0 = scope(r"\mathbf{a}_r") if scope.has(r"\mathbf{a}_r") else scope(r"\mathbf{a}_0")
     force = [w * a_0 for w in centre]
     summed = dict.fromkeys(("J", "C", "M", "tau"), 0.0)
-    letters = {"J": r"\mathbf{J}_{\mu m}", "C": r"\mathbf{C}_{\mu m}", "M": r"\mathbf{M}_{\mu m}", "tau": r"\boldsymbol{\tau}_{\mu m}"}
+    letters = {
+        "J": r"\mathbf{J}_{\mu m}",
+        "C": r"\mathbf{C}_{\mu m}",
+        "M": r"\mathbf{M}_{\mu m}",
+        "tau": r"\boldsymbol{\tau}_{\mu m}",
+    }
     for c, share in zip(rows, shares, strict=True):
-        own = {r"\mathrm{d}m_m/\mu": np.full((1, 1), share), r"\mathbf{r}_{\mu m}": mean(c, t), r"\mathbf{P}_{\mu m}": mean(c, by)}
+        own = {
+            r"\mathrm{d}m_m/\mu": np.full((1, 1), share),
+            r"\mathbf{r}_{\mu m}": mean(c, t),
+            r"\mathbf{P}_{\mu m}": mean(c, by),
+        }
         own |= {r"\mathbf{a}_{\mu m}": mean(c, a_t), r"\mathbf{u}_{\mu m}": mean(c, u_t)}
         found = run(scope, named["Mass of the rod"], own)
         summed = {n: summed[n] + found[letters[n]] for n in summed}

@@ -79,5 +79,9 @@ def _combination(vector: list[mpf], forms: list[ClosedForm]) -> ClosedForm:
 def polynomial_latex(mode: ClosedForm, digits: int = 7) -> str:
     """The LaTeX of a polynomial that vanishes at 0, its coefficients with so many digits."""
     (coefficients,) = mode.terms.values()
-    terms = (f"{latex_number(mpf(float(c)), digits)}\\,s" + (f"^{{{n}}}" if n > 1 else "") for n, c in enumerate(coefficients) if c)
+    terms = (
+        f"{latex_number(mpf(float(c)), digits)}\\,s" + (f"^{{{n}}}" if n > 1 else "")
+        for n, c in enumerate(coefficients)
+        if c
+    )
     return " + ".join(terms).replace("+ -", "- ")

@@ -220,7 +220,7 @@ def _terms(right: ex.Expression) -> list[str]:
 
 def _components(block: Block, step: Step, right: ex.Expression, write: Scalars, parts: Parts) -> tuple[str, Formula]:
     """The components in brackets, by blocks or entry by entry below the equation, or none."""
-    made, entries = dict(step.assignments), _entries(block, step)
+    entries = _entries(block, step)
     if not _worth_showing(block, step, right, entries, write):
         return "", ()
     bracket = _bracket(entries, write)
@@ -336,6 +336,8 @@ def _rows(step: Step, entries: np.ndarray, write: Scalars) -> Formula:
     wanted = [(i, j) for (i, j), value in np.ndenumerate(entries) if value != 0 and not (mirrored and j < i)]
     first, last = (wanted, []) if len(wanted) <= MANY else (wanted[:8], wanted[-4:])
     equations = [equation(entry(step.signal, place), write.terms(entries[place])) for place in first + last]
-    if not step.assignments or any(len(e) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in e) for e in equations):
+    if not step.assignments or any(
+        len(e) > 3 or any(width(" ".join(row)) > PAGE + 2.0 for row in e) for e in equations
+    ):
         return ()
     return columns(equations[: len(first)], equations[len(first) :])

@@ -268,23 +268,23 @@ def _sums(scope, parts, rod, at, Z) -> dict:
     force = [w * a_0 for w in centre]
     summed = dict.fromkeys(("J", "C", "M", "tau"), 0.0)
     letters = {
-        "J": r"\mathbf{J}_{\mu,m}",
-        "C": r"\mathbf{C}_{\mu,m}",
-        "M": r"\mathbf{M}_{\mu,m}",
-        "tau": r"\boldsymbol{\tau}_{\mu,m}",
+        "J": r"\mathbf{J}_{\mu m}",
+        "C": r"\mathbf{C}_{\mu m}",
+        "M": r"\mathbf{M}_{\mu m}",
+        "tau": r"\boldsymbol{\tau}_{\mu m}",
     }
     for c, share in zip(rows, shares, strict=True):
         own = {
             r"\mathrm{d}m_m/\mu": np.full((1, 1), share),
-            r"\mathbf{r}_{\mu,m}": mean(c, t),
-            r"\mathbf{P}_{\mu,m}": mean(c, by),
+            r"\mathbf{r}_{\mu m}": mean(c, t),
+            r"\mathbf{P}_{\mu m}": mean(c, by),
         }
-        own |= {r"\mathbf{a}_{\mu,m}": mean(c, a_t), r"\mathbf{u}_{\mu,m}": mean(c, u_t)}
+        own |= {r"\mathbf{a}_{\mu m}": mean(c, a_t), r"\mathbf{u}_{\mu m}": mean(c, u_t)}
         found = run(scope, named["Mass of the rod"], own)
         summed = {n: summed[n] + found[letters[n]] for n in summed}
-        force = [f + w * share * own[r"\mathbf{a}_{\mu,m}"] for f, w in zip(force, c, strict=True)]
-    total |= {r"\sum_m\mathbf{J}_{\mu,m}": summed["J"], r"\sum_m\mathbf{C}_{\mu,m}": summed["C"] @ Z}
-    total |= {r"\sum_m\mathbf{M}_{\mu,m}": Z @ summed["M"] @ Z, r"\sum_m\boldsymbol{\tau}_{\mu,m}": summed["tau"]}
+        force = [f + w * share * own[r"\mathbf{a}_{\mu m}"] for f, w in zip(force, c, strict=True)]
+    total |= {r"\sum_m\mathbf{J}_{\mu m}": summed["J"], r"\sum_m\mathbf{C}_{\mu m}": summed["C"] @ Z}
+    total |= {r"\sum_m\mathbf{M}_{\mu m}": Z @ summed["M"] @ Z, r"\sum_m\boldsymbol{\tau}_{\mu m}": summed["tau"]}
     moments = [np.zeros((3, 1)) for _ in at]
     if "Inertia of a section" in named:
         spun = {"I": 0.0, "C": 0.0, "M": 0.0}

@@ -14,7 +14,7 @@ import pytest
 from browsers import every_browser, started
 from conftest import require_tool, swept
 from fontTools.ttLib import TTFont
-from helpers import arm, example_file, link
+from helpers import ROOT, arm, example_file, link
 from latex_documents import NAMES, page, robot, tex, too_wide
 
 from screwgen import Robot, ScrewgenError, load
@@ -154,6 +154,18 @@ def test_the_templates_are_where_they_belong():
 @pytest.mark.parametrize("name", swept(NAMES, "strange"))
 def test_pdflatex_compiles_and_nothing_runs_off_the_page(name, tmp_path):
     assert too_wide(tex(name), tmp_path) <= 5.0
+
+
+@pytest.mark.parametrize("name", swept(("ella", "tentacle"), "ella"))
+def test_no_page_has_the_head_of_a_table_without_its_rows(name, tmp_path):
+    """Heads and rows tell in the log that they are printed, page by page."""
+    text = latex.document(load(ROOT / "examples" / f"{name}.toml"))
+    rows = re.compile(r"(?<=\\endfoot\n).*?(?=\\end\{longtable\})", re.S)
+    text = rows.sub(lambda match: re.sub(r"(\\\\\*?)(?=\n)", r"\1\\noalign{\\write-1{TABLE row}}", match[0]), text)
+    too_wide(text.replace(r"\endhead", r"\noalign{\write-1{TABLE head}}\endhead"), tmp_path)
+    told = re.findall(r"TABLE (\w+)", (tmp_path / "equations.log").read_text(errors="replace"))
+    assert told.count("row") > told.count("head") > 8
+    assert "head head" not in " ".join(told) and told[-1] == "row"
 
 
 FRAME = r"""\documentclass{article}

@@ -176,8 +176,8 @@ class LinkBlock(Block):
         rigid = self.integral(stack(hat(rho) @ field, field))
         omegas = self.entries(omega)
         spinning = self._turned(lambda t: t.inertia @ omegas[t.axis])
-        words = {"meaning": WITH_HALF} if self.key.modes and not self.turning else {}
-        H = self.step("H_star", add(rigid, h_c, spinning, self._spun_up()), **words)
+        meaning = WITH_HALF if self.key.modes and not self.turning else None
+        H = self.step("H_star", add(rigid, h_c, spinning, self._spun_up()), meaning=meaning)
         self.step("h_V", H + h_MD)
         modal = self.integral(self.body.moved.T @ (field + 2 * coriolis)) if self.key.modes else zeros(0)
         alphas = self.entries(self.alpha) if self.turning else []

@@ -399,7 +399,7 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real B_forearm_zz = L_forearm_z1 * state->v[13] + L_forearm_z2 * state->v[14]
         + L_forearm_z3 * state->v[15];
 
-    /* forearm, h_c: half of the Coriolis wrench */
+    /* forearm, h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_forearm_tau_x = B_forearm_yy * omega_R_forearm_x + B_forearm_zz * omega_R_forearm_x;
     const ella_real h_c_forearm_tau_y = B_forearm_zz * omega_R_forearm_y - B_forearm_yx * omega_R_forearm_x
         - B_forearm_yz * omega_forearm_z;
@@ -861,7 +861,7 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
     const ella_real B_upper_arm_zz = L_upper_arm_z1 * state->v[6] + L_upper_arm_z2 * state->v[7]
         + L_upper_arm_z3 * state->v[8];
 
-    /* upper_arm, h_c: half of the Coriolis wrench */
+    /* upper_arm, h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_upper_arm_tau_x = B_upper_arm_yy * omega_J_upper_arm_x + B_upper_arm_zz * omega_J_upper_arm_x;
     const ella_real h_c_upper_arm_tau_y = B_upper_arm_zz * omega_J_upper_arm_y - B_upper_arm_yx * omega_J_upper_arm_x
         - B_upper_arm_yz * state->v[1];
@@ -1634,7 +1634,7 @@ ELLA_TARGETS ella_status ella_dynamics(const ella_constants *c, const ella_state
         const ella_real Sdot_upper_arm_z = state->v[6] * c->links[0].sigma_y1 + state->v[7] * c->links[0].sigma_y2
             + state->v[8] * c->links[0].sigma_y3;
 
-        /* upper_arm, h_c: half of the Coriolis wrench */
+        /* upper_arm, h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
         const ella_real h_c_upper_arm_f_x = Sdot_upper_arm_z * omega_J_upper_arm_y - Sdot_upper_arm_y * state->v[1];
         const ella_real minus_h_c_upper_arm_f_y = Sdot_upper_arm_z * omega_J_upper_arm_x;
         const ella_real h_c_upper_arm_f_z = Sdot_upper_arm_y * omega_J_upper_arm_x;

@@ -481,7 +481,7 @@ ELLA_PART ella_status eliminate_upper_arm(const ella_link_constants *restrict c,
     const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -1183,7 +1183,7 @@ ELLA_PART ella_status eliminate_forearm(const ella_link_constants *restrict c, e
     const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -2954,7 +2954,7 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
     const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -3059,7 +3059,7 @@ ELLA_PART ella_status inverse_inward_upper_arm(const ella_link_constants *c, con
         const ella_real Sdot_y = etadot[0] * c->sigma_y1 + etadot[1] * c->sigma_y2 + etadot[2] * c->sigma_y3;
         const ella_real Sdot_z = etadot[3] * c->sigma_y1 + etadot[4] * c->sigma_y2 + etadot[5] * c->sigma_y3;
 
-        /* h_c: half of the Coriolis wrench */
+        /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
         const ella_real h_c_f_x = Sdot_z * link->omega[1] - Sdot_y * link->omega[2];
         const ella_real minus_h_c_f_y = Sdot_z * link->omega[0];
         const ella_real h_c_f_z = Sdot_y * link->omega[0];
@@ -3164,7 +3164,7 @@ ELLA_PART ella_status inverse_inward_forearm(const ella_link_constants *c, const
     const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const ella_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const ella_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -4213,7 +4213,7 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_tau_x = B_yy * twist[0] + B_zz * twist[0];
     const ella_real h_c_tau_y = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
     const ella_real h_c_tau_z = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
@@ -4225,7 +4225,7 @@ ELLA_PART ella_status joint_rows_upper_arm(const ella_link_constants *c, ella_li
     const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * twist[2] * c->sigma_t_7;
     const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * twist[1] * c->sigma_t_7;
 
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, with half of the Coriolis wrench (29) */
     const ella_real t24 = h_c_tau_x + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
         + S_y * a_0_z;
     const ella_real H_star_tau_x = t24 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
@@ -4629,7 +4629,7 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real B_zy = L_y1 * etadot[3] + L_y2 * etadot[4] + L_y3 * etadot[5];
     const ella_real B_zz = L_z1 * etadot[3] + L_z2 * etadot[4] + L_z3 * etadot[5];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const ella_real h_c_tau_x = B_yy * twist[0] + B_zz * twist[0];
     const ella_real h_c_tau_y = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
     const ella_real h_c_tau_z = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
@@ -4641,7 +4641,7 @@ ELLA_PART ella_status joint_rows_forearm(const ella_link_constants *c, ella_link
     const ella_real h_MD_tau_y = h_c_tau_y + etadot[6] * twist[2] * c->sigma_t_7;
     const ella_real h_MD_tau_z = h_c_tau_z - etadot[6] * twist[1] * c->sigma_t_7;
 
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, with half of the Coriolis wrench (29) */
     const ella_real t20 = h_c_tau_x + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
         + S_y * a_0_z;
     const ella_real H_star_tau_x = t20 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;

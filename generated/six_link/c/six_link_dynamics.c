@@ -1086,7 +1086,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real B_forearm_zy = L_forearm_y1 * state->v[13] + L_forearm_y2 * state->v[14];
     const six_link_real B_forearm_zz = L_forearm_z1 * state->v[13] + L_forearm_z2 * state->v[14];
 
-    /* forearm, h_c: half of the Coriolis wrench */
+    /* forearm, h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real h_c_forearm_tau_x = B_forearm_yy * omega_R_forearm_x + B_forearm_zz * omega_R_forearm_x;
     const six_link_real h_c_forearm_tau_y = B_forearm_zz * omega_forearm_y - B_forearm_yx * omega_R_forearm_x
         - B_forearm_yz * omega_R_forearm_z;
@@ -1735,7 +1735,7 @@ SIX_LINK_TARGETS six_link_status six_link_dynamics(const six_link_constants *c, 
     const six_link_real B_upper_arm_zy = L_upper_arm_y1 * state->v[8] + L_upper_arm_y2 * state->v[9];
     const six_link_real B_upper_arm_zz = L_upper_arm_z1 * state->v[8] + L_upper_arm_z2 * state->v[9];
 
-    /* upper_arm, h_c: half of the Coriolis wrench */
+    /* upper_arm, h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real minus_h_c_upper_arm_tau_x = B_upper_arm_yy * minus_omega_R_upper_arm_x
         + B_upper_arm_zz * minus_omega_R_upper_arm_x;
     const six_link_real h_c_upper_arm_tau_y = B_upper_arm_zz * state->v[1]

@@ -825,7 +825,7 @@ SIX_LINK_PART six_link_status eliminate_upper_arm(const six_link_link_constants 
     const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
     const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const six_link_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const six_link_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -1530,7 +1530,7 @@ SIX_LINK_PART six_link_status eliminate_forearm(const six_link_link_constants *r
     const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
     const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const six_link_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const six_link_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -5828,7 +5828,7 @@ SIX_LINK_PART six_link_status inverse_inward_upper_arm(const six_link_link_const
     const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
     const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const six_link_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const six_link_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -6076,7 +6076,7 @@ SIX_LINK_PART six_link_status inverse_inward_forearm(const six_link_link_constan
     const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
     const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real h_c_tau_x = B_yy * link->omega[0] + B_zz * link->omega[0];
     const six_link_real h_c_tau_y = B_zz * link->omega[1] - B_yx * link->omega[0] - B_yz * link->omega[2];
     const six_link_real h_c_tau_z = B_yy * link->omega[2] - B_zx * link->omega[0] - B_zy * link->omega[1];
@@ -8016,7 +8016,7 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
     const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real h_c_tau_x = B_yy * twist[0] + B_zz * twist[0];
     const six_link_real h_c_tau_y = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
     const six_link_real h_c_tau_z = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
@@ -8028,7 +8028,7 @@ SIX_LINK_PART six_link_status joint_rows_upper_arm(const six_link_link_constants
     const six_link_real h_MD_tau_y = h_c_tau_y + etadot[4] * twist[2] * c->sigma_t_5;
     const six_link_real h_MD_tau_z = h_c_tau_z - etadot[4] * twist[1] * c->sigma_t_5;
 
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, with half of the Coriolis wrench (29) */
     const six_link_real t22 = h_c_tau_x + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
         + S_y * a_0_z;
     const six_link_real H_star_tau_x = t22 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;
@@ -8476,7 +8476,7 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real B_zy = L_y1 * etadot[2] + L_y2 * etadot[3];
     const six_link_real B_zz = L_z1 * etadot[2] + L_z2 * etadot[3];
 
-    /* h_c: half of the Coriolis wrench */
+    /* h_c: half of the Coriolis wrench: H* has one half, h_MD the other */
     const six_link_real h_c_tau_x = B_yy * twist[0] + B_zz * twist[0];
     const six_link_real h_c_tau_y = B_zz * twist[1] - B_yx * twist[0] - B_yz * twist[2];
     const six_link_real h_c_tau_z = B_yy * twist[2] - B_zx * twist[0] - B_zy * twist[1];
@@ -8484,7 +8484,7 @@ SIX_LINK_PART six_link_status joint_rows_forearm(const six_link_link_constants *
     const six_link_real minus_h_c_f_y = Sdot_z * twist[0];
     const six_link_real h_c_f_z = Sdot_y * twist[0];
 
-    /* H_star: gyroscopic wrench and weight (29) */
+    /* H_star: gyroscopic wrench and weight, with half of the Coriolis wrench (29) */
     const six_link_real t24 = h_c_tau_x + J_xy * Omega_xz + J_yy * Omega_yz + J_yz * (minus_Omega_yy - minus_Omega_zz)
         + S_y * a_0_z;
     const six_link_real H_star_tau_x = t24 - J_xz * Omega_xy - J_zz * Omega_yz - S_z * a_0_y;

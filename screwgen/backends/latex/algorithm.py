@@ -230,16 +230,20 @@ def bodies(chain: Chain) -> bool:
     return any(key.bodies_at("tip") for key in chain.keys)
 
 
-def joint_terms(chain: Chain) -> Mapping[str, object]:
-    """What formulas have of joints: what no joint of a robot has, they are written without."""
+def axis_terms(chain: Chain) -> list[tuple[str, str, str, str]]:
+    """What acts linearly on axes of a robot."""
     keys = [key for key in chain.keys if not key.floats]
     stated = {
         "armature": any(key.armature for key in keys),
         "damping": any(key.joint_damping for key in keys),
         "stiffness": any(key.stiffness for key in keys),
     }
-    driven = elements.driven(chain)
-    terms = [term for term in AXES if stated[term[0]] or driven]
+    return [term for term in AXES if stated[term[0]] or elements.driven(chain)]
+
+
+def joint_terms(chain: Chain) -> Mapping[str, object]:
+    """What formulas have of joints: what no joint of a robot has, they are written without."""
+    keys, terms = [key for key in chain.keys if not key.floats], axis_terms(chain)
     mounted, placed = chain.slides or any(key.mount_xyz for key in keys), any(key.frame_at for key in keys)
     said = [f"the {name} ${vector}$" for name, _, vector, _ in terms]
     said += [r"the point $\mathbf{r}_M$ of its mount on the section that carries it"] if mounted else []
@@ -250,7 +254,6 @@ def joint_terms(chain: Chain) -> Mapping[str, object]:
         "placed": placed,
         "point": "J" if chain.slides else "M",
         "of_joints": " and ".join(filter(None, (", ".join(said[:-1]), *said[-1:]))),
-        "terms": [name for name, *_ in terms],
         "axis_terms": [{"matrix": matrix, "vector": vector} for _, matrix, vector, _ in terms],
         "armature": r" + \mathbf{J}_m" if AXES[0] in terms else "",
         "resisting": "".join(rf" - {matrix}\,{with_}" for _, matrix, _, with_ in terms if matrix != AXES[0][1]),

@@ -34,7 +34,8 @@ class Marks:
         out: dict[tuple[str, ...], dict[str, str]] = {}
         number_of = {symbol: number for number, symbol in enumerate(self.symbols)}
         for symbol, number in number_of.items():
-            out.setdefault(tuple(map(_plain, _parts(symbol))), {SYMBOL: str(number)})
+            for written in (symbol, *([f"{symbol[:-2]}_{{T,i}}"] if symbol.endswith("_T") else [])):
+                out.setdefault(tuple(map(_plain, _parts(written))), {SYMBOL: str(number)})
         for entry, (symbol, (i, j)) in self.entries.items():
             if symbol in number_of:
                 mark = {SYMBOL: str(number_of[symbol]), ENTRY: f"{i},{j}"}

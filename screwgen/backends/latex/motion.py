@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ...topology.chain import Chain
 from ..templates import render
-from .algorithm import joint_terms
+from .algorithm import axis_terms, joint_terms
 from .content import DocumentSection, Item, Paragraph, parse
 from .forces import BORNE, CHOSEN
 from .layout import PAGE, matrix, width
@@ -101,9 +101,9 @@ def motion(chain: Chain) -> DocumentSection:
     besides += (
         r", and $-\partial\boldsymbol{\ell}_c$, the derivative of a tendon's length, where its tension meets the modes"
     ) * bool(chain.n_tensions)
-    flexible, has = [key for key in chain.keys if key.modes], joint_terms(chain)
+    flexible, has = [key for key in chain.keys if key.modes], [name for name, *_ in axis_terms(chain)]
     own = ["stiffness"] * bool(flexible) + ["damping"] * any(key.damping for key in flexible)
-    terms = [name for name in ("stiffness", "damping") if name in has["terms"]]
+    terms = [name for name in ("stiffness", "damping") if name in has]
     acting = ["velocities", "weight", *dict.fromkeys((*own, *terms))]
     modal = rf"The rows of the modes balance the {' and the '.join(own)} of the links, in $\mathbf{{h}}_i$."
     values = {
@@ -112,7 +112,7 @@ def motion(chain: Chain) -> DocumentSection:
         "modal": modal * bool(flexible),
         "acting": f"{', '.join(acting[:-1])} and {acting[-1]}",
         "terms": " and ".join(terms),
-        "armatures": "armature" in has["terms"],
+        "armatures": "armature" in has,
         "bodies": any(k.bodies_at("tip") for k in chain.keys),
         "besides": besides,
         "borne": BORNE * bool(chain.forces) + CHOSEN * chain.chooses_forces,

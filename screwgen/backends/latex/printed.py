@@ -161,4 +161,4 @@ def _paired(rows: Sequence[tuple[str, str]]) -> DocumentTable:
     half = (len(rows) + 1) // 2
     right = [*rows[half:], *[("", "")] * (2 * half - len(rows))]
     lines = tuple((*a, *b) for a, b in zip(rows[:half], right, strict=True))
-    return DocumentTable(("symbol", "meaning") * 2, (0.1, 0.4) * 2, lines)
+    return DocumentTable(("symbol", "meaning") * 2, (0.11, 0.39) * 2, lines)

@@ -220,7 +220,7 @@ def _terms(right: ex.Expression) -> list[str]:
 
 def _components(block: Block, step: Step, right: ex.Expression, write: Scalars, parts: Parts) -> tuple[str, Formula]:
     """The components in brackets, by blocks or entry by entry below the equation, or none."""
-    made, entries = dict(step.assignments), _entries(block, step)
+    entries = _entries(block, step)
     if not _worth_showing(block, step, right, entries, write):
         return "", ()
     bracket = _bracket(entries, write)

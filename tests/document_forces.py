@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from document_symbols import Printed, Scope, number, plain, sized, vector
+from document_symbols import Printed, number, plain, sized, vector
 from latex_formula import Value, value
 
 PART = "What acts on the tips"
@@ -24,8 +24,9 @@ class Acting:
     """The wrenches on all tips in a state of a document: those given, turned where they are stated in world axes, and
     those of forces between frames."""
 
-    def __init__(self, document: Printed, scopes: list[Scope], w_ext: np.ndarray, tau: np.ndarray):
-        self.document, self.scopes, self.energy, self.tau = document, scopes, 0.0, tau
+    def __init__(self, document: Printed, state):
+        self.document, self.scopes, self.energy, self.tau = document, state.scopes, 0.0, state.tau
+        self.remembered, self.rates, w_ext = state.remembered, {}, state.w_ext
         self.wrenches = [row[:, None] for row in w_ext]
         part = next((p for p in document.sections["Algorithm"] if p.title == PART), None)
         self.equations = part.equations if part else []
@@ -56,12 +57,17 @@ class Acting:
         listed = [one for own, one in self.document.parameters.items() if re.match(rf"{name}\.(?!world)", own)]
         assert [x for _, x in listed] == [y for x in stated.values() for y in x.ravel()], f"{name}: {numbers}, {listed}"
         known |= stated | {symbol: np.full((1, 1), x) for symbol, x in listed} | self._inputs(name)
+        states = {plain(symbol): np.full((1, 1), x) for (own, symbol), x in self.remembered.items() if own == name}
+        known |= states
         for left in (r"\mathbf{R}_{AB}", r"\mathbf{d}_{AB}", r"\boldsymbol{\omega}_{AB}", r"\mathbf{v}_{AB}"):
             known[left] = self._read(self._formula(left), known)
         known |= {x: np.zeros((3, 1)) for x in WRENCH.values()} | {"U": np.zeros((1, 1))}
         for left, _, right in self.laws[name]:
             self._assign(left, self._read(right, known), known)
         self.energy += known["U"].item()
+        for symbol in states:
+            letter, line, index = symbol.partition("_")
+            self.rates[name, symbol] = known[rf"\dot{{{letter}}}{line}{index}"].item()
         for letter, i in zip("AB", ends, strict=True):
             if i is not None:
                 known[W + letter + "}"] = self.wrenches[i]

@@ -55,7 +55,7 @@ class Run:
             axis.prepare()
         self.efforts = {(axis.name, axis.number): axis.effort() for axis in self.axes}
         self.loops = Loops(self.document, state.scopes, self.axes)
-        self.acting = Acting(self.document, state.scopes, state.w_ext, state.tau)
+        self.acting = Acting(self.document, state)
         self.pulls = [self._pulls(link) for link in self.links]
 
     def solved(self) -> tuple[np.ndarray, np.ndarray]:
@@ -75,8 +75,12 @@ class Run:
         wrenches = [
             np.zeros(6) if k.floats else np.ravel(e[r"\mathbf{w}_i"]) for k, e in zip(self.links, envs, strict=True)
         ]
-        internal = [axis.rates[kind] for axis, kind in self.state.internal]
+        internal = [self._internal_rate(owner, kind) for owner, kind in self.state.internal]
         return np.concatenate([*rates, *added, *etas, internal]), np.array(wrenches)
+
+    def _internal_rate(self, owner, kind: str) -> float:
+        """Of a law of an axis, or of a force between frames."""
+        return self.acting.rates[owner, kind] if isinstance(owner, str) else owner.rates[kind]
 
     @staticmethod
     def _rates(link: Link, env: Env) -> np.ndarray:

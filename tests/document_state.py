@@ -106,6 +106,7 @@ class State:
 
     def __init__(self, reading: Reading, q, v, tau, w_ext):
         self.reading, self.links, self.w_ext, self.tau = reading, reading.links, w_ext, tau
+        self.remembered: dict[tuple[str, str], float] = {}
         self._split(q, v, tau)
         self.scopes: list[Scope] = []
         self.stations: dict[tuple[int, float], Scope] = {}
@@ -138,12 +139,17 @@ class State:
             axis.tau = x
         self.tensions = tau[len(axes) :]
 
-    def _internal(self, first: int, v) -> list[tuple[Axis, str]]:
-        """The internal states in their order, by the table of coordinates: whose they are, and of which force."""
+    def _internal(self, first: int, v) -> list[tuple[Axis | str, str]]:
+        """The internal states in their order, by the table of coordinates: whose they are, and of which force; of
+        forces between frames their names and symbols."""
         out = []
         for row in self.reading.document.table(r"in $\mathbf{q}$"):
             if row[0] == NONE:
                 name, kind, number = re.fullmatch(r"`(.*)\.(\w+)_state\[(\d+)\]`", row[3]).groups()
+                if row[4].startswith(f"`{name}`:"):
+                    self.remembered[name, plain(row[2].strip("$"))] = v[int(row[1]) - 1]
+                    out.append((name, plain(row[2].strip("$"))))
+                    continue
                 axis = next(x for x in self.reading.axes if (x.name, x.number) == (name, int(number)))
                 axis.states[kind] = v[int(row[1]) - 1]
                 assert int(row[1]) == first + len(out) + 1, "internal states do not stand behind the rates"

@@ -93,7 +93,8 @@ class Energy:
         q = oracle.q
         places = model.chain.held_places
         outer = case.mixed.judge.outer
-        added = outer.acting(q, ca.SX.zeros(oracle.nv), ca.SX.zeros(6, len(outer.rows)), ca.SX(outer.winches))[1]
+        idle = ca.SX.zeros(6, len(outer.rows)), ca.SX(outer.winches), ca.SX(outer.relaxed)
+        added = outer.acting(q, ca.SX.zeros(oracle.nv), *idle)[1]
         added -= sum(float(t) * q[k] for t, k in zip(case.tau, places, strict=False) if t)
         if case.tau[m:].any():
             added -= model.tendon_work(q, case.tau[m:], model.parameter_values)[0]

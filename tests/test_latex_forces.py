@@ -58,7 +58,13 @@ class Rubber(Interaction):
 
 PLANE = {"radius": 1.1, "stiffness": 400.0, "width": 0.02, "normal": (0.3, -1.0, 0.8)}
 LAWS: dict[str, list[dict]] = {
-    "line": [{"stiffness": 12.0}, {"stiffness": 9.0, "damping": 0.3, "slack": True}, {"stiffness": 7.0, "rest": 9.0}],
+    "line": [
+        {"stiffness": 12.0},
+        {"stiffness": 9.0, "damping": 0.3, "slack": True},
+        {"stiffness": 7.0, "rest": 9.0},
+        {"stiffness": 5.0, "rest": 0.2, "slack": True, "relaxation": 6.0, "relaxation_time": 0.3},
+        {"stiffness": 5.0, "rest": 0.2, "damping": 0.4, "slack": True, "winch": True},
+    ],
     "bushing": [
         {"stiffness": (300.0, 500.0, 200.0, 7.0, 9.0, 4.0)},
         {"stiffness": (3.0, 5.0, 2.0, 7.0, 9.0, 4.0), "damping": (1.0, 2.0, 3.0, 0.4, 0.5, 0.6)},
@@ -96,14 +102,16 @@ def acting(model, given) -> Acting:
     """What a document says to act in a state."""
     q, v, tau, w_ext = (np.asarray(x, float) for x in given)
     read = reading(model)
-    return Acting(read.document, State(read, q, v, tau, w_ext).scopes, w_ext, tau)
+    return Acting(read.document, State(read, q, v, tau, w_ext))
 
 
 def potential(stated: dict, given) -> float:
     """What forces add to the energy of a robot."""
     bare = model_of({key: x for key, x in stated.items() if key != "forces"} | {"pushes": []})
     own = model_of(stated | {"pushes": []})
-    return own.numpy().energy(*given[:2])[1] - bare.numpy().energy(*given[:2])[1]
+    q, v, tau, _ = given
+    chosen = (tau,) * own.chain.chooses_forces
+    return own.numpy().energy(q, v, *chosen)[1] - bare.numpy().energy(q, v[: bare.nv])[1]
 
 
 @pytest.mark.parametrize("kind", [*KINDS, "rubber"])

@@ -76,13 +76,6 @@ def test_a_load_rests_where_the_winch_holds_it():
         screwgen.equilibrium(model, [0.6], tau=[0.0, 0.0, 0.1])
 
 
-def test_a_winch_needs_a_rest_length_to_change():
-    stated = hoist()
-    del stated["forces"][0]["line"]["rest"]
-    with pytest.raises(ValueError, match="is stated without rest, the length without any line paid out"):
-        model_of(stated)
-
-
 class Magnet(screwgen.interactions.SpringLine):
     """A line with an input whose name torques of axes have."""
 

@@ -121,7 +121,7 @@ class DaeFunctions(Functions):
     def place(self, q: Sequence, v: Sequence) -> list:
         """A state that satisfies the joint constraints: x from coordinates and rates."""
         links, _ = self._run(PLACEMENT, self._stated(self._state(q, v)))
-        return self.pack(links, PLACED)
+        return self.pack(links, PLACED) + self.remembered(v)
 
     def _stated(self, links: Sequence[dict[str, list]]) -> Sequence[dict[str, list]]:
         """Joint coordinates and rates as this form states them: of a floating base as pose and twist."""
@@ -168,7 +168,14 @@ class DaeFunctions(Functions):
         state = self.unpack(x)
         poses, _ = self._run(DAE_RATES, state)
         found = zip(self._redundant_rates(state, links), poses, self._internal_rates(state, links), strict=True)
-        return self.pack([a | b | c for a, b, c in found], RATES)
+        packed = self.pack([a | b | c for a, b, c in found], RATES)
+        if self.given is not None or not self.chain.n_force_states:
+            return packed + [0.0] * self.chain.n_force_states
+        return packed + self.force_rates(*self.coordinates(x), self._of_forces(x), 0.0)
+
+    def _of_forces(self, x: Sequence) -> list:
+        """The internal states of forces between frames, the last entries of x."""
+        return list(x[len(x) - self.chain.n_force_states :])
 
     def _internal_rates(self, state: Sequence[Mapping[str, list]], links: Sequence[Mapping[str, list]]) -> list[dict]:
         """The rates of the internal states, at the joint rates that the links have."""
@@ -208,14 +215,14 @@ class DaeFunctions(Functions):
     def project(self, x: Sequence) -> list:
         """The state projected onto the joint constraints."""
         links, _ = self._run(PROJECTION, self.unpack(x))
-        projected = self.pack(links, PLACED | {"q": "new_q"})
+        projected = self.pack(links, PLACED | {"q": "new_q"}) + self._of_forces(x)
         return self.place(*self.close(*self.coordinates(projected))) if self.chain.closing.rows else projected
 
     def coordinates(self, x: Sequence) -> tuple[list, list]:
         """``q`` and ``v`` of a state."""
         links, _ = self._run(DAE_FORWARD[:1], state := self.unpack(x))
         join, found = self.chain.join, self._of_joints([a | b for a, b in zip(state, links, strict=True)])
-        return join(found, "q", "eta"), join(found, "qdot", "etadot")
+        return join(found, "q", "eta"), join(found, "qdot", "etadot") + self._of_forces(x)
 
     def assemble(self, x: Sequence, tau: Sequence, w_ext: Sequence) -> tuple[Entries, list, list]:
         """``M_sys`` by entries, ``H_sys`` and ``W_sys``: rows and columns in the order of z.

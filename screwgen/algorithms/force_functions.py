@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from copy import copy
-from typing import Any, Self
+from types import MappingProxyType
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
+from ..interactions import InteractionClass
 from ..ir.program import Array, Value
 from ..spec.forces import FORCE_INPUTS
 from ..spec.input import Input
@@ -27,6 +29,17 @@ from .schedule import OUTWARD, Algorithm, Apply, Phase
 
 POSES = Phase(mo.poses, OUTWARD)
 MOTION: Algorithm = (Phase(mo.velocities, OUTWARD), POSES, Phase(mo.tip_twist, OUTWARD))
+
+
+class StateChange(NamedTuple):
+    """The derivatives that states of a force have: of the wrenches on tips in their frames with the states,
+    (6, states) by segment, and of the rates of the states with q, rates and states."""
+
+    states: slice
+    wrenches: dict[int, Array]
+    rate_q: Array
+    rate_v: Array
+    rate_z: Array
 
 
 class ForceFunctions:
@@ -75,14 +88,14 @@ class ForceFunctions:
         """
         if not self.acts:
             return w_ext
-        tips = self._tips(q, v)
+        tips, states = self._tips(q, v), self.remembered(v)
         total = [mx.array(list(w_ext[6 * i : 6 * i + 6])) for i in range(self.chain.n)]
         for i in self.chain.turned_wrenches:
             with self.section(f"{self.chain.names[i]}: the wrench from outside in axes of its section"):
                 total[i] = mx.rotate_wrench(tips[i].R.T, total[i])
         for force in self.chain.forces:
             with self.section(f"{force.name}: its wrenches on the frames that it joins"):
-                found = self._applied(force, tips, programs.wrenches(force.shape), twists=True)
+                found = self._applied(force, tips, programs.wrenches(force.shape), states)
                 for end, name in zip(force.ends, ("first", "second"), strict=True):
                     if end is not None:
                         total[end] = total[end] + mx.name(f"w_{force.name}_{name}", mx.array(found[name]))
@@ -90,20 +103,35 @@ class ForceFunctions:
             named = (mx.name(f"w_{i}", w) for i, w in zip(self.chain.identifiers, total, strict=True))
             return [x for wrench in named for x in wrench]
 
-    def energy_of_forces(self, q: Sequence) -> Value:
+    def remembered(self, v: Sequence) -> list[Value]:
+        """The internal states of all forces; zero where ``v`` has rates alone."""
+        own = self.chain.force_states
+        return list(v[own]) if len(v) == self.chain.nvz else [0.0] * self.chain.n_force_states
+
+    def force_rates(self, q: Sequence, v: Sequence, start: Sequence, h: Value) -> list[Value]:
+        """The rates of these states, the means over ``h`` from the states ``start``; see :class:`StateRate`."""
+        tips, states, out = self._tips(q, v), self.remembered(v), []
+        for force in self.chain.forces:
+            if force.shape.states:
+                over = {"start": list(start[force.states]), "h": [h]}
+                out += self._applied(force, tips, programs.state_rates(force.shape), states, over=over)["rate"]
+        return out
+
+    def energy_of_forces(self, q: Sequence, v: Sequence) -> Value:
         """The potential of the forces between frames, J."""
         if not (self.acts and self.chain.forces):
             return 0.0
-        tips, total = self._tips(q, [0.0] * self.chain.nv), 0.0
+        tips, states, total = self._tips(q, [0.0] * self.chain.nv), self.remembered(v), 0.0
         for force in self.chain.forces:
-            total = total + self._applied(force, tips, programs.energy(force.shape), twists=False)["energy"][0]
+            found = self._applied(force, tips, programs.energy(force.shape), states, twists=False)
+            total = total + found["energy"][0]
         return total
 
     def force_quantities(self, q: Sequence, v: Sequence) -> list[Value]:
         """What runs report of the forces between frames, force by force."""
-        tips, out = self._tips(q, v), []
+        tips, states, out = self._tips(q, v), self.remembered(v), []
         for force in self.chain.forces:
-            out += self._applied(force, tips, programs.quantities(force.shape), twists=True)["quantity"]
+            out += self._applied(force, tips, programs.quantities(force.shape), states)["quantity"]
         return out
 
     def force_slopes(
@@ -122,34 +150,73 @@ class ForceFunctions:
 
         A tip may come several times. ``at``: the changes of the tips.
         """
-        tips, none = self._tips(q, v), mx.zeros(6, self.chain.nv)
+        tips, states, none = self._tips(q, v), self.remembered(v), mx.zeros(6, self.chain.nv)
         for i in self.chain.turned_wrenches:
             w = mx.rotate_wrench(tips[i].R.T, mx.array(list(w_ext[6 * i : 6 * i + 6])))
             turning = np.vstack([mx.hat(w[:3]), mx.hat(w[3:])])  # of Rᵀ w, by a turn of the tip in its own axes
             yield i, mx.multiply(turning, at[i].J[:3]), none
         for force in self.chain.forces:
-            found = self._applied(force, tips, programs.slopes(force.shape), twists=True)
-            ends = [(i, slice(6 * n, 6 * n + 6)) for n, i in enumerate(force.ends) if i is not None]
-            own = np.r_[tuple(row for _, row in ends)]
-            J = np.vstack([at[i].J for i, _ in ends])
-            V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i, _ in ends])
+            found = self._applied(force, tips, programs.slopes(force.shape), states)
+            ends, own, J, V_q = self._ends(force, tips, v, at)
             for i, row in ends:
                 by_pose, by_twist = (mx.array(found[x], (12, 12))[row, own] for x in ("by_pose", "by_twist"))
                 D_q = mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q)
                 yield i, D_q, mx.multiply(by_twist, J)
 
+    def _ends(
+        self, force: PlacedForce, tips: Sequence[Tip], v: Sequence, at: Mapping[int, TipChange]
+    ) -> tuple[list[tuple[int, slice]], Array, Array, Array]:
+        """The tips at which a force ends, with their places among 12 entries, all of these places; how poses and twists
+        of the tips change with q, and twists with v alike."""
+        ends = [(i, slice(6 * n, 6 * n + 6)) for n, i in enumerate(force.ends) if i is not None]
+        J = np.vstack([at[i].J for i, _ in ends])
+        V_q = np.vstack([at[i].twist_by_q(self.chain, self._twist(tips[i])[3:], v) for i, _ in ends])
+        return ends, np.r_[tuple(row for _, row in ends)], J, V_q
+
+    def state_changes(self, q: Sequence, v: Sequence, at: Mapping[int, TipChange]) -> Iterator[StateChange]:
+        """What changes with the states of forces, and how their rates change, force by force."""
+        tips, states = self._tips(q, v), self.remembered(v)
+        for force in self.chain.forces:
+            count = len(force.shape.states)
+            if not count:
+                continue
+            by = self._applied(force, tips, programs.state_slopes(force.shape), states)
+            loads = [(i, name) for i, name in zip(force.ends, ("first", "second"), strict=True) if i is not None]
+            over: dict[str, list] = {"start": states[force.states], "h": [0.0]}
+            found = self._applied(force, tips, programs.rate_slopes(force.shape), states, over=over)
+            _, own, J, V_q = self._ends(force, tips, v, at)
+            by_pose, by_twist = (mx.array(found[x], (count, 12))[:, own] for x in ("by_pose", "by_twist"))
+            by_state, by_start = (mx.array(found[x], (count, count)) for x in ("by_state", "by_start"))
+            yield StateChange(
+                force.states,
+                {i: mx.array(by[name], (count, 6)).T for i, name in loads},
+                mx.multiply(by_pose, J) + mx.multiply(by_twist, V_q),
+                mx.multiply(by_twist, J),
+                by_state + by_start,
+            )
+
     def input_powers(self, q: Sequence, v: Sequence) -> list[Value]:
         """The power that each input of a force gives to the robot."""
-        tips, forces = self._tips(q, v), [force for force in self.chain.forces if force.shape.inputs]
-        found = (self._applied(force, tips, programs.powers(force.shape), twists=True)["power"] for force in forces)
+        tips, states = self._tips(q, v), self.remembered(v)
+        forces = (force for force in self.chain.forces if force.shape.inputs)
+        found = (self._applied(force, tips, programs.powers(force.shape), states)["power"] for force in forces)
         return [x for own in found for x in own]
 
     def wrenches_per_input(self, q: Sequence, v: Sequence) -> Iterator[list[Value]]:
         """The derivatives of the wrenches on all tips (6 n,) with each input of a force."""
-        tips = self._tips(q, v)
+        return self._wrenches_per(q, v, lambda shape: len(shape.inputs), programs.input_slopes)
+
+    def wrenches_per_state(self, q: Sequence, v: Sequence) -> Iterator[list[Value]]:
+        """The same with each internal state."""
+        return self._wrenches_per(q, v, lambda shape: len(shape.states), programs.state_slopes)
+
+    def _wrenches_per(
+        self, q: Sequence, v: Sequence, size: Callable[[InteractionClass], int], program: Callable
+    ) -> Iterator[list[Value]]:
+        tips, states = self._tips(q, v), self.remembered(v)
         for force in self.chain.forces:
-            count = len(force.shape.inputs)
-            found = self._applied(force, tips, programs.input_slopes(force.shape), twists=True) if count else {}
+            count = size(force.shape)
+            found = self._applied(force, tips, program(force.shape), states) if count else {}
             for k in range(count):
                 total: list[Value] = [0.0] * (6 * self.chain.n)
                 for end, name in zip(force.ends, ("first", "second"), strict=True):
@@ -157,15 +224,24 @@ class ForceFunctions:
                         total[6 * end : 6 * end + 6] = found[name][6 * k : 6 * k + 6]
                 yield total
 
-    def _applied(self, force: PlacedForce, tips: Sequence[Tip], program: Any, twists: bool) -> Mapping[str, list]:
-        """What a program of a force gives in a state of all tips."""
+    def _applied(
+        self,
+        force: PlacedForce,
+        tips: Sequence[Tip],
+        program: Any,
+        states: Sequence[Value],
+        twists: bool = True,
+        over: Mapping[str, list] = MappingProxyType({}),
+    ) -> Mapping[str, list]:
+        """What a program of a force gives in a state of all tips, and of the internal states of all forces."""
         first, second = (self._end(force, i, tips) for i in force.ends)
         R = mx.multiply(first.R.T, second.R)
         d = mx.name(f"d_{force.name}", mx.multiply(first.R.T, second.r - first.r))
         given: dict[str, list] = {"R": list(R.flat), "d": list(d)}
         given |= {"V_A": list(self._twist(first)), "V_B": list(self._twist(second))} if twists else {}
         idle = [0.0] * len(force.shape.inputs)
-        given |= {"numbers": [*self.world[3:][force.numbers], *(self.chosen[force.inputs] if self.chosen else idle)]}
+        chosen = self.chosen[force.inputs] if self.chosen else idle
+        given |= {"numbers": [*self.world[3:][force.numbers], *chosen, *states[force.states]], **over}
         return self.apply(force.tips[-1], -1, program, given)
 
     def _end(self, force: PlacedForce, segment: int | None, tips: Sequence[Tip]) -> Tip:

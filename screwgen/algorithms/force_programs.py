@@ -2,7 +2,7 @@
 
 All are functions of how the tips of two segments lie and move: ``R`` (9) and ``d`` (3), the pose of the second in the
 first, and the twists ``V_A``, ``V_B`` (6) of both, each in its own axes, and of the ``numbers`` that the robot states,
-behind which stand the inputs of the force.
+behind which stand the inputs and the states of the force.
 """
 
 from __future__ import annotations
@@ -54,9 +54,61 @@ def powers(shape: InteractionClass) -> Program:
 def input_slopes(shape: InteractionClass) -> Program:
     """``(R, d, V_A, V_B, numbers) -> (first, second)``: how the wrenches change with each input, (inputs, 6)."""
     tracer, inputs = _inputs(shape, "R d V_A V_B")
-    found, chosen = _wrenches(tracer, shape, inputs), [*inputs["numbers"]][shape.count :]
+    return _by(tracer, shape, inputs, shape.count, len(shape.inputs))
+
+
+@cache
+def state_slopes(shape: InteractionClass) -> Program:
+    """The same with each of its states, (states, 6)."""
+    tracer, inputs = _inputs(shape, "R d V_A V_B")
+    return _by(tracer, shape, inputs, shape.count + len(shape.inputs), len(shape.states))
+
+
+def _by(tracer: Tracer, shape: InteractionClass, inputs: dict[str, Array], first: int, count: int) -> Program:
+    """How the wrenches change with some of the numbers."""
+    found, chosen = _wrenches(tracer, shape, inputs), [*inputs["numbers"]][first : first + count]
     slopes = {name: mx.array(columns([*own], chosen)) for name, own in found.items()}
     return _program(tracer, shape, "R d V_A V_B", **slopes)
+
+
+@cache
+def state_rates(shape: InteractionClass) -> Program:
+    """``(R, d, V_A, V_B, numbers, start, h) -> (rate)``: of its states, the mean over h from ``start``."""
+    tracer, inputs = _with_start(shape)
+    return _program(tracer, shape, STATE, rate=mx.array(_mean_rates(tracer, shape, inputs)))
+
+
+@cache
+def rate_slopes(shape: InteractionClass) -> Program:
+    """``-> (by_pose, by_twist, by_state, by_start)``: their derivatives, (states, 12) of poses and twists as of
+    :func:`slopes`, (states, states) of the states and of those at the start."""
+    tracer, inputs = _with_start(shape)
+    found = _mean_rates(tracer, shape, inputs)
+    changes = pose_changes(inputs["R"].reshape(3, 3), inputs["d"])
+    own = [*inputs["numbers"]][shape.size - len(shape.states) :]
+    by = {"by_pose": mx.array([tangents(found, seed) for seed in changes]).T}
+    by |= {
+        name: mx.array(columns(found, [*of])).T
+        for name, of in (
+            ("by_twist", [*inputs["V_A"], *inputs["V_B"]]),
+            ("by_state", own),
+            ("by_start", inputs["start"]),
+        )
+    }
+    return _program(tracer, shape, STATE, **by)
+
+
+STATE = "R d V_A V_B start h"
+
+
+def _with_start(shape: InteractionClass) -> tuple[Tracer, dict[str, Array]]:
+    return _inputs(shape, STATE)
+
+
+def _mean_rates(tracer: Tracer, shape: InteractionClass, inputs: dict[str, Array]) -> list:
+    (h,), numbers = inputs["h"], list(inputs["numbers"])
+    found = zip(shape.rates(tracer, _relative(inputs), numbers), inputs["start"], strict=True)
+    return [(one.gain - one.decay * z) / (1.0 + h * one.decay) for one, z in found]
 
 
 @cache
@@ -93,7 +145,8 @@ SIZES = {"R": 9, "d": 3, "V_A": 6, "V_B": 6}
 
 
 def _sizes(shape: InteractionClass, names: str) -> dict[str, int]:
-    return {name: SIZES[name] for name in names.split()} | {"numbers": shape.count + len(shape.inputs)}
+    sizes = SIZES | {"start": len(shape.states), "h": 1}
+    return {name: sizes[name] for name in names.split()} | {"numbers": shape.size}
 
 
 def _inputs(shape: InteractionClass, names: str) -> tuple[Tracer, dict[str, Array]]:

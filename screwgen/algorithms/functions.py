@@ -177,7 +177,8 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
 
     def internal_rates(self, q: Sequence, v: Sequence) -> list:
         """The rates of the internal states."""
-        return [x for link in self.link_internal_rates(self.motion(q, v)) for x in link["zdot"]]
+        of_laws = [x for link in self.link_internal_rates(self.motion(q, v)) for x in link["zdot"]]
+        return of_laws + (self.force_rates(q, v, self.remembered(v), 0.0) if self.chain.n_force_states else [])
 
     def link_internal_rates(self, state: Sequence[Mapping[str, list]]) -> list[dict[str, list]]:
         """The same link by link in a motion."""
@@ -282,7 +283,7 @@ class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, 
         """Kinetic and potential energy; that of forces with inputs is of :meth:`under_inputs`."""
         gravity = [{"gravity": list(self.gravity)}] * self.chain.n
         links, _ = self._run(ENERGY, self._state(q, v), gravity)
-        return sum_of(links, "kinetic"), sum_of(links, "potential") + self.energy_of_forces(q)
+        return sum_of(links, "kinetic"), sum_of(links, "potential") + self.energy_of_forces(q, v)
 
 
 def stretched(key: LinkClass, x: Mapping[str, list], part: str) -> Sequence[Value]:

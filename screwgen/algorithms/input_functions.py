@@ -34,6 +34,7 @@ class InputFunctions:
     under_inputs: Callable[[Sequence], Self]
     input_powers: Callable[[Sequence, Sequence], list]
     wrenches_per_input: Callable[[Sequence, Sequence], Iterator[list]]
+    wrenches_per_state: Callable[[Sequence, Sequence], Iterator[list]]
     alone: Callable[[], Self]
     loads: Callable[..., tuple[list, list]]
     with_forces: Callable[..., Sequence]
@@ -111,17 +112,17 @@ class InputFunctions:
 
     def _exerted(self, row: Input, q: Sequence, v: Sequence) -> Rows:
         if row is FORCE_INPUTS:
-            return [[-x for x in found[0]] for found in self._needed(q, v)]
+            return [[-x for x in found[0]] for found in self._needed(q, self.wrenches_per_input(q, v))]
         if row is TENSIONS:
             joints = [0.0] * self.chain.eta_v
             return [[*joints, *(-x for x in pull)] for pull in self.pulls(q)]
         return [[-x for x in self._fallen(row, q, unit)[0]] for unit in self._units(row)]
 
-    def _needed(self, q: Sequence, v: Sequence) -> Iterator[tuple[list, list]]:
-        """The loads at rest that a unit of each input of a force needs by its wrenches on the tips, as `_fallen`."""
+    def _needed(self, q: Sequence, units: Iterator[list]) -> Iterator[tuple[list, list]]:
+        """The loads at rest that each of some wrenches on all tips (6 n,) needs, as `_fallen`."""
         still, rest = self._still(), [0.0] * self.chain.nv
         none = still.loads(q, rest, rest, [0.0] * (6 * self.chain.n))
-        for wrenches in self.wrenches_per_input(q, v):
+        for wrenches in units:
             pairs = zip(none, still.loads(q, rest, rest, wrenches), strict=True)
             force, wrench = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
             yield force, wrench
@@ -132,14 +133,21 @@ class InputFunctions:
         out: Rows = []
         for row in self.chain.other_inputs:
             if row is FORCE_INPUTS:
-                found = (wrench for _, wrench in self.under_inputs(tau)._needed(q, v))
-                out += [[0.0] * borne + wrench[borne:] for wrench in found]
+                out += self._felt(q, self.under_inputs(tau).wrenches_per_input(q, v))
                 continue
             for unit in self._units(row):
                 wrench: list[Value] = [0.0] * (6 * n)
                 wrench[borne:] = wrench[borne:] if row.free_fall is None else self._fallen(row, q, unit)[1][borne:]
                 out.append(wrench)
         return out
+
+    def wrenches_of_states(self, q: Sequence, v: Sequence, tau: Sequence) -> Rows:
+        """The joint wrenches (6 n,) that a unit of each internal state of a force adds."""
+        return self._felt(q, self.under_inputs(tau).wrenches_per_state(q, v))
+
+    def _felt(self, q: Sequence, units: Iterator[list]) -> Rows:
+        borne = 6 * self.chain.floating
+        return [[0.0] * borne + wrench[borne:] for _, wrench in self._needed(q, units)]
 
     def _units(self, row: Input) -> Rows:
         count = len(row.names(self.chain.robot))

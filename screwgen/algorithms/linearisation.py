@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from ..ir.program import Program, Value
 from ..topology.chain import Chain
 from .functions import Functions
@@ -17,7 +19,8 @@ def linearisation(chain: Chain, constants: str = "constants", own: bool = True) 
     ``M`` is the lower triangle row by row, ``f_q`` and ``f_v`` are (nv, nv), row by row.  Forward dynamics and
     its guards are included, so common operations are computed once.  Where loops close the tree: also ``J`` and the
     derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each. With other inputs than torques: also
-    ``exerted``, the generalised forces per unit of each, (inputs, nv).
+    ``exerted``, the generalised forces per unit of each, (inputs, nv). With internal states of forces between frames:
+    also ``f_z`` (states, nv).
     """
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
@@ -33,6 +36,8 @@ def linearisation(chain: Chain, constants: str = "constants", own: bool = True) 
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         exerted = f.exerted(x["q"], x["v"], x["tau"]) if chain.other_inputs else []
         rows |= {"exerted": [x for force in exerted for x in force]} if chain.other_inputs else {}
+        states = np.arange(chain.n_internal)[chain.force_states.start - chain.nv :]
+        rows |= {"f_z": list(found.f_z[:, states].T.flat)} if chain.n_force_states else {}
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows
 
     return fuse(chain, "linearisation", inputs(chain, "q v tau w_ext m_eta f_eta"), body, constants)

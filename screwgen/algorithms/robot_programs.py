@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from ..ir.derivative import columns, tangents
+from ..ir.program import Node, Program
+from ..topology.chain import Chain
 from . import fused
+from .dae_functions import DaeFunctions
 from .functions import HOLD, Functions
 
 
@@ -50,6 +54,45 @@ def exerted(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outp
 def by_inputs(f: Functions, q: Sequence, v: Sequence, tau: Sequence) -> fused.Outputs:
     """``(q, v, tau) -> (force)``: the generalised forces of all inputs but torques."""
     return {"force": f.by_inputs(q, v, tau)}
+
+
+def force_rates(chain: Chain, constants: str = "parameters") -> Program:
+    """``(q, v, tau, start, h) -> (rate)``: of the internal states of forces between frames, the means over h.
+
+    ``v`` holds the states at which gain and decay are taken, ``start`` those from which they change.
+    """
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
+        return {"rate": f.under_inputs(x["tau"]).force_rates(x["q"], x["v"], x["start"], x["h"][0])}
+
+    given = {**fused.inputs(chain, "q v tau"), "start": chain.n_force_states, "h": 1}
+    return fused.fuse(chain, "force_rates", given, body, constants)
+
+
+def force_rate_slopes(chain: Chain, constants: str = "constants") -> Program:
+    """``(q, v, tau, start, h) -> (by_q, by_v, by_start)``: how these rates change along coordinates, with rates and
+    states, and with the states at the start, (states, nv), (states, nvz) and (states, states) row by row."""
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> fused.Outputs:
+        rates = f.under_inputs(x["tau"]).force_rates(x["q"], x["v"], x["start"], x["h"][0])
+        units = [[float(i == k) for i in range(chain.nv)] for k in range(chain.nv)]
+        ways = [zip(x["q"], f.coordinate_rates(x["q"], unit), strict=True) for unit in units]
+        by_q = [tangents(rates, {a: b for a, b in way if isinstance(a, Node)}) for way in ways]
+        rows = {"by_q": by_q, "by_v": columns(rates, x["v"]), "by_start": columns(rates, x["start"])}
+        return {name: [row[k] for k in range(len(rates)) for row in found] for name, found in rows.items()}
+
+    given = {**fused.inputs(chain, "q v tau"), "start": chain.n_force_states, "h": 1}
+    return fused.fuse(chain, "force_rate_slopes", given, body, constants)
+
+
+def dae_force_rates(chain: Chain) -> Program:
+    """The same of a state of the DAE form: ``(x, tau, start, h) -> (rate)``."""
+
+    def body(f: DaeFunctions, x: Mapping[str, Sequence]) -> fused.Outputs:
+        return {"rate": f.under_inputs(x["tau"]).force_rates(*f.coordinates(x["x"]), x["start"], x["h"][0])}
+
+    given = {**fused.inputs(chain, "x tau"), "start": chain.n_force_states, "h": 1}
+    return fused.fuse(chain, "dae_force_rates", given, body, kind=DaeFunctions)
 
 
 @fused.program("tau", constants="constants", algorithms=())

@@ -120,7 +120,7 @@ def wrench_program(chain: Chain, constants: str = "constants") -> Program:
     """``(q, v, vdot, tau, w_ext) -> (wrench, wrench_q, wrench_v, wrench_vdot)``, matrices row by row.
 
     Where inputs change free fall, or forces between frames, also ``wrench_input`` (inputs, 6 n): what a unit of each
-    but torques adds at held accelerations.
+    but torques adds at held accelerations; with internal states of forces ``wrench_state`` (states, 6 n) alike.
     """
     chain.refuse_loops("derivatives of joint wrenches", "differentiate the CasADi functions")
 
@@ -128,6 +128,9 @@ def wrench_program(chain: Chain, constants: str = "constants") -> Program:
         found = wrench_slopes(f, x["q"], x["v"], x["vdot"], x["w_ext"], x["tau"])
         own = f.wrenches_of_inputs(x["q"], x["v"], x["tau"]) if chain.inputs_load_links else []
         more = {"wrench_input": [w for wrench in own for w in wrench]} if chain.inputs_load_links else {}
+        if chain.n_force_states:
+            by_state = f.wrenches_of_states(x["q"], x["v"], x["tau"])
+            more |= {"wrench_state": [w for wrench in by_state for w in wrench]}
         return {"wrench": list(found["wrench"])} | {f"wrench_{kind}": list(found[kind].flat) for kind in KINDS} | more
 
     found = fuse(chain, "wrench_slopes", inputs(chain, "q v vdot tau w_ext"), body, constants)

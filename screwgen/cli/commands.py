@@ -95,7 +95,11 @@ def _casadi_dae(model: Model, s: State) -> Evaluation:
     force = own.force_of(s.q, s.v, 0.0)
     _, vdot, wrench = functions["dae_dynamics"](x, s.tau, s.w_ext.T, own.M, force, p)
     rates = np.array(vdot)[:, 0]
-    return np.append(rates, own.internal_rates(rates)), np.array(wrench).T
+    vdot = np.append(rates, own.internal_rates(rates))
+    if states := model.chain.n_force_states:
+        found = functions["dae_force_rates"](x, s.tau, np.array(x)[-states:], 0.0, p)
+        vdot[-states:] = np.array(found)[:, 0]
+    return vdot, np.array(wrench).T
 
 
 EVALUATIONS: dict[tuple[str, str], Callable[[Model, State], Evaluation]] = {

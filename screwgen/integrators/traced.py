@@ -53,7 +53,9 @@ class TracedAccelerations:
         vdot = under.forward_dynamics(list(q_there), list(v_there), *self.held)[0]
         rate_of = lambda law, i, given: self.f.apply(0, -1, state_rate(law), given | {"a": [vdot[i]]})  # noqa: E731
         order = sorted(remembering, key=lambda one: one[0])
-        return _array([*vdot, *(rate_of(*one)["rate"][0] for _, *one in order)])
+        start = list(v[chain.force_states])
+        of_forces = self.f.under_inputs(self.held[0]).force_rates(list(q_there), list(v_there), start, h)
+        return _array([*vdot, *(rate_of(*one)["rate"][0] for _, *one in order), *of_forces])
 
 
 def step(chain: Chain, method: Method) -> Differentiable:

@@ -7,12 +7,14 @@ from .interaction import FORCE as FORCE
 from .interaction import POTENTIAL as POTENTIAL
 from .interaction import TORQUE as TORQUE
 from .interaction import ForceInput as ForceInput
+from .interaction import ForceState as ForceState
 from .interaction import Interaction as Interaction
 from .interaction import InteractionClass as InteractionClass
 from .interaction import LawEquation as LawEquation
 from .interaction import Number as Number
 from .interaction import Relative as Relative
 from .interaction import ReportedQuantity as ReportedQuantity
+from .interaction import StateRate as StateRate
 from .interaction import WrenchOnSecond as WrenchOnSecond
 from .interaction import choice as choice
 from .interaction import number as number

@@ -62,6 +62,34 @@ class ForceInput(NamedTuple):
     adds_to: str = ""
 
 
+class ForceState(NamedTuple):
+    """A state of first order that an interaction remembers: unit, meaning, letter in its formula.
+
+    ``size``: how large it usually is; it scales optimal control and the states at which generated code checks itself.
+    """
+
+    unit: str
+    meaning: str
+    symbol: str
+    size: float
+
+    @property
+    def rate_symbol(self) -> str:
+        """The letter of its rate."""
+        letter, _, index = self.symbol.partition("_")
+        return rf"\dot{{{letter}}}" + f"_{index}" * bool(index)
+
+
+class StateRate(NamedTuple):
+    """How a state z changes: ``zdot = gain - decay z``, with a decay that is not negative.
+
+    Implicit steps of length h take ``(z + h gain)/(1 + h decay)``, which is stable for any of them.
+    """
+
+    gain: Value
+    decay: Value
+
+
 def number(unit: str, meaning: str, symbol: str, default: Any = MISSING, **more: Any) -> Any:
     """A field with a number; the rest as of :class:`Number`."""
     return field(default=default, metadata={"number": Number(unit, meaning, symbol, **more)})
@@ -116,13 +144,15 @@ class Interaction:
 
     ``KIND``: its key in a robot file; ``WORDS``: what it is called in comments and documents;
     ``QUANTITIES``: what runs report of it, by names that none of its numbers has; ``INPUTS``: what a controller may
-    choose of it, entries of ``tau`` as ``rope.paid_out``.
+    choose of it, entries of ``tau`` as ``rope.paid_out``; ``STATES``: what it remembers, entries of ``v`` behind all
+    rates, as ``rope.relaxation_state[0]``.
     """
 
     KIND: ClassVar[str]
     WORDS: ClassVar[str]
     QUANTITIES: ClassVar[Mapping[str, ReportedQuantity]] = {}
     INPUTS: ClassVar[Mapping[str, ForceInput]] = {}
+    STATES: ClassVar[Mapping[str, ForceState]] = {}
 
     @staticmethod
     def has_inputs(has: Collection[str]) -> bool:
@@ -130,10 +160,15 @@ class Interaction:
         return True
 
     @staticmethod
+    def has_states(has: Collection[str]) -> bool:
+        """Whether it has its ``STATES``."""
+        return True
+
+    @staticmethod
     def wrench(t: Any, x: Relative, **keys: Any) -> WrenchOnSecond:
         """The wrench in a state.
 
-        ``keys``: the numbers and choices, and the inputs that are added to no number; what is not stated is zero.
+        ``keys``: the numbers and choices, the inputs that are added to no number, the states; what is not stated is 0.
         Of the tracer ``t`` it uses ``t.call(name, x)`` for functions, and ``t.named(name, x)``, which names a value in
         generated code. Functions are ``sqrt``, ``sin``, ``cos`` and ``on``, which is 1 where x > 0, else 0; all of them
         stand in :data:`..ir.program.FUNCTIONS`. A root of what may vanish needs a small number below it.
@@ -146,13 +181,19 @@ class Interaction:
         return 0.0
 
     @staticmethod
+    def rates(t: Any, x: Relative, **keys: Any) -> Mapping[str, StateRate]:
+        """How each of ``STATES`` changes; must be stated of a kind that has any."""
+        raise NotImplementedError
+
+    @staticmethod
     def power(t: Any, x: Relative, **keys: Any) -> Mapping[str, Value]:
         """The power that each of ``INPUTS`` gives to the robot, W; must be stated of a kind that has any."""
         raise NotImplementedError
 
     @staticmethod
     def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
-        r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``.
+        r"""The same law for documents, in the order of evaluation, ending with ``TORQUE``, ``FORCE``, ``POTENTIAL``,
+        then the rates of states under their ``rate_symbol``.
 
         What has no equation is zero. ``has``: the numbers that are stated, and the choices that are true.
 
@@ -213,7 +254,7 @@ class InteractionClass:
     chosen: tuple[tuple[str, bool], ...]
 
     def wrench(self, t: Any, x: Relative, numbers: Sequence[Value]) -> WrenchOnSecond:
-        """The wrench of the numbers that are stated, entry by entry, and of the inputs behind them."""
+        """The wrench of the numbers that are stated, entry by entry, and of the inputs and states behind them."""
         return self.kind.wrench(t, x, **self._keys(numbers))
 
     def energy(self, t: Any, x: Relative, numbers: Sequence[Value]) -> Value:
@@ -236,6 +277,16 @@ class InteractionClass:
         return self.kind.INPUTS if self.kind.has_inputs(self.has) else {}
 
     @property
+    def states(self) -> Mapping[str, ForceState]:
+        """What it remembers, by name."""
+        return self.kind.STATES if self.kind.has_states(self.has) else {}
+
+    @property
+    def size(self) -> int:
+        """How many values its programs take: numbers that are stated, then inputs, then states."""
+        return self.count + len(self.inputs) + len(self.states)
+
+    @property
     def drawn(self) -> str:
         """How pictures draw it."""
         return self.kind.drawn(self.has)
@@ -250,6 +301,11 @@ class InteractionClass:
         found = self.kind.power(t, x, **self._keys(numbers))
         return [found[name] for name in self.inputs]
 
+    def rates(self, t: Any, x: Relative, numbers: Sequence[Value]) -> list[StateRate]:
+        """How its states change, in their order."""
+        found = self.kind.rates(t, x, **self._keys(numbers)) if self.states else {}
+        return [found[name] for name in self.states]
+
     def _keys(self, numbers: Sequence[Value]) -> dict[str, Any]:
         given: dict[str, Any] = {}
         rest = iter(numbers)
@@ -259,9 +315,10 @@ class InteractionClass:
         for name, entry in self.kind.INPUTS.items():
             value = next(rest) if name in self.inputs else 0.0
             given |= {entry.adds_to: given[entry.adds_to] + value} if entry.adds_to else {name: value}
+        given |= {name: next(rest) if name in self.states else 0.0 for name in self.kind.STATES}
         return given | dict(self.chosen)
 
     @property
     def count(self) -> int:
-        """How many numbers are stated, entry by entry; inputs follow them."""
+        """How many numbers are stated, entry by entry."""
         return sum(len(self.kind.table()[name].entries) or 1 for name in self.stated)

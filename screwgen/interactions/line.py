@@ -4,6 +4,9 @@ With the length ``l`` between the points it pulls both together with ``T = k (l 
 stiffness pulls where it is longer than its rest length, and never pushes. With `winch` a controller chooses how much
 line is paid out: ``T = k (l - rest - paid_out) + c (dl/dt - speed)``. The speed is an input of its own, for between two
 samples nobody knows the rate of a length, and both the damping and the power of the winch need it.
+
+With a `relaxation` a second spring lies beside the first, in series with a damper: what plastics and ropes do that are
+held stretched. Its stretch is a state, ``dz/dt = dl/dt - z/relaxation_time``, its pull ``relaxation z``.
 """
 
 from __future__ import annotations
@@ -16,10 +19,12 @@ from .interaction import (
     FORCE,
     POTENTIAL,
     ForceInput,
+    ForceState,
     Interaction,
     LawEquation,
     Relative,
     ReportedQuantity,
+    StateRate,
     Value,
     WrenchOnSecond,
     choice,
@@ -45,6 +50,7 @@ class SpringLine(Interaction):
         "paid_out": ForceInput("m", "line that the winch has paid out, beyond the rest length", "s_w", adds_to="rest"),
         "speed": ForceInput("m/s", "rate at which the winch pays out", r"\dot{s}_w"),
     }
+    STATES: ClassVar = {"relaxed": ForceState("m", "stretch of the spring that relaxes", "z_r", 1e-2)}
 
     stiffness: float = number("N/m", "stiffness of the line", r"k_\ell", sign="positive", least=1e-9, most=1e18)
     rest: float | None = number(
@@ -53,8 +59,22 @@ class SpringLine(Interaction):
     damping: float | None = number(
         "N·s/m", "damping along the line", r"c_\ell", default=None, sign="non-negative", least=1e-12, most=1e18
     )
+    relaxation: float | None = number(
+        *("N/m", "stiffness of the spring that relaxes, beside the other", "k_r"),
+        default=None,
+        sign="positive",
+        least=1e-9,
+        most=1e18,
+    )
+    relaxation_time: float | None = number(
+        *("s", "time constant of its relaxation", r"T_r"), default=None, sign="positive", least=1e-9, most=1e9
+    )
     slack: bool = choice("whether it hangs slack where it is shorter than its rest length, as a rope")
     winch: bool = choice("whether a winch changes its rest length, by two inputs: the line paid out and its rate")
+
+    @staticmethod
+    def has_states(has: Collection[str]) -> bool:
+        return "relaxation" in has
 
     @staticmethod
     def has_inputs(has: Collection[str]) -> bool:
@@ -64,6 +84,11 @@ class SpringLine(Interaction):
     def fault(self) -> tuple[str, str] | None:
         if self.winch and self.rest is None:
             return "winch", "is stated without rest, the length without any line paid out; state that, or leave it out"
+        if (self.relaxation is None) != (self.relaxation_time is None):
+            other = "relaxation_time" if self.relaxation_time is None else "relaxation"
+            return other, "is missing beside the other of relaxation, N/m, and relaxation_time, s; state both or none"
+        if self.winch and self.relaxation is not None:
+            return "winch", "is stated beside relaxation; a line that relaxes has no winch yet; leave one of them out"
         return None
 
     @staticmethod
@@ -80,13 +105,23 @@ class SpringLine(Interaction):
     def energy(t: Any, x: Relative, **keys: Any) -> Value:
         stretch = _length(t, x) - keys["rest"]
         stored = 0.5 * keys["stiffness"] * (stretch * stretch)
-        return t.call("on", stretch) * stored if keys["slack"] else stored
+        relaxing = 0.5 * keys["relaxation"] * (keys["relaxed"] * keys["relaxed"])
+        return (t.call("on", stretch) * stored if keys["slack"] else stored) + relaxing
+
+    @staticmethod
+    def rates(t: Any, x: Relative, **keys: Any) -> Mapping[str, StateRate]:
+        length = _length(t, x)
+        rate = dot(x.d, x.v) / length
+        stretching = t.call("on", length - keys["rest"]) * rate if keys["slack"] else rate
+        return {"relaxed": StateRate(stretching, 1.0 / keys["relaxation_time"])}
 
     @staticmethod
     def equations(has: Collection[str]) -> tuple[LawEquation, ...]:
         rest, speed = (r"\ell_0 - s_w", r"(\dot{\ell} - \dot{s}_w)") if "winch" in has else (r"\ell_0", r"\dot{\ell}")
         stretch = rf"(\ell - {rest})" if "rest" in has else r"\ell"
         pull = rf"k_\ell\,{stretch}" + rf" + c_\ell\,{speed}" * ("damping" in has)
+        pull += r" + k_r\,z_r" * ("relaxation" in has)
+        relaxing = r" + \tfrac{1}{2}\,k_r\,z_r^2" * ("relaxation" in has)
         taut = rf"\mathrm{{H}}(\ell - {rest})\," * ("rest" in has)
         pull, taut = (rf"{taut}\max\left( 0,\ {pull} \right)", taut) if "slack" in has else (pull, "")
         rate = LawEquation(r"\dot{\ell}", r"\frac{\mathbf{d}_{AB}^{\top}\,\mathbf{v}_{AB}}{\ell}", "m/s", "its rate")
@@ -95,10 +130,12 @@ class SpringLine(Interaction):
             LawEquation(
                 r"\ell", r"\sqrt{\mathbf{d}_{AB}^{\top}\,\mathbf{d}_{AB} + \varepsilon}", "m", "length of the line"
             ),
-            *[rate] * ("damping" in has),
+            *[rate] * ("damping" in has or "relaxation" in has),
             LawEquation("T", pull, "N", "pull of the line"),
             LawEquation(FORCE, r"-\frac{T}{\ell}\,\mathbf{d}_{AB}"),
-            LawEquation(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2"),
+            LawEquation(POTENTIAL, rf"\tfrac{{1}}{{2}}\,k_\ell\,{taut}{stretch}^2" + relaxing),
+            *[LawEquation(r"\dot{z}_r", rf"{taut}\dot{{\ell}} - \frac{{1}}{{T_r}}\,z_r", "m/s", "rate of $z_r$")]
+            * ("relaxation" in has),
         )
 
     @staticmethod
@@ -117,7 +154,7 @@ def _pulled(t: Any, x: Relative, keys: Mapping[str, Any]) -> tuple[Value, Value]
     length = _length(t, x)
     rate = dot(x.d, x.v) / length - keys["speed"]
     stretch = length - keys["rest"]
-    pull = keys["stiffness"] * stretch + keys["damping"] * rate
+    pull = keys["stiffness"] * stretch + keys["damping"] * rate + keys["relaxation"] * keys["relaxed"]
     return length, t.call("on", stretch) * t.call("on", pull) * pull if keys["slack"] else pull
 
 

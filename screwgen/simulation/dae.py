@@ -23,7 +23,8 @@ def dynamics(model: RobotModel, p: Numbers) -> DaeDynamics:
         return lambda *values: evaluate(*values, given)
 
     properties = at_p("modal_properties")()
-    return DaeDynamics(model.chain, properties, at_p("dae_dynamics"), at_p("project"), at_p("joint_rates"))
+    memory = at_p("dae_force_rates") if model.chain.n_force_states else None
+    return DaeDynamics(model.chain, properties, at_p("dae_dynamics"), at_p("project"), at_p("joint_rates"), memory)
 
 
 class DaeStepper:

@@ -87,22 +87,30 @@ class Dynamics:
         self.p, self.n_links = np.array(p, float), model.n_links
         self.evaluate = CasadiEvaluator(functions["modal_dynamics"])
         self.own = CoordinateForces.of_columns(model.chain, CasadiEvaluator(functions["modal_properties"])(self.p))
+        self.states = model.chain.force_states
+        self.memory = CasadiEvaluator(functions["force_rates"]) if model.chain.n_force_states else None
 
     def explicit(self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray) -> list[np.ndarray]:
         """`vdot` (nvz,) and the joint wrenches (6 n,)."""
         own = self.own.over(q, v)
         vdot, *more = self.evaluate(q, v, tau, w_ext, own.M, own.force_of(q, v, 0.0), self.p)
-        return [self._with_internal(own, vdot), *more]
+        return [self._with_internal(own, vdot, v, tau, 0.0, (q, v)), *more]
 
     def modes(self, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Inertia (n_inertia,) and force (n_given,) of the coordinates with stiffness and damping."""
         own = self.own.over(q, v)
         return own.M, own.force_of(q, v, 0.0)
 
-    @staticmethod
-    def _with_internal(own: CoordinateForces, vdot: np.ndarray) -> np.ndarray:
-        """The accelerations, and the rates of internal states that follow from them."""
-        return np.append(vdot, own.internal_rates(vdot)) if own.chain.n_internal else vdot
+    def _with_internal(
+        self, own: CoordinateForces, vdot: np.ndarray, v: np.ndarray, tau: np.ndarray, h: float, there: Motion
+    ) -> np.ndarray:
+        """The accelerations, and the rates of internal states: those of laws follow from them."""
+        if not own.chain.n_internal:
+            return vdot
+        out = np.append(vdot, own.internal_rates(vdot))
+        if self.memory is not None:
+            out[self.states] = self.memory(*there, tau, v[self.states], np.array(h), self.p)[0]
+        return out
 
     def implicit(
         self, q: np.ndarray, v: np.ndarray, tau: np.ndarray, w_ext: np.ndarray, h: float, there: Motion
@@ -110,7 +118,7 @@ class Dynamics:
         """`vdot` (nvz,) with the forces of modes and joints implicit, `h` after `q, v`; the rest is that at `there`."""
         own = self.own.over(q, v, h, there[1])
         vdot = self.evaluate(*there, tau, w_ext, own.inertia(h), own.force_of(q, v, h), self.p)[0]
-        return self._with_internal(own, vdot)
+        return self._with_internal(own, vdot, v, tau, h, there)
 
 
 def holding(model: RobotModel, p: Numbers) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:

@@ -226,7 +226,7 @@ def rate_units(robot: Robot) -> list[str]:
 
 
 def per_internal(robot: Robot) -> dict[str, str]:
-    """The names of the internal states, link by link, with their units."""
+    """The names of the internal states, link by link, then of forces between frames, with their units."""
     out = {}
     for link in robot.links:
         for law, part, place, *_ in link_class(link, True).internal:
@@ -235,6 +235,8 @@ def per_internal(robot: Robot) -> dict[str, str]:
             slides = axes is None and not link.joint.screws[axis].turn
             assert law.state is not None
             out[f"{link.name}.{law.state_name}[{axis}]"] = law.state.sliding if slides else law.state.unit
+    for force in robot.forces:
+        out |= {f"{force.name}.{name}_state[0]": one.unit for name, one in force.law.shape.states.items()}
     return out
 
 

@@ -26,7 +26,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
 from .forces import placed_forces
-from .inputs import InputTable
+from .inputs import ChosenInputs
 from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels
@@ -37,7 +37,7 @@ SPARED = 0.9
 """The part of the reach of a four-bar linkage that is well away from its dead centres."""
 
 
-class Chain(Coordinates, InputTable):
+class Chain(Coordinates, ChosenInputs):
     """A robot as the algorithms see it: one class per link, the coordinates, the tree and what closes it."""
 
     def __init__(self, robot: Robot):
@@ -88,6 +88,11 @@ class Chain(Coordinates, InputTable):
         if marker.at == END:
             return seen.tree.tip(i)
         return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
+
+    @property
+    def n_force_states(self) -> int:
+        """The number of internal states of forces between frames, the last entries of `v`."""
+        return self.forces[-1].states.stop if self.forces else 0
 
     @property
     def n_force_numbers(self) -> int:

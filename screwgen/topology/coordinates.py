@@ -312,5 +312,5 @@ class Coordinates(LawCoordinates):
             *([ADDED[joint]] if self.n_added else []),
             modal,
             *([INTERNAL[joint]] if joint in INTERNAL else []),
-        ]
+        ]  # internal states of forces between frames are no link's, and left out
         return [x for part in parts for link in links for x in link.get(part, ())]

@@ -29,6 +29,8 @@ class PlacedForce:
     count: int
     first_input: int
     """Where its inputs begin among those of all forces."""
+    first_state: int
+    """Where its states begin among those of all forces."""
 
     @property
     def tips(self) -> list[int]:
@@ -46,6 +48,11 @@ class PlacedForce:
         return slice(self.first_input, self.first_input + len(self.shape.inputs))
 
     @property
+    def states(self) -> slice:
+        """Those of its law among the states of all forces."""
+        return slice(self.first_state, self.first_state + len(self.shape.states))
+
+    @property
     def point(self) -> slice:
         """Those of its point of the world."""
         return slice(self.first + self.shape.count, self.first + self.count)
@@ -58,7 +65,8 @@ def placed_forces(robot: Robot, segments: Sequence[Segment]) -> tuple[PlacedForc
         at = lambda x: None if isinstance(x, WorldPoint) else segment_at(robot, segments, *marked(robot.links, x))  # noqa: E731
         first, count = (out[-1].first + out[-1].count if out else 0), len(list(force.values))
         ends = (at(force.between[0]), at(force.between[1]))
-        out.append(PlacedForce(force.name, force.law.shape, ends, first, count, out[-1].inputs.stop if out else 0))
+        further = (out[-1].inputs.stop, out[-1].states.stop) if out else (0, 0)
+        out.append(PlacedForce(force.name, force.law.shape, ends, first, count, *further))
     return tuple(out)
 
 

@@ -70,8 +70,18 @@ class LawCoordinates(JointCoordinates):
 
     @property
     def n_internal(self) -> int:
-        """The number of internal states."""
-        return self.z_offset[-1]
+        """The number of internal states: those of laws, then those of forces between frames."""
+        return self.z_offset[-1] + self.n_force_states
+
+    @property
+    def n_force_states(self) -> int:
+        """The number of internal states of forces between frames."""
+        return 0
+
+    @property
+    def force_states(self) -> slice:
+        """Where in `v` these stand: behind those of laws."""
+        return slice(self.nv + self.z_offset[-1], self.nvz)
 
     @property
     def nvz(self) -> int:

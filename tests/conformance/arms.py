@@ -63,12 +63,18 @@ LOOPS: dict[str, list] = {
 STRUT = {"stiffness": 60.0, "rest": 0.2, "damping": 3.0}
 ROPE = {"stiffness": 9.0, "rest": 0.4, "damping": 1.5, "slack": True}
 WINCH = {"stiffness": 40.0, "rest": 0.3, "damping": 2.0, "winch": True}
+RELAXING = {"stiffness": 25.0, "rest": 0.3, "damping": 1.0, "relaxation": 35.0, "relaxation_time": 0.2}
 BUSHING = {"stiffness": [40.0, 55.0, 30.0, 6.0, 9.0, 4.0], "damping": [2.0, 1.5, 3.0, 0.2, 0.3, 0.15]}
 FORCES: dict[str, dict] = {
     "line spring": {"forces": [{"name": "strut", "between": ["boom.eye", "fore.tip"], "line": STRUT}]},
     "rope": {"forces": [{"name": "rope", "between": [{"world": [0.3, -0.4, 2.6]}, "fore.tip"], "line": ROPE}]},
     "bushing": {"forces": [{"name": "mount", "between": ["boom.eye", "fore.tip"], "bushing": BUSHING}]},
-    "winch": {"forces": [{"name": "hoist", "between": ["boom.eye", "fore.tip"], "line": WINCH}]},
+    "winch": {
+        "forces": [
+            {"name": "hoist", "between": ["boom.eye", "fore.tip"], "line": WINCH},
+            {"name": "strap", "between": ["fore.tip", "boom.eye"], "line": RELAXING},
+        ]
+    },
     "push": {"pushes": [{"name": "shove", "at": "boom.eye"}]},
     "marker push": {"pushes": [{"name": "tool", "at": "fore.tip", "axes": "marker"}]},
 }

@@ -11,8 +11,9 @@ import numpy as np
 from helpers import model_of, quick
 
 from conformance.arms import arm_of, varied
+from conformance.drawn import drawn
 from conformance.features import FACTORS, Row, features
-from conformance.judge import Judge, drawn
+from conformance.judge import Judge
 from screwgen import Model
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled

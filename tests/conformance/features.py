@@ -85,7 +85,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "line spring": "a spring and damper between a place along a link and a tip",
         "rope": "a rope from a point of the world to a tip",
         "bushing": "a bushing between a place along a link and a tip",
-        "winch": "a line whose rest length a winch changes, by inputs",
+        "winch": "a line whose rest length a winch changes, by inputs, beside one that relaxes, an internal state",
         "push": "a wrench from outside in world axes, at a place along a link",
         "marker push": "a wrench from outside in the axes of a tip, beside that of the link",
     },

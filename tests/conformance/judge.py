@@ -8,26 +8,21 @@ forces of both are mapped by the kinematics of these.
 
 from __future__ import annotations
 
-import copy
 from functools import cached_property
 from types import SimpleNamespace
 
 import casadi as ca
-import flexible_robots as fr
 import numpy as np
-import random_robots as rr
 import scipy.linalg
-from mixed_loops import Loops, bridge_of
+from mixed_loops import Loops
 from oracle import Oracle, part_error
-from oracle_floating import ANGLE, column_rates, columns
+from oracle_floating import column_rates, columns
 from scipy.spatial.transform import Rotation
 
-from conformance.arms import EFFORT, LOOPS
 from conformance.bristles import Bristles
-from conformance.features import Row
 from conformance.outer import Outer
 from conformance.tendons import tendon_length
-from conformance.twin import as_turns, first_piece
+from conformance.twin import first_piece
 
 CONDITION = 1e8
 DEFINITE = 1e-5
@@ -47,7 +42,7 @@ class Judge:
         self.rows = Loops(oracle, twin) if {"loops", "couplings"} & set(twin) else None
         if self.rows is not None:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
-        self.bristles = Bristles(robot, _axes(twin))
+        self.bristles = Bristles(robot, axes_of(twin))
         self.tensions, self.outer = np.zeros(len(self.tendon_lengths)), Outer(robot, twin, oracle)
         self.pushes = np.zeros((len(self.outer.rows), 6))
 
@@ -89,7 +84,7 @@ class Judge:
     def acting(self) -> ca.Function:
         """(q, tensions) -> (nv,): the generalised forces of springs on axes and of tendons, and their energy."""
         q, tension = self.oracle.q, ca.SX.sym("tension", len(self.tendon_lengths))
-        energy, places = ca.SX(0), _axes(self.twin)
+        energy, places = ca.SX(0), axes_of(self.twin)
         for link in self.twin["links"]:
             owner = link["name"].removesuffix("_0") + "."
             for k, element in enumerate(link["joint"].get("elements", [])):
@@ -107,7 +102,13 @@ class Judge:
         return self._acted(self.outer.winches)
 
     def _acted(self, winches: np.ndarray) -> tuple[np.ndarray, ...]:
-        return tuple(x.full() for x in self.outer.acting(self.state["q"], self.state["v"], self.pushes.T, winches))
+        given = self.state["q"], self.state["v"], self.pushes.T, winches, self.outer.relaxed
+        return tuple(x.full() for x in self.outer.acting(*given))
+
+    @property
+    def internal(self) -> np.ndarray:
+        """The internal states: bristles of friction, then lines that relax."""
+        return np.append(self.bristles.z, self.outer.relaxed)
 
     def _forces(self, q, tau) -> np.ndarray:
         """Those of drives, springs on axes, tendons, and of what acts on sections."""
@@ -192,7 +193,7 @@ class Judge:
                 Q.append(q[own])
                 tau_out.append(tau[own])
         q_out = np.concatenate([*Q, q[self.oracle.n_joint :]])
-        rates = np.append(self.map @ v, self.bristles.z)
+        rates = np.append(self.map @ v, self.internal)
         inputs = np.concatenate([*tau_out, self.tensions, self.outer.winches.ravel()])
         return q_out, rates, inputs, self.outer.laid(w_ext, self.pushes)
 
@@ -206,7 +207,7 @@ class Judge:
                 out[own] += column_rates(self.map[own, own], v[own])
             if kind == "free":
                 out[own] = self.oracle.link_twist_rates(q, v, a)[i]
-        return np.append(out, self.bristles.rates(v))
+        return np.concatenate([out, self.bristles.rates(v), self.acted[4][:, 0]])
 
     @cached_property
     def forces(self) -> np.ndarray:
@@ -258,7 +259,7 @@ class Judge:
         cut = lambda x: dict(zip(PARTS, np.split(np.ravel(x), ends), strict=True))  # noqa: E731
         assert np.size(vdot) == np.size(self.vdot), "accelerations and rates of internal states"
         expected, found = cut(self.vdot), cut(vdot)
-        taken = cut(np.append(self.taken, 0 * self.bristles.z))
+        taken = cut(np.append(self.taken, 0 * self.internal))
         out = {k: part_error(expected[k], found[k], self.vdot, taken[k]) for k in PARTS if len(expected[k])}
         if wrench is not None:
             W, given = self.wrench, np.reshape(wrench, (-1, 6))
@@ -266,83 +267,7 @@ class Judge:
         return out
 
 
-# ---------------------------------------------------------------------------------------- the state of a row
-
-
-def drawn(row: Row, robot: dict, seed: int = 0) -> Judge:
-    """The robot of a row in a random state that is regular; a bridge that is as long as is needed closes a loop."""
-    for attempt in range(60):
-        rng = np.random.default_rng([seed, attempt])
-        found = _drawn(rng, row, copy.deepcopy(robot))
-        if found.regular:
-            return found
-    raise RuntimeError(f"no regular state of {dict(row)} in 60 draws")
-
-
-def _drawn(rng, row: Row, robot: dict) -> Judge:
-    twin = as_turns(robot)
-    draw = fr.random_state if any("cloud" in x for x in twin["links"]) else rr.random_state
-    state = {name: np.array(x, float) for name, x in draw(rng, twin).items()}
-    oracle = Oracle(twin)
-    if row["order"] == "second order":  # whose mass matrix is definite only where links bend little
-        for name in ("q", "v"):
-            state[name][oracle.n_joint + oracle.n_rotor :] *= 0.3
-    _mild(rng, row, robot, oracle, state)
-    if row["closing"] in LOOPS:
-        _close(rng, row, robot, oracle, state)
-        twin = as_turns(robot)
-        oracle = Oracle(twin)
-    judge = Judge(robot, twin, oracle, state)
-    judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
-    judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)
-    judge.outer.winches = rng.uniform(-0.3, 0.3, judge.outer.winches.shape)
-    judge.bristles.z = rng.uniform(-0.04, 0.04, len(judge.bristles.z))
-    return judge
-
-
-def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
-    """Postures that transmissions reach, couplings keep and Euler angles have."""
-    q, tau, names = state["q"], state["tau"], [x["name"] for x in oracle.robot["links"]]
-    floating = row["base"] != "fixed"
-    if floating:
-        q[3:6], tau[:6] = rng.uniform(-ANGLE, ANGLE, 3), 0.0
-    for i, link in enumerate(robot["links"]):
-        own = oracle.joint_slices[names.index(first_piece(link))]
-        if i == 0 and floating:
-            continue
-        if link["joint"]["axes"] == "ball":
-            q[own] = rng.uniform(-ANGLE, ANGLE, 3)
-        elif row["turn"] == "slide" and link["name"] == "boom":
-            q[own] = rng.uniform(-0.3, 0.3, 1)
-        elif link["name"] == "fore":
-            before = q[own].copy()
-            q[own] = rng.uniform(0.25, 0.5, 1) * rng.choice([-1, 1])
-            _geared(oracle, state, own, before)
-            if row["axis"] == "limited":
-                tau[own] = rng.choice([-1, 1]) * rng.uniform(1.5, 3.0, 1) * EFFORT
-    if row["closing"] == "coupling":
-        coupling, places = robot["couplings"][0], _axes(oracle.robot)
-        q[places[coupling["axis"]]] = coupling["ratio"] * q[places[coupling["of"]]] + coupling["offset"]
-
-
-def _geared(oracle: Oracle, state: dict, own: slice, before: np.ndarray) -> None:
-    """Let the rotor of an elastic gear follow its axis."""
-    for place, axis in enumerate(oracle.drives.rotors):
-        drive = [d for link in oracle.links for d in link.drives][axis]
-        if axis == own.start and "transmission" not in drive:
-            state["q"][oracle.n_joint + place] += drive.get("ratio", 1.0) * (state["q"][own] - before)[0]
-
-
-def _close(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
-    names = [x["name"] for x in oracle.robot["links"]]
-    bridge, loop = bridge_of(oracle, state, names.index("fore"), names.index("post"), LOOPS[row["closing"]])
-    bridge["section"]["rhoIp"] = 1e-3
-    robot["links"].append(bridge)
-    robot["loops"] = [loop]
-    state["w_ext"] = np.vstack([state["w_ext"], rng.normal(size=6)])
-
-
-def _axes(robot: dict) -> dict[str, int]:
+def axes_of(robot: dict) -> dict[str, int]:
     """The place in q of every axis of the oracle's robot, by the product's names of scalar axes."""
     places, k = {}, 0
     for link in robot["links"]:

@@ -48,10 +48,11 @@ Frame = tuple[ca.SX, ca.SX]
 
 class Outer:
     """``rows``: those of the product that are not of links; ``links``: where the others stand among all; ``winches``:
-    the line that each has paid out, and the rate of that."""
+    the line that each has paid out, and the rate of that; ``relaxed``: the stretch of springs that relax."""
 
     def __init__(self, robot: dict, twin: dict, oracle: Oracle):
         self.robot, self.oracle = robot, oracle
+        self.relaxed = np.zeros(sum("relaxation" in x.get("line", {}) for x in robot.get("forces", [])))
         self.winches = np.zeros((sum("winch" in x.get("line", {}) for x in robot.get("forces", [])), 2))
         self.names = [link["name"] for link in twin["links"]]
         self.rows: list[Row] = []
@@ -84,18 +85,23 @@ class Outer:
 
     @cached_property
     def acting(self) -> ca.Function:
-        """(q, v, pushes (6, rows), winches) -> the generalised forces (nv,), the energy of springs, what is equivalent
-        on the tips (6, n), in their axes, and what the welds of the rows transmit (6, rows).
+        """(q, v, pushes (6, rows), winches, relaxed) -> the generalised forces (nv,), the energy of springs, what is
+        equivalent on the tips (6, n), in their axes, what the welds of the rows transmit (6, rows), and the rates of
+        what is relaxed.
         """
         q, v, W = self.oracle.q, self.oracle.v, ca.SX.sym("pushes", 6, len(self.rows))
         force, energy, wound = ca.SX.zeros(self.oracle.nv), ca.SX(0), ca.SX.sym("wound", *self.winches.shape)
         winches = iter(ca.vertsplit(wound) if wound.numel() else ())
+        z, changing = ca.SX.sym("z", len(self.relaxed)), ca.SX(0, 1)
         on_tips, on_rows = ca.SX.zeros(6, self.oracle.n), ca.SX.zeros(6, len(self.rows))
         for stated in self.robot.get("forces", []):
             ends = [self._end(x) for x in stated["between"]]
             drum = ca.horzsplit(next(winches)) if "winch" in stated.get("line", {}) else (0.0, 0.0)
             line = "line" in stated
             own = self._line(stated["line"], *ends, *drum) if line else self._bushing(stated["bushing"], *ends)
+            if "relaxation" in stated.get("line", {}):
+                own, rate = self._relaxing(stated["line"], own, *ends, z[changing.numel()])
+                changing = ca.vertcat(changing, rate)
             force, energy, point = force + own.force, energy + own.energy, ends[1][1]
             for end, sign in zip(stated["between"], (-1, 1), strict=True):
                 if isinstance(end, str):
@@ -109,8 +115,8 @@ class Outer:
             force += ca.gradient(ca.dot(torque, spin) + ca.dot(load, speed), v)
             on_tips += self._on_tip(row.place, torque, load, r)
             on_rows[:, k] += ca.vertcat(R.T @ torque, R.T @ load)
-        found = [force, energy, on_tips, -on_rows]
-        return ca.Function("outer", [q, v, W, wound], [ca.densify(x) for x in found])
+        found = [force, energy, on_tips, -on_rows, changing]
+        return ca.Function("outer", [q, v, W, wound, z], [ca.densify(x) for x in found])
 
     def _section(self, place: Place) -> Frame:
         return self.oracle.section(place.link, self.oracle.clouds[place.link], place.s)
@@ -136,6 +142,14 @@ class Outer:
         energy = law["stiffness"] * stretch**2 / 2 * ((stretch > 0) if slack else 1)
         force = -taut * (ca.gradient(energy, q) + damped * ca.gradient(length, q))
         return Acting(force, energy, ca.SX.zeros(3), -taut * pull * line / length)
+
+    def _relaxing(self, law: dict, own: Acting, first: Frame, second: Frame, z: ca.SX) -> tuple[Acting, ca.SX]:
+        """A line with another spring beside it, of the stretch z, in series with a damper; the rate of z."""
+        q, line = self.oracle.q, second[1] - first[1]
+        length, pull = ca.norm_2(line), law["relaxation"] * z
+        rate = rates([length], q, self.oracle.v)[0] - z / law["relaxation_time"]
+        force, load = own.force - pull * ca.gradient(length, q), own.load - pull * line / length
+        return Acting(force, own.energy + pull * z / 2, own.torque, load), rate
 
     def _bushing(self, law: dict, first: Frame, second: Frame) -> Acting:
         """Springs and dampers along and about the axes of the first frame; the torque by the slope of the energy."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from ...algorithms import fused
+from ...algorithms.robot_programs import force_rates
 from ...ir.program import Node, Program
 from ...ir.split import KEPT
 from ...topology.chain import Chain
-from .code import ATOM, Place, Writer
+from .code import ATOM, Place, Writer, entries
 from .curved import lanes, turns
 from .pieces import bodies, piece_place
 
@@ -51,16 +52,33 @@ def content(chain: Chain, baked: bool, constants: int, states: int, place: Place
     fused function.
     """
     program = dynamics(chain, baked)
-    angles = sorted({angle for node in program.nodes if (angle := _angle(node)) is not None})
+    angles = angles_of(program)
     turned = ("sin_q", "cos_q") if angles else ()
     pointers = ("c", "state", "input", "work", "output", *turned, KEPT)
     placed = piece_place(chain, KEPT, {"m_eta": lambda k: f"work->m_eta[{k}]"}, place)
     found = bodies(lambda piece: LaneWriter(piece, placed, None, {*pointers, "bad"}, True), program, pointers, LONGEST)
     return (
         found
-        | {"angles": angles, "stack": _stack(chain, constants, states, found["kept"], angles)}
+        | {
+            "memory": _memory(chain, baked, place),
+            "angles": angles,
+            "stack": _stack(chain, constants, states, found["kept"], angles),
+        }
         | {"moves_of": lanes(chain, FunctionOfLanes)}
     )
+
+
+def _memory(chain: Chain, baked: bool, place: Place) -> dict | None:
+    """What finds the rates of internal states of forces, with the coordinates whose sines it needs."""
+    if not chain.n_force_states:
+        return None
+    program = force_rates(chain, "baked" if baked else "constants")
+    angles = angles_of(program)
+    pointers = ("c", "state", "input", "start", "dt", *("sin_q", "cos_q") * bool(angles), KEPT, "rate")
+    own = {"start": entries("start"), "rate": entries("rate"), "h": lambda k: "dt"}
+    placed = piece_place(chain, KEPT, own, place)
+    writer = lambda piece: LaneWriter(piece, placed, None, {*pointers, "bad"}, True)  # noqa: E731
+    return bodies(writer, program, pointers, LONGEST) | {"angles": angles}
 
 
 def _stack(chain: Chain, constants: int, states: int, kept: int, angles: list[int]) -> int:
@@ -69,6 +87,11 @@ def _stack(chain: Chain, constants: int, states: int, kept: int, angles: list[in
     state, joints = max(chain.nq, 1) + max(chain.nvz, 1) + turns(chain), max(chain.q_offset[-1], 1)
     group = 3 + chain.n * constants + 4 * inertia + given + states * state + state // 2 + joints + 6 * chain.n + 3
     return LANE_BYTES * (group + kept + 2 * joints * bool(angles))
+
+
+def angles_of(program: Program) -> list[int]:
+    """The coordinates of which a program needs sine or cosine."""
+    return sorted({angle for node in program.nodes if (angle := _angle(node)) is not None})
 
 
 def _angle(node: Node) -> int | None:

@@ -40,6 +40,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "f_q": entries("out->vdot_q", nv),
         "f_v": entries("out->vdot_v", nv),
         "exerted": entries("work->exerted", nv),
+        "f_z": entries("work->by_state", nv),
     }
     of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
     own |= {name: entries(f"work->{to}", nv) for name, to in of_rows.items()}
@@ -76,6 +77,7 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
         "wrench_q": entries("out->wrench_q", 6, nv),
         "wrench_v": entries("out->wrench_v", 6, nv),
         "wrench_input": entries("work->by_input", 6 * chain.n),
+        "wrench_state": entries("work->by_state", 6 * chain.n),
     }
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"), outline=True)

@@ -7,7 +7,7 @@ from collections import Counter
 from ...spec.parameters import per_internal
 from ...topology.chain import Chain
 from ..templates import FEATURES
-from . import closing, forces, held, inputs, laws
+from . import closing, force_states, forces, held, inputs, laws
 from .code import Place
 
 
@@ -35,9 +35,10 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     out |= {"internal": list(per_internal(chain.robot).items()), "NVZ": "$$_NVZ" if chain.n_internal else "$$_NV"}
     pairs = (zip(at, chain.laws[law], strict=True) for law, at in chain.internal.items())
     rates = dict(sorted((z, chain.nv - chain.n_given + acted.coordinate) for own in pairs for z, acted in own))
-    out |= {"internal_rates_of": list(rates.values())}
+    out |= {"internal_rates_of_laws": list(rates.values()), "law_states": bool(rates)}
     out |= {"z_offset": chain.z_offset[:-1], "N_CHANGES": "$$_NV + $$_NVZ" if chain.n_internal else "2 * $$_NV"}
     out |= {"held": held.content(chain, baked, place) if chain.holds else None}
+    out |= force_states.content(chain, baked, place)
     out["switches"] = laws.calls(chain, "on") or forces.switches(chain) or held.switches(chain)
     out["exponential"] = laws.calls(chain, "exp")
     out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))

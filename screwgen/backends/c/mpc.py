@@ -78,6 +78,7 @@ class Fitted:
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),
             *((True, row.words) for row in chain.other_inputs),
+            (bool(chain.n_force_states), "forces between frames with internal states"),
             (chain.holds_by_motion, "drives whose steps hold what their motion allows"),
         ):
             if asked:

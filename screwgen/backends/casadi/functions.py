@@ -144,7 +144,20 @@ def modal_functions(chain: Chain) -> LazyFunctions:
         ("measures", "q wrench motion p", fused.measures),
         ("modal_properties", "p", fused.modal_properties),
     )
-    return LazyFunctions({row[0]: making(*row) for row in rows})
+    return LazyFunctions({row[0]: making(*row) for row in rows} | _memories(chain))
+
+
+def _memories(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
+    """The rates of the internal states of forces between frames in both forms."""
+
+    def made(name: str, program: Program) -> ca.Function:
+        given = {x: ca.SX.sym(x, size) for x, size in program.inputs.items()}
+        return function(name, given, **expressions(program, given))
+
+    rows = {"force_rates": programs.force_rates, "dae_force_rates": programs.dae_force_rates}
+    return {
+        k: partial(lambda k, make: made(k, make(chain)), k, make) for k, make in rows.items() if chain.n_force_states
+    }
 
 
 def function(name: str, inputs: Mapping[str, ca.SX], **outputs: ca.SX) -> ca.Function:

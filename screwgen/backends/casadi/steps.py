@@ -67,7 +67,14 @@ class CasadiAccelerations:
         vdot = expressions(self.program, self.given | felt | {"q": q_there, "v": v_there})["vdot"]
         order = sorted(remembering, key=lambda one: one[0])
         states = [expressions(state_rate(law), given | {"a": vdot[i]})["rate"] for _, law, i, given in order]
-        return ca.vertcat(vdot, *states)
+        return ca.vertcat(vdot, *states, *self._of_forces(q_there, v_there, v, h))
+
+    def _of_forces(self, q: ca.SX, v: ca.SX, start: ca.SX, h: ca.SX | float) -> list[ca.SX]:
+        """The rates of the internal states of forces between frames."""
+        if not self.chain.n_force_states:
+            return []
+        given = {"q": q, "v": v, "start": start[self.chain.force_states], "h": ca.SX(h)}
+        return [expressions(programs.force_rates(self.chain), self.given | given)["rate"]]
 
 
 def step(chain: Chain, method: Method, name: str) -> ca.Function:
@@ -142,11 +149,12 @@ def scaling(chain: Chain) -> ca.Function:
 
 
 def _bristles(chain: Chain, properties: Mapping[str, ca.SX]) -> list[ca.SX]:
-    """The stiffness of every internal state."""
+    """The stiffness of every internal state; of one of a force such that 1 J is its usual size."""
     found = {}
     for law, places in chain.internal.items():
         for k, place in enumerate(places):
             own = {name: properties[name][k] for name in law.constants}
             given = dict.fromkeys(("side", "x", "w", "there", "h", "z"), ca.SX(0)) | own
             found[place] = expressions(stuck(law), given)["stiffness"]
-    return [found[place] for place in sorted(found)]
+    sizes = (state.size for force in chain.forces for state in force.shape.states.values())
+    return [found[place] for place in sorted(found)] + [ca.SX(2.0 / size**2) for size in sizes]

@@ -22,7 +22,7 @@ from ...algorithms.law_programs import replayed, spring_stage, stage, state_rate
 from ...algorithms.parameter_slopes import BY_P
 from ...algorithms.robot_function import RobotFunction, shape
 from ...algorithms.robot_functions import BY_NAME, offered
-from ...algorithms.robot_programs import held_inputs
+from ...algorithms.robot_programs import force_rates, held_inputs
 from ...algorithms.schedule import COLUMNS
 from ...arguments import choice
 from ...errors import UsageError
@@ -227,6 +227,10 @@ class JaxAccelerations:
         for law, at, state in remembering:
             found = replayed(state_rate(law), state | {"a": a[at]}, _unary)["rate"]
             out = out.at[jnp.array(self.chain.internal[law])].set(found)
+        if self.chain.n_force_states:
+            own = self.chain.force_states
+            over = {**self.given, "q": q_there, "v": v_there, "start": v[own], "h": jnp.asarray(h, self.own.real)}
+            out = out.at[own].set(self.own.run(force_rates, "rate", over)[0])
         return out
 
 

@@ -40,7 +40,7 @@ def tables(chain: Chain) -> Iterator[Item]:
     yield Heading("Coordinates and inputs")
     sizes = zip(np.diff(chain.q_offset), np.diff(chain.v_offset), chain.keys, strict=True)
     balls = any(nq != nv and not key.floats for nq, nv, key in sizes)
-    yield Paragraph(ABOUT + BALL * balls + INTERNAL * bool(chain.internal), essential=True)
+    yield Paragraph(ABOUT + BALL * balls + INTERNAL * bool(chain.n_internal), essential=True)
     yield _table(("in $\\mathbf{q}$", "in $\\mathbf{v}$", "symbol", "name", "meaning", "unit"), coordinates(chain))
     yield Paragraph(INPUTS + TURNED * bool(chain.turned_wrenches), essential=True)
     rows = inputs(chain)
@@ -147,6 +147,10 @@ def _internal(chain: Chain, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         of = f"{'of the rotor of the drive ' * rotors}of $q_{{{joint + 1}}}$"
         symbol = rf"${law.state.symbol}_{{{joint + 1}}}$"
         yield NONE, f"{k + 1}", symbol, f"`{names[k]}`", f"{law.state.meaning}, {of}", plain_unit(units[k])
+    kept = ((force.name, state) for force in chain.forces for state in force.shape.states.values())
+    for k, (force, state) in enumerate(kept, chain.force_states.start):
+        about = f"`{force}`: {state.meaning}"
+        yield NONE, f"{k + 1}", f"${state.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])
 
 
 def _groups(directions: Sequence[tuple[str, int]], grouped: bool) -> Iterator[tuple[int, str, int, int]]:

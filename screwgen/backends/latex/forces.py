@@ -81,8 +81,9 @@ def symbols(chain: Chain) -> Iterator[Named]:
         for one in kind.table().values():
             yield one.symbol, one.meaning, _asterisks(one.unit), f"{len(one.entries) or 1}", "-", PARAMETER
     for shape in dict.fromkeys(force.shape for force in chain.forces):
-        for entry in shape.inputs.values():
-            yield entry.symbol, entry.meaning, _asterisks(entry.unit), "1", "-", STATE
+        told = [(one.symbol, one.meaning, one.unit) for one in shape.inputs.values()]
+        told += [(one.symbol, one.meaning, one.unit) for one in shape.states.values()]
+        yield from ((symbol, meaning, _asterisks(unit), "1", "-", STATE) for symbol, meaning, unit in told)
     for shape in dict.fromkeys(force.shape for force in chain.forces):
         for own in equations(shape):
             if own.meaning:
@@ -122,6 +123,7 @@ def lines(chain: Chain) -> str:
         markers=any(segment.marker is not None for segment in chain.segments),
         turned=bool(chain.turned_wrenches),
         chosen=chain.chooses_forces,
+        remembering=bool(chain.n_force_states),
         laws=laws,
         world=any(None in force.ends for force in chain.forces),
         steps=any(r"\mathrm{H}" in law.lines for law in laws),

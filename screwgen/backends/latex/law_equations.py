@@ -98,11 +98,15 @@ class _Written:
         table = shape.kind.table()
         numbers = [self._symbol(latex) for name in shape.stated for latex in symbols(table[name])]
         numbers += [self._symbol(entry.symbol) for entry in shape.inputs.values()]
+        states = [self._symbol(state.symbol) for state in shape.states.values()]
+        numbers += states
         tracer = _SymbolTracer()
         wrench = shape.wrench(tracer, given, numbers)
         sides = [*zip((TORQUE,) * 3, "xyz", wrench.torque, strict=True)]
         sides += zip((FORCE,) * 3, "xyz", wrench.force, strict=True)
         sides.append((POTENTIAL, "", shape.energy(tracer, given, numbers)))
+        rates = zip(shape.states.values(), states, shape.rates(tracer, given, numbers), strict=True)
+        sides += [(state.rate_symbol, "", one.gain - one.decay * z) for state, z, one in rates]
         found = {subscripted(letter, place): sp.sympify(x) for letter, place, x in sides}
         self.sides = {left: x for left, x in found.items() if x != 0}
         self.values = {s: _Value(x, name) for (name, x), s in tracer.values.items()}

@@ -34,13 +34,21 @@ class DaeDynamics:
     """``xdot`` of the DAE form under held inputs; methods give the inertia and force of modes and sprung joints.
 
     `properties`: those of :class:`.CoordinateForces`. `solve (x, tau, w_ext, inertia, force) -> (xdot, vdot, wrench)`;
-    `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read where joints are sprung.
+    `projection (x) -> (x,)`; `joint_rates (x) -> (qdot,)`, which is read where joints are sprung; `memory (x, tau,
+    start, h) -> (rate,)`: of the internal states of forces between frames, which are the last entries of x.
     """
 
     def __init__(
-        self, chain: Chain, properties: Sequence, solve: Function, projection: Function, joint_rates: Function
+        self,
+        chain: Chain,
+        properties: Sequence,
+        solve: Function,
+        projection: Function,
+        joint_rates: Function,
+        memory: Function | None = None,
     ):
         n, r = chain.n, chain.n_inner
+        self.memory = memory
         self.forces = CoordinateForces.of_columns(chain, properties)
         self.solve, self.projection, self.sprung, self.joint_rates = (
             solve,
@@ -72,6 +80,9 @@ class DaeDynamics:
         xdot, vdot, *more = self.solve(x, tau, w_ext, forces.inertia(h), forces.force(own, rate, h))
         if self.chain.n_internal:
             xdot = np.append(xdot[: self.z.start], forces.internal_rates(vdot))
+        if self.memory is not None:
+            states = slice(len(x) - self.chain.n_force_states, None)
+            xdot[states] = self.memory(x, tau, begin[states], h)[0]
         return xdot, vdot, *more
 
     def own(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

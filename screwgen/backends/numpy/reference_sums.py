@@ -95,7 +95,11 @@ class _Soft:
         own = self.own.over(q, v, h, at_v)
         self.functions.given = (own.inertia(h).tolist(), own.force_of(q, v, h).tolist())
         vdot = np.array(self.functions.forward_dynamics(at_q.tolist(), at_v.tolist(), self.tau, self.w_ext)[0])
-        return np.append(vdot, own.internal_rates(vdot))
+        out = np.append(vdot, own.internal_rates(vdot))
+        if self.chain.n_force_states:
+            of_forces, start = self.functions.under_inputs(self.tau), v[self.chain.force_states].tolist()
+            out[self.chain.force_states] = of_forces.force_rates(at_q.tolist(), at_v.tolist(), start, h)
+        return out
 
     def step(self, method: Method, q: np.ndarray, v: np.ndarray, dt: float) -> Motion:
         """A step of the joint form."""
@@ -129,7 +133,12 @@ class _Soft:
         def joint_rates(x: np.ndarray) -> tuple[np.ndarray]:
             return (np.array(f.joint_rates(x.tolist())),)
 
-        return DaeDynamics(self.chain, self.columns, solve, project, joint_rates)
+        def memory(x: np.ndarray, tau: np.ndarray, start: np.ndarray, h: float) -> tuple[np.ndarray]:
+            given, under = f.coordinates(x.tolist()), f.under_inputs(tau.tolist())
+            return (np.array(under.force_rates(*given, start.tolist(), h)),)
+
+        own = memory if self.chain.n_force_states else None
+        return DaeDynamics(self.chain, self.columns, solve, project, joint_rates, own)
 
 
 def sums(chain: Chain, case: Case, methods: Sequence[Method]) -> Sums:

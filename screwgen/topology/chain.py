@@ -26,7 +26,7 @@ from ..spec.robot import Robot
 from ..spec.segments import segments
 from .coordinates import Coordinates
 from .forces import placed_forces
-from .inputs import InputTable
+from .inputs import ChosenInputs
 from .loops import Closing
 from .markers import PlacedMarker, markers
 from .parameters import labels
@@ -37,7 +37,7 @@ SPARED = 0.9
 """The part of the reach of a four-bar linkage that is well away from its dead centres."""
 
 
-class Chain(Coordinates, InputTable):
+class Chain(Coordinates, ChosenInputs):
     """A robot as the algorithms see it: one class per link, the coordinates, the tree and what closes it."""
 
     def __init__(self, robot: Robot):

@@ -17,7 +17,7 @@ from ..spec.tendons import TENSIONS
 from .forces import PlacedForce, added_numbers
 
 
-class InputTable:
+class ChosenInputs:
     """What :class:`.chain.Chain` has for its inputs; the attributes, and what raises here, are its own."""
 
     robot: Robot

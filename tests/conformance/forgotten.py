@@ -284,7 +284,7 @@ TABLE: list[Mutant] = [
     M("bristles", "DAE runs", "screwgen/backends/numpy/dae_step.py",
       "self.forces.remembering(begin[self.z])", "self.forces.remembering(0 * begin[self.z])"),
     M("bristles", "derivatives of steps", INTERNAL,
-      '{{ internal_rates_of("s", "at", "input", "dt", "out->vdot", 8) -}}\n', ""),
+      '{{ internal_rates_of("s", "at", "input", "dt", "out->vdot", 8) | trim("\\n") }}\n', ""),
     M("bristles", "derivatives of steps", INTERNAL,
       "out->vdot_v[$$_NV + n][k] += work->follow[n] * out->vdot_v[RATE[n]][k];", "(void)k;"),
     M("bristles", "lanes", C + "batch_run.jinja",

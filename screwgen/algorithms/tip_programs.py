@@ -12,8 +12,8 @@ from .fused import Outputs, program
 def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included.
 
-    With couplings also ``closed_tau``, the torques of all axes, those of the couplings included, and ``borne``, those of
-    the couplings on axes whose motion is given.
+    With couplings also ``closed_tau``, the torques of all axes with those of the couplings, and ``borne``, the latter on
+    axes whose motion is given.
     """
     f.given = (x["m_eta"], x["f_eta"])
     given = x["q"], x["v"], x["tau"], x["w_ext"]

@@ -49,8 +49,8 @@ AXIS_CURVES = (
     *(AxisCurves(one.title, one.symbol, one.unit, "q", f".{one.name}[") for one in ADDED),
     AxisCurves("Torques", "τ", "N·m", "tau", ".torque[", "bound"),
     AxisCurves("Forces of drives", "f", "N", "tau", ".force[", "bound"),
-    AxisCurves("Given accelerations", "a", "rad/s²", "tau", ".acceleration["),
-    AxisCurves("Efforts of drives", "τ", "N·m", "drive_effort", ".effort[", "bound"),
+    AxisCurves("Given accelerations, rad/s² or m/s²", "a", "", "tau", ".acceleration["),
+    AxisCurves("Efforts of drives, N·m or N", "τ", "", "drive_effort", ".effort["),
     AxisCurves("Power of drives", "P", "W", "drive_power", ".power["),
     AxisCurves("Power of drives", "P", "W", "effort_power", ".power["),
 )

@@ -241,7 +241,7 @@ TABLE: list[Mutant] = [
     M("winch", "derivatives of wrenches", C + "features/inputs.jinja",
       "work->by_input[i % $$_NTAU - $$_NAXES]", "0 * work->by_input[0]"),
     M("winch", "JAX", "screwgen/backends/jax/functions.py", '"start": v[own]', '"start": 0 * v[own]'),
-    M("winch", "CasADi", "screwgen/backends/casadi/steps.py",
+    M("winch", "C, fused", "screwgen/backends/casadi/steps.py",
       '"start": start[self.chain.force_states]', '"start": 0 * start[self.chain.force_states]'),
     M("winch", "DAE runs", "screwgen/backends/numpy/dae_step.py", "begin[states], h)[0]", "0 * begin[states], h)[0]"),
     M("winch", "lanes", C + "moves.jinja", "    force_rates(g, {{ at }}, {{ from }}, {{ over }});\n", ""),

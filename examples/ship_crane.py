@@ -1,4 +1,4 @@
-"""A ship's crane sets a load down on a quay while the sea moves the ship, with a winch that knows it and with one that does not.
+"""A ship's crane lets a load down while the sea moves the ship, by a winch that knows it and by one that does not.
 
 The model is examples/ship_crane.toml. The motion of the hull and of the tower is given; the efforts of their drives
 follow. The winch that compensates pays out what the boom's tip rises. Writes build/ship_crane/ship_crane.html, a page
@@ -60,9 +60,7 @@ def main() -> None:
     print(f"at rest the boom's tip sags by {1e3 * np.linalg.norm(rest.deflections[2]):.0f} mm")
     labels = ("the winch compensates", "it does not")
     runs = [
-        screwgen.simulate(
-            model, DURATION, STEP, q0=rest.q, motion=moved, controller=winch(model, moved, yes), every=10
-        )
+        screwgen.simulate(model, DURATION, STEP, q0=rest.q, motion=moved, controller=winch(model, moved, yes), every=10)
         for yes in (True, False)
     ]
     for label, run in zip(labels, runs, strict=True):

@@ -49,6 +49,15 @@ def test_two_units_move_together(example, capsys, tmp_path):
 
 
 @pytest.mark.examples
+def test_a_winch_that_knows_the_sea_holds_the_load_still():
+    """Within a twentieth of what it does without; the rope carries the load's 14.7 kN all the time."""
+    said = run("ship_crane.py").stdout
+    still, moved = (int(x) for x in re.findall(r"within (\d+) mm", said))
+    assert still < 0.05 * moved and "bears 14." in said
+    assert (ROOT / "build" / "ship_crane" / "ship_crane.html").exists()
+
+
+@pytest.mark.examples
 def test_a_soft_gripper_closes():
     said = run("soft_gripper.py").stdout
     apart = [float(x) for x in re.findall(r"tips +([\d.]+) mm apart", said)]

@@ -26,7 +26,7 @@ from screwgen.backends.latex.sketch_view import views
 from screwgen.spec.parameters import coordinate_names
 
 EXAMPLES = """balanced_arm bucket crane crane_loop elastic_joint ella flexible_arm gantry parallelogram six_link
-    soft_gripper space_arm tentacle""".split()
+    ship_crane soft_gripper space_arm tentacle""".split()
 GEAR = {"ratio": 50.0, "rotor_inertia": 1e-3, "stiffness": 90.0}
 CHANGES = {
     "ball": [joint(1, axes="ball")],

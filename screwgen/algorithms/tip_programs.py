@@ -12,7 +12,7 @@ from .fused import Outputs, program
 def loop_wrenches(f: Functions, **x: Sequence) -> Outputs:
     """``(q, v, tau, w_ext, m_eta, f_eta) -> (closed)``: the wrenches on all tips, those of the loops included.
 
-    With couplings also ``closed_tau``, the torques of all axes with those of the couplings, and ``borne``, the latter on
+    With couplings also ``closed_tau``, the torques of all axes with those of couplings, and ``borne``, the latter on
     axes whose motion is given.
     """
     f.given = (x["m_eta"], x["f_eta"])

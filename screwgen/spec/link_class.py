@@ -51,17 +51,17 @@ class LinkClass:
     """The numbers of modes in the order of `DIRECTIONS`; without shear the first four."""
     joint: JointKind
     """The kind of the joint: how the link moves relative to its carrier."""
-    mount_xyz: bool
-    mount_rpy: bool
-    armature: bool
-    joint_damping: bool
-    stiffness: bool
-    frame_at: bool
-    spin: bool
-    damping: tuple[str, ...]
+    mount_xyz: bool = False
+    mount_rpy: bool = False
+    armature: bool = False
+    joint_damping: bool = False
+    stiffness: bool = False
+    frame_at: bool = False
+    spin: bool = False
+    damping: tuple[str, ...] = ()
     """The terms of the damping of the modes, see `reduced.damped`; none: the modes are undamped."""
-    section_rotation: bool
-    bodies: tuple[BodyClass | None, ...]
+    section_rotation: bool = False
+    bodies: tuple[BodyClass | None, ...] = ()
     """The link's bodies; None for those on other segments."""
     length: bool = True
     """Whether the link states a length."""
@@ -280,23 +280,7 @@ class LinkClass:
         return [b for b, body in enumerate(self.bodies) if body and body.at == section]
 
 
-MARKER = LinkClass(
-    bases=("",) * 4,
-    counts=(0,) * 4,
-    joint=WELDED,
-    mount_xyz=False,
-    mount_rpy=False,
-    armature=False,
-    joint_damping=False,
-    stiffness=False,
-    frame_at=False,
-    spin=False,
-    damping=(),
-    section_rotation=False,
-    bodies=(),
-    length=False,
-    beam=False,
-)
+MARKER = LinkClass(bases=("",) * 4, counts=(0,) * 4, joint=WELDED, length=False, beam=False)
 """The class of a marker that a loop joins: a link without mass, welded to the section."""
 
 

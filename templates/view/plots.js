@@ -39,7 +39,7 @@ class Panel {
     this.curves = sets.flatMap((panel, k) =>
       panel.curves.map((c) => ({ ...c, color: `--${c.color}`, ghost: k > 0, x: floats(c.x), y: floats(c.y) })));
     const largest = Math.max(...this.curves.map((c) => c.y.reduce((a, y) => Math.max(a, Math.abs(y)), 0)));
-    const [factor, prefix] = PREFIXES.find(([f]) => largest >= f * 0.8) || [1, ""];
+    const [factor, prefix] = (sets[0].unit && PREFIXES.find(([f]) => largest >= f * 0.8)) || [1, ""];
     this.factor = factor;
     const element = document.createElement("div");
     element.className = "panel";

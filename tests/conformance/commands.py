@@ -70,11 +70,12 @@ OF_MODES = [refusal for refusal in REFUSALS if refusal.check == "modes"]
 
 @contextmanager
 def derived_once(case: Case) -> Iterator[None]:
-    """Commands that read the robot of the case from its file are given the model of the case, which is derived.
+    """Commands that read the robot of the case from its file share a model, which the first of them derives.
 
     Where they read another robot, its model is derived from what they read.
     """
-    own = lambda robot: case.model if robot == case.model.robot else Model(robot)  # noqa: E731
+    shared = Model(case.model.robot)
+    own = lambda robot: shared if robot == shared.robot else Model(robot)  # noqa: E731
     with mock.patch.object(model, "Model", own):
         yield
 
@@ -85,9 +86,9 @@ def every_command(case: Case) -> None:
     """
     os.environ["CC"] = TCC
     commands, strained = lines(written(case)), STRAINED * bool(case.robot.get("forces"))
-    for name, line in commands.items():
-        with derived_once(case):
-            found = called(line)
+    with derived_once(case):
+        outcomes = {name: called(line) for name, line in commands.items()}
+    for name, found in outcomes.items():
         known = name in LOADED or (name in strained and any(x.words in found.why for x in OF_MODES))
         assert found.said == DONE or (known and found.said == REFUSED), f"{name}: {found.said}: {found.why}"
 

@@ -53,7 +53,7 @@ def items(lines: Sequence[Item], views: Iterable[BlockView], keys: Iterable[Link
         yield _given(lines, views, keys) if isinstance(item, Paragraph) and item.text == GIVEN else item
 
 
-class Source(NamedTuple):
+class SymbolSource(NamedTuple):
     """What gives a symbol: the part of a class, the symbol as it is printed, and all that it is made of."""
 
     part: str
@@ -86,15 +86,15 @@ def _given(lines: Sequence[Item], views: Iterable[BlockView], keys: Iterable[Lin
     return DocumentTable(head, (0.2, 0.8), tuple((t, ", ".join(rows[t])) for t in order if t in rows), essential=True)
 
 
-def _sources(views: Iterable[BlockView], keys: Iterable[LinkClass], known: Set[str]) -> dict[str, Source]:
+def _sources(views: Iterable[BlockView], keys: Iterable[LinkClass], known: Set[str]) -> dict[str, SymbolSource]:
     """By symbol: the steps of all classes, and what the text on a kinematic field says; not what is ``known``."""
-    found: dict[str, Source] = {}
+    found: dict[str, SymbolSource] = {}
     for symbol, text in (pair for key in keys if pointwise(key) for pair in said_of_field(key)):
-        found.setdefault(plain(symbol), Source(FIELD, symbol, text))
+        found.setdefault(plain(symbol), SymbolSource(FIELD, symbol, text))
     for view in views:
         for step in view.steps:
             symbol = step.formula[0][0]
-            other = found.get(plain(symbol), Source(view.title, symbol, ""))
+            other = found.get(plain(symbol), SymbolSource(view.title, symbol, ""))
             found[plain(symbol)] = other._replace(text=f"{other.text} {_text(step)}")
     return {name: source for name, source in found.items() if name not in known}
 

@@ -268,5 +268,6 @@ def _inputs(chain: Chain) -> str:
     if elements.acting(chain):
         return r"$\boldsymbol{\tau}_{q,i}$ what acts on the axes of joint $i$, by the last section"
     if elements.moved_axes(chain):
-        return rf"${INPUT}$ the inputs of joint $i$"
-    return rf"${INPUT}$ the torques of joint $i$" + ", of slides forces" * chain.slides
+        return rf"${INPUT}$ the inputs of joint $i$, the entries of $\mathbf{{u}}$ that act on it"
+    slides = ", of slides forces" * chain.slides
+    return rf"${INPUT}$ the torques of joint $i${slides}, the entries of $\mathbf{{u}}$ that act on it"

@@ -157,7 +157,8 @@ CLOSING: tuple[Named, ...] = (
     (r"\boldsymbol{\lambda}", "forces of all rows that close loops or couple axes", "N, N*m", "n_g", "-", STATE),
     (r"\lambda_j", "force of row j that closes a loop or couples axes", "N, N*m", "1", "-", STATE),
     (r"g", "gap of a row", "m, 1", "1", "-", STATE),
-    (r"\gamma", "acceleration of a gap that the velocities cause", "m/s^2, 1/s^2", "1", "-", STATE),
+    (r"\gamma", "what velocities add to a gap's acceleration beside those of the tips", "m/s^2, 1/s^2", "1", "-", STATE),
+    (r"\ddot{g}_0", "acceleration of a gap while no row bears a force", "m/s^2, 1/s^2", "1", "-", STATE),
     (r"\mathbf{W}_A", "wrench by a unit force of a row on tip A", "1, m", "6", "inertial", STATE),
     (r"\mathbf{W}_B", "wrench by a unit force of a row on tip B", "1, m", "6", "inertial", STATE),
 )

@@ -50,9 +50,9 @@ class Estimated:
 class Explained:
     """A log beside the model: readings, what the model reads, and the shares of variance that it explains.
 
-    `windows`: over windows whose starts were fitted, of a log that is held out taken from smoothed readings; `whole`:
-    the log in one run from its first readings on, driven by its inputs alone; `before`: that with the numbers from
-    which the fit started. Arrays (N, sensors) in the columns' units.
+    `windows`: over windows whose starts are fitted, be the log held out or not; `whole`: the log in one run from its
+    first readings on, driven by its inputs alone; `before`: that with the numbers from which the fit started. Arrays
+    (N, sensors) in the columns' units.
     """
 
     log: str

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
@@ -17,6 +18,7 @@ from ..robot_model import RobotModel
 from ..runtime.differentiated import NO_METHOD
 from ..simulation.runs import Run
 from ..spec.columns import Column, Columns, load_columns
+from ..spec.load import one_line
 from . import odd
 from .identification import Estimated, Explained, Identification
 from .logs import Log, checked, faults, head_of, read_log
@@ -82,14 +84,15 @@ def identify(
     fit, at = _fitted(model, read, columns, asked, (window, robust, iterations, how), progress)
     values = asked.values(at.sought)
     known = uncertainty(fit, at)
-    own = with_numbers(columns, asked, values)
+    own, p = with_numbers(columns, asked, values), vector(model, asked, values)
     explained = [
-        _explained(model, log, own, asked, at, fit.problem.how, window, k >= len(read))
+        _explained(model, log, own, asked, at, fit.problem.how, (window, robust), k >= len(read))
         for k, log in enumerate([*read, *compared])
     ]
     told = [line for log in (*read, *compared) for line in faults(log, columns)]
     told += odd.of_fit(fit, at) + odd.of_bounds(asked, at, fit) + odd.of_units(fit, at)
-    told += odd.of_filters(model, columns, asked, values) + odd.of_repetition(read, compared, columns)
+    told += odd.of_filters(model, columns, asked, p, fit.problem.groups[0].begin[0].x[: model.nq])
+    told += odd.of_repetition(read, compared, columns)
     tried: dict[str, float | int | str] = {
         "iterations": len(at.history),
         "rollouts": fit.problem.rollouts,
@@ -159,7 +162,7 @@ def _log(source: Source, columns: Columns) -> Log:
         return source
     path, start, end = _part(source)
     log = read_log(path, columns)
-    return log if start is None or end is None else log.part(start, end)
+    return log if start is None or end is None else replace(log.part(start, end), name=one_line(os.fsdecode(source)))
 
 
 def _varying(columns: Columns, logs: Sequence[Log]) -> Columns:
@@ -197,14 +200,16 @@ def _fitted(
     """The fit and its estimate; where numbers of sensors changed, windows begin anew."""
     window, robust, iterations, how = settings
     noise = np.array([np.nan if c.noise is None else c.noise for c in columns.sensors])
-    sought, history, rollouts = np.zeros(len(asked)), list[float](), 0
-    again = any(one.kind == SENSOR for one in asked)
-    for _ in range(ROUNDS if again else 1):
+    sought, history, rollouts, groups = np.zeros(len(asked)), list[float](), 0, list[Windows]()
+    for _ in range(ROUNDS):
         values = asked.values(sought)
         own, p = with_numbers(columns, asked, values), vector(model, asked, values)
-        problem = Problem(model, [_group(model, log, own, window, p) for log in logs], asked, how)
+        before, groups = groups, [_group(model, log, own, window, p) for log in logs]
+        if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
+            break
+        problem = Problem(model, groups, asked, how)
         problem.rollouts = rollouts
-        fit = Fit(problem, noise[problem.groups[0].experiment.compared], robust, progress)
+        fit = Fit(problem, noise[groups[0].experiment.compared], robust, progress)
         at = fit.run(iterations - len(history), sought)
         history += at.history
         sought, rollouts = at.sought, problem.rollouts
@@ -262,11 +267,11 @@ def _explained(
     asked: Unknowns,
     at: Estimate,
     how: How,
-    window: float,
+    settings: tuple[float, bool],
     held_out: bool,
 ) -> Explained:
     """A log beside the identified model, in one run and over windows, and beside the model of the start."""
-    p = vector(model, asked, asked.values(at.sought))
+    p, (window, robust) = vector(model, asked, asked.values(at.sought)), settings
     experiment, signals = _experiment(model, log, own, window), Signals(model, own.sensors)
     run = windows_of(experiment, signals, log.t[-1] - log.t[0], p)
     problem = Problem(model, [run], asked, how)
@@ -274,8 +279,8 @@ def _explained(
     lanes = np.zeros(2, int)
     whole, before = problem.differences(run, lanes, both, np.zeros((2, len(run.states))))
     cut = windows_of(experiment, signals, window, p)
-    each = np.arange(len(cut.first))
-    found = problem.differences(cut, each, np.tile(at.sought, (len(each), 1)), np.zeros((len(each), len(cut.states))))
+    nothing = np.full(len(experiment.compared), np.nan)
+    found = Fit(Problem(model, [cut], asked, how, fixed=True), nothing, robust).begun(at.sought).differences[0]
     readings = run.compared[0]
     windows = np.full_like(readings, np.nan)
     for first, part in zip(cut.first, found, strict=True):

@@ -20,8 +20,9 @@ UNEVEN = 1e-2
 """By how much of a sample the steps of time may differ."""
 GAPS = 0.2
 """The share of readings of a sensor that may be missing."""
-FLAT = 0.05
-"""The share of the readings that may lie at one end of their range before a sensor counts as saturated."""
+STAY, SUDDEN = 5, 0.3
+"""A sensor is saturated that stays so many samples at an end of its range, and comes there by steps that are more than
+this share of its usual ones."""
 LEAST = 20
 """Samples that a log must have."""
 
@@ -123,18 +124,20 @@ def faults(log: Log, columns: Columns) -> list[str]:
         there = values[np.isfinite(values)]
         if gone := len(values) - len(there):
             out.append(f"{log.name}: {column.name} lacks {gone} of {len(values)} readings; the others are used")
-        for end in (there.min(), there.max()):
-            share = np.mean(there == end)
-            if share > FLAT and _runs(there == end) > FLAT / 2 * len(there) / 10:
-                said = f"{100 * share:.0f} % of its readings are {end:g}, an end of their range"
-                out.append(f"{log.name}: {column.name} seems saturated: {said}; cut these samples out")
+        out += [
+            f"{log.name}: {column.name} seems saturated at {end:g}, where it stops suddenly; cut these samples out"
+            for end in (there.min(), there.max())
+            if _saturated(there, end)
+        ]
     return out
 
 
-def _runs(flags: np.ndarray) -> int:
-    """The longest row of samples that are flagged."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
-    return int(np.max(edges[1::2] - edges[::2], initial=0))
+def _saturated(values: np.ndarray, end: float) -> bool:
+    """Whether readings stay at an end of their range and come there suddenly; what comes to rest comes slowly."""
+    stays = np.convolve(values == end, np.ones(STAY), "valid") == STAY
+    begins = np.flatnonzero(stays[1:] & ~stays[:-1])
+    steps = np.diff(values)
+    return bool(len(begins)) and bool(np.median(np.abs(steps[begins])) > SUDDEN * np.sqrt(np.mean(steps**2)))
 
 
 # ------------------------------------------------------------------------------ files

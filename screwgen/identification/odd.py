@@ -9,6 +9,7 @@ import numpy as np
 from ..robot_model import RobotModel
 from ..spec.columns import Columns
 from ..spec.parameters import parameters
+from ..studies.modes import natural_frequencies
 from .logs import Log
 from .solve import Estimate, Fit
 from .unknowns import Unknowns
@@ -18,8 +19,8 @@ NEAR = 0.25
 """By how much of its logarithm a factor may differ from those."""
 BLIND = 0.5
 """The share of a sensor's variation that is left over where its unit is suspected."""
-TIMES = 20.0
-"""Damping that becomes so many times what it was is suspected."""
+DAMPED = 0.15
+"""The damping ratio of a vibration from which on links are suspected not to have it."""
 REPEATED = 0.98
 """The share of variance of a held-out log that a fitted one has at the same place, from which on it repeats it."""
 
@@ -65,20 +66,34 @@ def of_units(fit: Fit, at: Estimate) -> list[str]:
     return out
 
 
-def of_filters(model: RobotModel, columns: Columns, asked: Unknowns, values: np.ndarray) -> list[str]:
-    """Damping of links that became many times what it was, though no filter of a logger is stated."""
-    damping = {x.name for x in parameters(model.robot) if x.field.startswith("damping.")}
-    grown = [
-        (one.name, x / one.value)
-        for one, x in zip(asked, values, strict=True)
-        if one.name in damping and x > TIMES * one.value
-    ]
-    if not grown or any(column.filter for column in columns.sensors):
+def of_filters(model: RobotModel, columns: Columns, asked: Unknowns, p: np.ndarray, q: np.ndarray) -> list[str]:
+    """Damping of links that no such link has, at parameters (n,) and in a posture, though no filter is stated.
+
+    A ratio is that of a link's own modes. The loaded arm vibrates more slowly, and its damping is less in proportion.
+    """
+    damping = {x.name: (x.field, x.link) for x in parameters(model.robot) if x.field.startswith("damping.")}
+    free = [one.name for one in asked if one.name in damping]
+    if not free or any(column.filter for column in columns.sensors):
         return []
-    told = ", ".join(f"{name} {times:.0f} times" for name, times in grown)
-    return [
-        f"damping became many times what it was ({told}): does the logger filter? state its filter, or leave it free"
-    ]
+    lowest = 2 * np.pi * float(natural_frequencies(model, q, parameters=p)[0])
+    own = dict(zip(model.parameter_names, p.tolist(), strict=True))
+    found = []
+    for name in free:
+        field, link = damping[name]
+        slowest = _bare(model, p, int(link or 0))
+        share = own[name] * (lowest / 2 if field == "damping.time" else lowest / slowest)
+        if share > DAMPED:
+            found.append(f"{name} damps the slowest vibration with a ratio of {share:.2f}")
+    said = "more than links do: does the logger filter? state its filter, or leave its cutoff free"
+    return [f"{', '.join(found)}, {said}"] if found else []
+
+
+def _bare(model: RobotModel, p: np.ndarray, link: int) -> float:
+    """The slowest mode (rad/s) of a link by itself."""
+    chain = model.chain
+    at = next(i for i, segment in enumerate(chain.segments) if segment.link == link)
+    K, M = (np.asarray(model.numpy(p).constants[at][name], float)[: chain.keys[at].modes] for name in ("K", "M_eta"))
+    return float(np.sqrt(np.min(K / M)))
 
 
 def of_repetition(logs: Sequence[Log], compared: Sequence[Log], columns: Columns) -> list[str]:

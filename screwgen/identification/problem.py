@@ -66,6 +66,11 @@ class Windows:
         value, rate = np.array([x.value for x in found]), np.array([x.rate for x in found])
         return [Start(value[:, k], rate[:, k]) for k in range(own.shape[1])]
 
+    def near(self, other: Windows) -> bool:
+        """Whether windows begin where others do, within deviations."""
+        pairs = zip(self.begin, other.begin, strict=True)
+        return all((np.abs(a.x - b.x) <= b.deviation).all() for a, b in pairs)
+
     def x0(self, window: np.ndarray, shift: np.ndarray) -> np.ndarray:
         """The states (lanes, nq + nvz) in which lanes begin, `shift` (lanes, states) in deviations of these."""
         x, deviation = np.array([b.x for b in self.begin]), np.array([b.deviation for b in self.begin])
@@ -75,16 +80,21 @@ class Windows:
 
 
 class Problem:
-    """Windows of several logs, and the numbers that are free."""
+    """Windows of several logs, and the numbers that are free; if they are `fixed` the starts of windows alone are."""
 
-    def __init__(self, model: RobotModel, groups: Sequence[Windows], unknowns: Unknowns, how: How):
+    def __init__(self, model: RobotModel, groups: Sequence[Windows], unknowns: Unknowns, how: How, fixed: bool = False):
         self.model, self.groups, self.unknowns, self.how = model, list(groups), unknowns, how
-        self.rollouts = 0
+        self.rollouts, self.fixed = 0, fixed
 
     @cached_property
     def moving(self) -> list[int]:
-        """Which unknowns move the robot; the others change what sensors make of its motion."""
-        return [k for k, one in enumerate(self.unknowns) if one.kind != SENSOR]
+        """Which unknowns move the robot."""
+        return [k for k, one in enumerate(self.unknowns) if one.kind != SENSOR and not self.fixed]
+
+    @cached_property
+    def sensing(self) -> list[int]:
+        """Which unknowns change what sensors make of its motion."""
+        return [k for k, one in enumerate(self.unknowns) if one.kind == SENSOR and not self.fixed]
 
     @property
     def sensor_names(self) -> list[str]:
@@ -177,7 +187,7 @@ class Problem:
         slopes = np.moveaxis((first[:, None] - others), 1, -1)
         by_p = np.zeros((*first.shape, k))
         by_p[..., self.moving] = slopes[..., : len(self.moving)] / STEP
-        for j in set(range(k)) - set(self.moving):
+        for j in self.sensing:
             other = np.tile(self.unknowns.values(sought + STEP * np.eye(k)[j]), (len(windows), 1))
             by_p[..., j] = (first - self._read(group, windows, other, motions.every(lanes))) / STEP
         return group.compared[windows] - first, by_p, slopes[..., len(self.moving) :] / STATE_STEP

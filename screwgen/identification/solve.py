@@ -19,10 +19,12 @@ MARQUARDT = 0.25
 """Steps are damped by the size of columns to this power: 0 is Levenberg's way, which moves little what the data hardly
 feel, 1 Marquardt's, which heeds no scales. All is sought in logarithms or over its scale."""
 FIRST, LEAST, MOST = 1e-3, 1e-9, 1e9
-SMALL = 1e-3
+SMALL = 3e-3
 """A step that lessens the cost by a smaller share ends the fit."""
 LONGEST = 1.5
 """The longest step: a logarithm changes by no more, 4.5 times, nor another number by more of its scale."""
+SETTLED = 3
+"""How often the starts of windows alone are fitted."""
 HUBER = 1.345
 """Beyond so many deviations a robust fit counts residuals by their size, no more by their square."""
 MEDIAN = 0.6745
@@ -60,7 +62,8 @@ class Reduced:
         """The step of what is sought (k,), and of the starts of windows."""
         k = self.R.shape[1]
         size = np.linalg.norm(self.R, axis=0)
-        scale = np.sqrt(damping) * size.max() * np.maximum(size / size.max(), 1e-12) ** MARQUARDT
+        most = size.max() or 1.0
+        scale = np.sqrt(damping) * most * np.maximum(size / most, 1e-12) ** MARQUARDT
         own = np.vstack([self.R, np.diag(scale)])[:, free]
         found = np.zeros(k)
         found[free] = -np.linalg.lstsq(own, np.concatenate([self.r, np.zeros(k)]), rcond=None)[0]
@@ -90,6 +93,22 @@ class Fit:
             at.stopped = "interrupted"
         return at
 
+    def begun(self, sought: np.ndarray) -> Estimate:
+        """The estimate with these numbers, in which the starts of windows alone are fitted."""
+        at, none = self._start(sought), np.zeros(len(sought), bool)
+        for _ in range(SETTLED):
+            found = self._linearised(at)
+            at.shift = [a + b for a, b in zip(at.shift, self._reduced(at, found).step(1.0, none)[1], strict=True)]
+        return self.at(sought, at.shift, at.noise)
+
+    def _linearised(self, at: Estimate) -> list[tuple[np.ndarray, ...]]:
+        """Differences and derivatives of every log, of which those and the noise become the estimate's."""
+        pairs = zip(self.problem.groups, at.shift, strict=True)
+        found: list[tuple[np.ndarray, ...]] = [self.problem.linearised(group, at.sought, own) for group, own in pairs]
+        at.differences = [difference for difference, *_ in found]
+        at.noise = self.noise(at.differences)
+        return found
+
     def _start(self, sought: np.ndarray) -> Estimate:
         groups = self.problem.groups
         shift = [np.zeros((len(group.first), len(group.states))) for group in groups]
@@ -99,11 +118,7 @@ class Fit:
         """Improve the estimate in place, step by step."""
         damping = FIRST
         for _ in range(iterations):
-            found = [
-                self.problem.linearised(g, at.sought, s) for g, s in zip(self.problem.groups, at.shift, strict=True)
-            ]
-            at.differences = [difference for difference, *_ in found]
-            at.noise = self.noise(at.differences)
+            found = self._linearised(at)
             at.cost = self._cost(at.sought, at.shift, at.differences, at.noise)
             reduced = self._reduced(at, found)
             better, damping = self._searched(at, reduced, damping)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..lazily import linalg
 from .problem import Windows
 from .solve import Estimate, Fit
 
@@ -18,6 +19,8 @@ CLUSTER = 0.2
 NORMAL = 1.96
 VAGUE = 0.5
 """Of a direction with a larger deviation, in logarithms or over a scale, the data say nothing."""
+LOST = 1.0
+"""A direction with a larger deviation is named: numbers may change along it 2.7 times."""
 NAMED = 0.2
 """Numbers that are named of a direction: those that change by this share of the one that changes most."""
 
@@ -72,15 +75,27 @@ def _of_window(
 
 
 def _directions(A: np.ndarray, B: np.ndarray) -> list[tuple[np.ndarray, float]]:
-    """The directions of which the data leave more than VAGUE, the vaguest first."""
+    """The directions of which the data leave more than LOST, the vaguest first, each with as few numbers as may be."""
     values, vectors = np.linalg.eigh(A)
-    least = max(values.max(), 1e-300) * 1e-15
+    slopes = np.maximum(values, max(values.max(), 1e-300) * 1e-15)
+    sizes = np.sqrt(np.maximum(np.sum(vectors * (B @ vectors), axis=0), slopes)) / slopes
+    lost = vectors[:, sizes > LOST]
     out = []
-    for value, vector in zip(values, vectors.T, strict=True):
-        slope = max(value, least)
-        size = np.sqrt(max(vector @ B @ vector, slope)) / slope
-        if size <= VAGUE:
-            continue
-        most = np.argmax(np.abs(vector))
-        out.append((vector / vector[most], float(size * abs(vector[most]))))
+    for direction in _sparse(lost):
+        shares = lost.T @ direction
+        size = np.sqrt(np.sum((shares * sizes[sizes > LOST]) ** 2)) / np.linalg.norm(shares)
+        out.append((direction, float(size / np.linalg.norm(direction))))
     return sorted(out, key=lambda x: -x[1])
+
+
+def _sparse(basis: np.ndarray) -> list[np.ndarray]:
+    """Other directions (k,) of the space of these (k, d): each has an entry that is 0 in all others, and is 1 at most.
+
+    The entries are chosen by pivoting, so that directions that have nothing in common fall apart.
+    """
+    if not basis.shape[1]:
+        return []
+    _, _, order = linalg.qr(basis.T, pivoting=True)
+    pivots = order[: basis.shape[1]]
+    found = (basis @ np.linalg.inv(basis[pivots])).T
+    return [row / row[np.argmax(np.abs(row))] for row in found]

@@ -11,6 +11,9 @@ from .unknowns import Unknown
 
 EVEN = 0.1
 """By how much two entries of a direction may differ and count as equal."""
+FEW = 4
+"""Numbers of a direction that are named."""
+SCALE = "forces and masses have no scale"
 REMEDIES = (
     (".gain", "state the gain of the drive, or a mass that was weighed"),
     (".scale", "load the arm with a known weight, and state the scale of the gauge"),
@@ -48,8 +51,11 @@ def _what(own: Sequence[Unknown], entries: np.ndarray) -> str:
     if len(own) == 2 and logarithms and abs(abs(entries[1] / entries[0]) - 1) < EVEN:
         kind = "ratio" if entries[0] * entries[1] > 0 else "product"
         return f"{names[0]} and {names[1]} are known only as a {kind} ({entries[1] / entries[0]:+.2f})"
-    changes = ", ".join(f"{one.name} by {_change(one, x)}" for one, x in zip(own, entries, strict=True))
-    return f"only together are known {_list(names)}: the data hardly change with {changes}"
+    if len(own) > FEW and logarithms and (entries * entries[0] > 0).all() and abs(entries[FEW]) > abs(entries[0]) / 2:
+        return f"{_list([*names[:3], f'{len(names) - 3} more'])} can all grow together: {SCALE}"
+    more = f", and a little of {len(own) - FEW} more" if len(own) > FEW else ""
+    changes = ", ".join(f"{one.name} by {_change(one, x)}" for one, x in zip(own[:FEW], entries, strict=False))
+    return f"only together are known {_list(names[:FEW])}: the data hardly change with {changes}{more}"
 
 
 def _change(one: Unknown, x: float) -> str:

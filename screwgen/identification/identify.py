@@ -3,39 +3,28 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
 import numpy as np
 
 from ..arguments import seconds, whole
-from ..errors import UsageError
-from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from ..runtime.differentiated import NO_METHOD
-from ..simulation.runs import Run
-from ..spec.columns import Column, Columns, load_columns
-from ..spec.load import one_line
+from ..spec.columns import Column, Columns
 from . import odd
-from .identification import Estimated, Explained, Identification
-from .logs import Log, checked, faults, head_of, read_log
-from .problem import How, Problem, Windows, windows_of
-from .signals import Signals, of_run
-from .smoothing import LEAST, SHARE
+from .beside import explained, how_of, vector, windows_of_log
+from .identification import Estimated, Identification
+from .logs import Log, checked, faults
+from .problem import How, Problem, Windows
 from .solve import Estimate, Fit
+from .sources import Source, columns_of, log_of, several, some, varying
 from .uncertainty import NORMAL, VAGUE, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns
-from .windows import Experiment
 from .words import direction_in_words
 
-PART = re.compile(r"(?P<path>.+)@(?P<start>[-+.\deE]+):(?P<end>[-+.\deE]+)")
-"""``log.csv@0:10``: the samples from 0 s to 10 s."""
 ROUNDS = 2
 """How often windows are begun anew, from readings that identified numbers of sensors make right."""
-Source = str | os.PathLike[str] | Log | Run
 
 
 def identify(
@@ -67,16 +56,13 @@ def identify(
     Raises UsageError, a line that says what is wrong with a log, a name or a start.
     """
     began = perf_counter()
-    sources, others = _several(logs), _several(held_out)
-    if not sources:
-        raise UsageError("identify: there is no log; give one at least")
-    method_of(integrator, missing=NO_METHOD)
-    how = How(integrator, whole(substeps, "substeps", 1), whole(threads, "threads", 1))
+    sources, others = some(logs), several(held_out)
+    how = how_of(integrator, substeps, threads)
     whole(iterations, "iterations", 1)
-    columns = _columns(model, sensors, sources[0])
-    read, compared = ([_log(x, columns) for x in some] for some in (sources, others))
+    columns = columns_of(model, sensors, sources[0])
+    read, compared = ([log_of(x, columns) for x in some] for some in (sources, others))
     if sensors is None:
-        columns = _varying(columns, read)
+        columns = varying(columns, read)
     for log in (*read, *compared):
         checked(log, columns)
     window = seconds(window, "window")
@@ -85,8 +71,8 @@ def identify(
     values = asked.values(at.sought)
     known = uncertainty(fit, at)
     own, p = with_numbers(columns, asked, values), vector(model, asked, values)
-    explained = [
-        _explained(model, log, own, asked, at, fit.problem.how, (window, robust), k >= len(read))
+    beside = [
+        explained(model, log, own, asked, at.sought, how, (window, robust), k >= len(read))
         for k, log in enumerate([*read, *compared])
     ]
     told = [line for log in (*read, *compared) for line in faults(log, columns)]
@@ -105,7 +91,7 @@ def identify(
         tuple(_estimated(asked, at, known, fit)),
         {one.name: float(x) for one, x in zip(asked, values, strict=True) if one.place >= 0},
         own,
-        tuple(explained),
+        tuple(beside),
         tuple(direction_in_words(asked, *direction) for direction in known.directions),
         tuple(told),
         odd.whiteness(fit, at),
@@ -113,63 +99,7 @@ def identify(
     )
 
 
-def _several(given: Source | Sequence[Source]) -> list[Source]:
-    return [given] if isinstance(given, str | os.PathLike | Log | Run) else list(given)
-
-
 # ------------------------------------------------------------------------------ what is given
-
-
-def _columns(model: RobotModel, sensors: Any, first: Source) -> Columns:
-    """The columns of the logs, checked against the robot."""
-    if isinstance(sensors, Columns):
-        columns = sensors
-    elif sensors is not None:
-        columns = load_columns(sensors)
-    else:
-        columns = of_run(model, _head(first))
-    for column in columns.inputs:
-        if column.drives not in model.tau_names:
-            known = ", ".join(model.tau_names[:4])
-            raise UsageError(f"{column.name}: drives '{column.drives}', which is no input of the robot; it has {known}")
-    Signals(model, columns.sensors)
-    return columns
-
-
-def _head(source: Source) -> Sequence[str]:
-    if isinstance(source, Log):
-        return ["t", *source.columns]
-    return source.columns if isinstance(source, Run) else head_of(_part(source)[0])
-
-
-def _part(source: str | os.PathLike[str]) -> tuple[str, float | None, float | None]:
-    """The file of a log, and from when to when it is used."""
-    said = os.fsdecode(source)
-    found = PART.fullmatch(said)
-    if not found or os.path.exists(said):
-        return said, None, None
-    try:
-        return found["path"], float(found["start"]), float(found["end"])
-    except ValueError:
-        raise UsageError(f"{said}: the part is not understood; write FILE@START:END in seconds") from None
-
-
-def _log(source: Source, columns: Columns) -> Log:
-    if isinstance(source, Run):
-        table = dict(zip(source.columns, source.table.T, strict=True))
-        return Log(source.name, source.t, table)
-    if isinstance(source, Log):
-        return source
-    path, start, end = _part(source)
-    log = read_log(path, columns)
-    return log if start is None or end is None else replace(log.part(start, end), name=one_line(os.fsdecode(source)))
-
-
-def _varying(columns: Columns, logs: Sequence[Log]) -> Columns:
-    """The columns without sensors that say nothing, as what a planar arm has across its plane."""
-    silent = {c.name for c in columns.sensors if all(np.ptp(log.columns[c.name]) == 0 for log in logs)}
-    left = tuple(column for column in columns.columns if column.name not in silent)
-    return Columns(time=columns.time, columns=left)
 
 
 def _unknowns(model: RobotModel, columns: Columns, free: str | Sequence[str], logs: Sequence[Log]) -> Unknowns:
@@ -179,14 +109,6 @@ def _unknowns(model: RobotModel, columns: Columns, free: str | Sequence[str], lo
 
 
 # ------------------------------------------------------------------------------ the fit
-
-
-def _experiment(model: RobotModel, log: Log, columns: Columns, window: float) -> Experiment:
-    return Experiment(model, log, columns, max(LEAST, round(SHARE * min(window, log.t[-1] - log.t[0]) / log.step)))
-
-
-def _group(model: RobotModel, log: Log, columns: Columns, window: float, p: np.ndarray) -> Windows:
-    return windows_of(_experiment(model, log, columns, window), Signals(model, columns.sensors), window, p)
 
 
 def _fitted(
@@ -204,7 +126,7 @@ def _fitted(
     for _ in range(ROUNDS):
         values = asked.values(sought)
         own, p = with_numbers(columns, asked, values), vector(model, asked, values)
-        before, groups = groups, [_group(model, log, own, window, p) for log in logs]
+        before, groups = groups, [windows_of_log(model, log, own, window, p) for log in logs]
         if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
             break
         problem = Problem(model, groups, asked, how)
@@ -217,15 +139,6 @@ def _fitted(
             break
     at.history = history
     return fit, at
-
-
-def vector(model: RobotModel, asked: Unknowns, values: np.ndarray) -> np.ndarray:
-    """All parameters (n,) with the identified ones (k,) in place."""
-    out = model.chain.parameters.values.copy()
-    for one, x in zip(asked, values, strict=True):
-        if one.place >= 0:
-            out[one.place] = x
-    return out
 
 
 def with_numbers(columns: Columns, asked: Unknowns, values: np.ndarray) -> Columns:
@@ -258,33 +171,3 @@ def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> l
         sure = bool(known.deviation[k] <= VAGUE)
         out.append(Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound))
     return out
-
-
-def _explained(
-    model: RobotModel,
-    log: Log,
-    own: Columns,
-    asked: Unknowns,
-    at: Estimate,
-    how: How,
-    settings: tuple[float, bool],
-    held_out: bool,
-) -> Explained:
-    """A log beside the identified model, in one run and over windows, and beside the model of the start."""
-    p, (window, robust) = vector(model, asked, asked.values(at.sought)), settings
-    experiment, signals = _experiment(model, log, own, window), Signals(model, own.sensors)
-    run = windows_of(experiment, signals, log.t[-1] - log.t[0], p)
-    problem = Problem(model, [run], asked, how)
-    both = np.vstack([at.sought, np.zeros_like(at.sought)])
-    lanes = np.zeros(2, int)
-    whole, before = problem.differences(run, lanes, both, np.zeros((2, len(run.states))))
-    cut = windows_of(experiment, signals, window, p)
-    nothing = np.full(len(experiment.compared), np.nan)
-    found = Fit(Problem(model, [cut], asked, how, fixed=True), nothing, robust).begun(at.sought).differences[0]
-    readings = run.compared[0]
-    windows = np.full_like(readings, np.nan)
-    for first, part in zip(cut.first, found, strict=True):
-        windows[first : first + cut.size] = readings[first : first + cut.size] - part
-    names = tuple(own.sensors[k].name for k in run.experiment.compared)
-    t = log.t[: len(readings)]
-    return Explained(log.name, held_out, t, names, readings, readings - whole, readings - before, windows, cut.first)

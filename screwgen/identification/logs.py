@@ -20,9 +20,9 @@ UNEVEN = 1e-2
 """By how much of a sample the steps of time may differ."""
 GAPS = 0.2
 """The share of readings of a sensor that may be missing."""
-STAY, SUDDEN = 5, 0.3
+STAY, SUDDEN, QUANTA = 5, 0.3, 3
 """A sensor is saturated that stays so many samples at an end of its range, and comes there by steps that are more than
-this share of its usual ones."""
+this share of its usual ones, and more than so many of its least ones: an encoder that stops comes there by one."""
 LEAST = 20
 """Samples that a log must have."""
 
@@ -136,8 +136,9 @@ def _saturated(values: np.ndarray, end: float) -> bool:
     """Whether readings stay at an end of their range and come there suddenly; what comes to rest comes slowly."""
     stays = np.convolve(values == end, np.ones(STAY), "valid") == STAY
     begins = np.flatnonzero(stays[1:] & ~stays[:-1])
-    steps = np.diff(values)
-    return bool(len(begins)) and bool(np.median(np.abs(steps[begins])) > SUDDEN * np.sqrt(np.mean(steps**2)))
+    steps = np.abs(np.diff(values))
+    usual = max(SUDDEN * np.sqrt(np.mean(steps**2)), QUANTA * np.min(steps[steps > 0], initial=np.inf))
+    return bool(len(begins)) and bool(np.median(steps[begins]) > usual)
 
 
 # ------------------------------------------------------------------------------ files

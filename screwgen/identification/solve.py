@@ -62,7 +62,7 @@ class Reduced:
         """The step of what is sought (k,), and of the starts of windows."""
         k = self.R.shape[1]
         size = np.linalg.norm(self.R, axis=0)
-        most = size.max() or 1.0
+        most = np.max(size, initial=0.0) or 1.0
         scale = np.sqrt(damping) * most * np.maximum(size / most, 1e-12) ** MARQUARDT
         own = np.vstack([self.R, np.diag(scale)])[:, free]
         found = np.zeros(k)

@@ -55,7 +55,8 @@ class Unknown:
 
     def values(self, sought: np.ndarray) -> np.ndarray:
         """The numbers that these are."""
-        return self.value * np.exp(sought) if self.logarithmic else self.value + self.scale * sought
+        with np.errstate(over="ignore"):  # an interval without an end
+            return self.value * np.exp(sought) if self.logarithmic else self.value + self.scale * sought
 
     def slope(self, value: float) -> float:
         """How the number changes with what is sought."""
@@ -71,14 +72,17 @@ class Unknowns(tuple[Unknown, ...]):
 
     def values(self, sought: np.ndarray) -> np.ndarray:
         """The numbers (…, k) of what is sought (…, k)."""
-        return np.stack([one.values(sought[..., k]) for k, one in enumerate(self)], axis=-1)
+        out = np.empty(sought.shape)
+        for k, one in enumerate(self):
+            out[..., k] = one.values(sought[..., k])
+        return out
 
     @cached_property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
         """The least and the largest (k,) of what is sought."""
         return (
-            np.array([_sought_bound(one, one.low, -math.inf) for one in self]),
-            np.array([_sought_bound(one, one.high, math.inf) for one in self]),
+            np.array([_sought_bound(one, one.low, -math.inf) for one in self], float),
+            np.array([_sought_bound(one, one.high, math.inf) for one in self], float),
         )
 
     @cached_property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -34,6 +35,9 @@ def identify(
     check: Annotated[
         list[str] | None, typer.Option(metavar="LOG", help="A log that is held out; may be given again.")
     ] = None,
+    report: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Also a report, .html, and its numbers beside it, .json.")
+    ] = None,
     window: Annotated[float, typer.Option(metavar="S", help="About how long windows are, in seconds.")] = 1.0,
     substeps: Annotated[int, typer.Option(metavar="N", min=1, help="Steps of a motion per sample of the log.")] = 1,
     integrator: Annotated[
@@ -53,6 +57,8 @@ def identify(
     from .output import load_robot, notes, say
 
     check_output(output, (".toml",))
+    if report is not None:
+        check_output(report, (".html",))
     quiet = quiet or context.obj
     model = derive(load_robot(robot, quiet))
     more: dict[str, Any] = {"sensors": sensors, "held_out": check or (), "window": window, "substeps": substeps}
@@ -60,6 +66,10 @@ def identify(
     with told("identifying", quiet) as progress:
         found = identified(model, logs, free=free, progress=progress, **more)
     texts = {output: found.robot_text(robot)}
+    if report is not None:
+        from ..identification.report import report_html
+
+        texts |= {report: report_html(found), str(Path(report).with_suffix(".json")): found.to_json()}
     with outputs(*texts) as streams:
         for stream, text in zip(streams, texts.values(), strict=True):
             stream.write(text.encode())

@@ -1,5 +1,7 @@
 """Identification: numbers are found again from logs of a robot that has them."""
 
+import json
+
 import numpy as np
 import pytest
 from identified_arms import SENSORS, TRUE, elsewhere, pendulum, swing
@@ -29,17 +31,23 @@ def test_numbers_thirty_percent_off_are_found_again(log):
 def test_a_command_writes_the_robot_with_its_comments(tmp_path, capsys):
     """From a run of `simulate` with other numbers; what the file says besides stays, intervals are added."""
     text = screwgen.dump(elsewhere(["rod.EIz"]).robot)
-    robot, log, out = (tmp_path / x for x in ("robot.toml", "log.csv", "identified.toml"))
+    robot, log, out, page = (tmp_path / x for x in ("robot.toml", "log.csv", "identified.toml", "report.html"))
     robot.write_text(f"# of the sheet\n{text}")
     run = screwgen.simulate(pendulum(), 2.0, 1e-3, q0=[-1.5, 0.0, 0.0])
     run.save(log)
-    assert main(["identify", str(robot), f"{log}@0:1.5", "-o", str(out), "--free", "rod.EIz"]) == 0
+    asked = ["-o", str(out), "--free", "rod.EIz", "--check", f"{log}@1.5:2", "--report", str(page)]
+    assert main(["identify", str(robot), f"{log}@0:1.5", *asked]) == 0
     assert "rod.EIz: 26 -> 20" in capsys.readouterr().out
     before, after = (path.read_text().splitlines() for path in (robot, out))
     (changed,) = [new for old, new in zip(before, after, strict=True) if old != new]
     assert "EIz = 20" in changed and "# ±" in changed
     found = screwgen.load(out).links[0].section.EIz
     assert found == pytest.approx(20.0, rel=1e-4)
+    text, numbers = page.read_text(), json.loads(page.with_suffix(".json").read_text())
+    assert text.count("<section>") == 7 and "rod.EIz" in text and "@1.5:2, held out" in text
+    assert text.count("data:image/png") == 4 and "http" not in text.partition("<style>")[2].replace("http-equiv", "")
+    assert numbers["estimates"][0]["value"] == pytest.approx(20.0, rel=1e-4)
+    assert [x["held_out"] for x in numbers["explained"]] == [False, True]
 
 
 def test_joints_that_are_given_move_the_links_alone(log):

@@ -67,9 +67,7 @@ def identify(
         found = identified(model, logs, free=free, progress=progress, **more)
     texts = {output: found.robot_text(robot)}
     if report is not None:
-        from ..identification.report import report_html
-
-        texts |= {report: report_html(found), str(Path(report).with_suffix(".json")): found.to_json()}
+        texts |= {report: found.report(), str(Path(report).with_suffix(".json")): found.to_json()}
     with outputs(*texts) as streams:
         for stream, text in zip(streams, texts.values(), strict=True):
             stream.write(text.encode())

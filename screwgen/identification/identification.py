@@ -98,6 +98,8 @@ class Identification:
     """What is odd, a sentence each."""
     whiteness: Mapping[str, float] = field(default_factory=dict)
     """Of each sensor the correlation of a residual with the next."""
+    frequencies: tuple[float, ...] = ()
+    """The natural frequencies of the identified robot in its first posture, Hz."""
     tried: Mapping[str, float | int | str] = field(default_factory=dict)
     """How the fit went: iterations, rollouts, seconds, why it stopped."""
 
@@ -137,9 +139,16 @@ class Identification:
             "undetermined": list(self.undetermined),
             "notes": list(self.notes),
             "whiteness": dict(self.whiteness),
+            "frequencies": list(self.frequencies),
             "fit": dict(self.tried),
         }
         return json.dumps(_finite(table), indent=1)
+
+    def report(self) -> str:
+        """One HTML page: measured against model, numbers with intervals, what is odd and what is left open."""
+        from .report import report_html
+
+        return report_html(self)
 
     def robot_text(self, robot_file: str | os.PathLike[str]) -> str:
         """The text of a robot file with the identified parameters in it, intervals as comments, all else as it is."""

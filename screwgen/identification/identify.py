@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Sequence
 from time import perf_counter
 from typing import Any
@@ -10,8 +11,10 @@ from typing import Any
 import numpy as np
 
 from ..arguments import seconds, whole
+from ..errors import ScrewgenError
 from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
+from ..studies.modes import natural_frequencies
 from . import odd
 from .beside import explained, how_of, vector, windows_of_log
 from .identification import Estimated, Identification
@@ -77,7 +80,9 @@ def identify(
     ]
     told = [line for log in (*read, *compared) for line in faults(log, columns)]
     told += odd.of_fit(fit, at) + odd.of_bounds(asked, at, fit) + odd.of_units(fit, at)
-    told += odd.of_filters(model, columns, asked, p, fit.problem.groups[0].begin[0].x[: model.nq])
+    posture = fit.problem.groups[0].begin[0].x[: model.nq]
+    frequencies = _frequencies(model, p, posture)
+    told += odd.of_filters(model, columns, asked, p, min(frequencies, default=0.0))
     told += odd.of_repetition(read, compared, columns)
     tried: dict[str, float | int | str] = {
         "iterations": len(at.history),
@@ -95,6 +100,7 @@ def identify(
         tuple(direction_in_words(asked, *direction) for direction in known.directions),
         tuple(told),
         odd.whiteness(fit, at),
+        frequencies,
         tried,
     )
 
@@ -160,6 +166,16 @@ def _with(column: Column, numbers: dict[str, float]) -> Column:
 
 
 # ------------------------------------------------------------------------------ the result
+
+
+def _frequencies(model: RobotModel, p: np.ndarray, q: np.ndarray) -> tuple[float, ...]:
+    """The natural frequencies at parameters (n,) in a posture, Hz; none where there are none to speak of."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            return tuple(x for x in natural_frequencies(model, q, parameters=p).tolist() if x > 0)
+        except ScrewgenError:  # loads that change with the motion, or a rigid robot
+            return ()
 
 
 def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:

@@ -9,7 +9,6 @@ import numpy as np
 from ..robot_model import RobotModel
 from ..spec.columns import Columns
 from ..spec.parameters import parameters
-from ..studies.modes import natural_frequencies
 from .logs import Log
 from .solve import Estimate, Fit
 from .unknowns import Unknowns
@@ -66,16 +65,17 @@ def of_units(fit: Fit, at: Estimate) -> list[str]:
     return out
 
 
-def of_filters(model: RobotModel, columns: Columns, asked: Unknowns, p: np.ndarray, q: np.ndarray) -> list[str]:
-    """Damping of links that no such link has, at parameters (n,) and in a posture, though no filter is stated.
+def of_filters(model: RobotModel, columns: Columns, asked: Unknowns, p: np.ndarray, first: float) -> list[str]:
+    """Damping of links that no such link has, at parameters (n,), though no filter is stated.
 
-    A ratio is that of a link's own modes. The loaded arm vibrates more slowly, and its damping is less in proportion.
+    A ratio is that of a link's own modes. The loaded arm vibrates more slowly, at its `first` frequency (Hz), and its
+    damping is less in proportion.
     """
     damping = {x.name: (x.field, x.link) for x in parameters(model.robot) if x.field.startswith("damping.")}
     free = [one.name for one in asked if one.name in damping]
     if not free or any(column.filter for column in columns.sensors):
         return []
-    lowest = 2 * np.pi * float(natural_frequencies(model, q, parameters=p)[0])
+    lowest = 2 * np.pi * first
     own = dict(zip(model.parameter_names, p.tolist(), strict=True))
     found = []
     for name in free:

@@ -70,6 +70,12 @@ class Explained:
         """The share of variance that ``windows``, ``whole`` or ``before`` explains of each sensor."""
         return dict(zip(self.sensors, shares(self.readings, getattr(self, of)), strict=True))
 
+    def picture(self) -> bytes:
+        """Measured against model, and what is left, as PNG."""
+        from .report_figures import against_model
+
+        return against_model(self, f"{self.log}, {'held out' if self.held_out else 'fitted'}")
+
 
 def shares(readings: np.ndarray, model: np.ndarray) -> list[float]:
     """1 less the mean square of the difference over the variance, of each column; NaN are left out."""
@@ -120,7 +126,7 @@ class Identification:
         ]
         for log in self.explained:
             kind = "held out" if log.held_out else "fitted"
-            told = ", ".join(f"{name} {100 * x:.2f} %" for name, x in log.share("whole").items())
+            told = ", ".join(f"{name} {100 * x:.1f} %" for name, x in log.share("whole").items())
             lines.append(f"{log.log} ({kind}), variance explained in one run: {told}")
         if notes:
             lines += [f"undetermined: {line}" for line in self.undetermined]

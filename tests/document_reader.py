@@ -21,6 +21,7 @@ from latex_formula import Value, value
 from screwgen import Model
 from screwgen.backends.latex import document as latex
 
+HELD = r"\boldsymbol{\sigma}_{b,i}", r"\mathbf{j}_{b,i}", r"\ddot{\mathbf{q}}_{b,i}"
 MOTION, INWARD, ACCELERATIONS = "Outward: motion", "Inward: elimination", "Outward: accelerations"
 """The passes of the algorithm by their headings."""
 TENSION = r" + \sum\limits_c T_c"
@@ -124,9 +125,10 @@ class Run:
     def _on_axes(self, link: Link, torques: Mapping) -> Env:
         nv, own = link.sizes[1], self.state.scopes[link.number].given["parameters"]
         base = {s: [own.get(f"{s}_{{{'m' if s == 'j' else 'q'},{k + 1}}}", 0.0) for k in range(nv)] for s in "jkd"}
-        effort, told, given = np.zeros(nv), np.zeros(nv), np.zeros(nv)
+        effort, told, given, held = np.zeros(nv), np.zeros(nv), np.zeros(nv), np.tile([1.0, 0.0, 0.0], (nv, 1))
         for axis in link.axes:
             k = axis.number
+            held[k] = axis.held()
             told[k], given[k] = axis.tau, axis.given and not axis.elastic
             total, inertia, stiffness, damping = self.efforts[axis.name, k]
             effort[k] = total + torques.get(self.axes.index(axis), 0.0)
@@ -138,6 +140,7 @@ class Run:
         if link.sizes[0] != nv:  # a ball joint has no springs
             out[r"\mathbf{q}_i"] = np.zeros((nv, 1))
         out |= {plain(r"\mathbf{E}_i"): np.diag(given), plain(r"\bar{\mathbf{E}}_i"): np.diag(1 - given)}
+        out |= {plain(name): held[:, [k]] for k, name in enumerate(HELD)}
         acting = {plain(r"\boldsymbol{\tau}_{q,i}"): effort[:, None], plain(r"\boldsymbol{\tau}_i"): effort[:, None]}
         return out | acting | ({plain(r"\boldsymbol{\tau}_i"): told[:, None]} if given.any() else {})
 

@@ -138,6 +138,10 @@ class State:
         for axis, x in zip(axes, tau, strict=False):
             axis.tau = x
         self.tensions = tau[len(axes) :]
+        for row in self.reading.document.table(r"in $\mathbf{u}$"):
+            for axis in axes:
+                if row[2] == f"`{axis.name}.brake[{axis.number}]`":
+                    axis.brake[plain(row[1].strip("$"))] = tau[int(row[0]) - 1]
 
     def _internal(self, first: int, v) -> list[tuple[Axis | str, str]]:
         """The internal states in their order, by the table of coordinates: whose they are, and of which force; of

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..ir.program import Array
 from ..joints.exponential import Series
+from . import brakes
 from . import matrices as mx
 from .axis_terms import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
@@ -256,6 +257,8 @@ def joint_rows(s: Scope) -> None:
         "qdot": qdot,
         "q": q,
     }
+    if s.key.brakes:
+        given |= brakes.by_axis(s, qdot)
     _write_rows(s, given)
     X, PX = s.lower("joint_rows", given, "X", "PX")
     s.write("base.X", X)

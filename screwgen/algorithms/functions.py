@@ -16,6 +16,7 @@ from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .axis_terms import rotor_accelerations
+from .brake_functions import BrakeFunctions
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
 from .held import hold
@@ -79,7 +80,7 @@ class ActingLaw(NamedTuple):
     values: Mapping[str, Value]
 
 
-class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions):
+class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions, BrakeFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the

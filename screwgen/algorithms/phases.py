@@ -18,6 +18,7 @@ import numpy as np
 
 from ..ir.program import Array, Value
 from ..spec.link_class import EXACT
+from . import brakes
 from . import matrices as mx
 from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia, prescribed
 from .elastic_travels import carrying_along
@@ -74,6 +75,8 @@ def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
     s.keep("omega", omega)
     s.keep("acc_0", np.concatenate([alpha, a]))
     store(s, q, qdot)
+    if s.key.brakes:
+        s.keep("braked_rate", qdot)
 
 
 def swing(alpha: Array, omega: Array, r: Array) -> Array:
@@ -182,7 +185,7 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
     The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`. An axis whose acceleration a is given is
-    not eliminated: it adds ``M s a`` to the bias and leaves the inertia whole.
+    not eliminated: it adds ``M s a`` to the bias and leaves the inertia whole. What a brake does: :mod:`.brakes`.
     """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
@@ -191,10 +194,13 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
             a = s.read("tau")[axis]
             h = s.name("h_given", h + mx.multiply(M, S[:, axis]) * a, "h_V")
             S, own, driving = without_column(S, axis), with_entry(own, axis, 1.0), with_entry(driving, axis, a)
+        if s.key.brakes:
+            stop = brakes.stops(s)
+            h, driving = h + mx.multiply(M, mx.multiply(S, stop)), driving - own * stop
         U = s.name("U", mx.multiply(M, S))
         inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
-        L, inverse = mx.factorise(inertia, s.tracer, scale)
+        L, inverse = mx.factorise(inertia, s.tracer, scale, brakes.kept(s))
         Z = mx.forward(L, U.T)
         W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
         w = mx.scale_rows(mx.forward(L, driving - mx.multiply(S.T, h)), inverse)
@@ -223,7 +229,7 @@ def accelerate(s: Scope) -> None:
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
         carried = s.name("carried", imparted(s), "delta")
         qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
-        qddot = s.name("Vdot" if s.key.floats else "qddot", qddot)
+        qddot = s.name("Vdot" if s.key.floats else "qddot", qddot + brakes.stops(s) if s.key.brakes else qddot)
         s.write("qddot", qddot)
         if s.key.added_axes:
             accelerate_added(s, qddot)

@@ -102,6 +102,8 @@ class LinkClass:
     """The axes whose efforts have a limit that a step holds."""
     prescribed: tuple[int, ...] = ()
     """The axes whose motion is given: their input is an acceleration."""
+    brakes: tuple[int, ...] = ()
+    """The axes that have a brake."""
     elements: tuple[tuple[type[AxisElement], int], ...] = ()
     """The elements of the axes by their kind, each with its axis."""
     tendons: tuple[TendonClass, ...] = ()
@@ -312,6 +314,7 @@ def link_class(
             k for k, x in enumerate(joint.limits or ()) if x.effort is not None and k not in joint.prescribed
         ),
         prescribed=joint.prescribed,
+        brakes=joint.braked,
         elements=tuple((type(one), axis) for axis, own in enumerate(joint.elements or ()) for one in own),
         frame_at=link.frame_at is not None,
         length=link.length is not None,

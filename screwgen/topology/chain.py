@@ -171,6 +171,7 @@ class Chain(Coordinates, ChosenInputs):
     def singular_loops(self) -> SingularError:
         """The error of loops whose rows depend on each other in a posture."""
         remedy = "let their joints leave free what the links cannot follow, or give the links modes that can"
+        remedy = f"open a brake, {remedy}" if self.braked else remedy
         return SingularError(f"the loops of '{self.robot.name}' are singular in this posture; {remedy}")
 
     @property

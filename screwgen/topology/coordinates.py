@@ -160,6 +160,16 @@ class Coordinates(LawCoordinates):
         return [self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.prescribed]
 
     @cached_property
+    def braked(self) -> list[int]:
+        """The joint coordinates, as their numbers, that have a brake; it acts at :attr:`held_places`."""
+        return [self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.brakes]
+
+    @property
+    def has_reactions(self) -> bool:
+        """Whether some efforts follow from the motion: of axes whose motion is given, and of brakes."""
+        return bool(self.prescribed or self.braked)
+
+    @cached_property
     def elastic_travels(self) -> dict[int, int]:
         """The joint coordinates, as their numbers, that elastic gears of transmissions drive: the place of each gear's
         coordinate in `v`."""

@@ -179,6 +179,8 @@ def _boom(row: Row) -> dict:
         and row["closing"] not in LOOPS
     ):
         boom["joint"]["actuation"] = ["motion", *["torque"] * (len(boom["joint"]["axes"]) - 1)]
+    if row["axis"] == "brakes" and row["base"] != "afloat" and row["turn"] != "ball":
+        boom["joint"]["brake"] = [{"inertia": 0.4, "time": 0.06} for _ in boom["joint"]["axes"]]
     if row["more"] == "markers":
         boom["markers"] = [{"name": "lug", "at": 0.45}]
     if "boom.eye" in str(FORCES.get(row["force"])):
@@ -214,6 +216,8 @@ def _fore(row: Row) -> dict:
             joint["limits"] = [{"effort": EFFORT}]
         case "given motion":
             joint["actuation"] = "motion"
+        case "brakes":
+            joint["brake"] = {"inertia": 4e-3 if "stiffness" in (drive or {}) else 0.3, "time": 0.05}
         case "passive":
             joint |= {"damping": [0.3], "stiffness": [12.0]}
             joint |= {} if drive and "rotor_inertia" in drive else {"armature": [0.06]}

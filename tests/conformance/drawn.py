@@ -42,6 +42,7 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
         oracle = Oracle(twin)
     judge = Judge(robot, twin, oracle, state)
     judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
+    judge.closed = rng.uniform(0.2, 0.7, len(judge.brakes))
     judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)
     judge.outer.winches = rng.uniform(-0.3, 0.3, judge.outer.winches.shape)
     judge.outer.relaxed = rng.uniform(-0.2, 0.2, len(judge.outer.relaxed))

@@ -116,7 +116,7 @@ def energy(case: Case) -> None:
 
 def drive_power(f, q, v, tau, w_ext) -> np.ndarray:
     """Of each input, also where it is an acceleration."""
-    return f.effort_power(q, v, tau, w_ext) if f.chain.prescribed else f.drive_power(q, v, tau)
+    return f.effort_power(q, v, tau, w_ext) if f.chain.has_reactions else f.drive_power(q, v, tau)
 
 
 def paid_out(case: Case, dt: float) -> np.ndarray:
@@ -136,9 +136,9 @@ def equilibrium(case: Case) -> None:
     pulled[[name.endswith(".speed") for name in model.tau_names[model.n_joints :]]] = 0.0  # nothing moves
     rest = screwgen.equilibrium(model, start, pulled if len(pulled) else None, hold=True, parameters=light)
     f = model.numpy(model.chain.parameters.vector(light))
-    zero = np.zeros(model.nv)
+    zero, torques = np.zeros(model.nv), [".brake[" not in name for name in model.tau_names]
     vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)
-    pushed = np.abs(f.forward_dynamics(rest.q, zero, np.add(rest.tau, 1.0), None)[0] - vdot).max()
+    pushed = np.abs(f.forward_dynamics(rest.q, zero, rest.tau + torques, None)[0] - vdot).max()
     assert np.abs(vdot).max() < 1e-6 * max(pushed, 1.0), f"{np.abs(vdot).max():.1e} beside {pushed:.1e}"
 
 

@@ -10,7 +10,7 @@ from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
-from . import step_derivatives
+from . import brakes, step_derivatives
 from .code import Place, entries, singular
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes
@@ -42,6 +42,7 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "exerted": entries("work->exerted", nv),
         "f_z": entries("work->by_state", nv),
     }
+    own |= brakes.rows(chain)
     of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
     own |= {name: entries(f"work->{to}", nv) for name, to in of_rows.items()}
     placed = piece_place(chain, "work->kept", own, place)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...algorithms.robot_programs import free_fall
 from ...algorithms.signals import CALL, Signal
 from ...topology.chain import Chain
-from . import tendons
+from . import brakes, tendons
 from .code import Place, entries
 from .pieces import piece_place, pieces
 
@@ -39,5 +39,5 @@ def scratch(chain: Chain) -> dict[str, Signal]:
 
 def note(chain: Chain) -> str:
     """What is added to the comment of ``tau``."""
-    made = "".join(f"; then {row.words}" for row in chain.other_inputs if row.signal != "tension")
-    return tendons.note(chain) + made
+    made = "".join(f"; then {row.words}" for row in chain.other_inputs if not row.signal)
+    return tendons.note(chain) + brakes.note(chain) + made

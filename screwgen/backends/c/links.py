@@ -189,7 +189,7 @@ class Places:
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        offsets = {f"{part}_OFFSET" for part in ("M", "Q", "V", "THETA", "BELOW", "TENSION", "Z")}
+        offsets = {f"{part}_OFFSET" for part in ("M", "Q", "V", "THETA", "BELOW", "TENSION", "BRAKE", "Z")}
         tables = offsets | {"M_PLACE", "BASE", "STATION"}
         nodes = self.links.chain.tree.places(self.passage.link)
         return signals | tables | {"c", "link", "place", "M", *nodes}
@@ -238,6 +238,8 @@ class Places:
                 place = f"call->{member} + t"
             case ("c",):
                 place = f"call->{member} + TENSION_OFFSET[i]"
+            case ("k",):
+                place = f"call->{member} + BRAKE_OFFSET[i]"
             case ("z",):
                 place = f"call->{member} + Z_OFFSET[i]"
             case ("b",):

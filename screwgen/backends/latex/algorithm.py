@@ -218,7 +218,24 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "shared": chain.closing.overconstrained,
         **joint_terms(chain),
         **_driving(chain),
+        **_held(chain),
+        "braked": chain.braked,
     }
+
+
+def _held(chain: Chain) -> Mapping[str, str]:
+    """What brakes make of the rows of axes: what stands before a row and behind it, and before what it is made of."""
+    if not chain.braked:
+        return dict.fromkeys(("held", "held_inertia", "held_force", "share"), "")
+    return {
+        "held": rf"{SHARE}\,\left( ",
+        "held_inertia": rf" \right) + {GRIP}",
+        "held_force": rf" \right) + {GRIP}\,\ddot{{\mathbf{{q}}}}_{{b,i}}",
+        "share": rf"{SHARE}\,",
+    }
+
+
+SHARE, GRIP = r"\boldsymbol{\Sigma}_{b,i}", r"\mathbf{J}_{b,i}"
 
 
 def _driving(chain: Chain) -> Mapping[str, object]:

@@ -16,6 +16,7 @@ from ...algorithms.scope import derived
 from ...ir.block import Block
 from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
+from ...spec.brake import BRAKES
 from ...spec.forces import FORCE_INPUTS
 from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
@@ -86,7 +87,7 @@ def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None
 def chain_of(robot: Robot) -> Chain:
     """The links of a robot, with the rows of its loops that bear forces."""
     chain = Chain(robot)
-    chain.refuse_inputs("document", "leave them out of its robot", TENSIONS, FORCE_INPUTS)
+    chain.refuse_inputs("document", "leave them out of its robot", TENSIONS, BRAKES, FORCE_INPUTS)
     choose_rows(chain)
     return chain
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
+from functools import lru_cache
 from itertools import count
 from typing import NamedTuple
 
@@ -109,6 +110,7 @@ def _rows(lines: Sequence[Item]) -> list[Row]:
     return [row for item in lines if isinstance(item, Display) for row in item.formula]
 
 
+@lru_cache(maxsize=10_000)
 def plain(formula: str) -> str:
     """A formula with single letters below others not in braces, and without the tildes of skew matrices."""
     formula = re.sub(r"\\(?:wide)?tilde\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1", formula)

@@ -15,7 +15,7 @@ import numpy as np
 
 import screwgen
 from screwgen.plotting import plot
-from screwgen.runtime.compiled import CompiledStepper
+from screwgen.runtime.stepper import CompiledStepper
 from screwgen.simulation.controllers import PD
 from screwgen.simulation.simulate import simulate
 

@@ -16,7 +16,8 @@ else:
             self._name = name
 
         def __getattr__(self, attribute: str) -> Any:
-            return getattr(import_module(self._name), attribute)
+            found = self.__dict__[attribute] = getattr(import_module(self._name), attribute)
+            return found
 
     sp, linalg, transform = _Lazy("sympy"), _Lazy("scipy.linalg"), _Lazy("scipy.spatial.transform")
 

@@ -15,6 +15,7 @@ from helpers import ROOT, arm, example, link
 
 from screwgen import Robot, ScrewgenError, derive
 from screwgen.integrators import METHODS
+from screwgen.joints.ball import BALL
 from screwgen.runtime import asked, library
 from screwgen.runtime.compiled import Compiled
 from screwgen.runtime.lean import RuntimeProject
@@ -232,6 +233,10 @@ class OwnSpring:
     """A part of a robot whose lines may change under its name."""
 
     stiffness: float = 1.0
+
+
+class OwnBall(type(BALL)):
+    """A kind of joint of the user's own, along whose axes there are the rates of the product's."""
 
 
 def test_what_was_asked_for_is_found_before_anything_is_written(tmp_path, monkeypatch):

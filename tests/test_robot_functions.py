@@ -44,7 +44,9 @@ def test_what_nothing_reports_is_no_attribute():
             _ = x.powers
 
 
-def test_results_that_are_reported_have_names_of_their_own():
+@pytest.mark.parametrize("actuation", ["torque", "motion"])
+def test_results_that_are_reported_have_names_of_their_own(actuation):
     """`evaluate` prints them side by side, by their names alone."""
-    names = [name for row in FUNCTIONS if row.c_file == OUTPUTS for name in row.results]
+    chain = model_of(arm(link("boom") | {"joint": {"axes": ["z"], "actuation": [actuation]}})).chain
+    names = [name for row in FUNCTIONS if row.c_file == OUTPUTS and row.offered(chain) for name in row.results]
     assert len(set(names)) == len(names) > 2

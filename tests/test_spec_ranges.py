@@ -12,7 +12,7 @@ from screwgen.simulation.state import state_of
 from screwgen.spec import Joint, load
 from screwgen.spec.ranges import RANGES
 
-GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration"}
+GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration", "force_input"}
 """Not in a robot file."""
 
 KEYS = {
@@ -36,6 +36,8 @@ KEYS = {
     "position": r"xyz = \[",
     "turn": r"rpy = \[",
     "gravity": r"gravity = \[",
+    "rest curvature": r"rest = \{ bending_y = ",
+    "rest twist": r"torsion = (?=0)",
 }
 """What stands before the number, where that is not the name of the quantity."""
 
@@ -62,6 +64,10 @@ COUPLED = f'couplings = [{{ axis = "fore.joint[0]", of = "upper.joint[0]", ratio
 TEXTS |= dict.fromkeys(("coupling ratio", "coupling offset"), COUPLED)
 TEXTS["effort"] = GOOD.replace(FREE, f"{FREE}, limits = {{ effort = 50.0 }}")
 TEXTS["damping time"] = GOOD.replace("{ ratio = 0.01 }", "{ time = 0.01 }")
+CURVED = GOOD.replace(
+    "damping = { ratio", 'order = "exact"\nrest = { bending_y = 0.5, torsion = 0.3 }\ndamping = { ratio'
+)
+TEXTS |= dict.fromkeys(("rest curvature", "rest twist"), CURVED)
 TEXTS["pitch"] = GOOD.replace(FREE, SCREW)
 """The files of quantities that the good file lacks."""
 

@@ -66,7 +66,7 @@ def _parts(value: Any) -> list[str]:
     if isinstance(value, Mapping):
         return [_stated(x) for item in value.items() for x in item]
     if isinstance(value, tuple | list):
-        return [_stated(x) for x in value]
+        return [_stated(x) for x in (*value, *getattr(value, "__dict__", {}).values())]
     if isinstance(value, Part) or is_dataclass(value):
         kind = type(value)  # what follows from the rest is there once it was asked for
         return _parts({k: x for k, x in vars(value).items() if not isinstance(getattr(kind, k, None), cached_property)})

@@ -300,7 +300,8 @@ class RunFile:
 
 def _columns(model: RobotModel) -> tuple[str, ...]:
     names = (model.q_names, model.v_names, model.tau_names, model.wrench_names)
-    return column_names(*names, quantities=model.force_quantities)
+    told = [row.name for row in reported(model.chain)]
+    return column_names(*names, reports=told, quantities=model.force_quantities)
 
 
 def _header(table: SampleTable, text: bool, count: int) -> bytes:

@@ -170,9 +170,7 @@ class Run:
         FORMATS[suffix(path)](self, stream)
 
 
-def column_names(
-    *names: Sequence[str], reports: Iterable[str] = REPORTED, quantities: Iterable[str] = ()
-) -> tuple[str, ...]:
+def column_names(*names: Sequence[str], reports: Iterable[str], quantities: Iterable[str] = ()) -> tuple[str, ...]:
     """The names of the columns of a table, of a run with these `NAMES`, whose forces report ``quantities``."""
     of = dict(zip(NAMES, names, strict=True))
     links = segments(of["wrench_names"])

@@ -55,6 +55,11 @@ def _actuation(value: Any) -> tuple[str, ...]:
     return tuple(choice(*ACTUATION)(one) for one in said)
 
 
+def _words(actuation: tuple[str, ...]) -> list[str]:
+    """The words of all axes as a file states them."""
+    return list(actuation)
+
+
 class Mount(Part):
     """Where a joint sits on the parent's tip section, or for the first link on the inertial frame.
 
@@ -90,7 +95,7 @@ class Joint(Part):
         None, description="the limits of each axis, an array of tables: range and stops; {} is none"
     )
 
-    actuation: Annotated[tuple[str, ...], PlainValidator(_actuation), PlainSerializer(list)] | None = Field(
+    actuation: Annotated[tuple[str, ...], PlainValidator(_actuation), PlainSerializer(_words)] | None = Field(
         None,
         description='"torque": the input of the axis is the effort of its drive; "motion": its acceleration, and the '
         "effort follows; of several axes an array",

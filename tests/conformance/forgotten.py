@@ -104,7 +104,7 @@ TABLE: list[Mutant] = [
       "tau, inertia = found.slope * tau, inertia + found.inertia"),
     M("elastic gear", "DAE form", ALGORITHMS + "axis_terms.py",
       'tau[axis] = tau[axis] - of("gear_damping", axis) * s.read("thetadot")[k]', "pass"),
-    M("friction", "DAE form", ALGORITHMS + "axis_terms.py", "tau[axis] = tau[axis] - force\n", "pass\n"),
+    M("friction", "DAE form", ALGORITHMS + "axis_terms.py", "else tau[axis] - force\n", "else tau[axis]\n"),
     M("spring", "DAE runs", C + "dae.c.jinja",
       "        $_drives(c, dt, from->q, work->start_rate, from->eta, from->etadot, {% if laws %}work->qdot, s->etadot, "
       "{% endif %}{% if law_states %}from->z, {% endif %}work->m_eta, work->f_eta);\n", ""),

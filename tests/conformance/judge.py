@@ -216,7 +216,7 @@ class Judge:
             else:
                 Q.append(q[own])
                 tau_out.append(tau[own])
-        q_out, torques = np.concatenate([*Q, q[self.oracle.n_joint :]]), np.concatenate(tau_out)
+        q_out, torques = np.concatenate([*Q, q[self.oracle.n_joint :]]), np.concatenate([*tau_out, []])
         for axis, place in self.prescribed.items():
             torques[axis] = self.vdot[place]
         rates = np.append(self.map @ v, self.internal)

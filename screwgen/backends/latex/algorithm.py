@@ -110,7 +110,7 @@ def _rows(lines: Sequence[Item]) -> list[Row]:
     return [row for item in lines if isinstance(item, Display) for row in item.formula]
 
 
-@lru_cache(maxsize=10_000)
+@lru_cache(maxsize=4096)
 def plain(formula: str) -> str:
     """A formula with single letters below others not in braces, and without the tildes of skew matrices."""
     formula = re.sub(r"\\(?:wide)?tilde\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1", formula)

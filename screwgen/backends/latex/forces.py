@@ -25,6 +25,17 @@ STATE, PARAMETER = Binding.STATE, Binding.PARAMETER
 TURNED = " External wrenches of pushes in axes of the world have inertial components instead."
 BORNE = " External wrenches hold those of forces between frames."
 CHOSEN = r" Inputs of these act in their laws alone; their columns of $\mathbf{B}_u$ are zero."
+ENDS: tuple[Named, ...] = tuple(
+    (f"{letter}_{{{place}{end}}}", f"{meaning} {end}", unit, size, frame, STATE)
+    for end in "AB"
+    for letter, place, meaning, unit, size, frame in (
+        (r"\mathbf{R}", "o", "to inertial axes from those of tip", "-", "3 × 3", "-"),
+        (r"\mathbf{r}", "o", "position of tip", "m", "3", "inertial"),
+        (r"\boldsymbol{\omega}", "T,", "angular velocity of tip", "rad/s", "3", "tip"),
+        (r"\mathbf{v}", "T,", "velocity of tip", "m/s", "3", "tip"),
+    )
+)
+"""Of the two tips between which a force acts."""
 SYMBOLS: tuple[Named, ...] = (
     (r"\mathbf{R}_{AB}", "takes components in axes of B to those of A", "-", "3 × 3", "-", STATE),
     (r"\mathbf{d}_{AB}", "point B from point A", "m", "3", "A", STATE),
@@ -76,7 +87,7 @@ def symbols(chain: Chain) -> Iterator[Named]:
     """The symbols of what acts on tips."""
     if not chain.forces:
         return
-    yield from SYMBOLS
+    yield from (*ENDS, *SYMBOLS)
     for kind in dict.fromkeys(force.shape.kind for force in chain.forces):
         for one in kind.table().values():
             yield one.symbol, one.meaning, _asterisks(one.unit), f"{len(one.entries) or 1}", "-", PARAMETER

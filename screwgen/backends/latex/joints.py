@@ -43,6 +43,11 @@ def joints(chain: Chain) -> DocumentSection | None:
         r"$q_k$ are numbered along the robot, as in `tau` and `q`. $\mathbf{w}_i$ is what the joint exerts on its "
         r"link: it accelerates the link, bears what the link's tip carries, and its part along the axes is the torque."
     )
+    if any(key.bodies_at("tip") for key in chain.keys[: min(chain.n, MANY_LINKS)]):
+        about += (
+            r" The tip's twist has the rate $\dot{\mathbf{V}}_T = \mathbf{J}_T\,"
+            r"[\dot{\mathbf{V}}_i;\ \ddot{\boldsymbol{\eta}}_i] + \mathbf{b}_T$."
+        )
     acting = ["the wrenches of the loops"] * bool(chain.robot.loops) + ["those of forces"] * bool(chain.forces)
     if acting:
         about += rf" $\boldsymbol{{\mathcal{{W}}}}_{{ext,i}}$ has {' and '.join(acting)} in it."

@@ -111,8 +111,8 @@ PLACES: tuple[Named, ...] = (
 """Of tips and joints."""
 
 ELIMINATION: tuple[Named, ...] = (
-    (r"\mathbf{M}^A_i", "$\\mathbf{M}_i$ with what the links on it add", MIXED, ALL, "F_i", STATE),
-    (r"\mathbf{h}^A_i", "$\\mathbf{h}_i$ with what the links on it add", WRENCH, "6 + r_i", "F_i", STATE),
+    (r"\mathbf{M}^A_i", "$\\mathbf{M}_i$ and what carried links add", MIXED, ALL, "F_i", STATE),
+    (r"\mathbf{h}^A_i", "$\\mathbf{h}_i$ and what carried links add, less loads", WRENCH, "6 + r_i", "F_i", STATE),
     (r"\hat{\mathbf{M}}_i", "inertia of the link and of all further out, modes eliminated", MIXED, LINK, "F_i", STATE),
     (r"\hat{\mathbf{h}}_i", "bias of the link and of all further out, modes eliminated", WRENCH, "6", "F_i", STATE),
     (r"\bar{\mathbf{S}}_i", "motion subspace of the joint, for the origin of F_i", "1, m", "6 × n_{q,i}", "F_i", STATE),
@@ -157,7 +157,8 @@ CLOSING: tuple[Named, ...] = (
     (r"\boldsymbol{\lambda}", "forces of all rows that close loops or couple axes", "N, N*m", "n_g", "-", STATE),
     (r"\lambda_j", "force of row j that closes a loop or couples axes", "N, N*m", "1", "-", STATE),
     (r"g", "gap of a row", "m, 1", "1", "-", STATE),
-    (r"\gamma", "acceleration of a gap that the velocities cause", "m/s^2, 1/s^2", "1", "-", STATE),
+    (r"\gamma", "what velocities add to a gap's acceleration, beside the tips'", "m/s^2, 1/s^2", "1", "-", STATE),
+    (r"\ddot{g}_0", "acceleration of a gap while no row bears a force", "m/s^2, 1/s^2", "1", "-", STATE),
     (r"\mathbf{W}_A", "wrench by a unit force of a row on tip A", "1, m", "6", "inertial", STATE),
     (r"\mathbf{W}_B", "wrench by a unit force of a row on tip B", "1, m", "6", "inertial", STATE),
 )

@@ -28,19 +28,19 @@ SOURCES = ("parameters.c", "real.c")
 TIP = "tip_position"
 
 
-class Sampled(NamedTuple):
+class OfStates(NamedTuple):
     """A function of coordinates and rates alone, and those of its results that are wanted."""
 
     row: RobotFunction
     wanted: tuple[str, ...]
 
 
-def sampled(chain: Chain, name: str) -> Sampled | None:
+def sampled(chain: Chain, name: str) -> OfStates | None:
     """What is sampled under a name: a function, or the tip's position; None where it needs more than the state."""
     if name == TIP:
-        return Sampled(BY_NAME["tip_pose"], ("position",))
+        return OfStates(BY_NAME["tip_pose"], ("position",))
     row = next((row for row in offered(chain) if row.name == name), None)
-    return Sampled(row, tuple(row.results)) if row and set(row.names) <= {"q", "v"} else None
+    return OfStates(row, tuple(row.results)) if row and set(row.names) <= {"q", "v"} else None
 
 
 class _Samples(ctypes.Structure):

@@ -15,7 +15,7 @@ from .fields import fused_place
 from .pieces import bodies, piece_place
 
 
-class _Writer(LaneWriter):
+class _SampleWriter(LaneWriter):
     """Results may be numbers that no state changes, which C does not make lanes of."""
 
     def _value(self, value: Value) -> tuple[str, int]:
@@ -31,7 +31,9 @@ def content(row: RobotFunction, wanted: Sequence[str], chain: Chain) -> dict:
     angles = angles_of(program)
     pointers = ("c", "state", *("sin_q", "cos_q") * bool(angles), KEPT, *wanted)
     placed = piece_place(chain, KEPT, {name: entries(name) for name in wanted}, fused_place)
-    found = bodies(lambda piece: _Writer(piece, placed, None, {*pointers, "bad"}, True), program, pointers, LONGEST)
+    found = bodies(
+        lambda piece: _SampleWriter(piece, placed, None, {*pointers, "bad"}, True), program, pointers, LONGEST
+    )
     sizes = [prod(shape(row.results[name], chain)) for name in wanted]
     results = [{"name": name, "first": sum(sizes[:k])} for k, name in enumerate(wanted)]
     own = {"name": row.name, "results": results, "total": sum(sizes)}

@@ -26,7 +26,7 @@ MOTION, INWARD, ACCELERATIONS = "Outward: motion", "Inward: elimination", "Outwa
 """The passes of the algorithm by their headings."""
 TENSION = r" + \sum\limits_c T_c"
 CARRIED = r" + \sum\limits_j "
-FREE_LINK = r"\dot{\mathbf{V}}_1"
+FREE_LINKS = r"\dot{\mathbf{V}}_1", r"\mathbf{w}_1"
 BEFORE = plain(r"\dot{\mathbf{V}}_{T,i-1}")
 
 
@@ -74,7 +74,8 @@ class Run:
         added = [np.ravel(self._rotor(axis, envs)) for axis in self.axes if axis.elastic]
         etas = [np.ravel(env[r"\ddot{\boldsymbol{\eta}}_i"]) for env in envs]
         wrenches = [
-            np.zeros(6) if k.floats else np.ravel(e[r"\mathbf{w}_i"]) for k, e in zip(self.links, envs, strict=True)
+            np.ravel(e.get(r"\mathbf{w}_i", np.zeros(6)) if k.floats else e[r"\mathbf{w}_i"])
+            for k, e in zip(self.links, envs, strict=True)
         ]
         internal = [self._internal_rate(owner, kind) for owner, kind in self.state.internal]
         return np.concatenate([*rates, *added, *etas, internal]), np.array(wrenches)
@@ -150,9 +151,9 @@ class Run:
     def _assign(self, link: Link, envs: list[Env], left: str, right: str) -> None:
         """One line of a link; a symbol that it needs and no line before has is an error."""
         env, scope = envs[link.number], self.state.scopes[link.number]
-        if left == plain(FREE_LINK):
+        if left in map(plain, FREE_LINKS):
             if link.floats:
-                env[plain(r"\dot{\mathbf{V}}_i")] = value(right.replace("_1", "_i"), self._known(scope, env))
+                env[left.replace("_1", "_i")] = value(right.replace("_1", "_i"), self._known(scope, env))
             return
         if link.floats and not self._of_free(left):
             return

@@ -231,12 +231,13 @@ LINK_ROWS = (
 
 
 def joint_rows(s: Scope) -> None:
-    """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance; of a floating base w = 0."""
+    """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance; of a floating base w = 0,
+    or where its motion is given Vdot = a."""
     twist, q = s.read("twist"), _redundant(s)
     if s.key.floats:
         _free_terms(s, twist)
         _write_biases(s)
-        _write_rows(s, {})
+        _write_rows(s, {"base_rate": s.read("base_rate")} if s.key.joint.given else {})
         return
     parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
     (R,) = s.lower("posture", {"q": q}, "R_rel")

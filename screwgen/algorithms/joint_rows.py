@@ -28,7 +28,7 @@ def joint_rows_block(key: LinkClass) -> Block:
     """
     b = Block("joint_rows", "Rows of the joint")
     if key.floats:
-        return _rows_in_space(b)
+        return _rows_in_space(b, key.joint.given)
     m = key.joints
     R = b.input("R_rel", (3, 3))
     size = 6 if key.slides else 3
@@ -80,12 +80,16 @@ def _selection(m: int, axes: Sequence[int]) -> Expression:
     return matrix(rows, (m, m), r"\mathbf{E}_i")
 
 
-def _rows_in_space(b: Block) -> Block:
-    """Of a floating base: nothing acts at its joint, ``w = 0``. These are the rows with ``S = I``, thus ``P = 0``."""
-    b.step("joint_w", identity(6))
-    b.step("joint_V", zeros(6, 6))
-    for name in ("joint_H", "joint_W"):
-        b.step(name, zeros(6))
+def _rows_in_space(b: Block, given: bool) -> Block:
+    """Of a floating base: nothing acts at its joint, ``w = 0``. These are the rows with ``S = I``, thus ``P = 0``.
+
+    Where its motion is given, ``Vdot = a``.
+    """
+    rest, one = zeros(6, 6), identity(6)
+    b.step("joint_w", rest if given else one)
+    b.step("joint_V", one if given else rest)
+    b.step("joint_H", zeros(6))
+    b.step("joint_W", b.input("base_rate", (6, 1)) if given else zeros(6))
     return b
 
 
@@ -133,8 +137,8 @@ def _offset(b: Block, key: LinkClass) -> Expression:
 
 
 def joint_point(b: Block, key: LinkClass) -> Expression:
-    """The joint point in F_i."""
-    if not key.frame_at:
+    """The joint point in F_i; of a base whose motion is given its origin."""
+    if not key.frame_at or key.joint.given:
         return zeros(3)
     f = b.parameter("frame_at", (1, 1))
     return stack(-f, zeros(1), zeros(1))

@@ -170,6 +170,9 @@ def eliminate(s: Scope) -> None:
     for station, Lambda, p in loads[1:]:
         station.keep("load_axial", np.concatenate([Lambda[3], p[3:4]]))
     M, h = eliminate_modes(s, own, loads)
+    if s.key.joint.given:
+        s.keep("p_i", s.name("p_i", h + mx.multiply(M, s.read("base_rate"))))
+        return
     Lambda, p = eliminate_joint(s, M, h)
     if s.key.floats:
         return
@@ -228,14 +231,12 @@ def accelerate(s: Scope) -> None:
     """Base to tip: qddot, etaddot, the joint wrench, and ``delta`` of the tip."""
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
         carried = s.name("carried", imparted(s), "delta")
-        qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
-        qddot = s.name("Vdot" if s.key.floats else "qddot", qddot + brakes.stops(s) if s.key.brakes else qddot)
+        qddot = joint_accelerations(s, carried)
         s.write("qddot", qddot)
         if s.key.added_axes:
             accelerate_added(s, qddot)
     with s.step("joint wrench (48)"):
-        wrench = mx.zeros(6) if s.key.floats else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
-        s.write("wrench", mx.shift_wrench(-joint_point(s), wrench))
+        s.write("wrench", joint_wrench(s, carried))
     with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
         delta = s.name("delta", carried + mx.multiply(s.kept("S"), qddot))
         alpha = delta + s.kept("acc_0")
@@ -249,6 +250,22 @@ def accelerate(s: Scope) -> None:
             own = own + on_the_way(station) * mx.dot(station.kept("load_axial"), np.concatenate([delta_T, [1.0]]))
         axial_motion(s, s.kept("omega"), alpha[3], own)
     _tip_delta(s, delta, etaddot)
+
+
+def joint_accelerations(s: Scope, carried: Array) -> Array:
+    """Those that the elimination left; of a base whose motion is given the given ones."""
+    if s.key.joint.given:
+        return s.read("base_rate")
+    qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
+    return s.name("Vdot" if s.key.floats else "qddot", qddot + brakes.stops(s) if s.key.brakes else qddot)
+
+
+def joint_wrench(s: Scope, carried: Array) -> Array:
+    """The wrench of the joint on the link, at its joint point; a base in space bears one where its motion is given."""
+    if s.key.joint.given:
+        return s.kept("p_i")
+    wrench = mx.zeros(6) if s.key.floats else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
+    return mx.shift_wrench(-joint_point(s), wrench)
 
 
 def _tip_delta(s: Scope, delta: Array, etaddot: Array) -> Array:

@@ -1,10 +1,9 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
 The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
-a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``k`` of its brakes, ``t`` of its rotors, ``r``
-that of its modes, ``b`` that of its coupled pairs of modes, ``c`` that of its pieces of tendons, ``g`` that of the
-directions of its modes, ``p`` that of the points of an exact rod. Angular parts first; accelerations less free fall.
+phase to the next. Others are those of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``a``
+torques, ``k`` brakes, ``t`` rotors, ``f`` rates that are given, ``r`` modes, ``b`` their coupled pairs, ``g`` their
+directions, ``c`` pieces of tendons, ``p`` points of an exact rod. Angular parts first; accelerations less free fall.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ class Signal(NamedTuple):
         """The shape for a link class."""
         counts: dict[Any, Any] = {"q": key.joint.nq, "m": key.joints, "a": key.torques, "t": len(key.added_axes)}
         counts |= {"c": len(key.tendons), "r": key.modes, "b": len(key.coupled), "z": len(key.internal)}
-        counts |= {"g": len({d for d, _ in key.directions}), "k": len(key.brakes)}
+        counts |= {"g": len({d for d, _ in key.directions}), "k": len(key.brakes), "f": 6 * key.joint.given}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
@@ -118,6 +117,7 @@ CALL: dict[str, Signal] = {
     "tau": Signal(("a",), "N*m", "-", "joint torques"),
     "tension": Signal(("c",), "N", "-", "tensions of the tendons along the link"),
     "brake": Signal(("k",), "-", "-", "how far the brakes of the joint are closed, from 0 to 1"),
+    "base_rate": Signal(("f",), ACCELERATION, F_I, "rate of the twist of a base whose motion is given", at="base_rate"),
     "m_q": Signal(("a",), "kg*m^2", "-", "inertia of the joint coordinates"),
     "f_q": Signal(("a",), "N*m", "-", "force of springs and dampers of the joint"),
     "force": Signal(("m",), "N*m", "-", "force of the joint coordinates"),

@@ -232,11 +232,12 @@ class Linearised:
         if self.trim is not None and chain.n_added:
             force = force + self.trim[b:]
         elif self.trim is not None:
-            modes = np.append(np.zeros(chain.n_given - nv + b + m), self.trim[b + m :])
-            force, torque = force + modes, torque - self.trim[b : b + m]
-        if self.trim is not None and chain.prescribed:  # accelerations that are given, and zero
+            k = chain.n_joints
+            modes = np.append(np.zeros(chain.n_given - nv + b + k), self.trim[b + k :])
+            force, torque = force + modes, torque - chain.with_idle_inputs(self.trim[b : b + k])
+        if self.trim is not None and chain.given:  # accelerations that are given, and zero
             torque = torque.copy()
-            torque[chain.prescribed] = 0.0
+            torque[list(chain.given)] = 0.0
         parts = np.cumsum([nv, nv, m, chain.n_given])
         seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
         still = [np.zeros((parts[-1], k)) for k in (6 * n, chain.n_inertia, len(self.p))]

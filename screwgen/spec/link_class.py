@@ -8,7 +8,6 @@ from functools import cached_property
 
 from ..bases import Basis, Shapes, shapes
 from ..elements import AxisElement, Travel, gear
-from ..joints.free import FREE
 from ..joints.kind import JointKind
 from ..joints.product import WELD as WELDED
 from ..joints.screw import Screw
@@ -287,11 +286,11 @@ MARKER = LinkClass(bases=("",) * 4, counts=(0,) * 4, joint=WELDED, length=False,
 
 
 def link_class(
-    link: Link, section_rotation: bool, order: int | str = 1, segment: int = 0, free: bool = False
+    link: Link, section_rotation: bool, order: int | str = 1, segment: int = 0, base: JointKind | None = None
 ) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given.
 
-    ``free``: whether it is the segment that floats.
+    ``base``: the joint of the segment that is a base in space.
     """
     joint, modes, count, body = (link.joint if segment == 0 else WELD), link.modes, link.pieces, elastic(link)
     counts, mount, stations = modes.counts, joint.mount, link.section.places if link.section else ()
@@ -301,7 +300,7 @@ def link_class(
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=False)),
         counts=counts,
-        joint=FREE if free else joint.kind,
+        joint=base or joint.kind,
         mount_xyz=mount is not None and mount.xyz is not None,
         mount_rpy=mount is not None and mount.rpy is not None,
         armature=bool(joint.armature),

@@ -53,6 +53,11 @@ class Coordinates(LawCoordinates):
         return self.keys[0].floats
 
     @property
+    def moving(self) -> bool:
+        """Whether it moves as is given: the rates of its twist are inputs."""
+        return self.keys[0].joint.given
+
+    @property
     def base_q(self) -> int:
         """The number of coordinates of a floating base, which is the index of the first other one in `q`."""
         return self.q_offset[1] if self.floating else 0
@@ -166,8 +171,8 @@ class Coordinates(LawCoordinates):
 
     @property
     def has_reactions(self) -> bool:
-        """Whether some efforts follow from the motion: of axes whose motion is given, and of brakes."""
-        return bool(self.prescribed or self.braked)
+        """Whether some efforts follow from the motion: of axes or a base whose motion is given, and of brakes."""
+        return bool(self.prescribed or self.braked or self.moving)
 
     @cached_property
     def elastic_travels(self) -> dict[int, int]:

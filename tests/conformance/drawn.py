@@ -55,7 +55,8 @@ def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
     q, tau, names = state["q"], state["tau"], [x["name"] for x in oracle.robot["links"]]
     floating = row["base"] != "fixed"
     if floating:
-        q[3:6], tau[:6] = rng.uniform(-ANGLE, ANGLE, 3), 0.0
+        q[3:6] = rng.uniform(-ANGLE, ANGLE, 3)
+        tau[:6] *= row["base"] == "moving"
     for i, link in enumerate(robot["links"]):
         own = oracle.joint_slices[names.index(first_piece(link))]
         if i == 0 and floating:

@@ -17,6 +17,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "fixed": "",
         "floating": "a floating base, a rigid body that carries the arm",
         "afloat": "a floating base that is itself a flexible link",
+        "moving": "a base that moves as is given, a rigid body that carries the arm",
     },
     "turn": {
         "hinge": "",
@@ -136,7 +137,13 @@ APART: dict[tuple[str, str], dict[str, str]] = {
 }
 """Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
 
-LATER: dict[str, str] = {"bristles": "drive", "given motion": "axis", "brakes": "axis", "winch": "force"}
+LATER: dict[str, str] = {
+    "bristles": "drive",
+    "given motion": "axis",
+    "brakes": "axis",
+    "winch": "force",
+    "moving": "base",
+}
 """Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""
 
 NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "curved fore")}

@@ -212,7 +212,15 @@ class Judge:
         for axis in self.prescribed:
             out[axis] = tau[6 * ("base" in self.robot) + axis]
         out[self._first_brake :][: len(self.brakes)] = self.reactions
+        if self.led:
+            borne = np.linalg.solve(self.map[:6, :6].T, tau[:6])
+            out[self._first_brake + len(self.brakes) :][:6] = borne
         return out
+
+    @property
+    def led(self) -> bool:
+        """Whether the motion of the base is given; in the oracle efforts of its six axes move it."""
+        return self.robot.get("base") == "moving"
 
     @property
     def _first_brake(self) -> int:
@@ -243,7 +251,8 @@ class Judge:
             lever = (self.oracle._force(tau + unit, q) - self.oracle._force(tau, q))[one.place]
             torques[one.axis] -= reaction / lever
         rates = np.append(self.map @ v, self.internal)
-        inputs = np.concatenate([torques, self.tensions, self.closed, self.outer.winches.ravel()])
+        base = self.vdot[: 6 * self.led]
+        inputs = np.concatenate([torques, self.tensions, self.closed, base, self.outer.winches.ravel()])
         return q_out, rates, inputs, self.outer.laid(w_ext, self.pushes)
 
     @cached_property
@@ -275,7 +284,7 @@ class Judge:
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
         out = self.oracle.wrenches(q, v, vdot, w_ext + loads + self.acted[2].T)
         for kind, _, i in self._kinds:
-            if kind == "free":
+            if kind == "free" and not self.led:
                 out[i] = 0.0
         return self.outer.laid(out, self.acted[3].T)
 

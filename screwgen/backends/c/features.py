@@ -23,7 +23,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     and ``exponential``: whether a law calls `on` or `exp`; ``internal``: names and units of internal states, and
     ``NVZ`` the length of v.
     """
-    written = prescribed.PRESCRIBED * bool(chain.prescribed)
+    written = prescribed.PRESCRIBED * bool(chain.given)
     written += closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
     written += ("internal",) * bool(chain.n_internal)
     written += inputs.features(chain) + held.HELD * chain.holds + brakes.BRAKES * bool(chain.braked)
@@ -38,7 +38,7 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     rates = dict(sorted((z, chain.nv - chain.n_given + acted.coordinate) for own in pairs for z, acted in own))
     out |= {"internal_rates_of_laws": list(rates.values()), "law_states": bool(rates)}
     out |= {"z_offset": chain.z_offset[:-1], "N_CHANGES": "$$_NV + $$_NVZ" if chain.n_internal else "2 * $$_NV"}
-    out |= {"prescribed": prescribed.content(chain) if chain.prescribed else None}
+    out |= {"prescribed": prescribed.content(chain) if chain.given else None}
     out |= {"brakes": brakes.content(chain)}
     out |= {"held": held.content(chain, baked, place) if chain.holds else None}
     out |= force_states.content(chain, baked, place)

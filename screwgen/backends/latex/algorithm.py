@@ -192,6 +192,7 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "several": several,
         "carrying": several or loops or chain.floating or forces.acting(chain),
         "floating": chain.floating,
+        "moving": chain.moving,
         "jointed": any(not key.floats for key in keys),
         "welded": any(not key.floats and not key.joints for key in keys),
         "bodies": bodies(chain),

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ...elements.brake import INPUT as BRAKE
+from ...spec.base import BASE_MOTION
 from ...spec.brake import braked
 from ...spec.inputs import input_units
 from ...spec.parameters import coordinate_names, coordinate_units, rate_units
@@ -40,6 +41,10 @@ GIVEN = (
     r" Of axes whose motion is given the input is the acceleration; their rows of the equation of motion then say what "
     r"their drives exert."
 )
+
+
+GIVEN_RATE = r"\dot{\mathbf{V}}_g"
+"""What the rate of the twist of such a base is given as."""
 
 
 def tables(chain: Chain) -> Iterator[Item]:
@@ -185,8 +190,13 @@ def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
         k = drives + number
         about = f"the brake of axis {axis + 1} of `{link.name}`, from 0, open, to 1, closed"
         out.append((f"{k + 1}", f"${BRAKE}$", f"`{names[k]}`", about, plain_unit(units[k])))
+    first = drives + len(brakes)
+    if chain.moving:
+        about = r"the base, whose motion is given: the rate of its twist, in axes of $\mathcal{F}_1$"
+        out.append((_range(first, 6), f"${GIVEN_RATE}$", f"`{names[first]}` …", about, r"$\mathrm{rad/s^2, m/s^2}$"))
+        first = chain.inputs[BASE_MOTION].stop
     chosen = ((force.name, entry) for force in chain.forces for entry in force.shape.inputs.values())
-    for k, (force, entry) in enumerate(chosen, drives + len(brakes)):
+    for k, (force, entry) in enumerate(chosen, first):
         about = f"`{force}`: {entry.meaning}"
         out.append((f"{k + 1}", f"${entry.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])))
     return tuple(out)

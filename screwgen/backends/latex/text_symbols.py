@@ -115,6 +115,7 @@ ELIMINATION: tuple[Named, ...] = (
     (r"\mathbf{h}^A_i", "$\\mathbf{h}_i$ and what carried links add, less loads", WRENCH, "6 + r_i", "F_i", STATE),
     (r"\hat{\mathbf{M}}_i", "inertia of the link and of all further out, modes eliminated", MIXED, LINK, "F_i", STATE),
     (r"\hat{\mathbf{h}}_i", "bias of the link and of all further out, modes eliminated", WRENCH, "6", "F_i", STATE),
+    (r"\dot{\mathbf{V}}_g", "rate of the twist of a base whose motion is given", TWIST_RATE, "6", "F_1", STATE),
     (r"\bar{\mathbf{S}}_i", "motion subspace of the joint, for the origin of F_i", "1, m", "6 × n_{q,i}", "F_i", STATE),
     (r"\mathbf{E}_i", "1 for each axis whose motion is given", "-", "n_{q,i} × n_{q,i}", "-", Binding.CONSTANT),
     (r"\bar{\mathbf{E}}_i", "1 for each axis whose motion follows", "-", "n_{q,i} × n_{q,i}", "-", Binding.CONSTANT),

@@ -30,7 +30,9 @@ SENSORS = Columns(
 )
 
 
-def pendulum(values: dict[str, float] = TRUE, actuation: str = "torque") -> screwgen.Model:
+def pendulum(
+    values: dict[str, float] = TRUE, actuation: str = "torque", gravity: tuple[float, ...] = (0.0, -9.81, 0.0)
+) -> screwgen.Model:
     """A flexible pendulum with these numbers."""
     drive = {
         "rotor_inertia": values["rod.joint.drives[0].rotor_inertia"],
@@ -50,7 +52,7 @@ def pendulum(values: dict[str, float] = TRUE, actuation: str = "torque") -> scre
         "joint": {"axes": ["z"], "drives": [drive], "actuation": actuation},
         "bodies": [{"at": "tip", "mass": values["rod.bodies[0].mass"]}],
     }
-    return model_of(arm(copy.deepcopy(rod), gravity=[0.0, -9.81, 0.0]))
+    return model_of(arm(copy.deepcopy(rod), gravity=list(gravity)))
 
 
 def elsewhere(names=TRUE, **more) -> screwgen.Model:
@@ -66,8 +68,14 @@ def torque(t, q, v):
 
 def swing(seconds=4.0, step=1e-3, noise=0.01, seed=1) -> Log:
     """A log of the true pendulum, with this share of noise on every sensor."""
-    run = screwgen.simulate(pendulum(), seconds, step, q0=[-1.5, 0.0, 0.0], controller=torque)
+    return logged(pendulum(), torque, seconds, step, noise, seed)
+
+
+def logged(model, controller, seconds=4.0, step=1e-3, noise=0.01, seed=1, q0=(-1.5, 0.0, 0.0)) -> Log:
+    """A log of a pendulum under a controller."""
+    run = screwgen.simulate(model, seconds, step, q0=list(q0), controller=controller)
     rng = np.random.default_rng(seed)
     made = {"angle": np.degrees(run.q[:, 0]), "gauge": -0.01 * run.strain[:, 0] * 1e6}
-    noisy = {name: x + noise * x.std() * rng.standard_normal(len(x)) for name, x in made.items()}
+    of = {"angle": noise, "gauge": noise} if isinstance(noise, float) else noise
+    noisy = {name: x + of[name] * x.std() * rng.standard_normal(len(x)) for name, x in made.items()}
     return Log("swing.csv", run.t, noisy | {"motor": run.tau[:, 0]})

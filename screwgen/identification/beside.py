@@ -76,19 +76,22 @@ def explained(
     settings: tuple[float, bool],
     held_out: bool,
 ) -> Explained:
-    """A log beside the model of what was found, in one run and over windows, and beside the model of the start."""
+    """A log beside the model of what was found, in one run and over windows, and beside the model of the start.
+
+    The run begins as the first window does.
+    """
     p, (window, robust) = vector(model, asked, asked.values(sought)), settings
     experiment, signals = _experiment(model, log, own, window), Signals(model, own.sensors)
-    run = windows_of(experiment, signals, log.t[-1] - log.t[0], p)
+    cut, run = (windows_of(experiment, signals, x, p) for x in (window, log.t[-1] - log.t[0]))
+    unstated = np.full(len(experiment.compared), np.nan)
+    found = Fit(Problem(model, [cut], asked, how, fixed=True), unstated, robust).begun(sought)
     problem = Problem(model, [run], asked, how)
     both = np.vstack([sought, np.zeros_like(sought)])
-    whole, before = problem.differences(run, np.zeros(2, int), both, np.zeros((2, len(run.states))))
-    cut = windows_of(experiment, signals, window, p)
-    unstated = np.full(len(experiment.compared), np.nan)
-    found = Fit(Problem(model, [cut], asked, how, fixed=True), unstated, robust).begun(sought).differences[0]
+    begun = np.tile(found.shift[0][0] * cut.begin[0].deviation[cut.states] / run.begin[0].deviation[run.states], (2, 1))
+    whole, before = problem.differences(run, np.zeros(2, int), both, begun)
     readings = run.compared[0]
     windows = np.full_like(readings, np.nan)
-    for first, part in zip(cut.first, found, strict=True):
+    for first, part in zip(cut.first, found.differences[0], strict=True):
         windows[first : first + cut.size] = readings[first : first + cut.size] - part
     names = tuple(own.sensors[k].name for k in run.experiment.compared)
     t = log.t[: len(readings)]

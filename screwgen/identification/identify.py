@@ -22,7 +22,7 @@ from .logs import Log, checked, faults
 from .problem import How, Problem, Windows
 from .solve import Estimate, Fit
 from .sources import Source, columns_of, log_of, several, some, varying
-from .uncertainty import NORMAL, VAGUE, Uncertainty, uncertainty
+from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns
 from .words import direction_in_words
 
@@ -79,7 +79,14 @@ def identify(
         for k, log in enumerate([*read, *compared])
     ]
     told = [line for log in (*read, *compared) for line in faults(log, columns)]
-    told += odd.of_fit(fit, at) + odd.of_bounds(asked, at, fit) + odd.of_units(fit, at)
+    white = odd.whiteness(fit, at)
+    told += (
+        odd.of_fit(fit, at)
+        + odd.of_whiteness(white)
+        + odd.of_shares(beside)
+        + odd.of_bounds(asked, at, fit)
+        + odd.of_units(beside)
+    )
     posture = fit.problem.groups[0].begin[0].x[: model.nq]
     frequencies = _frequencies(model, p, posture)
     told += odd.of_filters(model, columns, asked, p, min(frequencies, default=0.0))
@@ -99,7 +106,7 @@ def identify(
         tuple(beside),
         tuple(direction_in_words(asked, *direction) for direction in known.directions),
         tuple(told),
-        odd.whiteness(fit, at),
+        white,
         frequencies,
         tried,
     )
@@ -181,9 +188,9 @@ def _frequencies(model: RobotModel, p: np.ndarray, q: np.ndarray) -> tuple[float
 def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:
     values, out = asked.values(at.sought), []
     for k, one in enumerate(asked):
-        wide = NORMAL * known.deviation[k]
+        wide = known.quantile * known.deviation[k]
         low, high = sorted(float(one.values(at.sought[k] + sign * wide)) for sign in (-1, 1))
         bound = "low" if at.sought[k] <= fit.low[k] else "high" if at.sought[k] >= fit.high[k] else ""
-        sure = bool(known.deviation[k] <= VAGUE)
+        sure = bool(known.deviation[k] <= LOST)
         out.append(Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound))
     return out

@@ -96,8 +96,9 @@ def _check_times(log: Log, name: str) -> None:
     if (back := np.flatnonzero(steps <= 0)).size:
         at = f"row {back[0] + 2}: {name} is {log.t[back[0] + 1]:g} s"
         raise UsageError(f"{log.name}: {at}; it must be later than in the row before, cut the log there")
-    if (uneven := np.flatnonzero(np.abs(steps - log.step) > UNEVEN * log.step)).size:
-        at = f"row {uneven[0] + 2}: the step is {steps[uneven[0]]:g} s, the mean {log.step:g} s"
+    usual = float(np.median(steps))
+    if (uneven := np.flatnonzero(np.abs(steps - usual) > UNEVEN * usual)).size:
+        at = f"row {uneven[0] + 2}: the step is {steps[uneven[0]]:g} s, others are {usual:g} s"
         raise UsageError(f"{log.name}: {at}; resample the log to even steps, or cut it at gaps")
 
 

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from ..robot_model import RobotModel
 from ..spec.columns import Columns
 from ..spec.parameters import parameters
+from .identification import Explained
 from .logs import Log
 from .solve import Estimate, Fit
 from .unknowns import Unknowns
 
-FACTORS = {57.2958: "degrees in place of radians", 1000.0: "a factor of 1000, as of mm in place of m"}
-NEAR = 0.25
-"""By how much of its logarithm a factor may differ from those."""
-BLIND = 0.5
-"""The share of a sensor's variation that is left over where its unit is suspected."""
+FACTORS = {57.2958: "degrees and radians", 1000.0: "a factor of 1000, as between mm and m"}
+NEAR = 0.8
+"""By how much its logarithm may differ from theirs."""
+POOR = 0.5
+"""The share of variance over windows below which a sensor counts as not explained."""
+COLOURED = 0.9
+"""The correlation of neighbours from which on residuals are said to be no noise."""
 DAMPED = 0.15
 """The damping ratio of a vibration from which on links are suspected not to have it."""
 REPEATED = 0.98
@@ -41,27 +44,45 @@ def of_fit(fit: Fit, at: Estimate) -> list[str]:
     return [f"the fit ended early: {at.stopped}; what it had found until then is given"] if at.stopped else []
 
 
+def of_shares(explained: Sequence[Explained]) -> list[str]:
+    """Sensors of fitted logs that the model hardly explains although windows begin as they like."""
+    low = [
+        (log.log, name, 100 * share)
+        for log in explained
+        for name, share in log.share("windows").items()
+        if not log.held_out and share < POOR
+    ]
+    said = "the model lacks what it measures, so numbers and intervals are not to be trusted"
+    return [f"{log}: of the variance of {name} windows explain {max(x, 0):.0f} %: {said}" for log, name, x in low]
+
+
+def of_whiteness(correlations: Mapping[str, float]) -> list[str]:
+    """Sensors whose residuals have a cause that the model lacks."""
+    found = [name for name, x in correlations.items() if x > COLOURED]
+    said = "neighbours have much in common, so the model lacks something, and numbers may be off by more"
+    return [f"residuals of {' and '.join(found)} are no noise: {said}"] if found else []
+
+
 def of_bounds(asked: Unknowns, at: Estimate, fit: Fit) -> list[str]:
     """Numbers that ended at a bound."""
     ended = [one.name for k, one in enumerate(asked) if at.sought[k] <= fit.low[k] or at.sought[k] >= fit.high[k]]
     return [f"{name} is at its bound; the data would have it beyond" for name in ended]
 
 
-def of_units(fit: Fit, at: Estimate) -> list[str]:
-    """Sensors whose readings are a factor of 57.3 or 1000 of what the model reads."""
+def of_units(explained: Sequence[Explained]) -> list[str]:
+    """Sensors of fitted logs whose readings are some 57.3 or 1000 times what the model reads, or as many times less.
+
+    The model is that of the start. That of the fit may have found numbers with which it reads what is wrong.
+    """
     out = []
-    for k, name in enumerate(fit.problem.sensor_names):
-        y = np.concatenate([g.compared[..., k].ravel() for g in fit.problem.groups])
-        z = y - np.concatenate([x[..., k].ravel() for x in at.differences])
-        there = np.isfinite(y) & np.isfinite(z)
-        left = np.std((y - z)[there]) / max(np.std(y[there]), 1e-300)
-        if left < BLIND:
-            continue
-        factor = np.std(y[there]) / max(np.std(z[there]), 1e-300)
-        for known, said in FACTORS.items():
-            for way in (known, 1 / known):
-                if abs(np.log(factor / way)) < NEAR:
-                    out.append(f"{name}: readings are {factor:.3g} times what the model reads: {said}? state its unit")
+    for log in (x for x in explained if not x.held_out):
+        for name, y, z in zip(log.sensors, log.readings.T, log.before.T, strict=True):
+            there = np.isfinite(y) & np.isfinite(z)
+            factor = np.std(y[there]) / max(np.std(z[there]), 1e-300)
+            for known, said in FACTORS.items():
+                if any(abs(np.log(max(factor, 1e-300) / way)) < NEAR for way in (known, 1 / known)):
+                    much = f"vary {factor:.2g} times as much as those of the model"
+                    out.append(f"{log.log}: readings of {name} {much}: {said}? state the unit")
     return out
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.special import stdtrit
 
 from ..lazily import linalg
 from .problem import Windows
@@ -16,11 +17,12 @@ from .solve import Estimate, Fit
 
 CLUSTER = 0.2
 """Seconds whose residuals count as one."""
-NORMAL = 1.96
-VAGUE = 0.5
-"""Of a direction with a larger deviation, in logarithms or over a scale, the data say nothing."""
+LEVERAGE = 0.99
+"""The share of the information of a cluster that is taken off: with all of it a number that follows from one alone
+would have no interval."""
 LOST = 1.0
-"""A direction with a larger deviation is named: numbers may change along it 2.7 times."""
+"""Of a number or a direction with a larger deviation, in logarithms or over a scale, the data say nothing: in
+a third of all cases it is more than 2.7 times as large or as small."""
 NAMED = 0.2
 """Numbers that are named of a direction: those that change by this share of the one that changes most."""
 
@@ -33,45 +35,59 @@ class Uncertainty:
     """(k,): standard deviations of what is sought."""
     directions: list[tuple[np.ndarray, float]]
     """Those that the data do not determine: changes (k,) of what is sought, the largest one 1, and their deviation."""
+    quantile: float
+    """Half an interval over the deviation."""
 
 
 def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
-    """How well the numbers of an estimate are known."""
+    """How well the numbers of an estimate are known.
+
+    The score of a cluster is what it would be if the numbers had been found without it: a cluster from which a number
+    follows has a residual that is too small.
+    """
     found = [fit.problem.linearised(g, at.sought, s) for g, s in zip(fit.problem.groups, at.shift, strict=True)]
-    k = len(at.sought)
-    A, B, number = np.zeros((k, k)), np.zeros((k, k)), 0
-    for group, own in zip(fit.problem.groups, found, strict=True):
-        for w in range(len(group.first)):
-            information, scores = _of_window(fit, group, at, own, w)
-            A, B, number = A + information, B + scores.T @ scores, number + len(scores)
-    B *= number / max(number - k, 1)
+    windows = [
+        _of_window(fit, group, at, own, w)
+        for group, own in zip(fit.problem.groups, found, strict=True)
+        for w in range(len(group.first))
+    ]
+    A = np.sum([information for information, _, _ in windows], axis=0)
+    scores = np.concatenate([own for _, _, own in windows])
+    parts = np.concatenate([own for _, own, _ in windows])
+    known = np.diag(1 / fit.priors[:, 1] ** 2)
+    inverse = np.linalg.pinv(A + known, rcond=1e-14, hermitian=True)
+    left = np.eye(len(A)) - LEVERAGE * parts @ inverse
+    scores = np.linalg.solve(left, scores[..., None])[..., 0]
+    B = scores.T @ scores
     directions = _directions(A, B)
-    known = 1 / fit.priors[:, 1] ** 2
-    inverse = np.linalg.pinv(A + np.diag(known), rcond=1e-14, hermitian=True)
-    covariance = inverse @ (B + np.diag(known)) @ inverse
+    covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     for direction, size in directions:
         lost = (np.abs(direction) >= NAMED) & np.isinf(fit.priors[:, 1])
         deviation[lost] = np.maximum(deviation[lost], size * np.abs(direction[lost]))
-    return Uncertainty(deviation, directions)
+    return Uncertainty(deviation, directions, _quantile(len(scores) - len(A)))
+
+
+def _quantile(freedom: int) -> float:
+    """Within so many deviations a number is in 95 of 100 cases, Student's, when clusters leave so many degrees."""
+    return float(stdtrit(max(freedom, 1), 0.975))
 
 
 def _of_window(
     fit: Fit, group: Windows, at: Estimate, found: tuple[np.ndarray, ...], w: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """Information (k, k) of a window on what is sought, its states eliminated, and the scores (clusters, k)."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Information (k, k) of a window on what is sought, its states eliminated, that of clusters, and their scores."""
     r, J_x, J_p = fit.rows(group, at, found, w)
-    n = J_x.shape[1]
-    whole = np.vstack([J_x, np.eye(n)])
-    Q, _ = np.linalg.qr(whole)
-    rows = np.vstack([J_p, np.zeros((n, J_p.shape[1]))])
+    n, k = J_x.shape[1], J_p.shape[1]
+    Q, _ = np.linalg.qr(np.vstack([J_x, np.eye(n)]))
+    rows = np.vstack([J_p, np.zeros((n, k))])
     rows -= Q @ (Q.T @ rows)
     sensors = found[0].shape[-1]
     seconds = np.arange(len(r)) // sensors * group.experiment.log.step
     of = (seconds // CLUSTER).astype(int)
-    scores = np.zeros((of[-1] + 1, J_p.shape[1]))
-    np.add.at(scores, of, rows[: len(r)] * r[:, None])
-    return rows.T @ rows, scores
+    own = [rows[: len(r)][of == c] for c in range(of[-1] + 1)]
+    scores = np.array([x.T @ r[of == c] for c, x in enumerate(own)])
+    return rows.T @ rows, np.array([x.T @ x for x in own]), scores
 
 
 def _directions(A: np.ndarray, B: np.ndarray) -> list[tuple[np.ndarray, float]]:

@@ -70,6 +70,7 @@ NODE = {
     "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "derivative of f with the angular velocity"),
     "R": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame, row by row"),
     "r": Signal((3,), "m", INERTIAL, "position of the tip point"),
+    "rdot": Signal((3,), "m/s", INERTIAL, "velocity of the tip point"),
     "Q": Signal((4,), "-", INERTIAL, "rotation of the tip frame, unit quaternion (w, x, y, z)"),
     "R_m": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame before projection, row by row"),
     "r_m": Signal((3,), "m", INERTIAL, "position of the tip point before projection"),

@@ -43,6 +43,7 @@ from .fields import (
 from .links import WATCHED, WITHIN, Links, sparsity
 from .parameters import bodies, changing_parameter, comments, defaults, limits, parameter_structs, place
 from .runs import RUNS
+from .written import once
 
 PARTS = (OUTPUTS, SENSORS)
 """The files of functions that report something, with the option of that name."""
@@ -200,7 +201,7 @@ class CProject:
             **self._features,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
-            "levers": levers.content(chain, baked, fused_place),
+            "levers": once(levers.content, chain, baked, fused_place),
             "batch": self._batch if self.with_batch else None,
             "by_p": by_parameters(chain, self.chosen, baked, fused_place, self.methods),
         }
@@ -211,7 +212,7 @@ class CProject:
         return {"sensors": self._told(SENSORS), "sensor_names": outputs.sensor_names(self.chain)}
 
     def _told(self, part: str) -> dict:
-        return outputs.content(part, self.chain, self.baked is not None, fused_place)
+        return once(outputs.content, self.chain, part, self.baked is not None, fused_place)
 
     # programs ---------------------------------------------------------------------------------
 
@@ -327,7 +328,7 @@ class CProject:
 
     @cached_property
     def _features(self) -> dict:
-        return features.content(self.chain, self.baked is not None, fused_place)
+        return once(features.content, self.chain, self.baked is not None, fused_place)
 
     @cached_property
     def check(self) -> dict[str, object]:

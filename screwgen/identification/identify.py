@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import seconds, whole
-from ..errors import ScrewgenError
+from ..errors import ScrewgenError, UsageError
 from ..robot_model import RobotModel
 from ..spec.columns import Column, Columns
 from ..studies.modes import natural_frequencies
@@ -20,12 +20,15 @@ from .beside import explained, how_of, vector, windows_of_log
 from .identification import Estimated, Identification
 from .logs import Log, checked, faults
 from .problem import MotionMethod, Problem, Windows
-from .solve import Estimate, Fit
+from .solve import INTERRUPTED, Estimate, Fit
 from .sources import Source, columns_of, log_of, several, some, varying
 from .uncertainty import LOST, Uncertainty, uncertainty
 from .unknowns import INPUT, SENSOR, Unknowns, unknowns
 from .words import direction_in_words
 
+SHORTER, OFF = (10.0, 3.0, 1.0), 0.3
+"""How many times shorter windows are, one after the other, where the first fit leaves more than this share of the
+variation of a sensor: over a second a fast vibration with wrong numbers may be a period off."""
 ROUNDS = 2
 """How often windows are begun anew, from readings that identified numbers of sensors make right."""
 
@@ -132,10 +135,39 @@ def _fitted(
     settings: tuple[float, bool, int, MotionMethod],
     progress: Callable[[str], None] | None,
 ) -> tuple[Fit, Estimate]:
-    """The fit and its estimate; where numbers of sensors changed, windows begin anew."""
+    """The fit and its estimate; where it explains little, that to which shorter windows lead if it explains more."""
+    window, robust, iterations, how = settings
+    make = lambda seconds, sought: _begun_anew(  # noqa: E731
+        model, logs, columns, asked, (seconds, robust, iterations, how), progress, sought
+    )
+    first = make(window, np.zeros(len(asked)))
+    if first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
+        return first
+    sought, history = np.zeros(len(asked)), first[1].history
+    try:
+        for shorter in SHORTER:
+            other = make(window / shorter, sought)
+            sought, history = other[1].sought, history + other[1].history
+    except UsageError:  # so few samples are no window, or what they lead to diverges
+        return first
+    best = min(first, other, key=lambda x: x[0].worst(x[1]))
+    best[1].history = history
+    return best
+
+
+def _begun_anew(
+    model: RobotModel,
+    logs: Sequence[Log],
+    columns: Columns,
+    asked: Unknowns,
+    settings: tuple[float, bool, int, MotionMethod],
+    progress: Callable[[str], None] | None,
+    sought: np.ndarray,
+) -> tuple[Fit, Estimate]:
+    """The fit from some numbers on; where numbers of sensors changed, windows begin anew."""
     window, robust, iterations, how = settings
     noise = np.array([np.nan if c.noise is None else c.noise for c in columns.sensors])
-    sought, history, rollouts, groups = np.zeros(len(asked)), list[float](), 0, list[Windows]()
+    history, rollouts, groups = list[float](), 0, list[Windows]()
     for _ in range(ROUNDS):
         values = asked.values(sought)
         own, p = with_numbers(columns, asked, values), vector(model, asked, values)

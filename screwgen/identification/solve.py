@@ -26,6 +26,7 @@ LONGEST = 1.5
 """The longest step: a logarithm changes by no more, 4.5 times, nor another number by more of its scale."""
 SETTLED = 3
 """How often the starts of windows alone are fitted."""
+INTERRUPTED = "interrupted"
 HUBER = 1.345
 """Beyond so many deviations a robust fit counts residuals by their size, no more by their square."""
 MEDIAN = 0.6745
@@ -91,7 +92,7 @@ class Fit:
                 if self.progress:
                     self.progress(self._line(at))
         except KeyboardInterrupt:
-            at.stopped = "interrupted"
+            at.stopped = INTERRUPTED
         return at
 
     def begun(self, sought: np.ndarray) -> Estimate:
@@ -222,6 +223,10 @@ class Fit:
                 left = _triangle(np.vstack([left, R[n:, n:]]))
             states.append(of_log)
         return StateFree(states, left[:, :-1], left[:, -1])
+
+    def worst(self, at: Estimate) -> float:
+        """The largest share of a sensor's variation that is left."""
+        return float(np.max(self.sizes(at.differences) / self.varies)) if at.differences else np.inf
 
     def _line(self, at: Estimate) -> str:
         """Where a fit stands, with the sensor that it explains worst."""

@@ -47,8 +47,8 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     """
     found = [fit.problem.linearised(g, at.sought, s) for g, s in zip(fit.problem.groups, at.shift, strict=True)]
     windows = [
-        _of_window(fit, group, at, own, w)
-        for group, own in zip(fit.problem.groups, found, strict=True)
+        _of_window(fit, group, at, own, w, shift[w])
+        for group, own, shift in zip(fit.problem.groups, found, at.shift, strict=True)
         for w in range(len(group.first))
     ]
     A = np.sum([information for information, _, _ in windows], axis=0)
@@ -74,9 +74,12 @@ def _quantile(freedom: int) -> float:
 
 
 def _of_window(
-    fit: Fit, group: Windows, at: Estimate, found: tuple[np.ndarray, ...], w: int
+    fit: Fit, group: Windows, at: Estimate, found: tuple[np.ndarray, ...], w: int, shift: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Information (k, k) of a window on what is sought, its states eliminated, that of clusters, and their scores."""
+    """Information (k, k) of a window on what is sought, its states eliminated, that of clusters, and their scores.
+
+    What is known beforehand of its start follows from its first readings, so that it counts with the first cluster.
+    """
     r, J_x, J_p = fit.rows(group, at, found, w)
     n, k = J_x.shape[1], J_p.shape[1]
     Q, _ = np.linalg.qr(np.vstack([J_x, np.eye(n)]))
@@ -87,6 +90,7 @@ def _of_window(
     of = (seconds // CLUSTER).astype(int)
     own = [rows[: len(r)][of == c] for c in range(of[-1] + 1)]
     scores = np.array([x.T @ r[of == c] for c, x in enumerate(own)])
+    scores[0] += rows[len(r) :].T @ shift
     return rows.T @ rows, np.array([x.T @ x for x in own]), scores
 
 

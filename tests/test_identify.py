@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from identified_arms import SENSORS, TRUE, elsewhere, pendulum, swing
+from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing, torque
 
 import screwgen
 from screwgen.cli.main import main
@@ -95,3 +95,13 @@ def test_sensors_are_identified_with_the_robot(log, tmp_path):
     path = tmp_path / "sensors.toml"
     path.write_text(found.sensors_text())
     assert load_columns(path) == found.columns and found.columns.inputs[0].gain == found["motor.gain"].value
+
+
+def test_shorter_windows_lead_to_numbers_that_long_ones_miss():
+    """A stiff rod that hardly damps: over two seconds it vibrates as often as no step of twice its stiffness sees."""
+    stiff = TRUE | {"rod.EIz": 400.0, "rod.damping.ratio": 0.001}
+    log = logged(pendulum(stiff), torque, 2.0)
+    start = pendulum(stiff | {"rod.EIz": 800.0, "rod.joint.drives[0].rotor_inertia": 0.2})
+    found = screwgen.identify(start, log, free=["rod.EIz", "*.mass", "*.rotor_inertia"], sensors=SENSORS, window=2.0)
+    assert found["rod.EIz"].value == pytest.approx(400.0, rel=1e-3)
+    assert found["rod.bodies[0].mass"].value == pytest.approx(0.4, rel=1e-3)

@@ -1,9 +1,9 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
-The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. Others are those of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``a``
-torques, ``k`` brakes, ``t`` rotors, ``f`` rates that are given, ``r`` modes, ``b`` their coupled pairs, ``g`` their
-directions, ``c`` pieces of tendons, ``p`` points of an exact rod. Angular parts first; accelerations less free fall.
+Signals of a node are shared by a link and the links that it carries, those of the store are kept by a link between
+phases, others are of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``f`` given rates, ``a``
+torques, ``k`` brakes, ``t`` rotors, ``r`` modes, ``b`` their coupled pairs, ``g`` their directions, ``z`` internal
+states, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first; accelerations less free fall.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
-"""The signals that the phases exchange, with shape, unit, frame and meaning.
+"""The signals that phases exchange: shape, unit, frame, meaning. Angular parts first; accelerations less free fall.
 
-Signals of a node are shared by a link and the links that it carries, those of the store are kept by a link between
-phases, others are of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``f`` given rates, ``a``
-torques, ``k`` brakes, ``t`` rotors, ``r`` modes, ``b`` their coupled pairs, ``g`` their directions, ``z`` internal
-states, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first; accelerations less free fall.
+Signals of a node are shared by a link and those that it carries; a link keeps those of the store between phases; others
+are of a call. In shapes ``q`` counts joint coordinates, ``m`` their rates, ``f`` given ones, ``a`` torques, ``k`` brakes,
+``t`` rotors, ``r`` modes, ``b`` their pairs, ``g`` directions, ``c`` pieces of tendons, ``p`` points of an exact rod.
 """
 
 from __future__ import annotations

@@ -6,7 +6,8 @@ robot file -> Robot -> blocks (per link class) -> programs (per phase) -> schedu
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -15,6 +16,7 @@ from . import target_files
 from .arguments import Given, Loads, Numbers, choice
 from .backends.equations.equations import Equations
 from .backends.equations.make import OPERATIONS, equations
+from .beside import beside
 from .errors import UsageError
 from .folder import check_folder, write_folder
 from .integrators.method import Method
@@ -33,6 +35,7 @@ TARGETS = ("c", "casadi", "latex")
 """What is written unless targets are named."""
 UNITS = ("fmu2", "fmu3")
 CONSISTENT = "consistent"
+DOCUMENTS = "documents"
 
 
 class Model(RobotModel):
@@ -134,7 +137,7 @@ class Model(RobotModel):
         makers = {
             "c": lambda: self.c_files(**options, **more),
             "casadi": lambda: self.casadi_files(functions),
-            "latex": lambda: target_files.latex_files(self.robot, self._plugins),
+            "latex": lambda: self._documents(),
         }
         makers |= {t: partial(target_files.unit_files, self, t, **options, sensors=outputs) for t in UNITS}
         unknown = [t for t in targets if t not in makers]
@@ -142,6 +145,21 @@ class Model(RobotModel):
             raise UsageError(f"there is no target '{unknown[0]}'; choose {' or '.join(makers)}")
         files = {f"{t}/{name}": data for t in targets for name, data in makers[t]().items()}
         return write_folder(folder, files, tuple(targets))
+
+    def _documents(self) -> dict[str, bytes]:
+        """The documents, those of a second process within :meth:`documents_beside`."""
+        made = self._kept.get(DOCUMENTS)
+        return made() if callable(made) else target_files.latex_files(self.robot, self._plugins)
+
+    @contextmanager
+    def documents_beside(self) -> Iterator[None]:
+        """Within it a second process makes the documents that :meth:`write` writes, see :mod:`.beside`."""
+        with beside(self._documents) as documents:
+            self._kept[DOCUMENTS] = documents
+            try:
+                yield
+            finally:
+                del self._kept[DOCUMENTS]
 
     def c_files(
         self, parameters: str = "runtime", layout: str = "auto", mpc: str | os.PathLike | None = None, **options: Any

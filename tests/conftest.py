@@ -24,6 +24,8 @@ NAMED = os.environ.get("CC")
 GROWTH = 1_500_000_000
 """Bytes by which a process of tests grows until it forgets what it has derived."""
 limit = [2 * GROWTH]
+frozen: list[bool] = []
+"""Whether a file's tests have left what is no longer looked through, and may be of no use now."""
 STATM = Path("/proc/self/statm")
 KEEPING = ("screwgen", "helpers", "conformance")
 UNOPTIMISED = os.path.join(os.path.dirname(__file__), "tools", "cc")
@@ -91,7 +93,9 @@ def _bounded():
     for value in [value for module in kept for value in vars(module).values() if hasattr(value, "cache_clear")]:
         value.cache_clear()
     numeric._COMPILED.clear()
-    gc.unfreeze()
+    if frozen:
+        gc.unfreeze()
+    frozen.clear()
     gc.collect()
     gc.freeze()
     limit[0] = resident() + GROWTH  # what is free again need not go back to the system
@@ -108,6 +112,7 @@ def _frozen():
     yield
     gc.collect()
     gc.freeze()
+    frozen.append(True)
 
 
 @pytest.fixture(autouse=True)

@@ -20,6 +20,7 @@ from latex_formula import Value, value
 
 from screwgen import Model
 from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.content import Document
 
 HELD = r"\boldsymbol{\sigma}_{b,i}", r"\mathbf{j}_{b,i}", r"\ddot{\mathbf{q}}_{b,i}"
 MOTION, INWARD, ACCELERATIONS = "Outward: motion", "Inward: elimination", "Outward: accelerations"
@@ -38,7 +39,12 @@ def accelerations_from_document(model: Model, q, v, tau, w_ext) -> tuple[np.ndar
 
 def reading(model: Model) -> Reading:
     """The document of a robot, made and read once."""
-    return model.once(("document",), lambda: Reading(Printed(latex.content(model.robot))))
+    return model.once(("document",), lambda: Reading(Printed(content_of(model))))
+
+
+def content_of(model: Model) -> Document:
+    """The document of a robot, made once."""
+    return model.once(("content",), lambda: latex.content(model.robot))
 
 
 Env = dict[str, Value]

@@ -7,10 +7,12 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from helpers import arm, example, link, model_of
+from feature_robots import model_with
+from helpers import arm, example, link, model_of, quick_batch
 
 import screwgen
 from screwgen import ScrewgenError, UsageError, rollout
+from screwgen.algorithms.robot_functions import offered
 from screwgen.runtime.batch import compiled_batch
 from screwgen.simulation.rollout_validity import ParameterWarning
 
@@ -62,6 +64,29 @@ def test_what_a_run_tells_of_its_samples_a_rollout_tells_of_all(ella):
     alone = rollout(ella, x0, tau, step=STEP)
     linear = ella.linearise(alone.q[1, 3], outputs="base_strain")
     assert np.allclose(alone.base_strain[1, 3], linear.y, rtol=1e-12, atol=0)
+
+
+@pytest.mark.parametrize("feature", ["floating", "exact station", "tendons"])
+def test_what_follows_from_states_alone_is_what_the_reference_says(feature):
+    """By lanes of which some are idle, for more samples than constants are loaded for at once, one robot or many."""
+    model, rng = model_with(feature), np.random.default_rng(3)
+    quick_batch(model)
+    x0 = np.array([np.concatenate((model.chain.home, np.zeros(model.chain.nvz)))] * 11)
+    x0[:, model.nq :] = rng.normal(0, 0.3, (11, model.chain.nvz))
+    many = np.array(model.parameter_values) * rng.uniform(0.9, 1.1, (11, 1))
+    for p in (None, many):
+        run = rollout(model, x0, step=STEP, steps=66, parameters=p)
+        assert run.ok.all()
+        rows = [row for row in offered(model.chain) if set(row.names) <= {"q", "v"} and row.c_file]
+        for k, j in ((0, 0), (10, 66), (3, 64)):
+            numeric, state = model.numpy(None if p is None else p[k]), {"q": run.q[k, j], "v": run.v[k, j]}
+            assert np.allclose(run.tip_position[k, j], numeric.tip_pose(state["q"])[1], rtol=1e-9, atol=1e-12)
+            for row in rows:
+                found, wanted = getattr(run, row.name), getattr(numeric, row.name)(*(state[x] for x in row.names))
+                several = isinstance(found, tuple)
+                ours = np.concatenate([np.ravel(x[k, j]) for x in (found if several else (found,))])
+                theirs = np.concatenate([np.ravel(x) for x in (wanted if isinstance(wanted, tuple) else (wanted,))])
+                assert np.allclose(ours, theirs, rtol=1e-9, atol=1e-11), row.name
 
 
 def test_what_follows_from_a_rollout_is_there_after_executors_and_in_sweeps(ella, tmp_path):

@@ -61,7 +61,7 @@ def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
     out[0] |= {"acc_0": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
-    out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
+    out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "rdot": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
     out[0] |= {"R_m": IDENTITY, "r_m": [0.0] * 3, "omega_m": [0.0] * 3, "v_m": [0.0] * 3}
     out[0] |= {"acc": out[0]["acc_0"]}
     for leaf in chain.tree.leaves:

@@ -1,9 +1,9 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
-The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. Others are those of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``a``
-torques, ``k`` brakes, ``t`` rotors, ``f`` rates that are given, ``r`` modes, ``b`` their coupled pairs, ``g`` their
-directions, ``c`` pieces of tendons, ``p`` points of an exact rod. Angular parts first; accelerations less free fall.
+Signals of a node are shared by a link and the links that it carries, those of the store are kept by a link between
+phases, others are of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``f`` given rates, ``a``
+torques, ``k`` brakes, ``t`` rotors, ``r`` modes, ``b`` their coupled pairs, ``g`` their directions, ``z`` internal
+states, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first; accelerations less free fall.
 """
 
 from __future__ import annotations
@@ -70,6 +70,7 @@ NODE = {
     "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "derivative of f with the angular velocity"),
     "R": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame, row by row"),
     "r": Signal((3,), "m", INERTIAL, "position of the tip point"),
+    "rdot": Signal((3,), "m/s", INERTIAL, "velocity of the tip point"),
     "Q": Signal((4,), "-", INERTIAL, "rotation of the tip frame, unit quaternion (w, x, y, z)"),
     "R_m": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame before projection, row by row"),
     "r_m": Signal((3,), "m", INERTIAL, "position of the tip point before projection"),

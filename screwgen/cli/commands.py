@@ -6,6 +6,7 @@ import json as json_format
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import nullcontext
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -64,10 +65,11 @@ def run_generate(
     if not output:
         raise UsageError("the folder after -o has no name; name one to write")
     model = derive(load_robot(robot, quiet))
-    with busy("generating", quiet), stoppable():
-        wanted = tuple(t for t in (*TARGETS, *UNITS) if t in (targets or TARGETS))
-        with warnings.catch_warnings(record=True, action="always", category=TargetWarning) as noted:
-            files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
+    wanted = tuple(t for t in (*TARGETS, *UNITS) if t in (targets or TARGETS))
+    documents = model.documents_beside() if "latex" in wanted and len(wanted) > 1 else nullcontext()
+    noting = warnings.catch_warnings(record=True, action="always", category=TargetWarning)
+    with stoppable(), documents, busy("generating", quiet), noting as noted:
+        files = model.write(output, targets=wanted, parameters=parameters, layout=layout, **more)
     for note in noted:
         print(f"screwgen: warning: {robot}: {note.message}", file=sys.stderr)
     notes(robot, light_joints(model), quiet)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import io
 import os
 import signal
@@ -19,8 +20,13 @@ ClickException: Any = typer.BadParameter.__mro__[2]
 """Whatever is wrong with a command line; typer has it under names that change with its version."""
 
 
+YOUNG = 200_000
+"""Objects beyond which Python looks for garbage: a derived robot has millions, which live as long as the process."""
+
+
 def prepare() -> None:
     """Make this process one of a command."""
+    gc.set_threshold(YOUNG, 50, 50)
     _tidy_when_told_to_end()
     _open_streams()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 from typing import Any
 
@@ -13,8 +13,6 @@ from ..algorithms.dae_functions import state_size, unknown_size
 from ..algorithms.robot_function import RobotFunction, entries, results
 from ..algorithms.robot_functions import BY_NAME, SENSORS
 from ..arguments import Given, Loads, Numbers, array, choice, parameters_keyword, seconds, whole
-from ..backends.c.forms import split
-from ..backends.c.shim import shims
 from ..errors import ScrewgenError
 from ..integrators.method import Method
 from ..integrators.methods import with_built_in
@@ -65,7 +63,7 @@ class Compiled(CompiledDerivatives):
         define = [f"-D{self.chain.robot.name.upper()}_REAL_FLOAT"] if single else []
         asked = digest(model.robot, layout, parameters, derivatives, tuple(methods), self.chosen)
         compiled = partial(load, flags=[*flags, *define], compiler=compiler, cache=cache)
-        found = lambda part: compiled(lambda: self._sources[part], asked=asked and f"{part} {asked}")  # noqa: E731
+        found = lambda part: compiled(lambda: self.project.part(part), asked=asked and f"{part} {asked}")  # noqa: E731
         self.library = Forms(found("joint"), LazyLibrary(lambda: found("dae")))
         self._sensors = LazyLibrary(lambda: found("sensors"))
         self._place()
@@ -73,18 +71,16 @@ class Compiled(CompiledDerivatives):
 
     @cached_property
     def project(self) -> RuntimeProject:
-        """Of which the sources are written, where the cache does not have what is made of them."""
+        """Of which the sources are written, where the cache does not have what is made of them.
+
+        The model keeps it for both precisions, and for a layout whether or not it was chosen automatically.
+        """
         layout, parameters, *_, methods, by_p = self._arguments
         options: dict[str, Any] = {"derivatives": self.with_derivatives, "outputs": True, "by_p": by_p}
-        return RuntimeProject(self.chain, self.model.version, parameters, layout, methods=methods, **options)
-
-    @cached_property
-    def _sources(self) -> dict[str, Mapping[str, str]]:
-        """The files of each library."""
-        files = self.project.files() | shims(self.project)
-        joint, dae = split(self.project, files)
-        headers = {name: text for name, text in files.items() if name.endswith(".h")}
-        return {"joint": joint, "dae": dae, "sensors": headers | self.project.sensing()}
+        make = lambda: RuntimeProject(self.chain, self.model.version, parameters, layout, methods=methods, **options)  # noqa: E731
+        said = parameters, self.with_derivatives, self.chosen, *methods
+        asked = self.model.once(("project", layout, *said), make)
+        return self.model.once(("project", asked.layout, *said), lambda: asked)
 
     def __reduce__(self) -> tuple[Callable, tuple]:
         return _compiled_anew, (self.model, self._arguments, self.p)

@@ -36,7 +36,10 @@ def measured(
 def strain(model: RobotModel, q: np.ndarray, p: Sequence[float] | np.ndarray) -> np.ndarray:
     """The strains (…, strains) at coordinates (…, nq): they are linear in those of the modes."""
     slopes = model.numpy(np.asarray(p)).strain_slopes()
-    return np.asarray(q[..., model.chain.eta_q :] @ slopes.T)
+    if q.ndim < 3:
+        return np.asarray(q[..., model.chain.eta_q :] @ slopes.T)
+    side_by_side = q.transpose(1, 2, 0)[:, model.chain.eta_q :]  # scenarios, as rollouts keep them
+    return np.matmul(slopes, side_by_side).transpose(2, 0, 1)
 
 
 def _apart(columns: np.ndarray, count: int, size: tuple[int, ...]) -> np.ndarray:

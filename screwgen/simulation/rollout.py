@@ -47,7 +47,7 @@ class Rollout:
     good state from there on.
     ``completed`` (batch,): how many steps it made; ``fault`` (batch,): after 2 the link's number, else -1.
 
-    Computed when first asked for, at every sample, NaN where there is no dynamics, the last input held on at the end:
+    Computed when first asked for, at every sample, NaN where there is none, the last input held on at the end:
     ``wrench`` (batch, steps + 1, n, 6), joint wrenches [τ; F], what link i−1 exerts on link i, in F_i components;
     ``tip_position`` (.., 3), the last link's tip in the inertial frame, m; what functions report, as ``energy`` (..,
     2), kinetic, potential, J, and ``drive_power`` (.., n_tau), W; what sensors measure at markers, see
@@ -87,9 +87,11 @@ class Rollout:
         """What follows from the motions, by name: computed when it is first asked for, in double precision."""
         if name not in COMPUTED + MEASURED or name in self.__dict__:
             raise AttributeError(f"'Rollout' has no attribute '{name}'", name=name, obj=self)
-        if name in COMPUTED:
-            return self._samples[name]
-        self.__dict__[name] = self._source.measured(name, self.q, self.v)
+        if name in MEASURED:
+            self.__dict__[name] = self._source.measured(name, self.q, self.v)
+        else:
+            quick = self._source.at_states(name, self.q, self.v) if name in self._source.shapes else None
+            self.__dict__[name] = self._samples[name] if quick is None else quick
         return self.__dict__[name]
 
     @cached_property

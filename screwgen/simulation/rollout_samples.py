@@ -13,6 +13,7 @@ from ..algorithms.robot_functions import reported
 from ..integrators.methods import METHODS
 from ..robot_model import RobotModel
 from ..runtime.memory import pointer
+from ..runtime.sampled import library_of, sampled
 from .compiled_runs import instance
 from .limited_inputs import LimitedInputs, held
 from .measured import STRAIN, measured, strain
@@ -34,6 +35,18 @@ class Source:
         chain = self.model.chain
         told = {row.name: (entries(row, chain),) for row in reported(chain)}
         return {"wrench": (chain.n, 6), "tip_position": (3,)} | told
+
+    def at_states(self, name: str, q: np.ndarray, v: np.ndarray) -> np.ndarray | tuple[np.ndarray, ...] | None:
+        """What follows from coordinates and rates alone, (batch, samples, …); None where more is needed.
+
+        ``name``: of what runs report, of which the results stand behind each other, or of what sensors measure.
+        """
+        if sampled(self.model.chain, name) is None:
+            return None
+        found = library_of(self.model, name)(name, self.given["parameters"], q, v)
+        if name not in self.shapes:
+            return found if len(found) > 1 else found[0]
+        return np.concatenate([x.reshape(*x.shape[:2], -1) for x in found], axis=2) if len(found) > 1 else found[0]
 
     def samples(self, q: np.ndarray, v: np.ndarray) -> dict[str, np.ndarray]:
         """What follows from `q` (batch, samples, nq), `v` (.., nv), by name, (batch, samples, …)."""
@@ -79,6 +92,8 @@ class Source:
         p, samples = self.given["parameters"], q.shape[1]
         if name == STRAIN and len(p) == 1:
             return strain(self.model, q, p[0])
+        if (quick := self.at_states(name, q, v)) is not None:
+            return quick
         tau, found = self.applied(q, v), []
         for k in range(len(q)):
             held = {

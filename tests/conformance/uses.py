@@ -262,9 +262,10 @@ def document(case: Case) -> None:
 
 def derived(case: Case) -> list[tuple[str, str, str]]:
     """The equations of the section that says how those of the algorithm come about."""
+    from document_reader import content_of
     from document_symbols import parts
 
     from screwgen.backends.latex import document
 
-    (section,) = [x for x in document.content(case.model.robot).sections if x.title == document.DERIVATION]
+    (section,) = [x for x in content_of(case.model).sections if x.title == document.DERIVATION]
     return [equation for part in parts(section) for equation in part.equations]

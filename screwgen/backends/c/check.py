@@ -79,7 +79,7 @@ def content(chain: Chain, states: Sequence[Recorded]) -> dict[str, object]:
     lost = percent(needed["single"]) if needed["single"] > LOOSEST else ""
     extent = max((x for state in states for x in state.case["extent"]), default=1.0)
     inverses = more if larger and not chain.inputs_load_links else {}
-    assembly = "" if lost else _assembly(chain, states, float(tolerance["single"]))
+    assembly = "" if lost or not states else _assembly(chain, states, float(tolerance["single"]))
     found: dict[str, object] = {"tolerance": tolerance, "inverse": inverses, "lost": lost, "assembly": assembly}
     return found | {"extent": repr(float(f"{extent:.6g}"))}
 

@@ -22,7 +22,7 @@ INPUTS = {"state": ("q", "v"), "input": ("tau", "w_ext")}
 """The structs that hold the arguments of functions."""
 
 
-def content(part: str, chain: Chain, baked: bool, place: Place) -> dict:
+def content(chain: Chain, part: str, baked: bool, place: Place) -> dict:
     """The context of the templates of a file, ``part``; ``place`` is that of the fused function."""
     made = [_function(row, chain, baked, place) for row in in_file(part, chain)]
     return {"part": part, "functions": made, "kept": max(one["kept"] for one in made)}

@@ -43,6 +43,7 @@ from .fields import (
 from .links import WATCHED, WITHIN, Links, sparsity
 from .parameters import bodies, changing_parameter, comments, defaults, limits, parameter_structs, place
 from .runs import RUNS
+from .written import once
 
 PARTS = (OUTPUTS, SENSORS)
 """The files of functions that report something, with the option of that name."""
@@ -90,7 +91,7 @@ class CProject:
         self.name, self.methods, self.chosen = chain.robot.name, with_built_in(methods), chain.parameters.chosen(by_p)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
-        self.layout = self._layout(layout)
+        self.asked, self.layout = layout, self._layout(layout)
         self.links.joint_form = self.layout == "modular"
 
     def _layout(self, asked: str) -> str:
@@ -128,14 +129,15 @@ class CProject:
     @cached_property
     def context(self) -> dict:
         """The templates' context."""
-        chain, robot, baked = self.chain, self.chain.robot, self.baked is not None
+        chain, robot, baked, methods = self.chain, self.chain.robot, self.baked is not None, self.methods
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
             "estimator": self.with_estimator and estimator.content(chain, self.measurements, baked, fused_place),
-            "derivatives": self.with_derivatives and derivatives.content(chain, baked, fused_place, self.methods),
+            "derivatives": self.with_derivatives
+            and derivatives.content(chain, self.baked, fused_place, methods, self.asked),
             "sources": [file for file in self.library if file.endswith(".c")],
             "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,
@@ -199,7 +201,7 @@ class CProject:
             **self._features,
             "outputs": self._told(OUTPUTS) if OUTPUTS in self.reports else None,
             "sensing": [row.name for part in self.reports if part == SENSORS for row in in_file(part, chain)],
-            "levers": levers.content(chain, baked, fused_place),
+            "levers": once(levers.content, chain, baked, fused_place),
             "batch": self._batch if self.with_batch else None,
             "by_p": by_parameters(chain, self.chosen, baked, fused_place, self.methods),
         }
@@ -210,7 +212,7 @@ class CProject:
         return {"sensors": self._told(SENSORS), "sensor_names": outputs.sensor_names(self.chain)}
 
     def _told(self, part: str) -> dict:
-        return outputs.content(part, self.chain, self.baked is not None, fused_place)
+        return once(outputs.content, self.chain, part, self.baked is not None, fused_place)
 
     # programs ---------------------------------------------------------------------------------
 
@@ -326,7 +328,7 @@ class CProject:
 
     @cached_property
     def _features(self) -> dict:
-        return features.content(self.chain, self.baked is not None, fused_place)
+        return once(features.content, self.chain, self.baked is not None, fused_place)
 
     @cached_property
     def check(self) -> dict[str, object]:

@@ -95,7 +95,7 @@ class GeneratedC:
             r"(?:_[a-z]{1,3}|_[xyz]?\d+|\[\d+\])? \+?= "
         )
         for lines in reversed(self.sections[link]):
-            places = [k for k, line in enumerate(lines.text) if assigned.match(line)]
+            places = [k for k, line in enumerate(lines.text) if step.name in line and assigned.match(line)]
             if places:
                 return _part(lines, places)
         return None

@@ -46,8 +46,13 @@ class Marks:
         return out
 
     @cached_property
-    def _longest(self) -> int:
-        return max(map(len, self._known), default=1)
+    def _several(self) -> dict[str, list[int]]:
+        """By its first element, of how many elements a symbol consists that has several; the longest first."""
+        out: dict[str, set[int]] = {}
+        for first, *others in self._known:
+            if others:
+                out.setdefault(first, set()).add(1 + len(others))
+        return {first: sorted(sizes, reverse=True) for first, sizes in out.items()}
 
     def __call__(self, page: str) -> str:
         """HTML with its formulas marked."""
@@ -75,7 +80,7 @@ class Marks:
 
     def _run(self, parent: Element, place: int) -> int:
         """Puts several elements that are one symbol into a group, such as a modulus times a moment."""
-        for size in range(min(self._longest, len(parent) - place), 1, -1):
+        for size in self._several.get(_plain(parent[place]), ()):
             mark = self._known.get(tuple(_plain(e) for e in parent[place : place + size]))
             if mark is not None:
                 group = ElementTree.Element("mrow", dict(mark))

@@ -31,7 +31,8 @@ SCRIPT = re.compile(r"[_^]")
 
 def occurring(entries: Iterable[Entry], sections: Iterable[DocumentSection]) -> list[Entry]:
     """The entries whose symbols stand in a formula of the sections."""
-    text = " ".join(formula for section in sections for item in section.items for formula in formulas(item))
+    found = (formula for section in sections for item in section.items for formula in formulas(item))
+    text = " ".join(dict.fromkeys(found))
     return [entry for entry in entries if pattern(entry.display).search(text)]
 
 

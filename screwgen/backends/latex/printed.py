@@ -146,7 +146,8 @@ def _defined(sections: Iterable[DocumentSection]) -> Iterator[str]:
 
 def _symbols(own: DocumentSection, sections: Sequence[DocumentSection], known: set[str]) -> Iterator[Item]:
     """The symbols that the sections use and whose meaning stands nowhere else, two in a row."""
-    text = " ".join(x for section in sections if section is not own for item in section.items for x in formulas(item))
+    found = (x for section in sections if section is not own for item in section.items for x in formulas(item))
+    text = " ".join(dict.fromkeys(found))
     yield Paragraph(OWN)
     for item in own.items:
         if not isinstance(item, DocumentTable):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 import sympy as sp
@@ -69,6 +69,8 @@ class Scalars:
     digits: int = 6
     """How many digits numbers have at most."""
 
+    _ranked: dict[sp.Expr, list[tuple]] = field(default_factory=dict, init=False, repr=False, compare=False)
+
     def __call__(self, e: sp.Expr) -> str:
         """The LaTeX of a scalar."""
         first, *rest = self.terms(e)
@@ -95,7 +97,7 @@ class Scalars:
         return [ordered[first], *ordered[:first], *ordered[first + 1 :]]
 
     def _term_key(self, t: sp.Expr) -> tuple:
-        ranks = sorted(self._rank(s) for s in t.free_symbols)
+        ranks = self._ranks(t)
         return any(rank[0] >= Binding.STATE for rank in ranks), ranks
 
     def _signed(self, t: sp.Expr) -> str:
@@ -103,6 +105,12 @@ class Scalars:
 
     def _rank(self, s: sp.Symbol) -> tuple:
         return self.rank.get(s, (9, 0, (False, 0), 0))
+
+    def _ranks(self, e: sp.Expr) -> list[tuple]:
+        """The ranks of the symbols of an expression, in their order."""
+        if e not in self._ranked:
+            self._ranked[e] = sorted(self._rank(s) for s in e.free_symbols)
+        return self._ranked[e]
 
     def _product(self, e: sp.Expr) -> str:
         coefficient, rest = e.as_coeff_Mul()
@@ -117,8 +125,7 @@ class Scalars:
         return r"\,".join(out) + slash
 
     def _factor_key(self, f: sp.Expr) -> tuple:
-        symbols = sorted(self._rank(s) for s in f.free_symbols)
-        return (f.is_Add, f.is_Function, symbols)
+        return (f.is_Add, f.is_Function, self._ranks(f))
 
     def _factor(self, f: sp.Expr) -> str:
         if f.is_Symbol:

@@ -14,10 +14,9 @@ from typing import Any, NamedTuple
 from ..ir.names import component
 from ..spec.link_class import LinkClass
 
-F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
-CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
+F_I, TIP, INERTIAL, CARRIER = "F_i", "tip frame", "inertial frame", "F_i of the node's link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
-MODAL, MIXED = "m (torsion: rad)", "various units"
+MODAL, MIXED, NEXT = "m (torsion: rad)", "various units", "F_i of the next link"
 
 
 class Signal(NamedTuple):

@@ -9,6 +9,7 @@ from identified_arms import SENSORS, TRUE, elsewhere, pendulum, swing
 import screwgen
 from screwgen.cli.main import main
 from screwgen.identification.logs import Log
+from screwgen.spec.columns import load_columns
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +36,19 @@ def test_a_command_writes_the_robot_with_its_comments(tmp_path, capsys):
     robot.write_text(f"# of the sheet\n{text}")
     run = screwgen.simulate(pendulum(), 2.0, 1e-3, q0=[-1.5, 0.0, 0.0])
     run.save(log)
-    asked = ["-o", str(out), "--free", "rod.EIz", "--check", f"{log}@1.5:2", "--report", str(page)]
+    table = tmp_path / "columns.toml"
+    asked = [
+        "-o",
+        str(out),
+        "--sensors-output",
+        str(table),
+        "--free",
+        "rod.EIz",
+        "--check",
+        f"{log}@1.5:2",
+        "--report",
+        str(page),
+    ]
     assert main(["identify", str(robot), f"{log}@0:1.5", *asked]) == 0
     assert "rod.EIz: 26 -> 20" in capsys.readouterr().out
     before, after = (path.read_text().splitlines() for path in (robot, out))
@@ -44,8 +57,9 @@ def test_a_command_writes_the_robot_with_its_comments(tmp_path, capsys):
     found = screwgen.load(out).links[0].section.EIz
     assert found == pytest.approx(20.0, rel=1e-4)
     text, numbers = page.read_text(), json.loads(page.with_suffix(".json").read_text())
-    assert text.count("<section>") == 7 and "rod.EIz" in text and "@1.5:2, held out" in text
+    assert text.count("<section>") == 7 and "rod.EIz" in text and "@1.5:2" in text
     assert text.count("data:image/png") == 4 and "://" not in text
+    assert load_columns(table).sensors[0].name == "rod.joint[0]"
     assert numbers["estimates"][0]["value"] == pytest.approx(20.0, rel=1e-4)
     assert [x["held_out"] for x in numbers["explained"]] == [False, True]
 
@@ -61,7 +75,7 @@ def test_joints_that_are_given_move_the_links_alone(log):
     assert list(found.explained[0].share("whole")) == ["gauge"]
 
 
-def test_sensors_are_identified_with_the_robot(log):
+def test_sensors_are_identified_with_the_robot(log, tmp_path):
     """Offset, delay, filter and gain of a logger and a drive that do more than they say."""
     from screwgen.identification.sensing import Start, readings
 
@@ -78,3 +92,6 @@ def test_sensors_are_identified_with_the_robot(log):
     assert found["gauge.offset"].value == pytest.approx(30.0, abs=2.0)
     assert found["gauge.cutoff"].value == pytest.approx(8.0, rel=0.02)
     assert found["rod.EIz"].value == pytest.approx(20.0, rel=0.01)
+    path = tmp_path / "sensors.toml"
+    path.write_text(found.sensors_text())
+    assert load_columns(path) == found.columns and found.columns.inputs[0].gain == found["motor.gain"].value

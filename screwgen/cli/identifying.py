@@ -32,6 +32,9 @@ def identify(
     sensors: Annotated[
         str | None, typer.Option(metavar="FILE", help="What the columns are, TOML. Without: named as in runs.")
     ] = None,
+    sensors_output: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Also the table of columns with identified numbers, .toml.")
+    ] = None,
     check: Annotated[
         list[str] | None, typer.Option(metavar="LOG", help="A log that is held out; may be given again.")
     ] = None,
@@ -57,6 +60,8 @@ def identify(
     from .output import load_robot, notes, say
 
     check_output(output, (".toml",))
+    if sensors_output is not None:
+        check_output(sensors_output, (".toml",))
     if report is not None:
         check_output(report, (".html",))
     quiet = quiet or context.obj
@@ -66,6 +71,8 @@ def identify(
     with told("identifying", quiet) as progress:
         found = identified(model, logs, free=free, progress=progress, **more)
     texts = {output: found.robot_text(robot)}
+    if sensors_output is not None:
+        texts[sensors_output] = found.sensors_text()
     if report is not None:
         texts |= {report: found.report(), str(Path(report).with_suffix(".json")): found.to_json()}
     with outputs(*texts) as streams:

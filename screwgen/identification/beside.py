@@ -14,7 +14,7 @@ from ..runtime.differentiated import NO_METHOD
 from ..spec.columns import Columns
 from .identification import Explained
 from .logs import Log, checked
-from .problem import How, Problem, Windows, windows_of
+from .problem import MotionMethod, Problem, Windows, windows_of
 from .signals import Signals
 from .smoothing import LEAST, SHARE
 from .solve import Fit
@@ -42,10 +42,10 @@ def compare(
     return tuple(explained(model, log, columns, nothing, np.zeros(0), how, settings, True) for log in read)
 
 
-def how_of(integrator: str, substeps: int, threads: int) -> How:
+def how_of(integrator: str, substeps: int, threads: int) -> MotionMethod:
     """How motions are made; raises UsageError where there is no such way."""
     method_of(integrator, missing=NO_METHOD)
-    return How(integrator, whole(substeps, "substeps", 1), whole(threads, "threads", 1))
+    return MotionMethod(integrator, whole(substeps, "substeps", 1), whole(threads, "threads", 1))
 
 
 def _experiment(model: RobotModel, log: Log, columns: Columns, window: float) -> Experiment:
@@ -72,7 +72,7 @@ def explained(
     own: Columns,
     asked: Unknowns,
     sought: np.ndarray,
-    how: How,
+    how: MotionMethod,
     settings: tuple[float, bool],
     held_out: bool,
 ) -> Explained:

@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass, field
 import numpy as np
 
 from ..errors import UsageError
-from ..spec.columns import Columns
+from ..spec.columns import TIME, Columns
 from ..spec.load import decode, one_line, read
 from .robot_text import folder_of, with_values
 
@@ -70,6 +70,12 @@ class Explained:
         """The share of variance that ``windows``, ``whole`` or ``before`` explains of each sensor."""
         return dict(zip(self.sensors, shares(self.readings, getattr(self, of)), strict=True))
 
+    def picture(self) -> bytes:
+        """Measured against model, and what is left, as PNG."""
+        from .report_figures import against_model
+
+        return against_model(self, f"{self.log}, {'held out' if self.held_out else 'fitted'}")
+
 
 def shares(readings: np.ndarray, model: np.ndarray) -> list[float]:
     """1 less the mean square of the difference over the variance, of each column; NaN are left out."""
@@ -120,7 +126,7 @@ class Identification:
         ]
         for log in self.explained:
             kind = "held out" if log.held_out else "fitted"
-            told = ", ".join(f"{name} {100 * x:.2f} %" for name, x in log.share("whole").items())
+            told = ", ".join(f"{name} {100 * x:.1f} %" for name, x in log.share("whole").items())
             lines.append(f"{log.log} ({kind}), variance explained in one run: {told}")
         if notes:
             lines += [f"undetermined: {line}" for line in self.undetermined]
@@ -144,6 +150,10 @@ class Identification:
         }
         return json.dumps(_finite(table), indent=1)
 
+    def sensors_text(self) -> str:
+        """A table of the columns, TOML, with their identified numbers."""
+        return columns_text(self.columns)
+
     def report(self) -> str:
         """One HTML page: measured against model, numbers with intervals, what is odd and what is left open."""
         from .report import report_html
@@ -158,6 +168,24 @@ class Identification:
         text = decode(read(robot_file, file), file)
         values = {name: one.value for name, one in own.items()}
         return with_values(text, values, notes, file, folder_of(robot_file))
+
+
+def columns_text(columns: Columns) -> str:
+    """A table of columns as TOML."""
+    lines = [] if columns.time == TIME else [f"time = {json.dumps(columns.time)}", ""]
+    for column in columns.columns:
+        stated = column.model_dump(exclude_defaults=True)
+        lines += ["[[columns]]", *(f"{key} = {_toml(value)}" for key, value in stated.items()), ""]
+    return "\n".join(lines)
+
+
+def _toml(value: object) -> str:
+    """A value of a column in TOML."""
+    if isinstance(value, dict):
+        return f"{{ {', '.join(f'{key} = {_toml(x)}' for key, x in value.items() if x is not None)} }}"
+    if isinstance(value, list | tuple):
+        return _toml(value[0]) if len(value) == 1 else f"[{', '.join(map(_toml, value))}]"
+    return json.dumps(value) if isinstance(value, str) else repr(value)
 
 
 def _finite(value: object) -> object:

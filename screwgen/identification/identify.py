@@ -19,7 +19,7 @@ from . import odd
 from .beside import explained, how_of, vector, windows_of_log
 from .identification import Estimated, Identification
 from .logs import Log, checked, faults
-from .problem import How, Problem, Windows
+from .problem import MotionMethod, Problem, Windows
 from .solve import Estimate, Fit
 from .sources import Source, columns_of, log_of, several, some, varying
 from .uncertainty import LOST, Uncertainty, uncertainty
@@ -129,7 +129,7 @@ def _fitted(
     logs: Sequence[Log],
     columns: Columns,
     asked: Unknowns,
-    settings: tuple[float, bool, int, How],
+    settings: tuple[float, bool, int, MotionMethod],
     progress: Callable[[str], None] | None,
 ) -> tuple[Fit, Estimate]:
     """The fit and its estimate; where numbers of sensors changed, windows begin anew."""

@@ -11,7 +11,7 @@ from ..spec.columns import Columns
 from ..spec.parameters import parameters
 from .identification import Explained
 from .logs import Log
-from .solve import Estimate, Fit
+from .solve import Estimate, Fit, correlations
 from .unknowns import Unknowns
 
 FACTORS = {57.2958: "degrees and radians", 1000.0: "a factor of 1000, as between mm and m"}
@@ -19,7 +19,7 @@ NEAR = 0.8
 """By how much its logarithm may differ from theirs."""
 POOR = 0.5
 """The share of variance over windows below which a sensor counts as not explained."""
-COLOURED = 0.9
+COLOURED = 0.5
 """The correlation of neighbours from which on residuals are said to be no noise."""
 DAMPED = 0.15
 """The damping ratio of a vibration from which on links are suspected not to have it."""
@@ -29,14 +29,7 @@ REPEATED = 0.98
 
 def whiteness(fit: Fit, at: Estimate) -> dict[str, float]:
     """Of each sensor the correlation of a residual with the next: 0 of noise, near 1 where a cause is not modelled."""
-    names = fit.problem.sensor_names
-    rows = [np.concatenate([x[..., k].ravel() for x in at.differences]) for k in range(len(names))]
-    return {name: _correlation(np.nan_to_num(row)) for name, row in zip(names, rows, strict=True)}
-
-
-def _correlation(row: np.ndarray) -> float:
-    own = row - row.mean()
-    return float(own[1:] @ own[:-1] / max(own @ own, 1e-300))
+    return dict(zip(fit.problem.sensor_names, correlations(at.differences).tolist(), strict=True))
 
 
 def of_fit(fit: Fit, at: Estimate) -> list[str]:

@@ -28,7 +28,7 @@ MAX_BYTES = 2**28
 
 
 @dataclass(frozen=True)
-class How:
+class MotionMethod:
     """How motions are made."""
 
     integrator: str
@@ -82,7 +82,9 @@ class Windows:
 class Problem:
     """Windows of several logs, and the numbers that are free; if they are `fixed` the starts of windows alone are."""
 
-    def __init__(self, model: RobotModel, groups: Sequence[Windows], unknowns: Unknowns, how: How, fixed: bool = False):
+    def __init__(
+        self, model: RobotModel, groups: Sequence[Windows], unknowns: Unknowns, how: MotionMethod, fixed: bool = False
+    ):
         self.model, self.groups, self.unknowns, self.how = model, list(groups), unknowns, how
         self.rollouts, self.fixed = 0, fixed
 

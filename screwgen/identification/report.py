@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ..backends.templates import markup, render
-from .identification import Explained, Identification
-from .report_figures import against_model, over_start, spectra
+from .report_figures import over_start, spectra
 from .residuals import spectrum
+
+if TYPE_CHECKING:
+    from .identification import Identification
 
 Context = Mapping[str, Any]
 
 
-class Section(NamedTuple):
+class ReportSection(NamedTuple):
     """A part of the report: its title, its template below templates/identify, and what that shows."""
 
     title: str
@@ -24,7 +26,7 @@ class Section(NamedTuple):
     context: Callable[[Identification], Context]
 
 
-class Shown(NamedTuple):
+class ShownSection(NamedTuple):
     """A section as it stands on the page."""
 
     title: str
@@ -34,7 +36,7 @@ class Shown(NamedTuple):
 def report_html(found: Identification) -> str:
     """The page, which needs nothing else."""
     shown = [
-        Shown(section.title, markup(render(f"identify/{section.template}.html.jinja", **section.context(found))))
+        ShownSection(section.title, markup(render(f"identify/{section.template}.html.jinja", **section.context(found))))
         for section in SECTIONS
     ]
     return render("identify/page.html.jinja", title=f"Identification of {found.robot}", sections=shown)
@@ -79,12 +81,8 @@ def _numbers(found: Identification) -> Context:
 
 
 def _curves(found: Identification) -> Context:
-    pictures = [{"label": _label(log), "source": _picture(against_model(log, _label(log)))} for log in found.explained]
+    pictures = [{"label": f"{x.log}, measured and model", "source": _picture(x.picture())} for x in found.explained]
     return {"pictures": pictures}
-
-
-def _label(log: Explained) -> str:
-    return f"{log.log}, {'held out' if log.held_out else 'fitted'}: measured, and the model in one run"
 
 
 def _residuals(found: Identification) -> Context:
@@ -104,13 +102,13 @@ def _fit(found: Identification) -> Context:
     return {"rows": list(found.tried.items())}
 
 
-SECTIONS: Sequence[Section] = (
-    Section("How much the model explains", "logs", _logs),
-    Section("What is odd", "said", _notes),
-    Section("What the data do not determine", "said", _undetermined),
-    Section("Numbers, before and after", "numbers", _numbers),
-    Section("Measured against model", "curves", _curves),
-    Section("What is left", "residuals", _residuals),
-    Section("The fit", "fit", _fit),
+SECTIONS: Sequence[ReportSection] = (
+    ReportSection("How much the model explains", "logs", _logs),
+    ReportSection("What is odd", "said", _notes),
+    ReportSection("What the data do not determine", "said", _undetermined),
+    ReportSection("Numbers, before and after", "numbers", _numbers),
+    ReportSection("Measured against model", "curves", _curves),
+    ReportSection("What is left", "residuals", _residuals),
+    ReportSection("The fit", "fit", _fit),
 )
 """In the order of the page."""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..plotting.curves import thin
 from ..plotting.look import GREY, INK, LIMITS, PALE, PALETTE, canvas, legend_above, png, styled
-from .identification import Estimated, Explained
+
+if TYPE_CHECKING:
+    from .identification import Estimated, Explained
 
 MODEL, FOUND = PALETTE[1], PALETTE[0]
 DPI = 110

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .identification import Explained
+if TYPE_CHECKING:
+    from .identification import Explained
 
 
 def spectrum(logs: Sequence[Explained], sensor: str) -> tuple[np.ndarray, np.ndarray]:

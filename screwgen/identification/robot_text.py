@@ -25,7 +25,7 @@ NUDGE = 1e-6
 DIGITS = 6
 
 
-class Place(NamedTuple):
+class NumberPlace(NamedTuple):
     """Where a number stands in a text."""
 
     start: int
@@ -33,10 +33,10 @@ class Place(NamedTuple):
     value: float
 
 
-def numbers(text: str) -> list[Place]:
+def numbers(text: str) -> list[NumberPlace]:
     """The numbers of a TOML text, without those in strings and comments."""
     found = (match for match in TOKEN.finditer(text) if match["number"])
-    return [Place(match.start(), match.end(), float(match["number"].replace("_", ""))) for match in found]
+    return [NumberPlace(match.start(), match.end(), float(match["number"].replace("_", ""))) for match in found]
 
 
 def with_values(text: str, values: Mapping[str, float], notes: Mapping[str, str], file: str, folder: str = "") -> str:
@@ -65,11 +65,11 @@ def _as_float(number: str) -> str:
     return number if re.search(r"[.e]", number) else f"{number}.0"
 
 
-def _places(text: str, names: list[str], file: str, folder: str) -> dict[str, Place]:
+def _places(text: str, names: list[str], file: str, folder: str) -> dict[str, NumberPlace]:
     """The number of the text that states each parameter, and none besides."""
     known = parameters(loads(text, file, folder))
     start = np.array([x.value for x in known])
-    out: dict[str, Place] = {}
+    out: dict[str, NumberPlace] = {}
     stated: set[str] = set()
     for place in numbers(text):
         changed = _changed(text, place, start, file, folder)
@@ -85,7 +85,7 @@ def _places(text: str, names: list[str], file: str, folder: str) -> dict[str, Pl
     return {name: out[name] for name in names}
 
 
-def _changed(text: str, place: Place, start: np.ndarray, file: str, folder: str) -> np.ndarray:
+def _changed(text: str, place: NumberPlace, start: np.ndarray, file: str, folder: str) -> np.ndarray:
     """Which parameters change with a number of the text; none where it is no such number."""
     for other in (place.value * (1 + NUDGE) or NUDGE, place.value * (1 - NUDGE)):
         try:
@@ -97,7 +97,7 @@ def _changed(text: str, place: Place, start: np.ndarray, file: str, folder: str)
     return np.zeros(0, int)
 
 
-def _replaced(text: str, place: Place, value: float) -> str:
+def _replaced(text: str, place: NumberPlace, value: float) -> str:
     return text[: place.start] + repr(value) + text[place.end :]
 
 

@@ -26,7 +26,7 @@ ENTRY = re.compile(r"(?P<row>[^\[\]]+?)(?:\[(?P<entry>\d+)\])?")
 
 
 @dataclass(frozen=True)
-class Signal:
+class SensorSignal:
     """What a column measures: an entry of `q`, of `v`, of the tip's place, or of a row of measurements."""
 
     column: Column
@@ -45,14 +45,14 @@ class Signal:
         return self.row.name if self.row is not None else "" if self.kind in "qv" else self.kind
 
 
-def signal(model: RobotModel, column: Column) -> Signal:
+def signal(model: RobotModel, column: Column) -> SensorSignal:
     """What a column measures; raises UsageError where a robot has no such thing."""
     said = column.measures or ""
     for kind, names in (("q", model.q_names), ("v", model.v_names), ("tip_position", TIP_NAMES)):
         if said in names:
             if column.numbers:
                 raise UsageError(f"{column.name}: numbers: '{said}' has none; leave them out")
-            return Signal(column, kind, names.index(said))
+            return SensorSignal(column, kind, names.index(said))
     found = ENTRY.fullmatch(said)
     if not found or "." in found["row"].partition("@")[0]:
         choice(said, (*model.q_names, *model.v_names, *TIP_NAMES), f"{column.name}: nothing measures")
@@ -66,7 +66,7 @@ def signal(model: RobotModel, column: Column) -> Signal:
     if (place := int(entry or 0)) >= size:
         raise UsageError(f"{column.name}: {found['row']} has {size} entries, so there is no [{place}]")
     _check_numbers(model, column, row)
-    return Signal(column, "row", place, row)
+    return SensorSignal(column, "row", place, row)
 
 
 def _check_numbers(model: RobotModel, column: Column, row: Measurement) -> None:
@@ -108,7 +108,7 @@ class Signals:
             out[..., k] = values / UNITS[one.column.unit]
         return out
 
-    def _program_values(self, one: Signal, state: Mapping[str, np.ndarray], p: np.ndarray) -> list[np.ndarray]:
+    def _program_values(self, one: SensorSignal, state: Mapping[str, np.ndarray], p: np.ndarray) -> list[np.ndarray]:
         """The entries of a row, (lanes, samples) each."""
         program = self.model.once(("signal", one.row or one.kind), lambda: self._traced(one.row))
         given: dict[str, list[Any]] = {name: list(np.moveaxis(x, 2, 0)) for name, x in state.items()}

@@ -19,8 +19,9 @@ MARQUARDT = 0.25
 """Steps are damped by the size of columns to this power: 0 is Levenberg's way, which moves little what the data hardly
 feel, 1 Marquardt's, which heeds no scales. All is sought in logarithms or over its scale."""
 FIRST, LEAST, MOST = 1e-3, 1e-9, 1e9
-SMALL = 3e-3
-"""A step that lessens the cost by a smaller share ends the fit."""
+SMALL, SHARE = 0.2, 3e-3
+"""A step that lessens the cost by less, residuals with much in common counted as fewer, and by less than this share
+ends the fit."""
 LONGEST = 1.5
 """The longest step: a logarithm changes by no more, 4.5 times, nor another number by more of its scale."""
 SETTLED = 3
@@ -50,7 +51,7 @@ class Estimate:
 
 
 @dataclass(frozen=True, eq=False)
-class Reduced:
+class StateFree:
     """The linear least squares of a step: of each window the rows of its states, and what is left of all."""
 
     states: list[list[tuple[np.ndarray, np.ndarray, np.ndarray]]]
@@ -124,15 +125,16 @@ class Fit:
             better, damping = self._searched(at, reduced, damping)
             if better is None:
                 return
-            share = (at.cost - better.cost) / at.cost
+            gained = at.cost - better.cost
+            done = gained < SHARE * at.cost and gained * self._independent(better.differences) < SMALL
             at.sought, at.shift, at.differences, at.cost = better.sought, better.shift, better.differences, better.cost
             at.history.append(at.cost)
             yield
-            if share < SMALL:
+            if done:
                 return
         at.stopped = f"not converged in {iterations} iterations"
 
-    def _searched(self, at: Estimate, reduced: Reduced, damping: float) -> tuple[Estimate | None, float]:
+    def _searched(self, at: Estimate, reduced: StateFree, damping: float) -> tuple[Estimate | None, float]:
         """A better estimate and the damping to go on with; None where no step lessens the cost."""
         gradient = reduced.R.T @ reduced.r
         free = ~((at.sought <= self.low) & (gradient > 0) | (at.sought >= self.high) & (gradient < 0))
@@ -144,7 +146,7 @@ class Fit:
             damping *= DAMPINGS[-1] / DAMPINGS[0]
         return None, damping
 
-    def _trial(self, at: Estimate, reduced: Reduced, damping: float, free: np.ndarray) -> Estimate:
+    def _trial(self, at: Estimate, reduced: StateFree, damping: float, free: np.ndarray) -> Estimate:
         """The estimate after a step of some damping."""
         step, begun = reduced.step(damping, free)
         sought = np.clip(at.sought + step, self.low, self.high)
@@ -177,6 +179,11 @@ class Fit:
         rows = np.where(np.isfinite(rows), rows, np.nan)
         return np.nanmedian(np.abs(rows), axis=0) / MEDIAN if self.robust else np.sqrt(np.nanmean(rows**2, axis=0))
 
+    def _independent(self, differences: list[np.ndarray]) -> float:
+        """The share of residuals that say something of their own."""
+        found = np.clip(correlations(differences), 0.0, 1.0)
+        return float(np.mean((1 - found) / (1 + found)))
+
     def _cost(
         self, sought: np.ndarray, shift: list[np.ndarray], differences: list[np.ndarray], noise: np.ndarray
     ) -> float:
@@ -202,7 +209,7 @@ class Fit:
         r, J_p, J_x = weight * np.nan_to_num(difference), weight[..., None] * by_p, weight[..., None] * by_x
         return r.ravel(), np.nan_to_num(J_x.reshape(r.size, -1)), np.nan_to_num(J_p.reshape(r.size, -1))
 
-    def _reduced(self, at: Estimate, found: Sequence[tuple[np.ndarray, ...]]) -> Reduced:
+    def _reduced(self, at: Estimate, found: Sequence[tuple[np.ndarray, ...]]) -> StateFree:
         k, states = len(at.sought), []
         left = np.column_stack([np.diag(1 / self.priors[:, 1]), (at.sought - self.priors[:, 0]) / self.priors[:, 1]])
         for group, shift, own in zip(self.problem.groups, at.shift, found, strict=True):
@@ -214,7 +221,7 @@ class Fit:
                 of_log.append((R[:n, :n], R[:n, n:-1], R[:n, -1]))
                 left = _triangle(np.vstack([left, R[n:, n:]]))
             states.append(of_log)
-        return Reduced(states, left[:, :-1], left[:, -1])
+        return StateFree(states, left[:, :-1], left[:, -1])
 
     def _line(self, at: Estimate) -> str:
         """Where a fit stands, with the sensor that it explains worst."""
@@ -222,6 +229,17 @@ class Fit:
         share = self.sizes(at.differences) / self.varies
         worst = int(np.argmax(share))
         return f"iteration {len(at.history)}: {names[worst]} is {100 * share[worst]:.3g} % of its variation off"
+
+
+def correlations(differences: list[np.ndarray]) -> np.ndarray:
+    """Of each sensor the correlation (sensors,) of a residual with the next one."""
+    first, last = (
+        np.nan_to_num(np.concatenate([x[:, part].reshape(-1, x.shape[-1]) for x in differences]))
+        for part in (slice(None, -1), slice(1, None))
+    )
+    first, last = first - first.mean(axis=0), last - last.mean(axis=0)
+    size = np.sqrt(np.sum(first**2, axis=0) * np.sum(last**2, axis=0))
+    return np.asarray(np.sum(first * last, axis=0) / np.maximum(size, 1e-300))
 
 
 def _triangle(rows: np.ndarray) -> np.ndarray:

@@ -29,12 +29,12 @@ NAMED = 0.2
 
 @dataclass(frozen=True, eq=False)
 class Uncertainty:
-    """Of what is sought, without priors' help in `directions`."""
+    """How well what is sought is known, by data and priors."""
 
     deviation: np.ndarray
     """(k,): standard deviations of what is sought."""
     directions: list[tuple[np.ndarray, float]]
-    """Those that the data do not determine: changes (k,) of what is sought, the largest one 1, and their deviation."""
+    """Those that neither determines: changes (k,) of what is sought, the largest one 1, and their deviation."""
     quantile: float
     """Half an interval over the deviation."""
 
@@ -59,11 +59,11 @@ def uncertainty(fit: Fit, at: Estimate) -> Uncertainty:
     left = np.eye(len(A)) - LEVERAGE * parts @ inverse
     scores = np.linalg.solve(left, scores[..., None])[..., 0]
     B = scores.T @ scores
-    directions = _directions(A, B)
+    directions = _directions(A + known, B + known)
     covariance = inverse @ (B + known) @ inverse
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     for direction, size in directions:
-        lost = (np.abs(direction) >= NAMED) & np.isinf(fit.priors[:, 1])
+        lost = np.abs(direction) >= NAMED
         deviation[lost] = np.maximum(deviation[lost], size * np.abs(direction[lost]))
     return Uncertainty(deviation, directions, _quantile(len(scores) - len(A)))
 

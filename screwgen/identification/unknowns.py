@@ -26,7 +26,7 @@ FREE = re.compile(
 
 
 @dataclass(frozen=True)
-class Unknown:
+class FreeNumber:
     """A number that is free: where it starts, in which scale it is sought, and between which bounds."""
 
     name: str
@@ -63,7 +63,7 @@ class Unknown:
         return abs(value) if self.logarithmic else self.scale
 
 
-class Unknowns(tuple[Unknown, ...]):
+class Unknowns(tuple[FreeNumber, ...]):
     """All that are free, in their order."""
 
     @property
@@ -95,7 +95,7 @@ class Unknowns(tuple[Unknown, ...]):
         return out
 
 
-def _sought_bound(one: Unknown, value: float, without: float) -> float:
+def _sought_bound(one: FreeNumber, value: float, without: float) -> float:
     return without if not math.isfinite(value) else one.sought(value)
 
 
@@ -108,7 +108,7 @@ def unknowns(model: RobotModel, columns: Columns, free: Sequence[str], sizes: Ma
     `sizes`: how much each column varies. Raises UsageError where a pattern names none, or a start makes no sense.
     """
     known = _known(model, columns, sizes)
-    found: dict[str, Unknown] = {}
+    found: dict[str, FreeNumber] = {}
     for said in [free] if isinstance(free, str) else free:
         part = FREE.fullmatch(said)
         if not part:
@@ -125,7 +125,7 @@ def unknowns(model: RobotModel, columns: Columns, free: Sequence[str], sizes: Ma
     return Unknowns(found[name] for name in known if name in found)
 
 
-def _restricted(one: Unknown, said: re.Match[str]) -> Unknown:
+def _restricted(one: FreeNumber, said: re.Match[str]) -> FreeNumber:
     """The unknown with the prior and the bounds that are stated."""
     try:
         got = {key: float(x) for key, x in said.groupdict().items() if key != "pattern" and x is not None}
@@ -143,9 +143,9 @@ def _restricted(one: Unknown, said: re.Match[str]) -> Unknown:
     return replace(one, low=low, high=high, prior=prior)
 
 
-def _known(model: RobotModel, columns: Columns, sizes: Mapping[str, float]) -> dict[str, Callable[[], Unknown]]:
+def _known(model: RobotModel, columns: Columns, sizes: Mapping[str, float]) -> dict[str, Callable[[], FreeNumber]]:
     """What may be free, by name, made when it is asked for."""
-    out: dict[str, Callable[[], Unknown]] = {}
+    out: dict[str, Callable[[], FreeNumber]] = {}
     for k, one in enumerate(parameters(model.robot)):
         out[one.name] = lambda k=k, one=one: _parameter(k, one)  # type: ignore[misc]
     for column in columns.sensors:
@@ -154,37 +154,37 @@ def _known(model: RobotModel, columns: Columns, sizes: Mapping[str, float]) -> d
     for column in columns.inputs:
         size = sizes[column.name]
         out[f"{column.name}.gain"] = lambda c=column: _logarithmic(f"{c.name}.gain", INPUT, c.to_si, "")  # type: ignore[misc]
-        out[f"{column.name}.bias"] = lambda c=column, s=size: Unknown(  # type: ignore[misc]
+        out[f"{column.name}.bias"] = lambda c=column, s=size: FreeNumber(  # type: ignore[misc]
             f"{c.name}.bias", INPUT, c.bias, c.unit, False, s
         )
     return out
 
 
-def _parameter(place: int, one: Parameter) -> Unknown:
+def _parameter(place: int, one: Parameter) -> FreeNumber:
     """A parameter: by its logarithm, unless it may have either sign."""
     diagonal = one.field == "bodies.inertia" and one.index[-1] < 3
     if one.sign != "any" or (diagonal and one.value > 0):
         return _logarithmic(one.name, PARAMETER, one.value, one.unit, place)
     scale = max(abs(one.value), SCALES.get(one.unit, 1.0))
-    return Unknown(one.name, PARAMETER, one.value, one.unit, False, scale, place=place)
+    return FreeNumber(one.name, PARAMETER, one.value, one.unit, False, scale, place=place)
 
 
 SCALES: Mapping[str, float] = {"m": 0.1, "m/s²": 1.0, "kg·m²": 0.01, "rad": 0.1}
 """By unit, changes that count as large of numbers of either sign."""
 
 
-def _logarithmic(name: str, kind: str, value: float, unit: str, place: int = -1) -> Unknown:
+def _logarithmic(name: str, kind: str, value: float, unit: str, place: int = -1) -> FreeNumber:
     if value == 0:
         raise UsageError(f"free: {name} is 0, and its logarithm is sought; start from a number that is not")
-    return Unknown(name, kind, value, unit, True, 1.0, place=place)
+    return FreeNumber(name, kind, value, unit, True, 1.0, place=place)
 
 
-def _of_sensor(column: Column, number: str, value: float, size: float) -> Unknown:
+def _of_sensor(column: Column, number: str, value: float, size: float) -> FreeNumber:
     name = f"{column.name}.{number}"
     if number == "offset":
-        return Unknown(name, SENSOR, value, column.unit, False, size)
+        return FreeNumber(name, SENSOR, value, column.unit, False, size)
     if number == "delay":
-        return Unknown(name, SENSOR, value, "s", False, 1e-2, low=0.0)
+        return FreeNumber(name, SENSOR, value, "s", False, 1e-2, low=0.0)
     return _logarithmic(name, SENSOR, value, {"cutoff": "Hz"}.get(number, ""))
 
 

@@ -16,7 +16,7 @@ from ..robot_model import RobotModel
 from ..spec.columns import UNITS, Columns
 from . import smoothing
 from .logs import Log
-from .signals import Signal, Signals
+from .signals import SensorSignal, Signals
 
 WIDE = 3.0
 """How many times more than its neighbours say a smoothed reading may be off."""
@@ -154,7 +154,7 @@ def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) 
     return StartState(x, deviation)
 
 
-def _needs_rates(one: Signal) -> bool:
+def _needs_rates(one: SensorSignal) -> bool:
     return one.kind == "v" or (one.row is not None and "v" in one.row.inputs.split())
 
 

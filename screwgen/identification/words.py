@@ -7,13 +7,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from .uncertainty import NAMED
-from .unknowns import Unknown
+from .unknowns import FreeNumber
 
 EVEN = 0.1
 """By how much two entries of a direction may differ and count as equal."""
 FEW = 4
 """Numbers of a direction that are named."""
 SCALE = "forces and masses have no scale"
+SCALED = "state the gain of a drive, or weigh a part"
 REMEDIES = (
     (".gain", "state the gain of the drive, or a mass that was weighed"),
     (".scale", "load the arm with a known weight, and state the scale of the gauge"),
@@ -35,15 +36,15 @@ REMEDIES = (
 """By a piece of a name what determines such a number; the first that fits counts."""
 
 
-def direction_in_words(unknowns: Sequence[Unknown], direction: np.ndarray, size: float) -> str:
+def direction_in_words(unknowns: Sequence[FreeNumber], direction: np.ndarray, size: float) -> str:
     """A direction that the data do not determine: changes (k,) of what is sought, and their deviation."""
     named = [k for k in np.argsort(-np.abs(direction), kind="stable") if abs(direction[k]) >= NAMED]
     own = [unknowns[k] for k in named]
     what = _what(own, direction[named])
-    return f"{what}; {remedy(own)}"
+    return f"{what}; {SCALED if what.endswith(SCALE) else remedy(own)}"
 
 
-def _what(own: Sequence[Unknown], entries: np.ndarray) -> str:
+def _what(own: Sequence[FreeNumber], entries: np.ndarray) -> str:
     names = [one.name for one in own]
     if len(own) == 1:
         return f"{names[0]} leaves hardly a trace in the data"
@@ -58,7 +59,7 @@ def _what(own: Sequence[Unknown], entries: np.ndarray) -> str:
     return f"only together are known {_list(names[:FEW])}: the data hardly change with {changes}{more}"
 
 
-def _change(one: Unknown, x: float) -> str:
+def _change(one: FreeNumber, x: float) -> str:
     """A small change of a number along a direction: of 10 % of its logarithm or scale."""
     return f"{10 * x:+.3g} %" if one.logarithmic else f"{0.1 * x * one.scale:+.3g} {one.unit}".rstrip()
 
@@ -67,7 +68,7 @@ def _list(names: Sequence[str]) -> str:
     return f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def remedy(own: Sequence[Unknown]) -> str:
+def remedy(own: Sequence[FreeNumber]) -> str:
     """What would determine one of these numbers."""
     found = [said for one in own for piece, said in REMEDIES if piece in one.name][:1]
     return found[0] if found else "leave one of them out of what is free, or state what is known of it as a prior"

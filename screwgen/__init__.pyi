@@ -6,6 +6,9 @@ from .errors import RobotFileError as RobotFileError
 from .errors import ScrewgenError as ScrewgenError
 from .errors import SingularError as SingularError
 from .errors import UsageError as UsageError
+from .identification.beside import compare as compare
+from .identification.identification import Identification as Identification
+from .identification.identify import identify as identify
 from .interchange.load import ImportNote as ImportNote
 from .interchange.load import load as load
 from .joints.screw import Screw as Screw

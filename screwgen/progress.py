@@ -25,6 +25,18 @@ def busy(what: str, quiet: bool) -> Iterator[None]:
 
 
 @contextmanager
+def told(what: str, quiet: bool) -> Iterator[Callable[[str], None] | None]:
+    """A spinner, as the function to call with a line that says how far the work is; None if stderr is no terminal."""
+    if not shows_progress(quiet):
+        yield None
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(what) as status:
+        yield lambda line: status.update(f"{what}: {line}")
+
+
+@contextmanager
 def bar(what: str, total: int, quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
     """A progress bar, as the function `(done, total)` to call; None if stderr is no terminal."""
     if not shows_progress(quiet):

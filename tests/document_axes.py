@@ -20,6 +20,8 @@ KINDS = {
     "derivatives": "holds in every posture. Of its two",
     "ahead": "Where the gear of such a drive is elastic",
     "bristles": "Dry friction with",
+    "brake": "A brake whose input is",
+    "braked": "The brake of an elastic drive",
 }
 """By what the text of each kind begins."""
 FRICTION = plain(r"\tau_f")
@@ -48,6 +50,8 @@ class Axis:
     states: dict[str, float] = field(default_factory=dict)
     """Internal states, by the kind of what has them."""
     rates: dict[str, float] = field(default_factory=dict)
+    brake: dict[str, float] = field(default_factory=dict)
+    """The numbers of its brake and its input, by their symbols; none without a brake."""
     given: bool = False
     """Whether its motion is given, of an elastic drive that of its rotor."""
     known: dict[str, float] = field(default_factory=dict)
@@ -167,7 +171,26 @@ class Axis:
             return self.read(self.formula("given", r"\ddot{\vartheta}"), {})
         torque = self.read(self.formula("elastic", r"\tau_J"), {})
         right = self.read(self.formula("elastic", r"J_r\,\ddot{\vartheta}"), {r"\tau_J": torque})
-        return right / self.numbers["J_r"]
+        free = right / self.numbers["J_r"]
+        if not self.brake:
+            return free
+        own = self._grip() | {r"\ddot{\vartheta}_o": free}
+        own[r"\ddot{\vartheta}_b"] = self.read(self.formula("braked", r"\ddot{\vartheta}_b"), own)
+        return self.read(self.formula("braked", r"\ddot{\vartheta}"), own)
+
+    def _grip(self) -> dict[str, float]:
+        """What its brake leaves of the balance, and with what inertia it holds."""
+        own = dict(self.brake)
+        for name in (r"\sigma_b", "j_b"):
+            own[name] = self.read(self.formula("brake", name), own)
+        return own
+
+    def held(self) -> tuple[float, float, float]:
+        """Share, inertia and stopping acceleration of the axis; where it is elastic the brake is the rotor's."""
+        if not self.brake or self.elastic:
+            return 1.0, 0.0, 0.0
+        own = self._grip()
+        return own[r"\sigma_b"], own["j_b"], self.read(self.formula("brake", r"\ddot{q}_b"), own)
 
     def ahead(self, qddot: float, eddot: float) -> float:
         """What is left of the equation of a rotor that is ahead of a travel."""
@@ -189,7 +212,7 @@ def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
     chosen = {row[0].split("`")[1]: row for row in document.table("axis")}
     out = []
     for k in range(count):
-        numbers, limits, elements = {}, {}, {}
+        numbers, limits, elements, brake = {}, {}, {}, {}
         for name, (symbol, x) in document.parameters.items():
             rest = name.removeprefix(f"{link}.joint.")
             if rest == name:
@@ -198,6 +221,8 @@ def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
                 numbers[symbol] = x
             elif rest.startswith(f"limits[{k}]"):
                 limits[rest.rpartition(".")[2] if symbol == "q_s" else symbol] = x
+            elif rest.startswith(f"brake[{k}]"):
+                brake[symbol] = x
             elif rest.startswith(f"elements[{k}]"):
                 elements.setdefault(rest.split(".")[1], {})[symbol] = x
         for kind in elements:
@@ -208,5 +233,6 @@ def axes_of(document: Printed, link: str, count: int) -> list[Axis]:
             numbers.setdefault("J_r", 0.0)
         sign = 0.0 if side == "–" else float(side)
         out.append(Axis(link, k, numbers, limits, elements, transmission, sign, said, words))
+        out[-1].brake = brake
         out[-1].given = any(x[2] == f"`{link}.acceleration[{k}]`" for x in document.table("in $\\mathbf{u}$"))
     return out

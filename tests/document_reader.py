@@ -22,11 +22,12 @@ from screwgen import Model
 from screwgen.backends.latex import document as latex
 from screwgen.backends.latex.content import Document
 
+HELD = r"\boldsymbol{\sigma}_{b,i}", r"\mathbf{j}_{b,i}", r"\ddot{\mathbf{q}}_{b,i}"
 MOTION, INWARD, ACCELERATIONS = "Outward: motion", "Inward: elimination", "Outward: accelerations"
 """The passes of the algorithm by their headings."""
 TENSION = r" + \sum\limits_c T_c"
 CARRIED = r" + \sum\limits_j "
-FREE_LINK = r"\dot{\mathbf{V}}_1"
+FREE_LINKS = r"\dot{\mathbf{V}}_1", r"\mathbf{w}_1"
 BEFORE = plain(r"\dot{\mathbf{V}}_{T,i-1}")
 
 
@@ -79,7 +80,8 @@ class Run:
         added = [np.ravel(self._rotor(axis, envs)) for axis in self.axes if axis.elastic]
         etas = [np.ravel(env[r"\ddot{\boldsymbol{\eta}}_i"]) for env in envs]
         wrenches = [
-            np.zeros(6) if k.floats else np.ravel(e[r"\mathbf{w}_i"]) for k, e in zip(self.links, envs, strict=True)
+            np.ravel(e.get(r"\mathbf{w}_i", np.zeros(6)) if k.floats else e[r"\mathbf{w}_i"])
+            for k, e in zip(self.links, envs, strict=True)
         ]
         internal = [self._internal_rate(owner, kind) for owner, kind in self.state.internal]
         return np.concatenate([*rates, *added, *etas, internal]), np.array(wrenches)
@@ -130,9 +132,10 @@ class Run:
     def _on_axes(self, link: Link, torques: Mapping) -> Env:
         nv, own = link.sizes[1], self.state.scopes[link.number].given["parameters"]
         base = {s: [own.get(f"{s}_{{{'m' if s == 'j' else 'q'},{k + 1}}}", 0.0) for k in range(nv)] for s in "jkd"}
-        effort, told, given = np.zeros(nv), np.zeros(nv), np.zeros(nv)
+        effort, told, given, held = np.zeros(nv), np.zeros(nv), np.zeros(nv), np.tile([1.0, 0.0, 0.0], (nv, 1))
         for axis in link.axes:
             k = axis.number
+            held[k] = axis.held()
             told[k], given[k] = axis.tau, axis.given and not axis.elastic
             total, inertia, stiffness, damping = self.efforts[axis.name, k]
             effort[k] = total + torques.get(self.axes.index(axis), 0.0)
@@ -144,6 +147,7 @@ class Run:
         if link.sizes[0] != nv:  # a ball joint has no springs
             out[r"\mathbf{q}_i"] = np.zeros((nv, 1))
         out |= {plain(r"\mathbf{E}_i"): np.diag(given), plain(r"\bar{\mathbf{E}}_i"): np.diag(1 - given)}
+        out |= {plain(name): held[:, [k]] for k, name in enumerate(HELD)}
         acting = {plain(r"\boldsymbol{\tau}_{q,i}"): effort[:, None], plain(r"\boldsymbol{\tau}_i"): effort[:, None]}
         return out | acting | ({plain(r"\boldsymbol{\tau}_i"): told[:, None]} if given.any() else {})
 
@@ -153,9 +157,9 @@ class Run:
     def _assign(self, link: Link, envs: list[Env], left: str, right: str) -> None:
         """One line of a link; a symbol that it needs and no line before has is an error."""
         env, scope = envs[link.number], self.state.scopes[link.number]
-        if left == plain(FREE_LINK):
+        if left in map(plain, FREE_LINKS):
             if link.floats:
-                env[plain(r"\dot{\mathbf{V}}_i")] = value(right.replace("_1", "_i"), self._known(scope, env))
+                env[left.replace("_1", "_i")] = value(right.replace("_1", "_i"), self._known(scope, env))
             return
         if link.floats and not self._of_free(left):
             return

@@ -12,7 +12,9 @@ from document_points import exact_rod
 from document_symbols import Part, Printed, Scope, Undefined, plain
 from latex_formula import Value
 
-WORLD, WELDED, FREE, BALL, NONE = "world", "welded", "free", "ball", "–"
+WORLD, WELDED, BALL, NONE = "world", "welded", "ball", "–"
+FREE = ("free", "moving")
+"""Joints of bases in space."""
 
 
 @dataclass
@@ -55,7 +57,7 @@ class Reading:
                 if k == 0 and (on := re.search(r"on `([^`]*)`(?:, link (\d+)(?: at \$s =\$ \$([^$]*)\$)?)?", row[6])):
                     parent = -1 if on[1] == WORLD else int(on[2]) - 1
                     station = float(on[3]) if on[3] else None
-                floats = k == 0 and row[4] == FREE
+                floats = k == 0 and row[4] in FREE
                 sizes = (*(joint_sizes(row[4]) if k == 0 else (0, 0)), modes(row[5]))
                 own = name if last == first else f"{name}[{k}]"
                 axes = axes_of(self.document, name, sizes[1]) if k == 0 and not floats else []
@@ -83,8 +85,8 @@ class Reading:
 
 def joint_sizes(said: str) -> tuple[int, int]:
     """The numbers of coordinates and rates of a joint by the cell of the table of links."""
-    if said in (WELDED, FREE, BALL):
-        return {WELDED: (0, 0), FREE: (7, 6), BALL: (4, 3)}[said]
+    if said in (WELDED, *FREE, BALL):
+        return {WELDED: (0, 0), BALL: (4, 3)}.get(said, (7, 6))
     entries = re.sub(r"\([^)]*\)", "axis", said).split(", ")
     count = sum(entry != "sliding" and not entry.endswith("m/rad") for entry in entries)
     return count, count
@@ -116,6 +118,7 @@ class State:
     def _split(self, q, v, tau) -> None:
         links, axes = self.links, self.reading.axes
         self.q, self.v, self.eta, self.rate = {}, {}, {}, {}
+        self.given_base: dict[str, Value] = {}
         at_q = at_v = 0
         for link in links:
             nq, nv, _ = link.sizes
@@ -138,6 +141,13 @@ class State:
         for axis, x in zip(axes, tau, strict=False):
             axis.tau = x
         self.tensions = tau[len(axes) :]
+        for row in self.reading.document.table(r"in $\mathbf{u}$"):
+            if row[2].startswith("`base."):
+                first, last = (int(x) for x in row[0].split("–"))
+                self.given_base = {row[1].strip("$"): np.reshape(tau[first - 1 : last], (-1, 1))}
+            for axis in axes:
+                if row[2] == f"`{axis.name}.brake[{axis.number}]`":
+                    axis.brake[plain(row[1].strip("$"))] = tau[int(row[0]) - 1]
 
     def _internal(self, first: int, v) -> list[tuple[Axis | str, str]]:
         """The internal states in their order, by the table of coordinates: whose they are, and of which force; of
@@ -173,6 +183,7 @@ class State:
         if link.floats:
             given |= {r"\boldsymbol{\omega}_i": column(self.v[i][:3]), r"\mathbf{v}_i": column(self.v[i][3:])}
             given |= {r"\mathbf{V}_i": column(self.v[i]), r"\mathbf{r}_{oi}": column(self.q[i][:3])}
+            given |= self.given_base
         scope = Scope(self.reading.document, link.parts, given)
         scope.parent = self._carrier(link)
         if any(part.title == "Section of the rod" for part in link.parts):

@@ -1,6 +1,7 @@
 """Derivatives of vdot with q, v and tau: against CasADi's jacobian, and in C."""
 
 import ctypes
+from contextlib import nullcontext
 from functools import cache
 
 import casadi as ca
@@ -156,11 +157,13 @@ def test_only_on_request():
     assert not any("derivatives" in name or "derivatives" in text for name, text in files.items())
 
 
-def test_long_derivatives_say_how_long_they_take_to_compile():
-    """Functions are of bounded length, so the time grows with the operations alone: it is the user's to spend."""
+@pytest.mark.parametrize("layout", ["fused", "auto"])
+def test_derivatives_of_a_long_chain(layout):
+    """In one piece they say how long they take to compile, which is the user's to spend; by links they do not."""
     model = model_of(equal_links(11))
-    with pytest.warns(TargetWarning, match=r"of wrenches in C have \d+ operations, .* about [3-6]\d s at -O2"):
-        c = quick(model, derivatives=True)
+    said = r"of wrenches in C have \d+ operations, .* about [3-6]\d s at -O2"
+    with pytest.warns(TargetWarning, match=said) if layout == "fused" else nullcontext():
+        c = quick(model, layout=layout, derivatives=True)
     given = point(model)
     condition = np.linalg.cond(model.numpy().mass_matrix(given[0]))
     assert worst(c.linearise(*given)[1:], model.numpy().derivatives(*given)) <= max(1e-12, 50 * EPS * condition)

@@ -1,12 +1,19 @@
 """A program that reads the document of a robot alone computes its accelerations: robots that the matrix lacks."""
 
+import re
+
 import numpy as np
 import pytest
 from conftest import swept
 from document_mass import mass_matrix_from_document
 from document_reader import accelerations_from_document
 from document_robots import robot_with
-from helpers import example, model_of
+from document_symbols import Scope, plain
+from helpers import example, example_dict, model_of
+
+from screwgen.backends.latex import document as latex
+from screwgen.backends.latex.algorithm import SPARE
+from screwgen.backends.latex.content import Paragraph
 
 TOLERANCE = 1e-10
 EXAMPLES = (
@@ -69,3 +76,17 @@ def test_the_documents_of_examples_are_complete(name):
 @pytest.mark.parametrize("features", swept(BEYOND, BEYOND[0], *BEYOND[-4:]), ids=" and ".join)
 def test_so_are_those_of_what_the_matrix_has_no_place_for(features):
     assert judged(model_of(robot_with(*features))) < TOLERANCE
+
+
+@pytest.mark.parametrize("name", ["tentacle", "soft_gripper"])
+def test_what_no_line_needs_is_not_read(name, monkeypatch):
+    """The symbols that the section Algorithm says are printed for what they say alone."""
+    model, asked = model_of(example_dict(name)), set()
+    found = Scope._found
+    monkeypatch.setattr(Scope, "_found", lambda scope, symbol: (asked.add(symbol), found(scope, symbol))[1])
+    accelerations_from_document(model, *state(model))
+    algorithm = next(x for x in latex.content(model.robot).sections if x.title == "Algorithm")
+    said = next(x.text for x in algorithm.items if isinstance(x, Paragraph) and x.text.startswith(SPARE))
+    spare = {plain(x) for x in re.findall(r"\$([^$]*)\$", said)}
+    assert len(spare) > 5 and plain(r"\mathbf{h}_{V}") in asked
+    assert not sorted(spare & asked)

@@ -80,7 +80,7 @@ def test_on_paper_a_pendulum_is_half_of_what_all_forms_take():
 
 
 def alone(items):
-    """The steps printed without components, but for those of the many sections of a rod: each has a scope of its own."""
+    """The steps printed without components, but for those of a rod's many sections, each of which has its own scope."""
     heading = ""
     for item in items:
         if isinstance(item, Heading):

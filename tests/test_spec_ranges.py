@@ -12,7 +12,7 @@ from screwgen.simulation.state import state_of
 from screwgen.spec import Joint, load
 from screwgen.spec.ranges import RANGES
 
-GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration", "force_input"}
+GIVEN = {"q", "v", "tau", "w_ext", "kp", "kd", "tau_max", "duration", "force_input", "brake"}
 """Not in a robot file."""
 
 KEYS = {
@@ -36,6 +36,8 @@ KEYS = {
     "position": r"xyz = \[",
     "turn": r"rpy = \[",
     "gravity": r"gravity = \[",
+    "brake inertia": r"brake = \{ inertia = ",
+    "brake time": r"time = (?=0\.02)",
     "rest curvature": r"rest = \{ bending_y = ",
     "rest twist": r"torsion = (?=0)",
 }
@@ -63,6 +65,9 @@ TEXTS["stabilisation"] = (
 COUPLED = f'couplings = [{{ axis = "fore.joint[0]", of = "upper.joint[0]", ratio = 2.0, offset = 0.5 }}]\n{GOOD}'
 TEXTS |= dict.fromkeys(("coupling ratio", "coupling offset"), COUPLED)
 TEXTS["effort"] = GOOD.replace(FREE, f"{FREE}, limits = {{ effort = 50.0 }}")
+TEXTS |= dict.fromkeys(
+    ("brake inertia", "brake time"), GOOD.replace(FREE, f"{FREE}, brake = {{ inertia = 1.0, time = 0.02 }}")
+)
 TEXTS["damping time"] = GOOD.replace("{ ratio = 0.01 }", "{ time = 0.01 }")
 CURVED = GOOD.replace(
     "damping = { ratio", 'order = "exact"\nrest = { bending_y = 0.5, torsion = 0.3 }\ndamping = { ratio'

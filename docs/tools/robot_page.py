@@ -21,6 +21,7 @@ sys.path.insert(0, str(ROOT))
 from screwgen.elements import KINDS  # noqa: E402
 from screwgen.interactions import KINDS as INTERACTIONS  # noqa: E402
 from screwgen.spec import (  # noqa: E402  # noqa: E402
+    brake,
     couplings,
     drive,
     forces,
@@ -64,7 +65,7 @@ PARTS = (
     *(modes.Modes, modes.Frequencies, spec.Damping, joint.Joint, joint.Mount, drive.Drive),
     *(drive.Friction, drive.FrictionMemory, drive.Stribeck, drive.FrictionBend, drive.Transmission),
     rest.RestCurvature,
-    *(four_bar.FourBar, limit.Limit, spec.Body, reduced.Reduced),
+    *(four_bar.FourBar, limit.Limit, brake.Brake, spec.Body, reduced.Reduced),
     *(loops.Loop, couplings.Coupling, forces.Force, forces.Push, markers.Marker, tendons.Tendon),
 )
 

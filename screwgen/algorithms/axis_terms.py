@@ -13,6 +13,7 @@ from ..elements import gear
 from ..ir.program import Array, Value
 from ..spec.drive_class import DriveClass
 from ..spec.link_class import LinkClass
+from . import brakes
 from . import elastic_travels as et
 from . import matrices as mx
 from . import travels as tm
@@ -117,20 +118,21 @@ def condense(s: Scope) -> tuple[Array, Array]:
     if not s.key.added_axes:
         return inertia, tau - force
     m, f, coupling = s.read("m_theta"), s.read("f_theta"), s.read("m_gear")
-    follows, alone = mx.zeros(len(m)), mx.zeros(len(m))
+    follows, alone, braked = mx.zeros(len(m)), mx.zeros(len(m)), brakes.on_rotors(s)
     driving = np.where([axis in s.key.added_axes for axis in range(s.key.joints)], -force, tau - force)
     for k, axis in enumerate(s.key.added_axes):
         if axis in s.key.prescribed:  # the rotor's acceleration is given, the axis feels it by the gear
             follows[k], alone[k] = 0.0, effort[axis]
             driving[axis] = driving[axis] - coupling[k] * effort[axis]
             continue
-        inverse = 1.0 / m[k]
+        grip = braked.get(axis, brakes.FREE)
+        inverse = grip.mobility(m[k])
         if axis in s.key.elastic_travels:
             found = et.condensed(s, axis, effort[axis], m[k], f[k], inverse)
             follows[k], alone[k], inertia[axis], driving[axis] = found
             continue
         follows[k] = coupling[k] * inverse
-        alone[k] = (tau[axis] - f[k]) * inverse
+        alone[k] = grip.stop + (tau[axis] - f[k] - m[k] * grip.stop) * inverse
         inertia[axis] = inertia[axis] - coupling[k] * follows[k]
         driving[axis] = driving[axis] - coupling[k] * alone[k]
     s.keep("rotor_W", follows)
@@ -163,7 +165,9 @@ def rotor_accelerations(s: Scope) -> None:
         return
     tau = s.read("tau")
     torque = mx.array([tau[axis] for axis in s.key.added_axes])
-    found = (torque - s.read("f_theta")) / s.read("m_theta")
+    m, braked = s.read("m_theta"), brakes.on_rotors(s)
+    force, own = torque - s.read("f_theta"), [braked.get(axis, brakes.FREE) for axis in s.key.added_axes]
+    found = mx.array([x.stop + (force[k] - m[k] * x.stop) * x.mobility(m[k]) for k, x in enumerate(own)])
     given = [axis in s.key.prescribed for axis in s.key.added_axes]
     s.write("thetaddot", np.where(given, torque, found))
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..ir.program import Array
 from ..joints.exponential import Series
+from . import brakes
 from . import matrices as mx
 from .axis_terms import joint_torque
 from .joint_terms import joint_offset, joint_point, rotation
@@ -230,12 +231,13 @@ LINK_ROWS = (
 
 
 def joint_rows(s: Scope) -> None:
-    """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance; of a floating base w = 0."""
+    """Base to tip: the six rows of the joint, (accconst4) completed by the torque balance; of a floating base w = 0,
+    or where its motion is given Vdot = a."""
     twist, q = s.read("twist"), _redundant(s)
     if s.key.floats:
         _free_terms(s, twist)
         _write_biases(s)
-        _write_rows(s, {})
+        _write_rows(s, {"base_rate": s.read("base_rate")} if s.key.joint.given else {})
         return
     parent = {"omega_P": s.read("base.omega_T"), "v_P": s.read("base.v_T")}
     (R,) = s.lower("posture", {"q": q}, "R_rel")
@@ -256,6 +258,8 @@ def joint_rows(s: Scope) -> None:
         "qdot": qdot,
         "q": q,
     }
+    if s.key.brakes:
+        given |= brakes.by_axis(s, qdot)
     _write_rows(s, given)
     X, PX = s.lower("joint_rows", given, "X", "PX")
     s.write("base.X", X)

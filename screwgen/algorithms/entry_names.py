@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from ..spec.inputs import KIND, places
+from ..spec.inputs import KIND, OTHERS, places
 from ..spec.tendons import TENSIONS
 from ..topology.chain import Chain
 from .robot_function import RobotFunction, shape
@@ -19,6 +19,8 @@ PARTS: dict[tuple, list[str]] = {
 """The ends of the names of entries of vectors, twists and matrices, of the robot or of a marker."""
 QUANTITIES = ("NQUANTITIES",)
 """The shape of what forces between frames report."""
+OWN = {kind: row.own for row in OTHERS for kind in row.kinds}
+"""What names begin with behind that of the link, by the word of the input that something belongs to."""
 SIGNS = str.maketrans("-*23", "1·²³")
 """Signs of units in comments of C, and what stands for them elsewhere."""
 
@@ -57,8 +59,11 @@ def entry_names(
 
 
 def of_input(name: str, what: str) -> str:
-    """The name of what belongs to an input: `arm.power[0]` of `arm.torque[0]`, `base.yaw.power` of `base.yaw`."""
-    told, count = KIND.subn(f".{what}", name)
+    """The name of what belongs to an input: `arm.power[0]` of `arm.torque[0]`, `base.yaw.power` of `base.yaw`.
+
+    Of a brake `arm.brake_power[0]`.
+    """
+    told, count = KIND.subn(lambda found: f".{OWN.get(found[1], '')}{what}", name)
     return told if count else f"{name}.{what}"
 
 

@@ -16,6 +16,7 @@ from . import phases as ph
 from . import sensitivity as sy
 from .axis_laws import Place, of_link
 from .axis_terms import rotor_accelerations
+from .brake_functions import BrakeFunctions
 from .force_functions import MOTION as MOTION
 from .force_functions import POSES, ForceFunctions
 from .held import hold
@@ -60,7 +61,7 @@ def nodes(chain: Chain, gravity: Sequence) -> list[dict[str, list]]:
     out[0] |= {name: [0.0] * 3 for name in ("omega", "v", "omega_T", "v_T")}
     out[0] |= {"acc_0": [0.0] * 3 + [-g for g in gravity]}
     out[0] |= {"R_T": IDENTITY, "delta": [0.0] * 6}
-    out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
+    out[0] |= {"R": IDENTITY, "r": [0.0] * 3, "rdot": [0.0] * 3, "Q": [1.0, 0.0, 0.0, 0.0], "b": [0.0] * 6}
     out[0] |= {"R_m": IDENTITY, "r_m": [0.0] * 3, "omega_m": [0.0] * 3, "v_m": [0.0] * 3}
     out[0] |= {"acc": out[0]["acc_0"]}
     for leaf in chain.tree.leaves:
@@ -79,7 +80,7 @@ class ActingLaw(NamedTuple):
     values: Mapping[str, Value]
 
 
-class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions):
+class Functions(InputFunctions, LoopFunctions, ForceFunctions, MarkerFunctions, MomentumFunctions, BrakeFunctions):
     """The functions of a robot; ``apply`` runs one program on numbers, casadi.SX or nodes of another program.
 
     Vectors are lists.  ``constants`` holds, for every link, its constants by label (lists of one) and the

@@ -8,6 +8,8 @@ from typing import Self
 
 from ..errors import UsageError
 from ..ir.program import Value
+from ..spec.base import BASE_MOTION
+from ..spec.brake import BRAKES
 from ..spec.forces import FORCE_INPUTS
 from ..spec.input import Input
 from ..spec.inputs import TORQUES
@@ -29,6 +31,9 @@ Rows = list[list[Value]]
 class InputFunctions:
     """What :class:`.functions.Functions` has besides for inputs; the attributes are set there."""
 
+    closed: Sequence = ()
+    """How far brakes are closed where torques are given alone."""
+
     chain: Chain
     world: Sequence
     given: tuple[Sequence, Sequence] | None
@@ -40,6 +45,7 @@ class InputFunctions:
     without_forces: Callable[[], Self]
     with_loops: Callable[..., Loads]
     coupling_torques: Callable[..., list]
+    levers: Callable[[Sequence], list]
     forward: Callable[..., tuple[list, list]]
     loads: Callable[..., tuple[list, list]]
     with_forces: Callable[..., Sequence]
@@ -56,7 +62,17 @@ class InputFunctions:
         if len(tau) not in allowed:
             raise UsageError(f"tau has {len(tau)} numbers; it must have {' or '.join(map(str, allowed))}")
         every = [*tau, *[0.0] * (self.chain.n_tau - len(tau))]
+        if self.closed and len(tau) < len(every):
+            every[self.chain.inputs[BRAKES]] = self.closed
         return ((row, every[own]) for row, own in self.chain.inputs.items())
+
+    def braked(self, tau: Sequence) -> Self:
+        """The same functions with the brakes closed as they are among ``tau``, also where torques are given alone."""
+        if not (self.chain.braked and len(tau) == self.chain.n_tau):
+            return self
+        out = copy(self)
+        out.closed = list(tau[self.chain.inputs[BRAKES]])
+        return out
 
     def of_links(self, tau: Sequence) -> list[dict[str, list]]:
         """The entries that each link reads, by the signals that hold them."""
@@ -77,28 +93,37 @@ class InputFunctions:
         return out
 
     def drive_power(self, q: Sequence, v: Sequence, tau: Sequence) -> list:
-        """The power that each entry of ``tau`` gives to the arm."""
+        """The power that each entry of ``tau`` gives to the arm; of brakes, and of a base whose motion is
+        given, by their efforts in its place."""
         links = self._run(POWER, self.motion(q, v), self.of_links(tau))[0]
         told: dict[Input, list] = {TORQUES: [x for link in links for x in link["power"]]}
         told[TENSIONS] = self._of_tendons(links, "tendon_power")
         for row, values in self.entries(tau):
             if row is FORCE_INPUTS:
                 told[row] = self.under_inputs(tau).input_powers(q, v)
+            elif row is BRAKES:
+                told[row] = [x * v[self.chain.held_places[k]] for x, k in zip(values, self.chain.braked, strict=True)]
+            elif row is BASE_MOTION:
+                told[row] = [x * rate for x, rate in zip(values, v, strict=False)]
             elif row not in told:
                 forces = self._exerted(row, q, v)
                 told[row] = [x * mx.dot(force, v) for x, force in zip(values, forces, strict=True)]
         return [x for row in self.chain.inputs for x in told[row]]
 
     def drive_efforts(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
-        """The entries of ``tau`` with, in place of accelerations that are given, the efforts that they need."""
+        """The entries of ``tau`` with, in place of accelerations that are given and of brakes, the efforts of these."""
         given = self.with_loops(q, v, tau, w_ext)
         links, _ = self.forward(q, v, *given)
         vdot = self.chain.join(links, "qddot", "etaddot")
         force = self.falling(tau).without_forces().loads(q, v, vdot, given.w_ext)[0]
         coupled = self.coupling_torques(q, v, tau, w_ext) if self.chain.closing.couplings else [0.0] * len(tau)
-        out = list(tau)
+        out, levers = list(tau), self.levers(q) if self.chain.braked else ()
+        out[self.chain.inputs.get(BASE_MOTION, slice(0, 0))] = force[: 6 * self.chain.moving]
         for k in self.chain.prescribed:  # of a coupling's torque the drive is relieved
             out[k] = force[self.chain.held_places[k]] - coupled[k]
+        first = self.chain.inputs[BRAKES].start if self.chain.braked else 0
+        for place, k in enumerate(self.chain.braked, first):  # and a brake of what the drive exerts
+            out[place] = force[self.chain.held_places[k]] - coupled[k] - levers[k] * tau[k]
         return out
 
     def effort_power(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
@@ -119,7 +144,7 @@ class InputFunctions:
         for row, values in self.entries(tau):
             if row is FORCE_INPUTS:
                 out = [a + b for a, b in zip(out, self._by_forces(q, v, tau), strict=True)]
-            elif row is not TORQUES:
+            elif row not in (TORQUES, BRAKES, BASE_MOTION):
                 for x, force in zip(values, self._exerted(row, q, v), strict=True):
                     out = [a + x * b for a, b in zip(out, force, strict=True)]
         return out
@@ -134,6 +159,8 @@ class InputFunctions:
     def _exerted(self, row: Input, q: Sequence, v: Sequence) -> Rows:
         if row is FORCE_INPUTS:
             return [[-x for x in found[0]] for found in self._needed(q, self.wrenches_per_input(q, v))]
+        if row in (BRAKES, BASE_MOTION):  # they exert what the motion takes, which is not linear in them
+            return [[0.0] * self.chain.nv for _ in self._units(row)]
         if row is TENSIONS:
             joints = [0.0] * self.chain.eta_v
             return [[*joints, *(-x for x in pull)] for pull in self.pulls(q)]
@@ -150,7 +177,7 @@ class InputFunctions:
 
     def wrenches_of_inputs(self, q: Sequence, v: Sequence, tau: Sequence) -> Rows:
         """The joint wrenches (6 n,) that a unit of each input adds while nothing moves, those of torques left out."""
-        n, borne = self.chain.n, 6 * self.chain.floating
+        n, borne = self.chain.n, self._unborne
         out: Rows = []
         for row in self.chain.other_inputs:
             if row is FORCE_INPUTS:
@@ -167,8 +194,13 @@ class InputFunctions:
         return self._felt(q, self.under_inputs(tau).wrenches_per_state(q, v))
 
     def _felt(self, q: Sequence, units: Iterator[list]) -> Rows:
-        borne = 6 * self.chain.floating
+        borne = self._unborne
         return [[0.0] * borne + wrench[borne:] for _, wrench in self._needed(q, units)]
+
+    @property
+    def _unborne(self) -> int:
+        """How many of the first entries of joint wrenches are those of a base that floats, which nothing bears."""
+        return 6 * (self.chain.floating and not self.chain.moving)
 
     def _units(self, row: Input) -> Rows:
         count = len(row.names(self.chain.robot))

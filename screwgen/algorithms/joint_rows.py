@@ -22,12 +22,13 @@ def joint_rows_block(key: LinkClass) -> Block:
 
     ``P (J_B Vdot_i - X Vdot_T - J_B beta) + S S^+ w - S^+T (tau - J_m qddot - b qdot - k q) = 0``
     with ``qddot = S^+ (J_B Vdot_i - X Vdot_T - J_B beta)``. An axis whose acceleration ``a`` is given has ``qddot = a``
-    in place of its balance, along its column of ``S``. The projector ``P`` (43) has rank 6 - m; the torque
+    in place of its balance, along its column of ``S``. Of the balance of one with a brake a ``share`` is left, and
+    ``grip (qddot - stop)`` is added, see :mod:`.brakes`. The projector ``P`` (43) has rank 6 - m; the torque
     balance completes the six rows.
     """
     b = Block("joint_rows", "Rows of the joint")
     if key.floats:
-        return _rows_in_space(b)
+        return _rows_in_space(b, key.joint.given)
     m = key.joints
     R = b.input("R_rel", (3, 3))
     size = 6 if key.slides else 3
@@ -47,6 +48,11 @@ def joint_rows_block(key: LinkClass) -> Block:
         leads = _selection(m, given)
         balance = S_plus.T @ (identity(m) - leads)
         inert, borne, driven = inert + S @ leads @ S_plus, balance @ S.T, balance + S @ leads
+    grip = b.input("grip", (m, 1)) if braked(key) else None
+    if grip is not None:
+        balance = balance @ Diagonal(b.input("share", (m, 1)))
+        inert, borne = inert + S_plus.T @ Diagonal(grip) @ S_plus, balance @ S.T
+        driven = balance + S @ leads if given else balance
     if key.has_constant_inertia or key.has_travelling_inertia:
         J_m = b.input("J_m", (m, 1)) if key.has_travelling_inertia else b.parameter("armature", (m, 1))
         inert = inert + balance @ Diagonal(J_m) @ S_plus
@@ -56,9 +62,16 @@ def joint_rows_block(key: LinkClass) -> Block:
     PX = b.step("PX", P_c @ X)
     passive = _passive(b, key)
     bias = -(P_c @ J_B @ beta) - PX @ b_P
+    if grip is not None:
+        bias = bias - _column(S_plus.T @ Diagonal(grip) @ b.input("stop", (m, 1)))
     b.step("joint_H", bias + _column(balance @ passive) if passive is not None else bias)
     b.step("joint_W", _column(driven @ tau) if m else zeros(6))
     return b
+
+
+def braked(key: LinkClass) -> list[int]:
+    """The axes whose own row a brake changes."""
+    return [axis for axis in key.brakes if axis not in key.added_axes]
 
 
 def _selection(m: int, axes: Sequence[int]) -> Expression:
@@ -67,12 +80,16 @@ def _selection(m: int, axes: Sequence[int]) -> Expression:
     return matrix(rows, (m, m), r"\mathbf{E}_i")
 
 
-def _rows_in_space(b: Block) -> Block:
-    """Of a floating base: nothing acts at its joint, ``w = 0``. These are the rows with ``S = I``, thus ``P = 0``."""
-    b.step("joint_w", identity(6))
-    b.step("joint_V", zeros(6, 6))
-    for name in ("joint_H", "joint_W"):
-        b.step(name, zeros(6))
+def _rows_in_space(b: Block, given: bool) -> Block:
+    """Of a floating base: nothing acts at its joint, ``w = 0``. These are the rows with ``S = I``, thus ``P = 0``.
+
+    Where its motion is given, ``Vdot = a``.
+    """
+    rest, one = zeros(6, 6), identity(6)
+    b.step("joint_w", rest if given else one)
+    b.step("joint_V", one if given else rest)
+    b.step("joint_H", zeros(6))
+    b.step("joint_W", b.input("base_rate", (6, 1)) if given else zeros(6))
     return b
 
 
@@ -120,8 +137,8 @@ def _offset(b: Block, key: LinkClass) -> Expression:
 
 
 def joint_point(b: Block, key: LinkClass) -> Expression:
-    """The joint point in F_i."""
-    if not key.frame_at:
+    """The joint point in F_i; of a base whose motion is given its origin."""
+    if not key.frame_at or key.joint.given:
         return zeros(3)
     f = b.parameter("frame_at", (1, 1))
     return stack(-f, zeros(1), zeros(1))

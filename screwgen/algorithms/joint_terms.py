@@ -13,8 +13,9 @@ def rotation(s: Scope, q: Array) -> Array:
 
 
 def joint_point(s: Scope) -> Array:
-    """The joint point in F_i."""
-    return mx.array([-s.constant("frame_at"), 0.0, 0.0]) if s.key.frame_at else mx.zeros(3)
+    """The joint point in F_i; of a base whose motion is given its origin."""
+    placed = s.key.frame_at and not s.key.joint.given
+    return mx.array([-s.constant("frame_at"), 0.0, 0.0]) if placed else mx.zeros(3)
 
 
 def joint_offset(s: Scope, q: Array) -> Array:

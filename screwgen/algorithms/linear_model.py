@@ -96,6 +96,16 @@ def gap_accelerations(chain: Chain) -> Program:
     return fuse(chain, "gap_accelerations", inputs(chain, "q v vdot") | {"forces": len(chain.closing.rows)}, body)
 
 
+def braked_balance(chain: Chain) -> Program:
+    """``balance`` of the rows that brakes act on, of ``(q, v, vdot, tau, efforts, p)``; zero where they are kept."""
+
+    def body(f: Functions, x: Mapping[str, Sequence]) -> dict[str, Sequence[Value]]:
+        return {"balance": f.braked_balance(*(x[name] for name in ("q", "v", "vdot", "tau", "efforts")))}
+
+    given = inputs(chain, "q v vdot tau") | {"efforts": len(chain.braked)}
+    return fuse(chain, "braked_balance", given, body)
+
+
 def statics(chain: Chain) -> Program:
     """Rest at `q`, of ``(q, w_ext, p)``, matrices column by column. Of a robot with loops, of its open tree.
 

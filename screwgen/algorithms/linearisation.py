@@ -8,6 +8,7 @@ import numpy as np
 
 from ..ir.program import Program, Value
 from ..topology.chain import Chain
+from .brakes import ROWS
 from .functions import Functions
 from .fused import fuse, inputs
 from .linearise import closed_slopes, slopes
@@ -20,7 +21,7 @@ def linearisation(chain: Chain, constants: str = "constants", own: bool = True) 
     its guards are included, so common operations are computed once.  Where loops close the tree: also ``J`` and the
     derivatives ``J_q`` and ``J_v`` of ``J vdot + drift``, (rows, nv) each. With other inputs than torques: also
     ``exerted``, the generalised forces per unit of each, (inputs, nv). With internal states of forces between frames:
-    also ``f_z`` (states, nv).
+    also ``f_z`` (states, nv). With brakes: also the ``ROWS`` that they act on.
     """
 
     def body(f: Functions, x: Mapping[str, Sequence[Value]]) -> dict[str, list[Value]]:
@@ -36,6 +37,9 @@ def linearisation(chain: Chain, constants: str = "constants", own: bool = True) 
         lower = [found.M[i, j] for i in range(chain.nv) for j in range(i + 1)]
         exerted = f.exerted(x["q"], x["v"], x["tau"]) if chain.other_inputs else []
         rows |= {"exerted": [x for force in exerted for x in force]} if chain.other_inputs else {}
+        if chain.braked:
+            braked = f.braked_rows(x["q"], x["v"], vdot, x["tau"], x["w_ext"])
+            rows |= dict(zip(ROWS, braked, strict=True))
         states = np.arange(chain.n_internal)[chain.force_states.start - chain.nv :]
         rows |= {"f_z": list(found.f_z[:, states].T.flat)} if chain.n_force_states else {}
         return {"vdot": vdot, "M": lower, "f_q": list(found.f_q.flat), "f_v": list(found.f_v.flat)} | rows

@@ -35,6 +35,7 @@ class LoopFunctions:
     alone: Callable[[], Self]
     with_forces: Callable[..., Sequence]
     under_inputs: Callable[[Sequence], Self]
+    braked: Callable[[Sequence], Self]
     _moving_tips: Callable[..., tuple[list, list[loops.Tip]]]
 
     def loop_wrenches(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> list:
@@ -54,7 +55,7 @@ class LoopFunctions:
         inertia = self.given[0] if self.given else self._inertia()
         with self.section("loops: accelerations of the gaps that the rows' forces must give"):
             wanted = [-(c.power(unconstrained) + c.drift) for c in state.rows]
-        return state, self._unit_answers(q, state, inertia, wanted)[0][0]
+        return state, self.braked(given.tau)._unit_answers(q, state, inertia, wanted)[0][0]
 
     def with_loops(self, q: Sequence, v: Sequence, tau: Sequence, w_ext: Sequence) -> loops.Loads:
         """Torques and wrenches on the tips, those of the loops and of forces between frames included."""

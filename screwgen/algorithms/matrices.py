@@ -6,8 +6,8 @@ float zeros or ones cost no operation, and of a symmetric result only one triang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -163,24 +163,39 @@ Factor = tuple[Array, list[Value]]
 """``L`` and ``1/d`` of a symmetric ``L diag(d) L^T``."""
 
 
-def factorise(M: Array, tracer: Tracer | None = None, threshold: Value = 0.0) -> Factor:
-    """``M = L diag(d) L^T`` of a small symmetric matrix, unrolled.
+class Yielding(Protocol):
+    """What changes the answer of a row: its ``mobility``, ``share / (share pivot + inertia)``."""
 
-    Every pivot of ``d`` must exceed ``threshold``; a tracer guards that.
+    @property
+    def share(self) -> Value: ...
+
+    @property
+    def inertia(self) -> Value: ...
+
+
+def factorise(
+    M: Array, tracer: Tracer | None = None, threshold: Value = 0.0, held: Mapping[int, Yielding] | None = None
+) -> Factor:
+    """``M = L diag(d) L^T`` of a small symmetric matrix, unrolled; L, and the inverse of d.
+
+    Every pivot of ``d`` must exceed ``threshold``; a tracer guards that. A row that is ``held`` has another inverse,
+    which may be 0: that of ``d + inertia / share``. Then that is eliminated of the row by it, and no more.
     """
-    n = M.shape[0]
+    n, held = M.shape[0], held or {}
     d: list[Value] = []
     inverse: list[Value] = []
-    L = identity(n)
+    L, whole = identity(n), M.copy()
     for j in range(n):
-        scaled = [L[j, k] * d[k] for k in range(j)]
+        scaled = [whole[j, k] if k in held else L[j, k] * d[k] for k in range(j)]
         pivot = M[j, j] - dot(scaled, L[j, :j])
+        share, inertia = (held[j].share, held[j].inertia) if j in held else (1.0, 0.0)
         if tracer and (isinstance(pivot, Node) or not pivot > 0):
-            tracer.guard(pivot - threshold)
+            tracer.guard(share * (pivot - threshold) + inertia)
         d.append(pivot)
-        inverse.append(1.0 / pivot)
+        inverse.append(share / (share * pivot + inertia))
         for i in range(j + 1, n):
-            L[i, j] = (M[i, j] - dot(scaled, L[i, :j])) * inverse[j]
+            whole[i, j] = M[i, j] - dot(scaled, L[i, :j])
+            L[i, j] = whole[i, j] * inverse[j]
     return L, inverse
 
 

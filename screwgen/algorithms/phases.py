@@ -18,6 +18,7 @@ import numpy as np
 
 from ..ir.program import Array, Value
 from ..spec.link_class import EXACT
+from . import brakes
 from . import matrices as mx
 from .axis_terms import accelerate_added, added_forces, condense, own_force, own_inertia, prescribed
 from .elastic_travels import carrying_along
@@ -74,6 +75,8 @@ def joint_motion(s: Scope, q: Array, qdot: Array, omega_R: Array) -> None:
     s.keep("omega", omega)
     s.keep("acc_0", np.concatenate([alpha, a]))
     store(s, q, qdot)
+    if s.key.brakes:
+        s.keep("braked_rate", qdot)
 
 
 def swing(alpha: Array, omega: Array, r: Array) -> Array:
@@ -167,6 +170,9 @@ def eliminate(s: Scope) -> None:
     for station, Lambda, p in loads[1:]:
         station.keep("load_axial", np.concatenate([Lambda[3], p[3:4]]))
     M, h = eliminate_modes(s, own, loads)
+    if s.key.joint.given:
+        s.keep("p_i", s.name("p_i", h + mx.multiply(M, s.read("base_rate"))))
+        return
     Lambda, p = eliminate_joint(s, M, h)
     if s.key.floats:
         return
@@ -182,7 +188,7 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
     """Eliminate qddot by the joint's rows ``S^T w = tau - m_q qddot - f_q``; ``f_q = b qdot + k q``, or as given.
 
     The rotors of elastic drives are eliminated before, see :mod:`.axis_terms`. An axis whose acceleration a is given is
-    not eliminated: it adds ``M s a`` to the bias and leaves the inertia whole.
+    not eliminated: it adds ``M s a`` to the bias and leaves the inertia whole. What a brake does: :mod:`.brakes`.
     """
     with s.step("joint: its accelerations eliminated from its rows (43)"):
         S = s.kept("S")
@@ -191,10 +197,13 @@ def eliminate_joint(s: Scope, M: Array, h: Array) -> tuple[Array, Array]:
             a = s.read("tau")[axis]
             h = s.name("h_given", h + mx.multiply(M, S[:, axis]) * a, "h_V")
             S, own, driving = without_column(S, axis), with_entry(own, axis, 1.0), with_entry(driving, axis, a)
+        if s.key.brakes:
+            stop = brakes.stops(s)
+            h, driving = h + mx.multiply(M, mx.multiply(S, stop)), driving - own * stop
         U = s.name("U", mx.multiply(M, S))
         inertia = s.name("joint_inertia", mx.multiply(S.T, U) + mx.diagonal(own))
         scale = s.tracer.epsilon() * 8.0 * (M[0, 0] + M[1, 1] + M[2, 2])
-        L, inverse = mx.factorise(inertia, s.tracer, scale)
+        L, inverse = mx.factorise(inertia, s.tracer, scale, brakes.kept(s))
         Z = mx.forward(L, U.T)
         W = mx.scale_rows(Z, s.name("joint_inverse", inverse))
         w = mx.scale_rows(mx.forward(L, driving - mx.multiply(S.T, h)), inverse)
@@ -222,14 +231,12 @@ def accelerate(s: Scope) -> None:
     """Base to tip: qddot, etaddot, the joint wrench, and ``delta`` of the tip."""
     with s.step("joint: acceleration that the parent's tip imparts, joint accelerations (48)"):
         carried = s.name("carried", imparted(s), "delta")
-        qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
-        qddot = s.name("Vdot" if s.key.floats else "qddot", qddot)
+        qddot = joint_accelerations(s, carried)
         s.write("qddot", qddot)
         if s.key.added_axes:
             accelerate_added(s, qddot)
     with s.step("joint wrench (48)"):
-        wrench = mx.zeros(6) if s.key.floats else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
-        s.write("wrench", mx.shift_wrench(-joint_point(s), wrench))
+        s.write("wrench", joint_wrench(s, carried))
     with s.step("link: what is added to the acceleration of F_i, modal accelerations (83)"):
         delta = s.name("delta", carried + mx.multiply(s.kept("S"), qddot))
         alpha = delta + s.kept("acc_0")
@@ -243,6 +250,22 @@ def accelerate(s: Scope) -> None:
             own = own + on_the_way(station) * mx.dot(station.kept("load_axial"), np.concatenate([delta_T, [1.0]]))
         axial_motion(s, s.kept("omega"), alpha[3], own)
     _tip_delta(s, delta, etaddot)
+
+
+def joint_accelerations(s: Scope, carried: Array) -> Array:
+    """Those that the elimination left; of a base whose motion is given the given ones."""
+    if s.key.joint.given:
+        return s.read("base_rate")
+    qddot = mx.backward(s.kept("joint_L"), s.kept("joint_w") - mx.multiply(s.kept("joint_W"), carried))
+    return s.name("Vdot" if s.key.floats else "qddot", qddot + brakes.stops(s) if s.key.brakes else qddot)
+
+
+def joint_wrench(s: Scope, carried: Array) -> Array:
+    """The wrench of the joint on the link, at its joint point; a base in space bears one where its motion is given."""
+    if s.key.joint.given:
+        return s.kept("p_i")
+    wrench = mx.zeros(6) if s.key.floats else mx.multiply(s.kept("Lambda_i"), carried) + s.kept("p_i")
+    return mx.shift_wrench(-joint_point(s), wrench)
 
 
 def _tip_delta(s: Scope, delta: Array, etaddot: Array) -> Array:

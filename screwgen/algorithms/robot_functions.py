@@ -120,7 +120,7 @@ FUNCTIONS = (
         (POWER, INVERSE),
         "The power of each drive: torque times the rate of what it turns, or force times the rate of its travel.",
         c_file=OUTPUTS,
-        offered=lambda chain: not chain.prescribed,
+        offered=lambda chain: not chain.has_reactions,
     ),
     RobotFunction(
         "drive_effort",
@@ -128,8 +128,8 @@ FUNCTIONS = (
         {"effort": Signal(("NTAU",), AXES, "-", "effort of each drive and tendon")},
         programs.drive_effort,
         (FORWARD, INVERSE, MOTION),
-        "The inputs with the efforts that drives need for the accelerations that are given.",
-        offered=lambda chain: bool(chain.prescribed),
+        "The inputs with the efforts that drives need for accelerations that are given, and those of brakes.",
+        offered=lambda chain: chain.has_reactions,
         c_file=OUTPUTS,
     ),
     RobotFunction(
@@ -138,8 +138,8 @@ FUNCTIONS = (
         {"power": Signal(("NTAU",), "W", "-", "power that each drive gives to the arm")},
         programs.effort_power,
         (FORWARD, INVERSE, MOTION, POWER),
-        "The power of each drive where the motion of some is given: that of `drive_effort`.",
-        offered=lambda chain: bool(chain.prescribed),
+        "The power of each drive and brake where some efforts follow from the motion: that of `drive_effort`.",
+        offered=lambda chain: chain.has_reactions,
         c_file=OUTPUTS,
     ),
     RobotFunction(

@@ -257,7 +257,10 @@ def answers_in_space(s: Scope, carried: Load) -> None:
     changes = {"u_q": u_q, "u_qdot": u_qdot, "rows_q": rows, "axes": mx.identity(6)}
     changes |= {"F_q": F_q, "F_qdot": F_qdot, "f_q": F_q, "f_qdot": F_qdot, "R_rel": rotation(s, s.read("q"))}
     changes |= {"answer": rows, "w_J": mx.zeros(6)}
-    for name, value in (changes | dict.fromkeys(("omega_J", "r_B", "r_J", "v_J"), mx.zeros(3))).items():
+    changes |= dict.fromkeys(("omega_J", "r_B", "r_J", "v_J"), mx.zeros(3))
+    if s.key.joint.given:  # what moves the base bears its wrench
+        changes |= {"w_J": carried.wrench}
+    for name, value in changes.items():
         s.write(f"w.{name}", value)
 
 

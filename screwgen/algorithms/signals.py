@@ -1,10 +1,9 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
-The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. All others are inputs and outputs of a call. In a shape, ``q`` is the number of joint coordinates of
-a link, ``m`` that of their rates, ``a`` that of the joint's torques, ``t`` that of its rotors, ``r`` that of its modes,
-``b`` that of its coupled pairs of modes, ``c`` that of its pieces of tendons, ``g`` that of the directions in which it
-has modes, ``p`` that of the points of an exact rod. Angular parts come first. Accelerations are less free fall.
+Signals of a node are shared by a link and the links that it carries, those of the store are kept by a link between
+phases, others are of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``f`` given rates, ``a``
+torques, ``k`` brakes, ``t`` rotors, ``r`` modes, ``b`` their coupled pairs, ``g`` their directions, ``z`` internal
+states, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first; accelerations less free fall.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ class Signal(NamedTuple):
         """The shape for a link class."""
         counts: dict[Any, Any] = {"q": key.joint.nq, "m": key.joints, "a": key.torques, "t": len(key.added_axes)}
         counts |= {"c": len(key.tendons), "r": key.modes, "b": len(key.coupled), "z": len(key.internal)}
-        counts |= {"g": len({d for d, _ in key.directions})}
+        counts |= {"g": len({d for d, _ in key.directions}), "k": len(key.brakes), "f": 6 * key.joint.given}
         return tuple(counts.get(n, n) if isinstance(n, str) else n for n in self.shape)
 
     def place(self, index: tuple[int, ...], shape: tuple[int, ...]) -> str:
@@ -71,6 +70,7 @@ NODE = {
     "Gamma": Signal((6, 3), "N*m*s, N*s", TIP, "derivative of f with the angular velocity"),
     "R": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame, row by row"),
     "r": Signal((3,), "m", INERTIAL, "position of the tip point"),
+    "rdot": Signal((3,), "m/s", INERTIAL, "velocity of the tip point"),
     "Q": Signal((4,), "-", INERTIAL, "rotation of the tip frame, unit quaternion (w, x, y, z)"),
     "R_m": Signal((3, 3), "-", INERTIAL, "rotation of the tip frame before projection, row by row"),
     "r_m": Signal((3,), "m", INERTIAL, "position of the tip point before projection"),
@@ -117,6 +117,8 @@ CALL: dict[str, Signal] = {
     "new_q": Signal(("q",), "rad", "-", "projected joint coordinates"),
     "tau": Signal(("a",), "N*m", "-", "joint torques"),
     "tension": Signal(("c",), "N", "-", "tensions of the tendons along the link"),
+    "brake": Signal(("k",), "-", "-", "how far the brakes of the joint are closed, from 0 to 1"),
+    "base_rate": Signal(("f",), ACCELERATION, F_I, "rate of the twist of a base whose motion is given", at="base_rate"),
     "m_q": Signal(("a",), "kg*m^2", "-", "inertia of the joint coordinates"),
     "f_q": Signal(("a",), "N*m", "-", "force of springs and dampers of the joint"),
     "force": Signal(("m",), "N*m", "-", "force of the joint coordinates"),
@@ -197,6 +199,7 @@ STORE = {
     "M_D": Signal((6, "r"), "kg*m, kg", F_I, "inertial coupling of twist and modal rows"),
     "joint_L": Signal(("m", "m"), "-", "-", "unit lower factor L of the joint's inertia"),
     "joint_W": Signal(("m", 6), "-, 1/m", F_I, "factor W in qddot = L^-T (w - W delta), delta of the parent"),
+    "braked_rate": Signal(("m",), "rad/s", "-", "joint rates, which brakes stop"),
     "joint_w": Signal(("m",), "rad/s^2", "-", "term w in qddot = L^-T (w - W delta)"),
     "rotor_W": Signal(("t",), "-", "-", "factor W in thetaddot = w - W qddot"),
     "rotor_w": Signal(("t",), "rad/s^2", "-", "term w in thetaddot = w - W qddot; of the gear of a cylinder in m/s^2"),

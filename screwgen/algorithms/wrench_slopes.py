@@ -28,7 +28,7 @@ KINDS = "q", "v", "vdot"
 def wrench_slopes(
     f: Functions, q: Sequence, v: Sequence, vdot: Sequence, w_ext: Sequence, tau: Sequence
 ) -> dict[str, Array]:
-    """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a floating base."""
+    """``wrench`` (6 n,) and its partial derivatives ``q``, ``v``, ``vdot`` (6 n, nv); zero for a base that floats."""
     chain, f = f.chain, f.under_inputs(tau)
     acted = f.with_forces(q, v, w_ext)
     stores = f.sensitivities(q, v, vdot, acted, tau)
@@ -47,7 +47,7 @@ def wrench_slopes(
         at = moving_slopes(f, (q, v, vdot, acted, tau), tips, own=False)[1]
         _take_forces(chain, links, list(f.force_changes(q, v, w_ext, at)), out, named)
     for i, key in enumerate(chain.keys):
-        for kind in KINDS if key.floats else ():
+        for kind in KINDS if key.floats and not key.joint.given else ():
             out[kind][of(i)] = 0.0
     return out | {"wrench": np.concatenate([link["w_J"] for link in links])}
 

@@ -17,7 +17,7 @@ from typer.core import TyperGroup
 
 from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
-from . import exchange
+from . import exchange, identifying
 from .process import guarded, prepare
 from .viewing import ViewFile, view
 
@@ -315,8 +315,7 @@ def latex(
 
 
 exchange.register(app, EPILOG)
-
-# ------------------------------------------------------------------------------ the process
+identifying.register(app, EPILOG)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

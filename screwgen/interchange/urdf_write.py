@@ -95,8 +95,10 @@ class _Writer:
         for name in ("forces", "pushes"):
             if count := len(getattr(robot, name)):
                 self.notes.append(f"{count} of [[{name}]] are left out; a URDF has none")
-        if robot.base == FLOATING:
-            self.notes.append("the base floats, which a URDF does not say; where it is read again, use --floating")
+        if robot.floating:
+            how = "floats" if robot.base == FLOATING else "moves as is given"
+            said = f"the base {how}, which a URDF does not say"
+            self.notes.append(f"{said}; where it is read again, use --floating")
 
     def _link_notes(self, link: Link) -> None:
         joint = link.joint

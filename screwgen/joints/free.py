@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -59,3 +59,5 @@ class Free(JointKind):
 
 
 FREE = Free(7, 6, 0, in_space=True, name="free", turn_at=3)
+MOVING = replace(FREE, given=True, name="moving")
+"""The same where the motion is given."""

@@ -55,6 +55,8 @@ class JointKind:
     """Whether the joint point of the link moves relative to that of the carrier."""
     in_space: bool = False
     """Whether the motion is relative to the inertial frame, so that nothing carries the link or bears its wrench."""
+    given: bool = False
+    """Whether the motion is given: accelerations are inputs, and what carries the link bears the wrench."""
     name: str = ""
     """What tables and the functions of generated C call it; a product of screws is called by its screws."""
     along: tuple[Screw, ...] = ()

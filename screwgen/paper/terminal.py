@@ -11,16 +11,18 @@ from ..algebra.expression import Symbol
 from ..algebra.notation import latex
 from .equation import Equality, Equation, Formula, Standing
 from .erratum import Erratum, Figure
+from .numbers import on_page
 from .plain import WIDTH, boxed, hung, letters, relation, shown
 from .quantities import QUANTITIES
 from .register import SECTIONS, errata, erratum
 
 SEED = 1
+LABELLED = "An equation is called by its label in the paper's source; beside it is its number on the page."
 
 
 def listing(equations: Iterable[Equation]) -> str:
     """One line an equation, section by section, and how many stand."""
-    lines, section = [], ""
+    lines, section = ["", f"  {'label':<14} {'number':<7} stands"], ""
     chosen = list(equations)
     for e in chosen:
         if e.section != section:
@@ -29,7 +31,8 @@ def listing(equations: Iterable[Equation]) -> str:
             lines += ["", f"{name}: {SECTIONS[section]}"]
         standing = {Standing.NOTATION: "notation"}.get(e.standing, e.standing.value)
         lines.append(
-            f"  {f'({e.label})':<14} {standing:<9} {e.title}" + (f"  [{', '.join(e.errata)}]" if e.errata else "")
+            f"  {f'({e.label})':<14} {on_page(e.label):<7} {standing:<9} {e.title}"
+            + (f"  [{', '.join(e.errata)}]" if e.errata else "")
         )
     return "\n".join([*lines[1:], "", summary(chosen)])
 
@@ -37,7 +40,7 @@ def listing(equations: Iterable[Equation]) -> str:
 def summary(equations: Sequence[Equation]) -> str:
     """How many hold and fail, and how to see more."""
     hint = "'screwgen paper 29' shows an equation, 'screwgen paper E7' an erratum with its numbers."
-    return f"{counted(equations)}\n{hint}"
+    return f"{counted(equations)}\n{LABELLED}\n{hint}"
 
 
 def counted(equations: Sequence[Equation]) -> str:
@@ -52,7 +55,8 @@ def counted(equations: Sequence[Equation]) -> str:
 def equation_text(e: Equation) -> str:
     """An equation: printed, derived, the difference, the judgement, the errata and the symbols."""
     part = "Section" if e.section.isdigit() else "Appendix"
-    lines = [f"({e.label})  {e.title}", f"{part} {e.section}: {e.standing.value}", ""]
+    number = f", number {on_page(e.label)} on the page" if on_page(e.label) else ""
+    lines = [f"({e.label})  {e.title}", f"{part} {e.section}{number}: {e.standing.value}", ""]
     lines += _formulas("printed", e.printed)
     for name, value in e.reading.items():
         lines += ["", "  read", *(f"    {line}" for line in relation(_named(e, name), value, WIDTH - 4))]

@@ -53,6 +53,9 @@ AXIS_CURVES = (
     AxisCurves("Efforts of drives, N·m or N", "τ", "", "drive_effort", ".effort["),
     AxisCurves("Power of drives", "P", "W", "drive_power", ".power["),
     AxisCurves("Power of drives", "P", "W", "effort_power", ".power["),
+    AxisCurves("Brakes, 0 open, 1 closed", "b", "", "tau", ".brake["),
+    AxisCurves("Efforts of brakes, N·m or N", "τ", "", "drive_effort", ".brake_effort["),
+    AxisCurves("Power of brakes", "P", "W", "effort_power", ".brake_power["),
 )
 """The panels of axes, for figures and for the viewer."""
 

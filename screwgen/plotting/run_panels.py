@@ -16,6 +16,7 @@ from ..errors import UsageError, one_line
 from ..robot_model import RobotModel
 from ..simulation.motion import modal_columns, tip_deflections, twist
 from ..simulation.runs import Run, segments
+from ..spec.base import BASE_MOTION
 from ..spec.input import Input
 from ..spec.inputs import KIND, input_units, places
 from ..spec.modes import DIRECTIONS
@@ -110,6 +111,8 @@ def _other_inputs(run: Run) -> Iterator[Panel]:
         (TENSIONS, "Tensions of tendons", "T", "N", "tau"),
         (TENSIONS, "Power of tendons", "P", "W", "drive_power"),
         (TENSIONS, "Power of tendons", "P", "W", "effort_power"),
+        (BASE_MOTION, "Given rates of the base's twist", "a", "rad/s², m/s²", "tau"),
+        (BASE_MOTION, "Power of the base", "P", "W", "effort_power"),
         (None, "Other inputs", "u", _unit(run), "tau"),
         (None, "Power of other inputs", "P", "W", "drive_power"),
         (None, "Power of other inputs", "P", "W", "effort_power"),
@@ -185,7 +188,7 @@ def _of_axes(run: Run, model: RobotModel | None, x: AxisCurves, beside: dict[str
 
 
 def _base(run: Run) -> list[Panel]:
-    """Where a floating base is, and how it has turned since the start: rotation vectors in inertial axes."""
+    """Where a base that is not fixed is, and how it has turned since the start: rotation vectors in inertial axes."""
     if not place_names(run):
         return []
     turns = Rotation.from_quat(run.q[:, 3:7], scalar_first=True)

@@ -15,6 +15,7 @@ import numpy as np
 
 from ..arguments import Numbers, parameters_keyword
 from ..backends.numpy import prescribed
+from ..backends.numpy.braked import BalancedRates, balance
 from ..backends.numpy.dae_step import space_of
 from ..errors import SingularError, UsageError
 from ..integrators.method import Method
@@ -102,7 +103,9 @@ class Linearised:
 
     def trimmed(self) -> Linearised:
         """The same about the same state, with constant generalised forces that make the accelerations zero."""
-        trim, out = self.mass_matrix @ self.vdot, copy(self)
+        own, out = self._balance, copy(self)
+        firm = np.divide(own.inertia, own.share, out=np.zeros(len(own.share)), where=own.share > 0)
+        trim = self.mass_matrix @ self.vdot + firm * self.vdot  # what brakes hold rests anyway
         out.trim, out._known = trim, {}
         out.__dict__.pop("_light", None)
         return out
@@ -204,14 +207,21 @@ class Linearised:
         own = slice(self.model.nv - n, None)
         heavy[own, own] += self.model.chain.modal_product(self.own.added(h)[:, None], np.eye(n))
         given, force = prescribed.places(self.model.chain), self.mass_matrix - np.diag(self.armature)
+        brakes = self._balance
+        heavy, force = brakes.over(heavy), brakes.over(force)
         force[:, given] -= heavy[:, given]
         factor = prescribed.answers(self.model.chain, heavy, force)
         factor[given, given] = 1.0
         if self.model.chain.closing.rows:
             J = mobility.jacobian(self.model, self.q, self.p)
-            reach = prescribed.answers(self.model.chain, heavy, J.T)
+            reach = prescribed.answers(self.model.chain, heavy, brakes.share[:, None] * J.T)
             factor += reach @ self.numeric.row_forces(J @ reach, J @ (np.eye(len(heavy)) - factor))
         return AccelerationSlopes(*(factor @ slope for slope in self._light))
+
+    @cached_property
+    def _balance(self) -> BalancedRates:
+        """What brakes make of the equations of motion."""
+        return balance(self.numeric, self.mass_matrix, self.q, self.v, self.vdot, self.tau, self.w_ext)
 
     def _derivatives(self, h: float) -> AccelerationSlopes:
         if not self.model.nv:
@@ -222,11 +232,12 @@ class Linearised:
         if self.trim is not None and chain.n_added:
             force = force + self.trim[b:]
         elif self.trim is not None:
-            modes = np.append(np.zeros(chain.n_given - nv + b + m), self.trim[b + m :])
-            force, torque = force + modes, torque - self.trim[b : b + m]
-        if self.trim is not None and chain.prescribed:  # accelerations that are given, and zero
+            k = chain.n_joints
+            modes = np.append(np.zeros(chain.n_given - nv + b + k), self.trim[b + k :])
+            force, torque = force + modes, torque - chain.with_idle_inputs(self.trim[b : b + k])
+        if self.trim is not None and chain.given:  # accelerations that are given, and zero
             torque = torque.copy()
-            torque[chain.prescribed] = 0.0
+            torque[list(chain.given)] = 0.0
         parts = np.cumsum([nv, nv, m, chain.n_given])
         seeds = np.split(np.eye(parts[-1]), parts[:-1], axis=1)
         still = [np.zeros((parts[-1], k)) for k in (6 * n, chain.n_inertia, len(self.p))]

@@ -1,4 +1,4 @@
-"""The motion of axes that a run is given: where they are at the ends of steps, and the accelerations between."""
+"""The motion of axes and of a base that a run is given: where they are at the ends of steps, and how they get there."""
 
 from __future__ import annotations
 
@@ -9,18 +9,27 @@ import numpy as np
 
 from ..arguments import choice
 from ..errors import UsageError
+from ..joints.exponential import quaternion_rate
+from ..joints.free import MOVING
 from ..robot_model import RobotModel
+from ..spec.base import BASE_MOTION
 from .inputs import floats
 
 Curve = Callable[..., Any]
-"""A spline of SciPy, whose `f(t)` is the coordinate and `f(t, 1)` its rate; or `f(t) -> (coordinate, rate)`."""
+"""A spline of SciPy, whose `f(t)` is the coordinate and `f(t, 1)` its rate; or `f(t) -> (coordinate, rate)`.
+
+Of a base the coordinates are six, its place and its rotation vector, or seven, its place and its quaternion.
+"""
+BASE = "base"
+"""The name of a base among the curves."""
 
 
 class GivenMotion:
     """The coordinates of axes whose motion is given, by name, in a run of a `step` that ends at a `duration`.
 
     At the ends of steps the axes are exactly there. Over a step an axis accelerates evenly, from its rate at the
-    beginning to that at the end. Axes that are not named stay where they begin, or go on as their inputs say.
+    beginning to that at the end; of a base the components of its twist do, in its own axes. What is not named stays
+    where it begins, or goes on as its inputs say.
     """
 
     def __init__(self, model: RobotModel, curves: Mapping[str, Curve], step: float, duration: float):
@@ -29,32 +38,68 @@ class GivenMotion:
         at = {k: chain.axis_places[k] if v == chain.base_v + k else v + chain.nq - chain.nv for k, v in places.items()}
         known = {model.q_names[at[k]]: k for k in places}
         for name in curves:
-            choice(name, known, 'motion: of what has actuation = "motion" there is no coordinate')
-        self.curves = list(curves.values())
-        self.axes = [known[name] for name in curves]
-        self.names, self.step, self.duration = list(curves), step, duration
-        self.of_q, self.of_v = [at[k] for k in self.axes], [places[k] for k in self.axes]
+            choice(name, [BASE] * chain.moving + [*known], "motion: of what moves as is given there is no coordinate")
+        self.base, self.step, self.duration = curves.get(BASE), step, duration
+        self.curves = {name: curve for name, curve in curves.items() if name != BASE}
+        own, led = [known[name] for name in self.curves], 6 * (self.base is not None)
+        self.axes = [*range(chain.n_tau)[chain.inputs[BASE_MOTION]], *own] if led else own
+        self.of_q, self.of_v = [at[k] for k in own], [*range(led), *(places[k] for k in own)]
 
-    def at(self, t: float) -> np.ndarray:
-        """(2, k): coordinates and rates at a time."""
-        found = [_point(curve, t, name) for curve, name in zip(self.curves, self.names, strict=True)]
-        return np.array(found, float).reshape(-1, 2).T
+    def rates(self, t: float) -> np.ndarray:
+        """(k,): the rates at a time, those of the base first."""
+        found = [_base(self.base, t)[1]] if self.base is not None else []
+        return np.concatenate([*found, *(_point(curve, t, name, (1,))[1] for name, curve in self.curves.items())])
 
     def place(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
-        """Put the axes of a state where they are at a time."""
-        q[self.of_q], v[self.of_v] = self.at(t)
+        """Put what is given of a state where it is at a time."""
+        if self.base is not None:
+            pose, _ = _base(self.base, t)
+            q[:3], q[3:7] = pose[:3], pose[3:] if pose[3:] @ q[3:7] >= 0 else -pose[3:]
+        q[self.of_q] = [_point(curve, t, name, (1,))[0][0] for name, curve in self.curves.items()]
+        v[self.of_v] = self.rates(t)
 
     def accelerations(self, t: float) -> np.ndarray:
         """(k,): those over the step that begins at a time."""
         end = min(t + self.step, self.duration)
-        return np.zeros(len(self.axes)) if end <= t else (self.at(end)[1] - self.at(t)[1]) / (end - t)
+        return np.zeros(len(self.of_v)) if end <= t else (self.rates(end) - self.rates(t)) / (end - t)
 
 
-def _point(curve: Curve, t: float, name: str) -> tuple[float, float]:
+def _base(curve: Curve, t: float) -> tuple[np.ndarray, np.ndarray]:
+    """Pose (7,) and twist (6,), in axes of the base."""
+    at, rate = _point(curve, t, BASE, (6, 7))
+    if len(at) == 6:
+        half, turned = _half_turn(at[3:]), _turned(at[3:], rate[3:])
+        at, rate = np.append(at[:3], half), np.append(rate[:3], quaternion_rate(half, turned))
+    size = float(np.linalg.norm(at[3:]))
+    if not size > 0:
+        raise UsageError(f"motion: {BASE} has a quaternion of zeros at t = {t:g} s; give one of length 1")
+    at[3:], rate[3:] = at[3:] / size, rate[3:] / size
+    return at, MOVING.rates_of(at, rate)
+
+
+def _half_turn(turn: np.ndarray) -> np.ndarray:
+    """The quaternion of a rotation vector."""
+    angle = float(np.linalg.norm(turn))
+    return np.append(np.cos(angle / 2), turn * (np.sinc(angle / (2 * np.pi)) / 2))
+
+
+def _turned(turn: np.ndarray, rate: np.ndarray) -> np.ndarray:
+    """The angular velocity, in turned axes, of a rotation vector that changes at a rate."""
+    angle = float(np.linalg.norm(turn))
+    a = np.sinc(angle / (2 * np.pi)) ** 2 / 2  # (1 - cos) / angle², without cancellation
+    b = (1 - np.sinc(angle / np.pi)) / angle**2 if angle > 1e-3 else 1 / 6 - angle**2 / 120
+    across = np.cross(turn, rate)
+    return rate - a * across + b * np.cross(turn, across)
+
+
+def _point(curve: Curve, t: float, name: str, sizes: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Coordinates and rates, as many as one of the `sizes` says."""
     found = np.ravel(floats(curve(t), f"motion: {name}"))
-    if len(found) == 1:
-        found = np.append(found, floats(curve(t, 1), f"motion: {name}"))
-    if len(found) != 2:
+    if len(found) in sizes:
+        found = np.append(found, np.ravel(floats(curve(t, 1), f"motion: {name}")))
+    if len(found) not in [2 * n for n in sizes]:
         said = f"motion: {name} gives {len(found)} numbers"
-        raise UsageError(f"{said}; give a spline, or a function of t that gives coordinate and rate")
-    return float(found[0]), float(found[1])
+        what = "coordinate and rate" if sizes == (1,) else "place and rotation vector, or quaternion, with their rates"
+        raise UsageError(f"{said}; give a spline, or a function of t that gives {what}")
+    at, rate = np.split(found, 2)
+    return at, rate

@@ -1,15 +1,19 @@
-"""The base of a robot: fixed to the world, or floating, in which case the first link's pose is part of the state."""
+"""The base of a robot: fixed to the world, floating, or moving as is given: then the first link's pose is state."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
+from .input import Input
 from .joint import Joint
 from .parents import Named, parents
 from .values import refuse
 
-FIXED, FLOATING = "fixed", "floating"
+if TYPE_CHECKING:
+    from .robot import Robot
+
+FIXED, FLOATING, MOVING = "fixed", "floating", "moving"
 
 POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 """The coordinates of a floating base: the origin of F_1 in the inertial frame, and its unit quaternion."""
@@ -23,6 +27,29 @@ HOME = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 """The pose in which F_1 is the inertial frame."""
 
 
+class BaseMotion(Input):
+    """The accelerations of a base whose motion is given: the rates of its twist, in axes of F_1."""
+
+    words = "a base whose motion is given"
+    kinds = ("twist_rate",)
+    own = "twist_"
+    signal = "base_rate"
+
+    def names(self, robot: Robot) -> list[str]:
+        return [f"base.twist_rate[{k}]" for k in range(6)] if robot.base == MOVING else []
+
+    def units(self, robot: Robot) -> list[str]:
+        return ["rad/s²"] * 3 + ["m/s²"] * 3 if robot.base == MOVING else []
+
+    def of_links(self, chain: Any) -> list[list[int]]:
+        return [list(range(6)), *([] for _ in range(1, chain.n))]
+
+
+BASE_MOTION = BaseMotion()
+EFFORT_UNITS = ("N·m",) * 3 + ("N",) * 3
+"""What moves such a base: moment and force at the origin of F_1, in its axes."""
+
+
 class Jointed(Named, Protocol):
     """What this module reads of a link."""
 
@@ -30,17 +57,17 @@ class Jointed(Named, Protocol):
     def joint(self) -> Joint: ...
 
 
-def check_floating(links: Sequence[Jointed]) -> None:
+def check_in_space(links: Sequence[Jointed], base: str) -> None:
     """Refuses a first link that is jointed to the world, and further links on the world."""
     joint = links[0].joint
     if joint.axes:
-        what = "is stated for the first link, which a floating base leaves free in space; write axes = []"
+        what = f"is stated for the first link, which a {base} base leaves without a joint; write axes = []"
         raise refuse(what, at=("links", 0, "joint", "axes"))
     if joint.mount is not None:
-        what = 'is stated for the first link, but base = "floating" makes its place a part of the state; leave it out'
+        what = f'is stated for the first link, but base = "{base}" makes its place a part of the state; leave it out'
         raise refuse(what, at=("links", 0, "joint", "mount"))
     carriers = parents(links)
     for i in range(1, len(links)):
         if carriers[i] < 0:
-            what = f"is the world, but of a robot with base = \"floating\" only the first link, '{links[0].name}'"
+            what = f"is the world, but of a robot with base = \"{base}\" only the first link, '{links[0].name}'"
             raise refuse(f"{what}, may be on it; name the link that carries this one", at=("links", i, "parent"))

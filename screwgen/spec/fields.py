@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..elements import TRAVELS
+from .brake import Brake
 from .drive import FRICTION_TABLES, Drive, Friction
 from .frequencies import Frequencies
 from .joint import Joint, Mount
@@ -50,6 +51,7 @@ OF_AXES: dict[str, tuple[type[Part], str]] = {
         for table, part in FRICTION_TABLES.items()
     },
     "joint.limits.": (Limit, "joint.limits[{}]."),
+    "joint.brake.": (Brake, "joint.brake[{}]."),
 }
 """The tables with numbers of axes."""
 SLIDING = {f"{table}{name}": x.on_slide for table, (part, _) in OF_AXES.items() for name, x in stated_numbers(part)}

@@ -29,6 +29,8 @@ class Input:
     """What they are, as in "robot 'arm' has tendons"."""
     kinds: ClassVar[tuple[str, ...]] = ()
     """The words behind the owner in the names of the product's own, as `torque` in `arm.torque[0]`."""
+    own: ClassVar[str] = ""
+    """What the names of what belongs to them begin with, where something else of the axis is called so, as `brake_`."""
     signal: ClassVar[str] = ""
     """The signal of links that holds their own entries, one of ``algorithms.signals.CALL``."""
     quantity: ClassVar[str] = "tau"

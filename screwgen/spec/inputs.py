@@ -8,6 +8,8 @@ from itertools import pairwise
 from typing import Any
 
 from ..errors import UsageError
+from .base import BASE_MOTION, EFFORT_UNITS
+from .brake import BRAKES, braked
 from .forces import FORCE_INPUTS
 from .input import Input
 from .robot import Link, Robot
@@ -35,7 +37,7 @@ class Torques(Input):
 
 
 TORQUES = Torques()
-OTHERS: tuple[Input, ...] = (TENSIONS, FORCE_INPUTS)
+OTHERS: tuple[Input, ...] = (TENSIONS, BRAKES, BASE_MOTION, FORCE_INPUTS)
 """Those that a robot file may state besides."""
 KIND = re.compile(rf"\.({'|'.join(kind for row in (TORQUES, *OTHERS) for kind in row.kinds)})(?=\[|$)")
 """The kind of an input in its name."""
@@ -67,9 +69,18 @@ def input_units(robot: Robot) -> list[str]:
 
 
 def effort_names(robot: Robot) -> list[str]:
-    """The names of what drives exert: those of `tau`, and `arm.effort[0]` where the motion of an axis is given."""
-    given = {f"{link.name}.acceleration[{j}]" for link in robot.links for j in link.joint.prescribed}
-    return [name.replace(".acceleration[", ".effort[") if name in given else name for name in input_names(robot)]
+    """The names of what drives exert: those of `tau`, and `arm.effort[0]` where the motion of an axis is given.
+
+    Of a brake `arm.brake_effort[0]`, of a base whose motion is given `base.twist_effort[0]`.
+    """
+    found = {f"{link.name}.acceleration[{j}]": f"{link.name}.effort[{j}]" for link, j in _given(robot)}
+    found |= {f"{link.name}.brake[{j}]": f"{link.name}.brake_effort[{j}]" for link, j in braked(robot)}
+    found |= {name: f"base.twist_effort[{k}]" for k, name in enumerate(BASE_MOTION.names(robot))}
+    return [found.get(name, name) for name in input_names(robot)]
+
+
+def _given(robot: Robot) -> Iterator[tuple[Link, int]]:
+    return ((link, axis) for link in robot.links for axis in link.joint.prescribed)
 
 
 def effort_units(robot: Robot) -> list[str]:
@@ -77,7 +88,14 @@ def effort_units(robot: Robot) -> list[str]:
     axes = [
         (screw, own) for link in robot.links for screw, own in zip(link.joint.screws, link.joint.driven, strict=True)
     ]
-    return [own.effort(screw)[1] for screw, own in axes] + input_units(robot)[len(axes) :]
+    found = [own.effort(screw)[1] for screw, own in axes] + input_units(robot)[len(axes) :]
+    at = {name: k for k, name in enumerate(input_names(robot))}
+    for link, axis in braked(robot):
+        turns = link.joint.driven[axis].elastic or link.joint.screws[axis].turn
+        found[at[f"{link.name}.brake[{axis}]"]] = "N·m" if turns else "N"
+    for name, unit in zip(BASE_MOTION.names(robot), EFFORT_UNITS, strict=False):
+        found[at[name]] = unit
+    return found
 
 
 def quantities(robot: Robot) -> list[str]:

@@ -12,6 +12,9 @@ from ..joints.product import product
 from ..joints.screw import Screw, Vector
 from .axes import AxesOfKind, axes, screw_of, written
 from .axis_elements import OfAxis, axis_elements, stated
+from .brake import Brake, Brakes, brakes
+from .brake import check as check_brakes
+from .brake import stated as stated_brakes
 from .drive import Drive, check, check_reach
 from .limit import Limit
 from .limit import check as check_limits
@@ -43,7 +46,7 @@ STIFFNESS = Stated(
 TORQUE, MOTION = "torque", "motion"
 """What the input of an axis is: the effort of its drive, from which its acceleration follows, or the acceleration."""
 ACTUATION = (TORQUE, MOTION)
-PER_AXIS_WORDS = ("drives", "limits", "elements", "actuation")
+PER_AXIS_WORDS = ("drives", "limits", "elements", "actuation", "brake")
 MOVED_BY = ("armature", "drives")
 """The keys that say what drives an axis."""
 PER_AXIS = ("armature", "damping", "stiffness")
@@ -101,6 +104,12 @@ class Joint(Part):
         "effort follows; of several axes an array",
     )
 
+    brake: Annotated[Brakes, PlainValidator(brakes), PlainSerializer(stated_brakes)] | None = Field(
+        None,
+        description="true: the axis has a brake, an input from 0, open, to 1, closed; or a table with its numbers; of "
+        "several axes an array",
+    )
+
     elements: Annotated[tuple[OfAxis, ...], PlainValidator(axis_elements), PlainSerializer(stated)] | None = Field(
         None, description="what else acts on each axis, an array of tables such as { spring = { … } }; {} is nothing"
     )
@@ -113,7 +122,7 @@ class Joint(Part):
         if not (isinstance(axes, list | tuple) and len(axes) == 1):
             return given
         alone = {k: [v] for k, v in given.items() if k in PER_AXIS and isinstance(v, Real) and not isinstance(v, bool)}
-        one = dict | Drive | Limit | AxisElement
+        one = dict | Drive | Limit | AxisElement | Brake | bool
         tables = {k: [given[k]] for k in PER_AXIS_WORDS if isinstance(given.get(k), one | str)}
         return given | alone | tables
 
@@ -121,6 +130,11 @@ class Joint(Part):
     def prescribed(self) -> tuple[int, ...]:
         """The axes whose motion is given."""
         return tuple(k for k, what in enumerate(self.actuation or ()) if what == MOTION)
+
+    @property
+    def braked(self) -> tuple[int, ...]:
+        """The axes that have a brake."""
+        return tuple(k for k, one in enumerate(self.brake or ()) if one)
 
     @property
     def driven(self) -> tuple[Drive, ...]:
@@ -134,6 +148,8 @@ class Joint(Part):
             yield from ((axis, f"joint.drives.{name}", value) for name, value in drive.numbers)
         for axis, limit in enumerate(self.limits or ()):
             yield from ((axis, f"joint.limits.{name}", getattr(limit, name)) for name in Limit.model_fields)
+        for axis, brake in enumerate(self.brake or ()):
+            yield from ((axis, f"joint.brake.{name}", value) for name, value in (brake.numbers if brake else ()))
 
     def has_inertia(self, axis: int) -> bool:
         """Whether the inertia of what drives an axis is stated."""
@@ -208,6 +224,8 @@ class Joint(Part):
             check(self.drives, self.screws, self.armature)
         if self.limits is not None:
             check_limits(self.limits, len(self.axes))
+        if self.brake is not None:
+            check_brakes(self.brake, self.screws, self.driven, self.prescribed)
         if self.drives is not None and self.limits is not None:
             check_reach(self.drives, self.limits)
         return self

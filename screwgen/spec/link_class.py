@@ -8,7 +8,6 @@ from functools import cached_property
 
 from ..bases import Basis, Shapes, shapes
 from ..elements import AxisElement, Travel, gear
-from ..joints.free import FREE
 from ..joints.kind import JointKind
 from ..joints.product import WELD as WELDED
 from ..joints.screw import Screw
@@ -102,6 +101,8 @@ class LinkClass:
     """The axes whose efforts have a limit that a step holds."""
     prescribed: tuple[int, ...] = ()
     """The axes whose motion is given: their input is an acceleration."""
+    brakes: tuple[int, ...] = ()
+    """The axes that have a brake."""
     elements: tuple[tuple[type[AxisElement], int], ...] = ()
     """The elements of the axes by their kind, each with its axis."""
     tendons: tuple[TendonClass, ...] = ()
@@ -285,11 +286,11 @@ MARKER = LinkClass(bases=("",) * 4, counts=(0,) * 4, joint=WELDED, length=False,
 
 
 def link_class(
-    link: Link, section_rotation: bool, order: int | str = 1, segment: int = 0, free: bool = False
+    link: Link, section_rotation: bool, order: int | str = 1, segment: int = 0, base: JointKind | None = None
 ) -> LinkClass:
     """The class of a link, or of one of its segments, in a robot whose ``section_rotation`` and ``order`` are given.
 
-    ``free``: whether it is the segment that floats.
+    ``base``: the joint of the segment that is a base in space.
     """
     joint, modes, count, body = (link.joint if segment == 0 else WELD), link.modes, link.pieces, elastic(link)
     counts, mount, stations = modes.counts, joint.mount, link.section.places if link.section else ()
@@ -299,7 +300,7 @@ def link_class(
     return LinkClass(
         bases=tuple(modes.basis_of(d) if n else "" for d, n in zip(DIRECTIONS, counts, strict=False)),
         counts=counts,
-        joint=FREE if free else joint.kind,
+        joint=base or joint.kind,
         mount_xyz=mount is not None and mount.xyz is not None,
         mount_rpy=mount is not None and mount.rpy is not None,
         armature=bool(joint.armature),
@@ -312,6 +313,7 @@ def link_class(
             k for k, x in enumerate(joint.limits or ()) if x.effort is not None and k not in joint.prescribed
         ),
         prescribed=joint.prescribed,
+        brakes=joint.braked,
         elements=tuple((type(one), axis) for axis, own in enumerate(joint.elements or ()) for one in own),
         frame_at=link.frame_at is not None,
         length=link.length is not None,

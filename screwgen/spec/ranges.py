@@ -8,7 +8,7 @@ number outside is a slip of the unit or of the exponent.
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from .values import Path, array, non_negative, number, numbers, positive, refuse, shown
+from .values import Path, array, fraction, non_negative, number, numbers, positive, refuse, shown
 
 
 class Range(NamedTuple):
@@ -88,6 +88,8 @@ RANGES = {
     "limit": Range(number, 0.0, 1e6, "rad or m"),
     "effort": Range(positive, 1e-12, 1e15, "N·m or N"),
     "stop stiffness": Range(positive, 1e-9, 1e24, "N·m/rad or N/m"),
+    "brake inertia": Range(positive, 1e-12, 1e12, "kg·m² or kg"),
+    "brake time": Range(positive, 1e-9, 1e6, "s"),
     "velocity": Range(positive, 1e-9, 1e6, "rad/s or m/s"),
     "pitch": Range(number, 0.0, 1e3, "m/rad"),
     "mass": Range(non_negative, 1e-12, 1e12, "kg"),
@@ -99,6 +101,7 @@ RANGES = {
     "q": Range(number, 0.0, 1e6, "rad or m"),
     "v": Range(number, 0.0, 1e9, "rad/s or m/s"),
     "tau": Range(number, 0.0, 1e15, "N·m or N"),
+    "brake": Range(fraction, 0.0, 1.0, "1"),
     "force_input": Range(number, 0.0, 1e15, "m, m/s"),
     "w_ext": Range(number, 0.0, 1e15, "N·m or N"),
     "kp": Range(non_negative, 0.0, 1e15, "N·m/rad or N/m"),

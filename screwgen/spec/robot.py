@@ -11,7 +11,7 @@ from pydantic import Field, PlainSerializer, PlainValidator, model_validator
 
 from ..errors import UsageError
 from ..joints.screw import Vector
-from .base import FIXED, FLOATING, check_floating
+from .base import FIXED, FLOATING, MOVING, check_in_space
 from .couplings import Coupling, refuse_couplings
 from .forces import Force, Push, refuse_forces
 from .frequencies import Frequencies
@@ -201,8 +201,8 @@ class Robot(Part):
 
     Without `parent` a link is carried by the one before it: a chain. `gravity` (m/s²) is the acceleration of free fall
     in the inertial frame. `section_rotation`: the next link follows the slope of the tip (true by default). `base`:
-    "floating" leaves the first link free in space, which then has no joint axes. A loop can build a robot of any
-    number of links:
+    "floating" leaves the first link free in space, which then has no joint axes; "moving" moves it as is given. A loop
+    can build a robot of any number of links:
 
         Robot(name="arm", gravity=(0, 0, -9.81), links=[Link(name=f"link{i}", ...) for i in range(40)])
     """
@@ -217,8 +217,10 @@ class Robot(Part):
         description="1: shapes linear in the modes; 2: to second order, with foreshortening and geometric stiffness; "
         '"exact": rods that bend as far as they like',
     )
-    base: Annotated[str, PlainValidator(choice(FIXED, FLOATING))] = Field(
-        FIXED, description='"fixed", or "floating": the first link moves freely, its pose is part of the state'
+    base: Annotated[str, PlainValidator(choice(FIXED, FLOATING, MOVING))] = Field(
+        FIXED,
+        description='"fixed"; "floating": the first link moves freely, its pose is part of the state; "moving": the '
+        "same, but its motion is given, by accelerations as inputs",
     )
     links: tuple[Link, ...] = Field(description="at least one [[links]] table")
     loops: tuple[Loop, ...] = Field((), description="joints between markers of two links, [[loops]] tables")
@@ -235,8 +237,8 @@ class Robot(Part):
 
     @property
     def floating(self) -> bool:
-        """Whether the first link moves freely."""
-        return self.base == FLOATING
+        """Whether the first link has no joint, and its pose is part of the state."""
+        return self.base != FIXED
 
     def without(self, *directions: str) -> Self:
         """The same robot without the modes of some `DIRECTIONS`, such as "axial".
@@ -252,7 +254,7 @@ class Robot(Part):
     def summary(self) -> str:
         """The numbers of links and joint coordinates, and which links bend, in one line."""
         links, joints = len(self.links), sum(len(link.joint.axes) for link in self.links)
-        base = "floating base, " if self.floating else ""
+        base = f"{self.base} base, " if self.floating else ""
         counted = f"{base}{links} link{'s' * (links != 1)}, {joints} joint coordinate{'s' * (joints != 1)}"
         return f"{counted}, flexible: {', '.join(link.name for link in self.links if of_link(link)) or 'none'}"
 
@@ -268,7 +270,7 @@ class Robot(Part):
         distinct([link.name for link in self.links])
         check_markers(self.links)
         if self.floating:
-            check_floating(self.links)
+            check_in_space(self.links, self.base)
         refuse_axes(self)
         refuse_beside_balls(self)
         refuse_loops(self.links, self.loops)

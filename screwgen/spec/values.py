@@ -79,6 +79,14 @@ def non_negative(value: Any, *, at: Path = ()) -> float:
     return result
 
 
+def fraction(value: Any, *, at: Path = ()) -> float:
+    """A number from 0 to 1."""
+    result = number(value, at=at)
+    if not 0 <= result <= 1:
+        raise refuse(f"is {shown(value)}; it must be from 0 to 1", at)
+    return result
+
+
 SIGNS: dict[str, Callable[..., float]] = {"positive": positive, "non-negative": non_negative, "any": number}
 """The checks of signs by their names."""
 

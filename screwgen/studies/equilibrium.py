@@ -24,6 +24,7 @@ from ..spec.robot import Robot
 from .equilibrium_of_floating_bases import floating_equilibrium
 from .held_joints import Asked, Hold, asked, efforts_beside, refuse_followers
 from .linear import checked
+from .standing import StandingBase
 from .statics import Balance, NoEquilibriumError, Statics, search
 from .statics_with_loops import StaticsWithLoops
 from .steady import wound
@@ -118,12 +119,15 @@ def equilibrium(
     `w_ext` (n, 6), of the robot's n links or of all segments: wrenches [τ; F] that turn with the tip sections; they
     have no potential, so the search is one for forces that vanish, and what has positive stiffness may still flutter:
     then `stability` says so. A floating base is kept as in `q` and needs a robot without gravity: the others settle
-    relative to it. `parameters`: their values. A :class:`ModelValidityWarning` says where a link is past the
-    bounds of the model, in which a column beyond its buckling load is "stable"; a :class:`LimitWarning` where a drive
-    does not have the effort that the posture takes. Raises UsageError, and
-    NoEquilibriumError, which names the joint, where nothing balances the torques.
+    relative to it. One whose motion is given stands where `q` has it. `parameters`: their values. A
+    :class:`ModelValidityWarning` says where a link is past the bounds of the model, in which a column beyond its
+    buckling load is "stable"; a :class:`LimitWarning` where a drive does not have the effort that the posture takes.
+    Raises UsageError, and NoEquilibriumError, which names the joint, where nothing balances the torques.
     """
     model.chain.refuse_quaternion_joints("equilibrium", "simulate it with dampers")
+    if model.chain.moving:
+        at = StandingBase(model, q, model.chain.parameters.vector(parameters))
+        return at.equilibrium(equilibrium, tau, model.chain.tip_wrenches(w_ext, "w_ext:"), hold, free)
     if model.chain.floating:
         p = model.chain.parameters.vector(parameters)
         return floating_equilibrium(equilibrium, model, q, tau, w_ext, hold, p, free)

@@ -16,6 +16,7 @@ from ..simulation.definiteness import check_definite
 from ..simulation.mobility import by_spring, check_closed, jacobian, loads_of_loops, mobility, stated_joints
 from ..simulation.validity import Validity, Watch, validity_at_rest
 from .linear import whole
+from .standing import StandingBase
 from .steady import Oscillations, Steady, oscillations, steady
 from .stiffness import from_travels, pressed, relative, stiffness_matrix
 from .vibrations_with_loops import hanging
@@ -40,8 +41,9 @@ def natural_frequencies(
     `joints`: "locked" leaves the modes alone to move, (n_modes,), joints with springs locked like all others; where
     drives are elastic it locks their rotors, and the joint moves on its gear. "free" lets the joints turn on their own
     springs, (nq,): motions that no spring resists give exactly 0. A floating base moves in either case, which gives six
-    zeros. Where loops are closed at `q`, as many motions as they leave are found; "locked" locks the joints of
-    :func:`..simulation.mobility.stated_joints`, and the others follow. `parameters`: values, the file's by default.
+    zeros; one whose motion is given stands. Where loops are closed at `q`, as many motions as they leave are found;
+    "locked" locks the joints of :func:`..simulation.mobility.stated_joints`, and the others follow. `parameters`:
+    values, the file's by default.
     `rates` (n_joints,), rad/s or m/s: of an arm whose joints turn steadily, kept at their rates where they are locked,
     under constant torques where they are free. `loaded`: gravity bends the links and changes their stiffness. In both
     cases torques hold the joints at `q`, and the vibrations are about the deflection that follows; and so they are of a
@@ -96,6 +98,8 @@ def mode_shapes(
 ) -> ModeShapes:
     """Natural frequencies with their shapes; arguments and errors as those of `natural_frequencies`."""
     p = model.chain.parameters.vector(parameters)
+    if model.chain.moving:
+        return StandingBase(model, q, p).mode_shapes(mode_shapes, joints, rates, loaded)
     q = closed_posture(model, q, p)
     moving = movable(model, joints, q, p)
     if not len(moving):
@@ -241,12 +245,16 @@ def closed_posture(model: RobotModel, q: Numbers | None, p: Numbers) -> np.ndarr
 
 
 def movable(model: RobotModel, joints: str, q: np.ndarray, p: Numbers) -> np.ndarray:
-    """The coordinates that may move: all, or those that no drive acts on and joints that follow loops."""
-    if choice(joints, JOINTS, "joints: there is no") == "free":
-        return np.arange(model.nv)
+    """The coordinates that may move: all, or those that no drive acts on and joints that follow loops.
+
+    A base whose motion is given stands.
+    """
     chain, driven = model.chain, np.array(model.chain.held_places, int)
+    every = np.arange(chain.base_v if chain.moving else 0, model.nv)
+    if choice(joints, JOINTS, "joints: there is no") == "free":
+        return every
     added = driven >= chain.eta_v - chain.n_added
-    return np.setdiff1d(np.arange(model.nv), driven[stated_joints(model, q, p) | added])
+    return np.setdiff1d(every, driven[stated_joints(model, q, p) | added])
 
 
 def following(J: np.ndarray, springs: np.ndarray) -> np.ndarray | None:

@@ -17,6 +17,8 @@ import numpy as np
 from ..arguments import Numbers, Parameters, array, choice
 from ..errors import SingularError, UsageError
 from ..interactions import ReportedQuantity
+from ..joints.free import FREE, MOVING
+from ..spec import base as kinds
 from ..spec.assumptions import assumptions
 from ..spec.limit import Limit
 from ..spec.link_class import MARKER, link_class
@@ -33,6 +35,8 @@ from .parameters import labels
 from .stations import mounted
 from .tree import TIP
 
+IN_SPACE = {kinds.FLOATING: FREE, kinds.MOVING: MOVING}
+"""The joints of bases whose pose is a part of the state."""
 SPARED = 0.9
 """The part of the reach of a four-bar linkage that is well away from its dead centres."""
 
@@ -44,8 +48,9 @@ class Chain(Coordinates, ChosenInputs):
         self.robot = robot
         self.segments = segments(robot)
         self.tree, stations = mounted(robot, self.segments)
+        base = IN_SPACE.get(robot.base)
         keys = [
-            link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number, robot.floating and i == 0)
+            link_class(robot.links[s.link], robot.section_rotation, robot.order, s.number, None if i else base)
             if s.marker is None
             else MARKER
             for i, s in enumerate(self.segments)
@@ -88,6 +93,12 @@ class Chain(Coordinates, ChosenInputs):
         if marker.at == END:
             return seen.tree.tip(i)
         return seen.tree.station(i, seen.keys[i].stations_at.index(marker.at))
+
+    @cached_property
+    def given(self) -> dict[int, int]:
+        """The coordinates whose motion is given: the place in ``v`` by the number of the input, their acceleration."""
+        base = range(self.n_tau)[self.inputs[kinds.BASE_MOTION]] if self.moving else ()
+        return {k: self.held_places[k] for k in self.prescribed} | {k: place for place, k in enumerate(base)}
 
     @property
     def n_force_states(self) -> int:
@@ -133,7 +144,8 @@ class Chain(Coordinates, ChosenInputs):
     def refuse_floating_base(self, what: str, instead: str) -> None:
         """Raises UsageError where the base floats: ``what`` there is none of, and what to do ``instead``."""
         if self.floating:
-            raise UsageError(f"robot '{self.robot.name}' has a floating base, for which there is no {what}; {instead}")
+            said = f"robot '{self.robot.name}' has a {self.robot.base} base, for which there is no {what}"
+            raise UsageError(f"{said}; {instead}")
 
     def refuse_loops(self, what: str, instead: str) -> None:
         """The same where loops close the tree."""
@@ -171,6 +183,7 @@ class Chain(Coordinates, ChosenInputs):
     def singular_loops(self) -> SingularError:
         """The error of loops whose rows depend on each other in a posture."""
         remedy = "let their joints leave free what the links cannot follow, or give the links modes that can"
+        remedy = f"open a brake, {remedy}" if self.braked else remedy
         return SingularError(f"the loops of '{self.robot.name}' are singular in this posture; {remedy}")
 
     @property

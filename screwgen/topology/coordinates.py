@@ -53,6 +53,11 @@ class Coordinates(LawCoordinates):
         return self.keys[0].floats
 
     @property
+    def moving(self) -> bool:
+        """Whether it moves as is given: the rates of its twist are inputs."""
+        return self.keys[0].joint.given
+
+    @property
     def base_q(self) -> int:
         """The number of coordinates of a floating base, which is the index of the first other one in `q`."""
         return self.q_offset[1] if self.floating else 0
@@ -158,6 +163,16 @@ class Coordinates(LawCoordinates):
         Of an elastic drive it is that of its rotor; :attr:`held_places` says where in `v`.
         """
         return [self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.prescribed]
+
+    @cached_property
+    def braked(self) -> list[int]:
+        """The joint coordinates, as their numbers, that have a brake; it acts at :attr:`held_places`."""
+        return [self.tau_offset[i] + axis for i, key in enumerate(self.keys) for axis in key.brakes]
+
+    @property
+    def has_reactions(self) -> bool:
+        """Whether some efforts follow from the motion: of axes or a base whose motion is given, and of brakes."""
+        return bool(self.prescribed or self.braked or self.moving)
 
     @cached_property
     def elastic_travels(self) -> dict[int, int]:

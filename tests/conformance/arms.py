@@ -90,12 +90,12 @@ def arm_of(row: Row) -> dict:
     """The robot of a row, but for what closes a loop, which depends on a posture: see `conformance.judge`."""
     robot = {"name": "arm", "gravity": [0.7, -1.1, -9.6], "links": [_boom(row), _fore(row)]}
     boom = robot["links"][0]
-    if row["base"] == "floating":
+    if row["base"] in ("floating", "moving"):
         hull = {"name": "hull", "length": 0.3, "section": {"rhoA": 5.0, "rhoIp": 0.05}, "joint": {"axes": []}}
         boom["parent"] = "hull"
         robot["links"].insert(0, hull | {"bodies": [HULL_BODY]})
     if row["base"] != "fixed":
-        robot["base"] = "floating"
+        robot["base"] = "moving" if row["base"] == "moving" else "floating"
     if row["base"] == "afloat":
         boom["joint"] = {"axes": []}
         boom["bodies"] = [*boom.get("bodies", []), HULL_BODY]
@@ -179,6 +179,8 @@ def _boom(row: Row) -> dict:
         and row["closing"] not in LOOPS
     ):
         boom["joint"]["actuation"] = ["motion", *["torque"] * (len(boom["joint"]["axes"]) - 1)]
+    if row["axis"] == "brakes" and row["base"] != "afloat" and row["turn"] != "ball":
+        boom["joint"]["brake"] = [{"inertia": 0.4, "time": 0.06} for _ in boom["joint"]["axes"]]
     if row["more"] == "markers":
         boom["markers"] = [{"name": "lug", "at": 0.45}]
     if "boom.eye" in str(FORCES.get(row["force"])):
@@ -214,6 +216,8 @@ def _fore(row: Row) -> dict:
             joint["limits"] = [{"effort": EFFORT}]
         case "given motion":
             joint["actuation"] = "motion"
+        case "brakes":
+            joint["brake"] = {"inertia": 4e-3 if "stiffness" in (drive or {}) else 0.3, "time": 0.05}
         case "passive":
             joint |= {"damping": [0.3], "stiffness": [12.0]}
             joint |= {} if drive and "rotor_inertia" in drive else {"armature": [0.06]}
@@ -236,6 +240,6 @@ def _leader(row: Row) -> str:
 def _post(row: Row) -> dict:
     """What a loop joins to the tip of the fore: a link of three axes beside the boom."""
     joint = {"axes": ["z", "y", "x"], "mount": {"xyz": [0.1, 0.3, 0.1]}}
-    carrier = {"fixed": {"parent": "world"}, "floating": {"parent": "hull"}, "afloat": {"parent": "boom", "at": "base"}}
+    carrier = {"fixed": {"parent": "world"}, "afloat": {"parent": "boom", "at": "base"}}
     post = {"name": "post", "length": 0.4, "section": {"rhoA": 1.4, "rhoIp": 8e-3}, "joint": joint}
-    return post | carrier[row["base"]]
+    return post | carrier.get(row["base"], {"parent": "hull"})

@@ -15,6 +15,7 @@ from conformance.drawn import drawn
 from conformance.features import FACTORS, Row, features
 from conformance.judge import Judge
 from screwgen import Model
+from screwgen.backends.c.recursive_slopes import is_offered
 from screwgen.backends.numpy.dae_step import SERIES
 from screwgen.runtime.compiled import Compiled
 
@@ -108,6 +109,12 @@ class Case:
         if key not in self.compiled:
             self.compiled[key] = quick(self.model, layout=layout, **options)
         return self.compiled[key]
+
+    @property
+    def differentiated(self) -> list[Compiled]:
+        """The C with derivatives, in every layout of these that the robot can have."""
+        layouts = ("auto", "modular") if is_offered(self.model.chain) else ("auto",)
+        return [self.c(layout, derivatives=True) for layout in layouts]
 
     # ------------------------------------------------------------------------------- changes of coordinates
 

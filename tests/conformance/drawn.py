@@ -42,6 +42,7 @@ def _drawn(rng, row: Row, robot: dict) -> Judge:
         oracle = Oracle(twin)
     judge = Judge(robot, twin, oracle, state)
     judge.tensions = rng.uniform(5.0, 30.0, len(judge.tendon_lengths))
+    judge.closed = rng.uniform(0.2, 0.7, len(judge.brakes))
     judge.pushes = 4.0 * rng.normal(size=judge.pushes.shape)
     judge.outer.winches = rng.uniform(-0.3, 0.3, judge.outer.winches.shape)
     judge.outer.relaxed = rng.uniform(-0.2, 0.2, len(judge.outer.relaxed))
@@ -54,7 +55,8 @@ def _mild(rng, row: Row, robot: dict, oracle: Oracle, state: dict) -> None:
     q, tau, names = state["q"], state["tau"], [x["name"] for x in oracle.robot["links"]]
     floating = row["base"] != "fixed"
     if floating:
-        q[3:6], tau[:6] = rng.uniform(-ANGLE, ANGLE, 3), 0.0
+        q[3:6] = rng.uniform(-ANGLE, ANGLE, 3)
+        tau[:6] *= row["base"] == "moving"
     for i, link in enumerate(robot["links"]):
         own = oracle.joint_slices[names.index(first_piece(link))]
         if i == 0 and floating:

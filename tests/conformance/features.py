@@ -17,6 +17,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "fixed": "",
         "floating": "a floating base, a rigid body that carries the arm",
         "afloat": "a floating base that is itself a flexible link",
+        "moving": "a base that moves as is given, a rigid body that carries the arm",
     },
     "turn": {
         "hinge": "",
@@ -72,6 +73,7 @@ FACTORS: dict[str, dict[str, str]] = {
         "limited": "limits of efforts, which steps keep",
         "passive": "armature, damping and stiffness of an axis",
         "given motion": "axes whose motion is given",
+        "brakes": "brakes of axes, inputs, half closed",
     },
     "closing": {
         "open": "",
@@ -119,6 +121,7 @@ IMPOSSIBLE: dict[tuple[str, str], str] = {
     **{("afloat", turn): NO_JOINT for turn in list(FACTORS["turn"])[1:]},
     **{("ball", drive): BESIDE_BALLS for drive in list(FACTORS["drive"])[1:]},
     **{(drive, "given motion"): "the input of a transmission is its force" for drive in TRAVELS},
+    **{(drive, "brakes"): "brakes are not known behind such gears" for drive in TRAVELS[2:]},
     **{("ball", axis): BESIDE_BALLS for axis in ("spring", "stops", "limited")},
     **{("ball", closing): BESIDE_BALLS for closing in list(FACTORS["closing"])[1:]},
 }
@@ -134,7 +137,13 @@ APART: dict[tuple[str, str], dict[str, str]] = {
 }
 """Pairs that stand in a row of their own, with its other levels: with them the array would choose all rows anew."""
 
-LATER: dict[str, str] = {"bristles": "drive", "given motion": "axis", "winch": "force"}
+LATER: dict[str, str] = {
+    "bristles": "drive",
+    "given motion": "axis",
+    "brakes": "axis",
+    "winch": "force",
+    "moving": "base",
+}
 """Levels with rows of their own, by factor: in the array with the others they would choose all rows anew."""
 
 NEEDS: dict[str, tuple[str, ...]] = {"shared tendon": ("rod", "curved fore")}

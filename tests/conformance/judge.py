@@ -19,6 +19,7 @@ from oracle import Oracle, part_error
 from oracle_floating import column_rates, columns
 from scipy.spatial.transform import Rotation
 
+from conformance.braked import Brake, brakes_of
 from conformance.bristles import Bristles
 from conformance.outer import Outer
 from conformance.tendons import tendon_length
@@ -44,6 +45,7 @@ class Judge:
             self.state["v"] = self.rows.moving(self.state["q"], self.state["v"])
         self.bristles = Bristles(robot, axes_of(twin))
         self.tensions, self.outer = np.zeros(len(self.tendon_lengths)), Outer(robot, twin, oracle)
+        self.closed = np.zeros(len(self.brakes))
         self.pushes = np.zeros((len(self.outer.rows), 6))
 
     # ------------------------------------------------------------------------------------ regularity, tolerance
@@ -192,12 +194,37 @@ class Judge:
         return out
 
     @cached_property
+    def brakes(self) -> list[Brake]:
+        """Those of all axes, in order."""
+        return brakes_of(self.robot, self.oracle.n_joint)
+
+    @cached_property
+    def reactions(self) -> np.ndarray:
+        """(n_brakes,): what the brakes exert."""
+        v = self.state["v"]
+        pairs = zip(self.brakes, self.closed, strict=True)
+        return np.array([one.effort(b, self.vdot[one.place], v[one.place]) for one, b in pairs])
+
+    @cached_property
     def efforts(self) -> np.ndarray:
         """(n_tau,): what the drives exert, also those whose motion is given."""
         out, tau = self.given[2].copy(), self.state["tau"]
         for axis in self.prescribed:
             out[axis] = tau[6 * ("base" in self.robot) + axis]
+        out[self._first_brake :][: len(self.brakes)] = self.reactions
+        if self.led:
+            borne = np.linalg.solve(self.map[:6, :6].T, tau[:6])
+            out[self._first_brake + len(self.brakes) :][:6] = borne
         return out
+
+    @property
+    def led(self) -> bool:
+        """Whether the motion of the base is given; in the oracle efforts of its six axes move it."""
+        return self.robot.get("base") == "moving"
+
+    @property
+    def _first_brake(self) -> int:
+        return self.oracle.n_joint - 6 * ("base" in self.robot) + len(self.tensions)
 
     @cached_property
     def given(self) -> tuple[np.ndarray, ...]:
@@ -219,8 +246,13 @@ class Judge:
         q_out, torques = np.concatenate([*Q, q[self.oracle.n_joint :]]), np.concatenate([*tau_out, []])
         for axis, place in self.prescribed.items():
             torques[axis] = self.vdot[place]
+        for one, reaction in zip(self.brakes, self.reactions, strict=True):  # what they exert drives do in the oracle
+            unit = np.eye(len(tau))[one.axis + 6 * ("base" in self.robot)]
+            lever = (self.oracle._force(tau + unit, q) - self.oracle._force(tau, q))[one.place]
+            torques[one.axis] -= reaction / lever
         rates = np.append(self.map @ v, self.internal)
-        inputs = np.concatenate([torques, self.tensions, self.outer.winches.ravel()])
+        base = self.vdot[: 6 * self.led]
+        inputs = np.concatenate([torques, self.tensions, self.closed, base, self.outer.winches.ravel()])
         return q_out, rates, inputs, self.outer.laid(w_ext, self.pushes)
 
     @cached_property
@@ -252,7 +284,7 @@ class Judge:
         q, v, w_ext = (self.state[name] for name in ("q", "v", "w_ext"))
         out = self.oracle.wrenches(q, v, vdot, w_ext + loads + self.acted[2].T)
         for kind, _, i in self._kinds:
-            if kind == "free":
+            if kind == "free" and not self.led:
                 out[i] = 0.0
         return self.outer.laid(out, self.acted[3].T)
 

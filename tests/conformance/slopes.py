@@ -29,19 +29,21 @@ def dynamics(case: Case) -> None:
     """Accelerations with q, v and tau, in NumPy and in C."""
     w_ext, f = case.given[3], case.model.numpy()
     expected = case.differences(lambda q, v, tau: f.forward_dynamics(q, v, tau, w_ext)[0])
-    _, *compiled = case.c(derivatives=True).linearise(*case.given)
-    for found, wanted, exact, by in zip(compiled, expected, f.derivatives(*case.given), "qvu", strict=True):
-        near(found, wanted, smooth(case), f"accelerations with {by}")
-        near(exact, found, case.tolerance, f"NumPy's beside C's, with {by}")
+    for c in case.differentiated:
+        _, *compiled = c.linearise(*case.given)
+        for found, wanted, exact, by in zip(compiled, expected, f.derivatives(*case.given), "qvu", strict=True):
+            near(found, wanted, smooth(case), f"accelerations with {by}")
+            near(exact, found, case.tolerance, f"NumPy's beside C's, with {by}")
 
 
 def wrenches(case: Case) -> None:
     """Joint wrenches with q, v and tau, in C."""
-    w_ext, c = case.given[3], case.c(derivatives=True)
-    _, *compiled = c.linearise_wrenches(*case.given)
-    expected = case.differences(lambda q, v, tau: c.forward_dynamics(q, v, tau, w_ext)[1])
-    for found, wanted, by in zip(compiled, expected, "qvu", strict=True):
-        near(np.reshape(found, wanted.shape), wanted, smooth(case), f"wrenches with {by}")
+    w_ext, first = case.given[3], case.c(derivatives=True)
+    expected = case.differences(lambda q, v, tau: first.forward_dynamics(q, v, tau, w_ext)[1])
+    for c in case.differentiated:
+        _, *compiled = c.linearise_wrenches(*case.given)
+        for found, wanted, by in zip(compiled, expected, "qvu", strict=True):
+            near(np.reshape(found, wanted.shape), wanted, smooth(case), f"wrenches with {by}")
 
 
 def steps(case: Case) -> None:

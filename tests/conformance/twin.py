@@ -132,7 +132,7 @@ def as_turns(robot: dict) -> dict:
         link["joint"] = _without_bristles(link["joint"])
         if link["joint"]["axes"] == "ball":
             link["joint"] = {**link["joint"], "axes": TURNS}
-    if robot.get("base") == "floating":
+    if "base" in robot:
         robot["links"][0] = robot["links"][0] | {"joint": {"axes": JOINTS}}
     first = {name.removesuffix("_0"): name for name in (x["name"] for x in robot["links"]) if name.endswith("_0")}
     moved = lambda name: first.get(name.split(".")[0], name.split(".")[0]) + "." + name.split(".")[1]  # noqa: E731

@@ -14,6 +14,7 @@ from screwgen.algorithms.robot_functions import reported
 from screwgen.backends.numpy.closing import moving
 from screwgen.plotting.run_panels import panels
 from screwgen.studies.modes import loaded_motion, movable
+from screwgen.studies.standing import StandingBase
 
 COUNT = 6
 
@@ -116,7 +117,7 @@ def energy(case: Case) -> None:
 
 def drive_power(f, q, v, tau, w_ext) -> np.ndarray:
     """Of each input, also where it is an acceleration."""
-    return f.effort_power(q, v, tau, w_ext) if f.chain.prescribed else f.drive_power(q, v, tau)
+    return f.effort_power(q, v, tau, w_ext) if f.chain.has_reactions else f.drive_power(q, v, tau)
 
 
 def paid_out(case: Case, dt: float) -> np.ndarray:
@@ -129,16 +130,17 @@ def paid_out(case: Case, dt: float) -> np.ndarray:
 def equilibrium(case: Case) -> None:
     """Where it is found nothing accelerates: joints held, torques follow, with little weight or none."""
     model, chain = case.model, case.model.chain
-    weight = 0.0 if chain.floating else 0.1  # of the robot's: a link of order 2 bends little
+    weight = 0.0 if chain.floating and not chain.moving else 0.1  # of the robot's: a link of order 2 bends little
     light = {f"gravity[{k}]": weight * g for k, g in enumerate(case.robot["gravity"])}
     q = closed(case)[0]
     start, pulled = q if chain.floating else q[: model.n_joints], 0.1 * case.given[2][model.n_joints :]
-    pulled[[name.endswith(".speed") for name in model.tau_names[model.n_joints :]]] = 0.0  # nothing moves
+    moved = (".speed", ".twist_rate[")  # nothing moves
+    pulled[[any(x in name for x in moved) for name in model.tau_names[model.n_joints :]]] = 0.0
     rest = screwgen.equilibrium(model, start, pulled if len(pulled) else None, hold=True, parameters=light)
     f = model.numpy(model.chain.parameters.vector(light))
-    zero = np.zeros(model.nv)
+    zero, torques = np.zeros(model.nv), [".brake[" not in name for name in model.tau_names]
     vdot, _ = f.forward_dynamics(rest.q, zero, rest.tau, None)
-    pushed = np.abs(f.forward_dynamics(rest.q, zero, np.add(rest.tau, 1.0), None)[0] - vdot).max()
+    pushed = np.abs(f.forward_dynamics(rest.q, zero, rest.tau + torques, None)[0] - vdot).max()
     assert np.abs(vdot).max() < 1e-6 * max(pushed, 1.0), f"{np.abs(vdot).max():.1e} beside {pushed:.1e}"
 
 
@@ -193,10 +195,11 @@ def modes_beside_forces(case: Case) -> None:
         assert all(np.isfinite(x.frequencies).all() for x in found.values())
         return
     gears = [chain.base_v + k for k in chain.added_joints]
-    start = np.append(chain.with_added(at[: model.n_joints], model.parameter_values), at[chain.eta_q :])
+    joints = chain.with_added(chain.of_joints(at), model.parameter_values)
+    start = np.concatenate([at[: chain.base_q], joints, at[chain.eta_q :]])
     moving = {joints: movable(model, joints, start, model.parameter_values) for joints in found}
     if looped:  # which may find rest in several postures
-        start = loaded_motion(model, at, None, False, model.parameter_values, moving["locked"]).q
+        start = _hanging(model, at, moving["locked"])
     bent = moving["locked"] if looped else np.r_[chain.eta_v - len(gears) : model.nv]
     balanced = bent if looped else [*gears, *range(chain.eta_v, model.nv)]
     place = lambda x: case.moved(start, np.bincount(bent, x, model.nv))  # noqa: E731
@@ -222,6 +225,16 @@ def modes_beside_forces(case: Case) -> None:
         squares = eigvalsh(*(N.T @ ((x + x.T) / 2) @ N for x in (K, M)))
         expected = np.sqrt(np.maximum(squares, 0.0))[shapes.rigid :] / (2 * np.pi)
         near(np.sort(shapes.frequencies), expected, 1e-5, f"frequencies, {joints}")
+
+
+def _hanging(model: screwgen.Model, at: np.ndarray, moving: np.ndarray) -> np.ndarray:
+    """Where a robot with loops rests, the joints locked."""
+    if not model.chain.moving:
+        return loaded_motion(model, at, None, False, model.parameter_values, moving).q
+    there = StandingBase(model, at, model.parameter_values)
+    p = there.fixed.chain.parameters.vector(there.values)
+    found = loaded_motion(there.fixed, there.q, None, False, p, moving - model.chain.base_v)
+    return np.append(there.pose, found.q)
 
 
 def toml(case: Case) -> None:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ...algorithms.linearisation import linearisation
 from ...algorithms.wrench_slopes import wrench_program
 from ...errors import TargetWarning
 from ...integrators.method import Method
 from ...topology.chain import Chain
-from . import step_derivatives
+from . import brakes, recursive_slopes, step_derivatives
 from .code import Place, entries, singular
 from .pieces import piece_place, pieces
 from .stumpff_slopes import slopes
@@ -28,11 +28,43 @@ UNROLLED = 16
 """Up to this many coordinates the solver is written out: values in registers, two to three times as fast as loops."""
 
 
-def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Method]) -> dict:
-    """The templates' context; ``place`` is that of the fused function, ``methods`` the integrators to differentiate."""
-    program = linearisation(chain, "baked" if baked else "constants", own=False)
-    say_time(chain, "derivatives", program.operation_count)
+def content(
+    chain: Chain, baked: Sequence[dict] | None, place: Place, methods: Mapping[str, Method], layout: str
+) -> dict:
+    """The templates' context; ``place`` is that of the fused function, ``methods`` the integrators to differentiate.
+
+    ``layout`` is the one that is asked for.
+    """
     nv, rows = chain.nv, len(chain.closing.rows)
+    solve = (
+        nv**3 // 3
+        + 2 * nv * nv * (2 * nv + chain.n_tau + rows)
+        + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau))
+    )
+    recursion = recursive_slopes.content(chain, baked) if recursive_slopes.is_chosen(chain, layout) else None
+    made = _by_recursion(recursion) if recursion else _in_pieces(chain, baked, place)
+    made |= step_derivatives.content(chain, methods, made["operations"] + solve)
+    return made | {
+        "recursion": recursion,
+        "solve": solve,
+        "rows": rows,
+        "stumpff": slopes(made["programs"], bool(chain.curved)),
+        "unrolled": UNROLLED,
+        "link_of": _owners(chain),
+        "wrenches": _wrenches_by_recursion(chain, baked) if recursion else _wrenches(chain, baked is not None, place),
+    }
+
+
+def _by_recursion(recursion: Mapping) -> dict:
+    """Programs and operations of the slopes where links have functions of their own."""
+    return {"programs": recursion["distinct"], "operations": recursion["operations"]}
+
+
+def _in_pieces(chain: Chain, baked: Sequence[dict] | None, place: Place) -> dict:
+    """The slopes as one program in pieces."""
+    program = linearisation(chain, "constants" if baked is None else "baked", own=False)
+    say_time(chain, "derivatives", program.operation_count)
+    nv = chain.nv
     own = {
         "vdot": entries("out->vdot"),
         "m_eta": entries("work->m_eta"),
@@ -42,24 +74,12 @@ def content(chain: Chain, baked: bool, place: Place, methods: Mapping[str, Metho
         "exerted": entries("work->exerted", nv),
         "f_z": entries("work->by_state", nv),
     }
+    own |= brakes.rows(chain)
     of_rows = {"J": "J", "J_q": "rows.q", "J_v": "rows.v"}
     own |= {name: entries(f"work->{to}", nv) for name, to in of_rows.items()}
     placed = piece_place(chain, "work->kept", own, place)
-    solve = (
-        nv**3 // 3
-        + 2 * nv * nv * (2 * nv + chain.n_tau + rows)
-        + rows * (nv * rows + (4 * nv + 2 * rows) * (2 * nv + chain.n_tau))
-    )
-    of_steps = step_derivatives.content(chain, methods, program.operation_count + solve)
-    made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular, outline=True) | of_steps
-    return made | {
-        "solve": solve,
-        "rows": rows,
-        "stumpff": slopes([program], bool(chain.curved)),
-        "unrolled": UNROLLED,
-        "link_of": _owners(chain),
-        "wrenches": _wrenches(chain, baked, place),
-    }
+    made = pieces(program, placed, ("c", "state", "input", "work", "out"), fail=singular, outline=True)
+    return made | {"programs": [program]}
 
 
 def without_wrenches(chain: Chain) -> str:
@@ -67,13 +87,24 @@ def without_wrenches(chain: Chain) -> str:
     return "those of robots with loops are not derived" if chain.closing.rows else ""
 
 
+def _wrenches_by_recursion(chain: Chain, baked: Sequence[dict] | None) -> dict:
+    """The derivatives of joint wrenches where links have functions of their own."""
+    found = recursive_slopes.wrenches(chain, baked)
+    own = {"operations": found["operations"], "product": _products_of_wrenches(chain)}
+    return own | {"missing": "", "recursion": found, "stumpff": slopes(found["distinct"])}
+
+
+def _products_of_wrenches(chain: Chain) -> int:
+    """The operations of the products with the derivatives of accelerations."""
+    return 12 * chain.n * chain.nv * (2 * chain.nv + chain.n_tau)
+
+
 def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     """The same of the joint wrenches, or why they are ``missing``."""
     if missing := without_wrenches(chain):
-        return {"missing": missing}
+        return {"missing": missing, "recursion": None}
     program = wrench_program(chain, "baked" if baked else "constants")
     nv, count = chain.nv, program.operation_count
-    product = 12 * chain.n * nv * (2 * nv + chain.n_tau)
     say_time(chain, "derivatives of wrenches", count)
     own = {
         "vdot": entries("at->vdot"),
@@ -86,7 +117,8 @@ def _wrenches(chain: Chain, baked: bool, place: Place) -> dict:
     }
     placed = piece_place(chain, "work->kept", own, place)
     made = pieces(program, placed, ("c", "state", "input", "at", "work", "out"), outline=True)
-    return made | {"missing": "", "product": product, "stumpff": slopes([program])}
+    more = {"missing": "", "recursion": None, "product": _products_of_wrenches(chain)}
+    return made | more | {"stumpff": slopes([program])}
 
 
 def say_time(chain: Chain, what: str, count: int) -> None:

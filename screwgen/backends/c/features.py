@@ -7,7 +7,7 @@ from collections import Counter
 from ...spec.parameters import per_internal
 from ...topology.chain import Chain
 from ..templates import FEATURES
-from . import closing, force_states, forces, held, inputs, laws, prescribed
+from . import brakes, closing, force_states, forces, held, inputs, laws, prescribed
 from .code import Place
 
 
@@ -23,10 +23,10 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     and ``exponential``: whether a law calls `on` or `exp`; ``internal``: names and units of internal states, and
     ``NVZ`` the length of v.
     """
-    written = prescribed.PRESCRIBED * bool(chain.prescribed)
+    written = prescribed.PRESCRIBED * bool(chain.given)
     written += closing.LOOPS * bool(chain.closing.rows) + closing.IDLE_ROWS * bool(chain.closing.idle)
     written += ("internal",) * bool(chain.n_internal)
-    written += inputs.features(chain) + held.HELD * chain.holds
+    written += inputs.features(chain) + held.HELD * chain.holds + brakes.BRAKES * bool(chain.braked)
     acting = forces.content(chain, baked, place)
     out: dict[str, object] = {FEATURES: forces.features(chain) + written, **acting}
     kept = forces.scratch(chain, acting)
@@ -38,10 +38,11 @@ def content(chain: Chain, baked: bool, place: Place) -> dict[str, object]:
     rates = dict(sorted((z, chain.nv - chain.n_given + acted.coordinate) for own in pairs for z, acted in own))
     out |= {"internal_rates_of_laws": list(rates.values()), "law_states": bool(rates)}
     out |= {"z_offset": chain.z_offset[:-1], "N_CHANGES": "$$_NV + $$_NVZ" if chain.n_internal else "2 * $$_NV"}
-    out |= {"prescribed": prescribed.content(chain) if chain.prescribed else None}
+    out |= {"prescribed": prescribed.content(chain) if chain.given else None}
+    out |= {"brakes": brakes.content(chain)}
     out |= {"held": held.content(chain, baked, place) if chain.holds else None}
     out |= force_states.content(chain, baked, place)
-    out["switches"] = laws.calls(chain, "on") or forces.switches(chain) or held.switches(chain)
+    out["switches"] = laws.calls(chain, "on") or forces.switches(chain) or held.switches(chain) or bool(chain.braked)
     out["exponential"] = laws.calls(chain, "exp")
     out["scratch"] = Counter(kept) + Counter(input=int(chain.holds))
     return out | ({"idle": closing.idle_rows(chain, place)} if chain.closing.idle else {})

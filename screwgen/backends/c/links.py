@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -44,6 +44,10 @@ class Links:
     chain: Chain
     baked: Sequence[dict] | None
     joint_form: bool = True
+    table: Mapping[str, CFunction] = field(default_factory=lambda: RUNS)
+    store: str = "link_store"
+    node: str = "node"
+    """The types of a link's store and of a node, without the robot's name."""
     functions: dict[tuple, Function] = field(default_factory=dict)
     names: set[str] = field(default_factory=set)
     _phases: dict[str, Applied] = field(default_factory=dict)
@@ -52,11 +56,11 @@ class Links:
 
     @property
     def runs(self) -> dict[str, CFunction]:
-        return {n: r for n, r in RUNS.items() if self.joint_form or n != "joint_dynamics"}
+        return {n: r for n, r in self.table.items() if self.joint_form or n != "joint_dynamics"}
 
     def passages(self, run: str, unread: frozenset[str] = frozenset()) -> list[Passage]:
         """The phases of a run, link by link, specialised to the links, without the results in ``unread``."""
-        r = RUNS[run]
+        r = self.table[run]
         if run not in self._phases:
             self._phases[run] = specialised_phases(self.chain, r.algorithm, self.baked, r.zero)
         if (run, unread) not in self._passages:
@@ -71,7 +75,7 @@ class Links:
     def phases(self, run: str) -> list[dict]:
         """The phases of a run, each with its functions and the function of every link."""
         out: list[dict] = []
-        for number, phase in enumerate(RUNS[run].algorithm):
+        for number, phase in enumerate(self.table[run].algorithm):
             own = (p for p in self.passages(run) if p.phase == number and p.edge is None)
             way = sorted(own, key=lambda p: p.link)
             functions = [self.function(p, run, phase.name) for p in way]
@@ -80,7 +84,7 @@ class Links:
                 {
                     "name": f"{run}_{phase.name}",
                     "outward": phase.direction == OUTWARD,
-                    "condition": RUNS[run].skipped.get(phase.name),
+                    "condition": self.table[run].skipped.get(phase.name),
                     "classes": distinct,
                     "of_link": [distinct.index(f) for f in functions],
                 }
@@ -92,19 +96,21 @@ class Links:
         phases, first = self.phases(run), [p for p in self.passages(run) if p.link == 0]
         out: list[dict] = []
         shares = (
-            (self.chain.needs_rates_first and RUNS[run].parts_if_sprung) or RUNS[run].parts or ((run, len(phases)),)
+            (self.chain.needs_rates_first and self.table[run].parts_if_sprung)
+            or self.table[run].parts
+            or ((run, len(phases)),)
         )
         for name, count in shares:
             own, phases = phases[:count], phases[count:]
             accelerating = not out and any("base.acc_0" in p.program.inputs for p in first)
-            part = {"name": name, "comment": RUNS[run].comment, "phases": own, "accelerating": accelerating}
+            part = {"name": name, "comment": self.table[run].comment, "phases": own, "accelerating": accelerating}
             out.append(part | {"edges": []})
         out[-1]["edges"] = self.edges(run)
         return out
 
     def edges(self, run: str) -> list[dict]:
         """The functions of a run that compute the blocks of a carried link besides the last one of its node."""
-        algorithm, found = RUNS[run].algorithm, [p for p in self.passages(run) if p.edge is not None]
+        algorithm, found = self.table[run].algorithm, [p for p in self.passages(run) if p.edge is not None]
         edges = list(dict.fromkeys(p.edge for p in found if p.edge is not None))
         return [
             {
@@ -127,10 +133,10 @@ class Links:
         return self._written[known]
 
     def _function(self, passage: Passage, run: str, phase: str, entries: tuple) -> Function:
-        program, places = passage.program, Places(self, passage, run, entries)
+        program, places = passage.program, self.places(passage, run, entries)
         fail = lambda test, _: f"if ({test}) {{ return $$_SINGULAR; }}"  # noqa: E731
         adding, calling = SUMMED if passage.adds else frozenset(), self.routines.calling(program)
-        writer = Writer(calling, places.place, fail, places.names(), RUNS[run].apart, OPTIONAL, WITHIN, adding)
+        writer = Writer(calling, places.place, fail, places.names(), self.table[run].apart, OPTIONAL, WITHIN, adding)
         lines = trimmed(writer.lines())
         arguments, values = places.arguments()
         signature = ", ".join(arguments or ["void"])
@@ -141,6 +147,10 @@ class Links:
             title = f"{phase.replace('_', ' ')}, links like {link}: {program.operation_count} operations"
             self.functions[key] = Function(name, title, signature, lines, f"{name}({', '.join(values)})", program)
         return self.functions[key]
+
+    def places(self, passage: Passage, run: str, entries: tuple) -> Places:
+        """Where a phase's function has its signals."""
+        return Places(self, passage, run, entries)
 
     def _unique(self, name: str) -> str:
         number, out = 1, name
@@ -184,12 +194,12 @@ class Places:
     @property
     def _restrict(self) -> str:
         """The qualifier of a parameter whose memory is not accessed otherwise."""
-        return "restrict " if RUNS[self.run].apart else ""
+        return "restrict " if self.links.table[self.run].apart else ""
 
     def names(self) -> set[str]:
         """The names of the function's parameters and of the file's constants."""
         signals = {n for n in (*self.program.inputs, *self.program.outputs) if "." not in n}
-        offsets = {f"{part}_OFFSET" for part in ("M", "Q", "V", "THETA", "BELOW", "TENSION", "Z")}
+        offsets = {f"{part}_OFFSET" for part in ("M", "Q", "V", "THETA", "BELOW", "TENSION", "BRAKE", "Z")}
         tables = offsets | {"M_PLACE", "BASE", "STATION"}
         nodes = self.links.chain.tree.places(self.passage.link)
         return signals | tables | {"c", "link", "place", "M", *nodes}
@@ -215,10 +225,10 @@ class Places:
             out.append((f"const $_link_constants *{self._restrict}c", "&c->links[i]"))
         stations = [place for place in self.links.chain.tree.places(self.passage.link) if place not in ("base", "tip")]
         for where, type_, value in (
-            ("w", "link_store", "&chain->links[i]"),
-            ("base", "node", f"&chain->nodes[{'i' if self.links.chain.tree.is_chain else 'BASE[i]'}]"),
-            ("tip", "node", "&chain->nodes[i + 1]"),
-            *((place, "node", f"&chain->nodes[STATION[i] + {k}]") for k, place in enumerate(stations)),
+            ("w", self.links.store, "&chain->links[i]"),
+            ("base", self.links.node, f"&chain->nodes[{'i' if self.links.chain.tree.is_chain else 'BASE[i]'}]"),
+            ("tip", self.links.node, "&chain->nodes[i + 1]"),
+            *((place, self.links.node, f"&chain->nodes[STATION[i] + {k}]") for k, place in enumerate(stations)),
         ):
             if any(n.startswith(f"{where}.") for n in reads + writes):
                 const = "" if any(n.startswith(f"{where}.") for n in writes) else "const "
@@ -238,6 +248,8 @@ class Places:
                 place = f"call->{member} + t"
             case ("c",):
                 place = f"call->{member} + TENSION_OFFSET[i]"
+            case ("k",):
+                place = f"call->{member} + BRAKE_OFFSET[i]"
             case ("z",):
                 place = f"call->{member} + Z_OFFSET[i]"
             case ("b",):

@@ -73,7 +73,7 @@ class Fitted:
         for asked, what in (
             (bool(chain.robot.loops), "loops"),
             (bool(chain.robot.couplings), "couplings"),
-            (chain.floating, "a floating base"),
+            (chain.floating, f"a {chain.robot.base} base"),
             (bool(chain.curved), "a ball joint"),
             (bool(chain.n_added), "elastic drives"),
             (bool(chain.travels), "transmissions"),

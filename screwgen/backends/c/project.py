@@ -91,7 +91,7 @@ class CProject:
         self.name, self.methods, self.chosen = chain.robot.name, with_built_in(methods), chain.parameters.chosen(by_p)
         self.baked = fused.baked(chain) if binding == "baked" else None
         self.links = Links(chain, self.baked)
-        self.layout = self._layout(layout)
+        self.asked, self.layout = layout, self._layout(layout)
         self.links.joint_form = self.layout == "modular"
 
     def _layout(self, asked: str) -> str:
@@ -129,14 +129,15 @@ class CProject:
     @cached_property
     def context(self) -> dict:
         """The templates' context."""
-        chain, robot, baked = self.chain, self.chain.robot, self.baked is not None
+        chain, robot, baked, methods = self.chain, self.chain.robot, self.baked is not None, self.methods
         m_row, m_column, m_place, m_offset = sparsity(self.links)
         return {
             "name": self.name,
             "NAME": self.name.upper(),
             "version": self.version,
             "estimator": self.with_estimator and estimator.content(chain, self.measurements, baked, fused_place),
-            "derivatives": self.with_derivatives and derivatives.content(chain, baked, fused_place, self.methods),
+            "derivatives": self.with_derivatives
+            and derivatives.content(chain, self.baked, fused_place, methods, self.asked),
             "sources": [file for file in self.library if file.endswith(".c")],
             "headers": [file for file in self.library if file.endswith(".h")],
             "layout": self.layout,

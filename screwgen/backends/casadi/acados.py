@@ -130,9 +130,12 @@ def _joint(chain: Chain, functions: Mapping, tau: ca.SX, w_ext: ca.SX, p: ca.SX)
     if chain.closing.couplings:
         driven[chain.base_v : chain.base_v + chain.n_joints] += torques
     balance = force - driven
-    for joint in chain.prescribed:  # its acceleration in place of its balance
-        place = chain.held_places[joint]
-        balance[place] = xdot[nq + place] - tau[joint]
+    for number, place in chain.given.items():  # its acceleration in place of its balance
+        balance[place] = xdot[nq + place] - tau[number]
+    if chain.braked:
+        at = [chain.held_places[joint] for joint in chain.braked]
+        given = {"q": q, "v": v, "vdot": xdot[nq:], "tau": tau, "efforts": balance[at], "p": p}
+        balance[at] = expressions(linear_model.braked_balance(chain), given)["balance"]
     internal = xdot[nq + nv :] - vdot[nv:]
     implicit = ca.vertcat(xdot[:nq] - rates, balance, internal, rows)
     return {

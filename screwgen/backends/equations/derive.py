@@ -139,7 +139,7 @@ def check(chain: Chain) -> None:
     reasons = (
         (bool(chain.closing.rows), "it has loops or couplings, whose forces are unknowns beside the motion"),
         (chain.nq != chain.nv, "its coordinates have a quaternion, of a ball joint or a floating base"),
-        *((True, f"it has {row.words}, which act on more than single axes") for row in chain.other_inputs),
+        *((True, f"it has {row.words}, which are no torques of axes") for row in chain.other_inputs),
         (bool(chain.forces), "forces act between its frames, whose distances are roots of sums"),
         (bool(chain.n_internal), "its friction has internal states, whose rates have terms of |w|"),
         (bool(chain.travel_kinds), "an axis has a transmission, whose lever is no sum of sines and cosines"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import lru_cache
 from itertools import count
@@ -20,7 +20,7 @@ from ..templates import render
 from . import elements, forces
 from .content import Display, DocumentTable, Item, Paragraph, parse
 from .layout import Row
-from .link_class import FIELD, pointwise, said_of_field
+from .link_class import FIELD, pointwise, prose_of_field, said_of_field
 from .steps import BlockView, StepView
 
 ALGORITHM = "Algorithm"
@@ -34,6 +34,7 @@ TENSION = r" + \sum\limits_c T_c\,\begin{bmatrix} \mathbf{0} \\ \partial\boldsym
 """What the tensions of tendons do to the rows of a link."""
 MAIN = ("section", "element", "section_spin", "section_load", "link", "tip", "tip_body", "joint", "link_rows", "tendon")
 """The blocks that the algorithm needs; the others are further forms of the equations."""
+SPARE = "No line needs these, which the sections of the classes print for what they say:"
 SHARED = ("tip", "link_rows")
 """Those of them with steps for further forms, too."""
 
@@ -48,10 +49,13 @@ def lines(chain: Chain, biased: bool) -> list[Item]:
     return parse(text)
 
 
-def items(lines: Sequence[Item], views: Iterable[BlockView], keys: Iterable[LinkClass]) -> Iterator[Item]:
+def items(lines: Sequence[Item], views: Iterable[BlockView], keys: Collection[LinkClass]) -> Iterator[Item]:
     """The content of the section. ``views``: the blocks that the lines need, of all classes, the ``keys``."""
     for item in lines:
-        yield _given(lines, views, keys) if isinstance(item, Paragraph) and item.text == GIVEN else item
+        if isinstance(item, Paragraph) and item.text == GIVEN:
+            yield from _given(lines, views, keys)
+        else:
+            yield item
 
 
 class SymbolSource(NamedTuple):
@@ -62,10 +66,10 @@ class SymbolSource(NamedTuple):
     text: str
 
 
-def _given(lines: Sequence[Item], views: Iterable[BlockView], keys: Iterable[LinkClass]) -> DocumentTable:
+def _given(lines: Sequence[Item], views: Iterable[BlockView], keys: Collection[LinkClass]) -> Iterator[Item]:
     """The symbols that lines and other parts of a class take from a part of it, each with the line that first needs it.
 
-    A line needs what it uses, and what that is made of.
+    A line needs what it uses, and what that is made of. Then the symbols that no line needs.
     """
     sources = _sources(views, keys, defined(lines))
     uses = {name: [x for x in sources if x != name and occurs(x, own.text)] for name, own in sources.items()}
@@ -84,10 +88,20 @@ def _given(lines: Sequence[Item], views: Iterable[BlockView], keys: Iterable[Lin
         rows.setdefault(sources[name].part, []).append(f"${sources[name].symbol}$ {first[name]}")
     head = ("part of a class", "what lines and other parts take from it, and the line that first needs it")
     order = dict.fromkeys(source.part for source in sources.values())
-    return DocumentTable(head, (0.2, 0.8), tuple((t, ", ".join(rows[t])) for t in order if t in rows), essential=True)
+    yield DocumentTable(head, (0.2, 0.8), tuple((t, ", ".join(rows[t])) for t in order if t in rows), essential=True)
+    prose = " ".join(map(prose_of_field, keys))
+    spared = [x for name, x in sources.items() if name not in first and x.part != FIELD and whole(x.symbol)]
+    spared = [x for x in spared if not occurs(x.symbol, prose)]
+    if spare := ", ".join(f"${own.symbol}$" for own in spared):
+        yield Paragraph(f"{SPARE} {spare}.")
 
 
-def _sources(views: Iterable[BlockView], keys: Iterable[LinkClass], known: Set[str]) -> dict[str, SymbolSource]:
+def whole(symbol: str) -> bool:
+    """Whether it is a symbol of its own: no quotient, no part ``dI`` of an integral."""
+    return "/" not in symbol and r"\mathrm{d}" not in symbol
+
+
+def _sources(views: Iterable[BlockView], keys: Collection[LinkClass], known: Set[str]) -> dict[str, SymbolSource]:
     """By symbol: the steps of all classes, and what the text on a kinematic field says; not what is ``known``."""
     found: dict[str, SymbolSource] = {}
     for symbol, text in (pair for key in keys if pointwise(key) for pair in said_of_field(key)):
@@ -112,7 +126,8 @@ def _rows(lines: Sequence[Item]) -> list[Row]:
 
 @lru_cache(maxsize=4096)
 def plain(formula: str) -> str:
-    """A formula with single letters below others not in braces, and without the tildes of skew matrices."""
+    """A formula with single letters below others not in braces, without tildes of skew matrices, a space after sums."""
+    formula = re.sub(r"(\\sum_\w)", r"\1 ", formula)
     formula = re.sub(r"\\(?:wide)?tilde\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1", formula)
     return re.sub(r"_\{(\\?\w+)\}", r"_\1", formula.strip())
 
@@ -177,6 +192,7 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "several": several,
         "carrying": several or loops or chain.floating or forces.acting(chain),
         "floating": chain.floating,
+        "moving": chain.moving,
         "jointed": any(not key.floats for key in keys),
         "welded": any(not key.floats and not key.joints for key in keys),
         "bodies": bodies(chain),
@@ -203,7 +219,24 @@ def _values(chain: Chain, biased: bool) -> Mapping[str, object]:
         "shared": chain.closing.overconstrained,
         **joint_terms(chain),
         **_driving(chain),
+        **_held(chain),
+        "braked": chain.braked,
     }
+
+
+def _held(chain: Chain) -> Mapping[str, str]:
+    """What brakes make of the rows of axes: what stands before a row and behind it, and before what it is made of."""
+    if not chain.braked:
+        return dict.fromkeys(("held", "held_inertia", "held_force", "share"), "")
+    return {
+        "held": rf"{SHARE}\,\left( ",
+        "held_inertia": rf" \right) + {GRIP}",
+        "held_force": rf" \right) + {GRIP}\,\ddot{{\mathbf{{q}}}}_{{b,i}}",
+        "share": rf"{SHARE}\,",
+    }
+
+
+SHARE, GRIP = r"\boldsymbol{\Sigma}_{b,i}", r"\mathbf{J}_{b,i}"
 
 
 def _driving(chain: Chain) -> Mapping[str, object]:

@@ -6,6 +6,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ...elements.brake import INPUT as BRAKE
+from ...spec.base import BASE_MOTION
+from ...spec.brake import braked
 from ...spec.inputs import input_units
 from ...spec.parameters import coordinate_names, coordinate_units, rate_units
 from ...topology.chain import Chain
@@ -38,6 +41,10 @@ GIVEN = (
     r" Of axes whose motion is given the input is the acceleration; their rows of the equation of motion then say what "
     r"their drives exert."
 )
+
+
+GIVEN_RATE = r"\dot{\mathbf{V}}_g"
+"""What the rate of the twist of such a base is given as."""
 
 
 def tables(chain: Chain) -> Iterator[Item]:
@@ -173,14 +180,23 @@ def inputs(chain: Chain) -> tuple[tuple[str, ...], ...]:
     """One row for each input."""
     names, units = coordinate_names(chain.robot).tau, input_units(chain.robot)
     out = []
-    drives = chain.n_joints + chain.n_tensions
+    drives, brakes = chain.n_joints + chain.n_tensions, list(braked(chain.robot))
     for k, (name, unit) in enumerate(zip(names[:drives], units, strict=False)):
         tendon = k - chain.n_joints
         symbol = rf"$\tau_{{{k + 1}}}$" if tendon < 0 else rf"$T_{{{tendon + 1}}}$"
         about = _acts(chain, k) if tendon < 0 else "tension of the tendon, along its pieces"
         out.append((f"{k + 1}", symbol, f"`{name}`", about, plain_unit(unit)))
+    for number, (link, axis) in enumerate(brakes):
+        k = drives + number
+        about = f"the brake of axis {axis + 1} of `{link.name}`, from 0, open, to 1, closed"
+        out.append((f"{k + 1}", f"${BRAKE}$", f"`{names[k]}`", about, plain_unit(units[k])))
+    first = drives + len(brakes)
+    if chain.moving:
+        about = r"the base, whose motion is given: the rate of its twist, in axes of $\mathcal{F}_1$"
+        out.append((_range(first, 6), f"${GIVEN_RATE}$", f"`{names[first]}` …", about, r"$\mathrm{rad/s^2, m/s^2}$"))
+        first = chain.inputs[BASE_MOTION].stop
     chosen = ((force.name, entry) for force in chain.forces for entry in force.shape.inputs.values())
-    for k, (force, entry) in enumerate(chosen, drives):
+    for k, (force, entry) in enumerate(chosen, first):
         about = f"`{force}`: {entry.meaning}"
         out.append((f"{k + 1}", f"${entry.symbol}$", f"`{names[k]}`", about, plain_unit(units[k])))
     return tuple(out)

@@ -85,7 +85,7 @@ def diagram(chain: Chain) -> str:
         width=max(x for x, _ in places.values()) + WIDE + LEFT,
         height=deep + (54 if loops else 12),
         more=chain.n - shown,
-        ground="floats" if chain.floating else "at rest, −g",
+        ground=("moves as given" if chain.moving else "floats") if chain.floating else "at rest, −g",
         blocks=blocks,
         cell=CELL,
     )
@@ -141,7 +141,7 @@ def _next_line(
 def _coordinates(chain: Chain, i: int) -> str:
     key = chain.keys[i]
     joint = f"{key.joints} {'axis' if key.joints == 1 else 'axes'}" if key.joints else key.joint.name or "welded"
-    joint = "floats" if key.floats else joint
+    joint = ("moves as given" if key.joint.given else "floats") if key.floats else joint
     return f"{joint}, {key.modes} mode{'s' * (key.modes > 1)}" if key.modes else f"{joint}, rigid"
 
 

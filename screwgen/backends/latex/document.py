@@ -16,6 +16,8 @@ from ...algorithms.scope import derived
 from ...ir.block import Block
 from ...notebook import markdown_table, plain, steps_table
 from ...plugins import Plugin, merged
+from ...spec.base import BASE_MOTION
+from ...spec.brake import BRAKES
 from ...spec.forces import FORCE_INPUTS
 from ...spec.link_class import EXACT, LinkClass
 from ...spec.robot import Robot
@@ -86,7 +88,7 @@ def html(robot: Robot, plugins: Sequence[Plugin] = (), notation: Notation | None
 def chain_of(robot: Robot) -> Chain:
     """The links of a robot, with the rows of its loops that bear forces."""
     chain = Chain(robot)
-    chain.refuse_inputs("document", "leave them out of its robot", TENSIONS, FORCE_INPUTS)
+    chain.refuse_inputs("document", "leave them out of its robot", TENSIONS, BRAKES, BASE_MOTION, FORCE_INPUTS)
     choose_rows(chain)
     return chain
 
@@ -235,7 +237,7 @@ def _robot(robot: Robot, chain: Chain) -> DocumentSection:
     joints = f"{chain.n_joints} joint coordinate{'s' if chain.n_joints != 1 else ''}"
     joints += f", {chain.n_added} of rotors" if chain.n_added else ""
     tendons = f", {chain.n_tensions} tendon{'s' * (chain.n_tensions > 1)}" if chain.n_tensions else ""
-    count = f"{links}, {'a floating base, ' * chain.floating}{joints}, {chain.n_modes} modal{tendons}"
+    count = f"{links}, {f'a {chain.robot.base} base, ' * chain.floating}{joints}, {chain.n_modes} modal{tendons}"
     items: list[Item] = [
         figure(chain),
         Paragraph(f"`{robot.name}`: {count}. Links of one class share their equations."),
@@ -285,6 +287,7 @@ def _derivation(robot: Robot, chain: Chain) -> DocumentSection:
         tree=not chain.tree.is_chain,
         stations=any(chain.tree.stations),
         floating=chain.floating,
+        moving=chain.moving,
         effort=elements.effort(chain),
         first_order=all(key.order == 1 for key in chain.keys),
         exact=exact,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...elements import STOP, TRAVELS, BristleFriction, EffortLimit, ElementLaw, friction, gear, lugre, stop
+from ...elements import STOP, TRAVELS, BristleFriction, EffortLimit, ElementLaw, brake, friction, gear, lugre, stop
 from ...ir.block import Binding
 from ...spec.drive_class import DriveClass
 from ...spec.link_class import LinkClass
@@ -19,13 +19,15 @@ def symbols(chain: Chain) -> list[Named]:
     stated += lugre.SYMBOLS if any(drive.memory for drive in _drives(chain)) else ()
     stated += friction.FALLING_SYMBOLS if any(drive.stribeck for drive in _drives(chain)) else ()
     stated += friction.BEND_SYMBOLS if any(drive.bend for drive in _drives(chain)) else ()
+    stated += brake.SYMBOLS if chain.braked else ()
+    stated += brake.ROTOR_SYMBOLS if _brakes_rotors(chain) else ()
     binding = {True: Binding.STATE, False: Binding.PARAMETER}
     return [(symbol, meaning, unit, "1", "-", binding[state]) for symbol, meaning, unit, state in dict.fromkeys(stated)]
 
 
 def acting(chain: Chain) -> bool:
     """Whether anything acts on the axes but torques, and springs and dampers with one end at rest."""
-    return driven(chain) or bool(chain.laws) or bool(chain.robot.couplings)
+    return driven(chain) or bool(chain.laws) or bool(chain.robot.couplings) or bool(chain.braked)
 
 
 def effort(chain: Chain) -> str:
@@ -36,6 +38,11 @@ def effort(chain: Chain) -> str:
 def moved_axes(chain: Chain) -> bool:
     """Whether the motion of axes is given; where a drive is elastic that of its rotor is."""
     return any(axis not in key.added_axes for key in chain.keys for axis in key.prescribed)
+
+
+def _brakes_rotors(chain: Chain) -> bool:
+    """Whether brakes act on rotors of elastic drives."""
+    return any(axis in key.added_axes for key in chain.keys for axis in key.brakes)
 
 
 GIVEN_ROTOR = r"""
@@ -57,6 +64,7 @@ def equations(chain: Chain) -> list[str]:
     out += [law.kind.equations() for law in chain.laws if isinstance(law, ElementLaw)]
     out += [kind.EQUATIONS for kind in chain.travel_kinds]
     out += [GIVEN_ROTOR] * any(axis in key.added_axes for key in chain.keys for axis in key.prescribed)
+    out += [brake.EQUATIONS] * bool(chain.braked) + [brake.ROTOR] * _brakes_rotors(chain)
     out += [law.equations() for law in dict.fromkeys(law for laws in chain.laws_of_inputs for law in laws)]
     return out + ([gear.travel_equations(chain.travel_kinds)] if chain.elastic_travels else [])
 
@@ -71,6 +79,7 @@ def remarks(key: LinkClass) -> dict[str, object]:
         BristleFriction.words: any(drive.memory for drive in key.drives),
         "stops": key.stops,
         EffortLimit.WORDS: key.limited_efforts,
+        "brakes": key.brakes,
         **{kind.WORDS: True for kind, _ in key.elements},
     }
 

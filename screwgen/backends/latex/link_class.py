@@ -53,6 +53,11 @@ def said_of_field(key: LinkClass) -> Iterator[tuple[str, str]]:
                     yield re.sub(r"^\\q*quad\s*", "", left.strip()), right
 
 
+def prose_of_field(key: LinkClass) -> str:
+    """The sentences on the kinematic field."""
+    return " ".join(item.text for item in _field(key) if isinstance(item, Paragraph))
+
+
 def ordered(blocks: Mapping[str, Block]) -> list[str]:
     """The names of the blocks in the order in which a reader wants them."""
     return sorted(blocks, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER))

@@ -145,6 +145,7 @@ def mass_matrix(chain: Chain) -> DocumentSection:
         "several": chain.n > 1,
         "jointed": any(not key.floats for key in chain.keys),
         "floating": chain.floating,
+        "moving": chain.moving,
         "rotors": bool(chain.n_added),
         "ahead": bool(travels),
         "slope": f"{travels[0]}'" if travels else "",

@@ -63,23 +63,18 @@ def numbers(chain: Chain) -> dict[str, dict[str, Table]]:
 
 
 def modes(chain: Chain) -> DocumentTable | None:
-    """The table of :func:`mode_table`, without the numbers of all other symbols."""
-    found: dict[str, dict[str, Table]] = {}
-    for i, name in enumerate(chain.names[:MANY_LINKS]):
-        for display, table in _of_link(chain, i, MODAL).items() if chain.keys[i].modes else ():
-            found.setdefault(display, {})[name] = table
-    return mode_table(chain, found)
+    """The modes of the links: inertia, stiffness, frequency of each mode alone. None if there are none."""
+    rows = [row for i in range(min(chain.n, MANY_LINKS)) for row in _modes(chain, i)]
+    head = ("link", "name", "mode", "direction", "inertia", "stiffness", "frequency, mode alone")
+    return DocumentTable(head, (0.06, 0.17, 0.07, 0.18, 0.17, 0.2, 0.15), tuple(rows)) if rows else None
 
 
-def _of_link(chain: Chain, i: int, names: Collection[str] = ()) -> dict[str, Table]:
-    """``names``: those of the quantities that are wanted, all if there are none."""
+def _of_link(chain: Chain, i: int) -> dict[str, Table]:
     key, out = chain.keys[i], {}
-    blocks = [derived(key)[name] for name in (("link",) if names else BLOCKS)]
-    known = values(chain, i, blocks, names)
+    blocks = [derived(key)[name] for name in BLOCKS]
+    known = values(chain, i, blocks)
     for block in blocks:
         for name, entries in _constants(block).items():
-            if names and name not in names:
-                continue
             symbols = set().union(*(entry.free_symbols for entry in entries.flat))
             if 0 < entries.size <= MANY_ENTRIES and all(symbol.name in known for symbol in symbols):
                 table = [[_number(entry, known) for entry in row] for row in entries]
@@ -116,30 +111,29 @@ def values(chain: Chain, i: int, blocks: list[Block], names: Collection[str] = (
         return {name.removeprefix("c."): x[0] for name, x in outputs.items() if len(x) == 1}
 
 
+def _value(entry: sp.Expr, known: Mapping[str, mpmath.mpf]) -> float:
+    return float(entry.subs({s: sp.Float(str(known[s.name]), 25) for s in entry.free_symbols}))
+
+
 def _number(entry: sp.Expr, known: Mapping[str, mpmath.mpf]) -> str:
-    value = float(entry.subs({s: sp.Float(str(known[s.name]), 25) for s in entry.free_symbols}))
+    value = _value(entry, known)
     return f"{value:.5g}" if value else "0"
 
 
-def mode_table(chain: Chain, found: Mapping[str, Mapping[str, Table]]) -> DocumentTable | None:
-    """The modes of the links: inertia, stiffness, frequency of each mode alone. None if there are none."""
-    rows = [row for i in range(min(chain.n, MANY_LINKS)) for row in _modes(chain, i, found)]
-    head = ("link", "name", "mode", "direction", "inertia", "stiffness", "frequency, mode alone")
-    return DocumentTable(head, (0.06, 0.17, 0.07, 0.18, 0.17, 0.2, 0.15), tuple(rows)) if rows else None
-
-
-def _modes(chain: Chain, i: int, found: Mapping[str, Mapping[str, Table]]) -> Iterator[tuple[str, ...]]:
-    key, name, signal = chain.keys[i], chain.names[i], derived(chain.keys[i])["link"].signal
-    columns = [found.get(written(signal(label)), {}).get(name) for label in MODAL]
-    if not key.modes or None in columns:
+def _modes(chain: Chain, i: int) -> Iterator[tuple[str, ...]]:
+    key, name = chain.keys[i], chain.names[i]
+    block = derived(key)["link"]
+    constant = _constants(block)
+    if not key.modes or not set(MODAL) <= constant.keys():
         return
-    inertia, stiffness = (np.ravel(column) for column in columns if column is not None)
+    known = values(chain, i, [block], MODAL)
+    inertia, stiffness = (np.ravel(constant[label]) for label in MODAL)
     for k, (direction, _) in enumerate(key.directions):
-        turns, m, stiff = direction == "torsion", str(inertia[k]), str(stiffness[k])
-        frequency = np.sqrt(float(stiff) / float(m)) / (2 * np.pi)
-        units = ("kg*m^2", "N*m") if turns else ("kg", "N/m")
-        cells = (f"{_shown(m)} {unit(units[0])}", f"{_shown(stiff)} {unit(units[1])}", f"{frequency:.4g} Hz")
-        yield f"{i + 1}", f"`{name}`", f"{k + 1}", direction.replace("_", " in "), *cells
+        m, stiff = _value(inertia[k], known), _value(stiffness[k], known)
+        units = ("kg*m^2", "N*m") if direction == "torsion" else ("kg", "N/m")
+        cells = (f"{_shown(m)} {unit(units[0])}", f"{_shown(stiff)} {unit(units[1])}")
+        frequency = f"{np.sqrt(stiff / m) / (2 * np.pi):.4g} Hz"
+        yield f"{i + 1}", f"`{name}`", f"{k + 1}", direction.replace("_", " in "), *cells, frequency
 
 
 def held_table(robot: Robot) -> DocumentTable | None:
@@ -152,5 +146,5 @@ def held_table(robot: Robot) -> DocumentTable | None:
     return DocumentTable(("link", "frequencies, held at its base"), (0.25, 0.75), tuple(rows)) if rows else None
 
 
-def _shown(value: str) -> str:
-    return f"${number(sp.Float(value))}$"
+def _shown(value: float) -> str:
+    return f"${number(sp.Float(f'{value:.5g}'))}$"

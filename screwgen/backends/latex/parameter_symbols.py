@@ -6,7 +6,7 @@ from collections import Counter
 from functools import cache
 
 from ...algorithms.scope import derived
-from ...elements import KINDS, TRAVELS, EffortLimit, friction, gear, lugre, stop
+from ...elements import KINDS, TRAVELS, EffortLimit, brake, friction, gear, lugre, stop
 from ...spec.link_class import LinkClass
 from ...spec.parameters import Parameter, parameters
 from ...topology.chain import Chain
@@ -65,6 +65,8 @@ def _of_axis(chain: Chain, p: Parameter) -> str:
     *_, table, name = ("", *p.field.split("."))
     if p.field.startswith("joint.limits."):
         return (stop.LETTERS | {"effort": EffortLimit.table()["most"].symbol}).get(name, "")
+    if p.field.startswith("joint.brake."):
+        return brake.LETTERS[name]
     if p.field.startswith("joint.elements."):
         own = [kind for key in chain.keys for kind in (*dict(key.elements), *(law.kind for law in key.held_laws))]
         kinds = KINDS | {kind.KIND: kind for kind in own}

@@ -41,7 +41,8 @@ def joint(pen: Pen, chain: Chain, part: LinkShape) -> None:
         _axes(pen, chain, part, rates)
         return
     if key.floats:
-        text = r"floats: $\mathbf{r}_{o1}, \mathbf{Q}_1$"
+        how = "moves" if key.joint.given else "floats"
+        text = rf"{how}: $\mathbf{{r}}_{{o1}}, \mathbf{{Q}}_1$"
         pen.wish("q", text, part.joint, names=tuple(rates), towards=(1.0, -1.0))
         return
     pen.ball(part.joint, RADIUS)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...algorithms import fused
+from ...algorithms.brake_functions import BRAKED
 from ...algorithms.dae_functions import DaeFunctions, state_size, unknown_size
 from ...algorithms.functions import (
     ASSEMBLY,
@@ -17,12 +18,14 @@ from ...algorithms.functions import (
     DAE_RATES,
     FORWARD,
     INVERSE,
+    LEVERS,
     MEASURING,
     MOTION,
     PLACEMENT,
     PLACES,
     PROJECTION,
     SENSITIVITY,
+    Functions,
 )
 from ...algorithms.gauges import strain_names
 from ...algorithms.input_functions import PULLS
@@ -39,6 +42,7 @@ from ...ir.program import Program
 from ...spec.parameters import parameters
 from ...topology.chain import Chain
 from . import by_p, prescribed
+from .braked import balance
 from .python import Function, compiled
 from .rates import ValuesPerRate
 
@@ -227,17 +231,20 @@ class Numeric:
     def derivatives(
         self, q: Numbers, v: Numbers, tau: Loads, w_ext: Loads
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Partial derivatives of ``vdot`` (nvz,) with q (nvz, nv), v (nvz, nvz) and tau (nvz, n_tau); with the pose by
-        ``pose exp(δ)``."""
+        """Partial derivatives of ``vdot`` with q (nvz, nv), v (nvz, nvz), tau (nvz, n_tau); of poses `pose exp(δ)`."""
         given = self._by_inputs(q, v, tau)
         if self.chain.closing.rows:
             return self._closed_derivatives(given, *self.rows(q=q, v=v, tau=tau, w_ext=w_ext))
         vdot, _ = self.forward_dynamics(q, v, tau, w_ext)
         found = self._slopes(q, v, vdot, w_ext, tau)
         M, f_v = symmetric(found.M), np.hstack([found.f_v, found.f_z])
-        M, by_q, by_v, by_tau = prescribed.set_apart(self.chain, M, -found.f_q, -f_v, given)
-        by_q, by_v, by_tau = (np.linalg.solve(M, x) for x in (by_q, by_v, by_tau))
-        return with_internal_rates(found, by_q, by_v, by_tau)
+        M, *forces = prescribed.set_apart(self.chain, M, -found.f_q, -f_v, given)
+        return with_internal_rates(found, *balance(self, M, q, v, vdot, tau, w_ext).changes(*forces))
+
+    @property
+    def braking(self) -> Functions:
+        """The functions of the rows that brakes act on."""
+        return self._functions(FORWARD, INVERSE, LEVERS, BRAKED, *self._closing)
 
     def _by_inputs(self, q: Numbers, v: Numbers, tau: Loads) -> np.ndarray:
         """(nv, n_tau): the generalised forces per unit of each input."""
@@ -254,13 +261,14 @@ class Numeric:
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The same where loops close the tree: ``M dvdot - Jᵀ dλ = given dτ - df`` and ``J dvdot = -d(J vdot)``."""
         functions = self._functions(FORWARD, MOTION, INVERSE, SENSITIVITY)
-        _, f, rows = closed_slopes(functions, q, v, tau, w_ext)
+        vdot, f, rows = closed_slopes(functions, q, v, tau, w_ext)
         f, J = of_numbers(f), rows.J.astype(float)
         inertia, others = symmetric(f.M), f.f_z.shape[1] + given.shape[1]
         drifts = [rows.by_q, rows.by_v, np.zeros((len(J), others))]
         inertia, *forces = prescribed.set_apart(self.chain, inertia, -f.f_q, np.hstack([-f.f_v, -f.f_z]), given)
-        unconstrained = np.linalg.solve(inertia, np.hstack(forces))
-        reach = np.linalg.solve(inertia, J.T)
+        equations = balance(self, inertia, q, v, vdot, tau, w_ext)
+        unconstrained = np.hstack(equations.changes(*forces))
+        reach = equations.solve(J.T)
         reach[prescribed.places(self.chain)] = 0.0
         found = unconstrained - reach @ self.row_forces(J @ reach, J @ unconstrained + np.hstack(drifts).astype(float))
         return with_internal_rates(f, *np.split(found, [self.chain.nv, self.chain.nv + self.chain.nvz], axis=1))

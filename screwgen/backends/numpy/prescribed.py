@@ -9,7 +9,7 @@ from ...topology.chain import Chain
 
 def places(chain: Chain) -> list[int]:
     """These coordinates, as indices in `v`."""
-    return [chain.held_places[k] for k in chain.prescribed]
+    return list(chain.given.values())
 
 
 def set_apart(
@@ -22,11 +22,11 @@ def set_apart(
     if not (own := places(chain)):
         return M, by_q, by_v, by_tau
     by_tau = by_tau.copy()
-    by_tau[:, chain.prescribed] = -M[:, own]
+    by_tau[:, list(chain.given)] = -M[:, own]
     M, by_q, by_v = M.copy(), by_q.copy(), by_v.copy()
     for x in (by_q, by_v, by_tau, M, M.T):
         x[own] = 0.0
-    M[own, own] = by_tau[own, chain.prescribed] = 1.0
+    M[own, own] = by_tau[own, list(chain.given)] = 1.0
     return M, by_q, by_v, by_tau
 
 

@@ -18,6 +18,7 @@ from ...elements import STOP
 from ...errors import ScrewgenError, SingularError
 from ...ir.program import Program
 from ...ir.replay import run
+from ...spec.brake import BRAKES
 from ...topology.chain import Chain
 from .closing import OpenLoopError, closed
 from .numeric import Numeric
@@ -254,9 +255,18 @@ def _state(chain: Chain, functions: Functions, number: int) -> dict[str, list[fl
     return {
         "q": pose + _of_axes(chain, q) + turned(q) + eta,
         "v": draw(chain.base_v, 8, 0.8) + v + turned(v) + [float(f"{10.0 * x:.6e}") for x in reversed(eta)] + bent,
-        "tau": tau + [abs(x) for x in draw(chain.n_tau, 5, 20.0)[m:]],
+        "tau": tau + _others(chain, number, draw(chain.n_tau, 5, 20.0)[m:]),
         "w_ext": [0.0] * 6 * n if number == 0 else draw(6 * n, 6, 5.0),
     }
+
+
+def _others(chain: Chain, number: int, drawn: Sequence[float]) -> list[float]:
+    """The inputs behind torques: as tensions not less than zero; brakes open, closed and in between."""
+    out = [abs(x) for x in drawn]
+    own = chain.inputs.get(BRAKES, slice(0, 0))
+    for k in range(own.start, own.stop):
+        out[k - chain.n_joints] = (0.3, 1.0, 0.0, 0.8)[(number + k) % 4]
+    return out
 
 
 def bristle_stiffness(chain: Chain) -> list[float]:

@@ -1,0 +1,301 @@
+"""The slopes of the inverse dynamics in C by recursion: a function per class and phase, and loops over pairs.
+
+The text grows with the classes of links, not with their number; see :mod:`...algorithms.pair_slopes`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...algorithms import pair_slopes
+from ...algorithms.linearise import places
+from ...algorithms.pair_slopes import PARTS
+from ...algorithms.structure import Passage
+from ...ir.program import Program
+from ...topology.chain import Chain
+from .code import Writer, trimmed
+from .fields import node_fields, store_fields
+from .links import Links, Places
+from .runs import CFunction
+
+Expressions = dict[str, str | tuple[int, str]]
+"""What signals are in C, with braces for the number of the entry."""
+
+CHANGES = {
+    "U": ("U_q", "U_eta"),
+    "by_q": ("by_q", "by_eta"),
+    "by_v": ("by_qdot", "by_etadot"),
+    "rows": ("rows_q", "rows_eta"),
+    "F_q": ("F_q", "F_eta"),
+    "F_v": ("F_qdot", "F_etadot"),
+    "F_a": ("F_a_q", "F_a_eta"),
+    "r_c": ("r_q", "r_eta"),
+    "v_c": ("v_q", "v_eta"),
+}
+"""The arrays with a column for every rate, and the signals that fill those of a joint's and of the modes' rates."""
+COLUMN = {name: (of, part) for of, names in CHANGES.items() for name, part in zip(names, PARTS, strict=True)}
+MOVED: Expressions = {"U": (3, "a"), "by_q": (6, "c_q"), "by_v": (6, "c_v")}
+"""From which entry on a change is taken at the origin of the link that answers, and where that stands."""
+AT_LINK: Expressions = {name: f"moved->{name}[{{}}][j]" for name in ("a", "c_q", "c_v")}
+"""What a change is there."""
+POINTS = ("origin", "velocity")
+"""The arrays with three entries for every link."""
+BLOCKS = {"M": "work->M", "f_q": "out->vdot_q", "f_v": "out->vdot_v"}
+"""The matrices that hold the blocks of single links."""
+OF_JOINT = {"q": "out->wrench_q[i][{}]", "v": "out->wrench_v[i][{}]", "vdot": "work->by_vdot[6 * i + {}]"}
+"""The rows of a joint's wrench in its derivatives."""
+FIRST = {"q": "joint", "eta": "mode"}
+"""The parameters that say where the rates of a joint and of the modes begin."""
+
+
+@dataclass(frozen=True)
+class Matter:
+    """What is differentiated: the run, what it finds, and the types in which it works."""
+
+    run: str
+    results: frozenset[str]
+    work: str
+    out: str
+
+    @property
+    def table(self) -> dict[str, CFunction]:
+        return {self.run: CFunction(pair_slopes.SLOPES, "The slopes of every link.", self.results, apart=True)}
+
+
+def _changes(*arrays: str) -> list[str]:
+    return [f"change.{signal}" for array in arrays for signal in CHANGES[array]]
+
+
+POINTS_FOUND = [f"change.{name}" for name in POINTS]
+FORCES = Matter(
+    "slopes",
+    frozenset(
+        _changes(*(name for name in CHANGES if name != "F_a"))
+        + POINTS_FOUND
+        + [f"block.{matrix}_{a}_{b}" for matrix in BLOCKS for a in PARTS for b in PARTS]
+    ),
+    "linearise_work",
+    "derivatives",
+)
+WRENCHES = Matter(
+    "wrenches",
+    frozenset(
+        _changes(*(name for name in CHANGES if name != "rows"))
+        + POINTS_FOUND
+        + [f"of_joint.{part}_{kind}" for part in PARTS for kind in OF_JOINT]
+        + [f"of_joint.{name}" for name in ("rows", "R", "point", "wrench")]
+    ),
+    "wrench_work",
+    "wrench_derivatives",
+)
+
+
+class SlopePlaces(Places):
+    """The C expressions of the signals of these phases: what they find has a column for every rate of the robot."""
+
+    links: SlopeLinks
+
+    def place(self, name: str, k: int) -> str | None:
+        where, _, what = name.partition(".")
+        if where == "change" and what in POINTS:
+            return f"change->{what}[i][{k}]"
+        if where == "change":
+            array, part = COLUMN[what]
+            return self._entry(f"change->{array}", k, part)
+        if where == "block":
+            matrix, rows, part = _block(what)
+            row, column = divmod(k, self._count(part))
+            return f"{BLOCKS[matrix]}[{FIRST[rows]} + {row}][{FIRST[part]} + {column}]"
+        if where == "of_joint":
+            return self._of_joint(what, k)
+        return super().place(name, k)
+
+    def _of_joint(self, what: str, k: int) -> str:
+        part, _, kind = what.partition("_")
+        if kind:
+            row, column = divmod(k, self._count(part))
+            return f"{OF_JOINT[kind].format(row)}[{FIRST[part]} + {column}]"
+        if what == "wrench":
+            return f"out->wrench[i][{k}]"
+        return f"work->joint[i].{what}" + (f"[{k // 9}][{k % 9}]" if what == "rows" else f"[{k}]")
+
+    def _entry(self, array: str, k: int, part: str) -> str:
+        row, column = divmod(k, self._count(part))
+        return f"{array}[{row}][{FIRST[part]} + {column}]"
+
+    def _count(self, part: str) -> int:
+        """How many rates the link's joint or its modes have."""
+        key = self.links.chain.keys[self.passage.link]
+        return key.joints if part == "q" else key.modes
+
+    def names(self) -> set[str]:
+        return super().names() | {"change", "i", "joint", "mode", "work", "out"}
+
+    def arguments(self) -> tuple[list[str], list[str]]:
+        arguments, values = super().arguments()
+        text = " ".join(p for n, v in self.program.outputs.items() for k in range(len(v)) if (p := self.place(n, k)))
+        matter, begin = self.links.matter, "v" if self.links.chain.curved else "q"
+        offered = {
+            "change": ("$_changes *restrict change", "&work->change"),
+            "work": (f"$_{matter.work} *work", "work"),
+            "out": (f"$_{matter.out} *out", "out"),
+            "i": ("int i", "i"),
+            "joint": ("int joint", begin),
+            "mode": ("int mode", "$$_NV - $$_NMODES + e"),
+        }
+        used = [pair for name, pair in offered.items() if re.search(rf"\b{name}\b(?!\[i)", text)]
+        return arguments + [a for a, _ in used], values + [b for _, b in used]
+
+
+def _block(name: str) -> tuple[str, str, str]:
+    """Matrix, rows and columns of a block from its name, as ``f_q_eta_q``."""
+    matrix = next(matrix for matrix in BLOCKS if name.startswith(f"{matrix}_"))
+    rows, columns = name[len(matrix) + 1 :].split("_")
+    return matrix, rows, columns
+
+
+@dataclass
+class SlopeLinks(Links):
+    """The functions of these phases."""
+
+    matter: Matter = FORCES
+
+    def places(self, passage: Passage, run: str, entries: tuple) -> Places:
+        return SlopePlaces(self, passage, run, entries)
+
+
+def is_offered(chain: Chain) -> bool:
+    """Whether the slopes of a robot can be found so."""
+    further = chain.closing.rows or chain.acts_on_tips or chain.other_inputs or chain.n_internal
+    return not (further or any(chain.tree.stations) or chain.elastic_travels)
+
+
+PAIRS = 128
+"""Up to this many pairs of coordinates of which one carries the other's link ``auto`` writes straight lines: at about
+11 bytes an operation they stay in a second-level cache of 256 KiB."""
+
+
+def is_chosen(chain: Chain, layout: str) -> bool:
+    """Whether they are found so in the ``layout`` that is asked for."""
+    if layout == "fused" or not is_offered(chain):
+        return False
+    return layout == "modular" or _pairs(chain) > PAIRS
+
+
+def _pairs(chain: Chain) -> int:
+    """The pairs of coordinates of which one carries the other's link."""
+    return sum(_width(_own(chain, i)) * _width(ranges) for i, ranges in enumerate(_carrying(chain)))
+
+
+def _width(ranges: Sequence[tuple[int, int]]) -> int:
+    return sum(end - first for first, end in ranges)
+
+
+def content(chain: Chain, baked: Sequence[dict] | None) -> dict:
+    """The templates' context for the slopes of the generalised forces."""
+    own: Expressions = {name: f"{name}[{{}}]" for name in ("rows", "F_q", "F_v", "r", "v")}
+    made, moved, pair = _phases(chain, baked, FORCES), pair_slopes.moved(), pair_slopes.entries()
+    carried = sum(map(_width, _carrying(chain)))
+    made["operations"] += carried * moved.operation_count + _pairs(chain) * pair.operation_count
+    return made | {"moved": _loop(moved, own | AT_LINK), "entries": _loop(pair, own | MOVED)}
+
+
+def wrenches(chain: Chain, baked: Sequence[dict] | None) -> dict:
+    """The same for those of the joint wrenches."""
+    own: Expressions = {name: f"{name}[{{}}]" for name in ("rows", "R", "p", "r", "v")}
+    own_columns: Expressions = {name: f"{name}[{{}} * $$_NV + j]" for name in ("with_q", "with_v", "by_vdot")}
+    made, moved = _phases(chain, baked, WRENCHES), pair_slopes.moved()
+    row, columns, behind = pair_slopes.wrench_rows(), pair_slopes.wrench_columns(), _behind(chain)
+    carried, carrying = (sum(map(_width, ranges)) for ranges in (_carrying(chain), behind))
+    made["operations"] += carried * (moved.operation_count + 6 * row.operation_count)
+    made["operations"] += carrying * columns.operation_count
+    return made | {
+        "behind": [pair for pairs in behind for pair in pairs],
+        "behind_at": _starts(behind),
+        "moved": _loop(moved, own | AT_LINK),
+        "rows": _loop(row, own | MOVED),
+        "columns": _loop(columns, own | own_columns | {"r_F": "work->r_F[{}][j]"}),
+    }
+
+
+def _phases(chain: Chain, baked: Sequence[dict] | None, matter: Matter) -> dict:
+    """The phases of links, and the ranges of rates over which loops over pairs run."""
+    store, node = f"{matter.run}_link", f"{matter.run}_node"
+    links = SlopeLinks(chain, baked, table=matter.table, store=store, node=node, matter=matter)
+    phases = links.phases(matter.run)
+    programs = [c.program for phase in phases for c in phase["classes"]]
+    carrying, own = _carrying(chain), [_own(chain, i) for i in range(chain.n)]
+    return {
+        "phases": phases,
+        "programs": list(links.functions.values()),
+        "routines": links.routines.functions,
+        "node": node_fields(programs),
+        "store": store_fields(programs, chain),
+        "carrying": [pair for pairs in carrying for pair in pairs],
+        "carrying_at": _starts(carrying),
+        "own": [pair for pairs in own for pair in pairs],
+        "own_at": _starts(own),
+        "sparse": bool(not chain.tree.is_chain or chain.n_added),
+        "operations": sum(p.program.operation_count for p in links.passages(matter.run)),
+        "distinct": programs,
+    }
+
+
+def _own(chain: Chain, i: int) -> list[tuple[int, int]]:
+    """First and end of the rates of a link: of its joint and of its modes."""
+    return [(part.start, part.stop) for part in places(chain, i) if part.start < part.stop]
+
+
+def _carrying(chain: Chain) -> list[list[tuple[int, int]]]:
+    """The ranges of the rates of the links that carry each link, sorted, adjacent ones as one."""
+    out: list[list[tuple[int, int]]] = []
+    for i in range(chain.n):
+        parent = chain.tree.parents[i]
+        found = sorted([*out[parent], *_own(chain, parent)]) if parent >= 0 else []
+        out.append(_joined(found))
+    return out
+
+
+def _behind(chain: Chain) -> list[list[tuple[int, int]]]:
+    """The ranges of the rates of the links that each link carries; none of a floating base, which has no wrench."""
+    found: list[list[tuple[int, int]]] = [[] for _ in range(chain.n)]
+    for i in reversed(range(chain.n)):
+        if (parent := chain.tree.parents[i]) >= 0:
+            found[parent] += [*found[i], *_own(chain, i)]
+    return [[] if key.floats else _joined(sorted(own)) for key, own in zip(chain.keys, found, strict=True)]
+
+
+def _joined(ranges: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+    out: list[tuple[int, int]] = []
+    for first, end in ranges:
+        if out and out[-1][1] == first:
+            out[-1] = (out[-1][0], end)
+        else:
+            out.append((first, end))
+    return out
+
+
+def _starts(lists: Sequence[Sequence]) -> list[int]:
+    """Where the entries of each list begin in all of them together, and their end."""
+    out = [0]
+    for entries in lists:
+        out.append(out[-1] + len(entries))
+    return out
+
+
+def _loop(program: Program, own: Expressions) -> list[str]:
+    """The body of a loop over coordinates j; ``own``: the expressions of signals that are no columns of changes."""
+
+    def place(name: str, k: int) -> str:
+        if name not in own and name in program.outputs:
+            return f"{name}[j]"
+        text = own.get(name, f"change->{name}[{{}}][j]")
+        if isinstance(text, str):
+            return text.format(k)
+        first, shifted = text
+        return f"change->{name}[{k}][j]" if k < first else f"moved->{shifted}[{k - first}][j]"
+
+    taken = {*program.inputs, *program.outputs, "change", "moved", "work", "j"}
+    return trimmed(Writer(program, place, None, taken, apart=True).lines())

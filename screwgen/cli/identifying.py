@@ -1,0 +1,76 @@
+"""The command `identify`: from logs to a robot file with identified numbers."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+
+def register(app: typer.Typer, epilog: str) -> None:
+    """Add the command to the command line."""
+    app.command("identify", short_help="Identify a robot's numbers from logs.", epilog=epilog)(identify)
+
+
+def identify(
+    context: typer.Context,
+    robot: Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML: where the search starts.")],
+    logs: Annotated[
+        list[str], typer.Argument(metavar="LOG...", help="Logs, CSV or npz; log.csv@0:10 is a part, in seconds.")
+    ],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The identified robot file, .toml.")],
+    free: Annotated[
+        list[str],
+        typer.Option(
+            metavar="PATTERN",
+            help="What is free, as arm.EIz or gauge.offset, * is any text; 'arm.EIz = 2 ± 0.3' is a prior, "
+            "'arm.EIz in 1..3' has bounds; may be given again.",
+        ),
+    ],
+    sensors: Annotated[
+        str | None, typer.Option(metavar="FILE", help="What the columns are, TOML. Without: named as in runs.")
+    ] = None,
+    check: Annotated[
+        list[str] | None, typer.Option(metavar="LOG", help="A log that is held out; may be given again.")
+    ] = None,
+    report: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Also a report, .html, and its numbers beside it, .json.")
+    ] = None,
+    window: Annotated[float, typer.Option(metavar="S", help="About how long windows are, in seconds.")] = 1.0,
+    substeps: Annotated[int, typer.Option(metavar="N", min=1, help="Steps of a motion per sample of the log.")] = 1,
+    integrator: Annotated[
+        str, typer.Option(metavar="NAME", help="Of motions: modal_midpoint, modal_implicit, semi_implicit, rk4.")
+    ] = "modal_midpoint",
+    robust: Annotated[bool, typer.Option("--robust", help="Count outliers by their size, not by its square.")] = False,
+    iterations: Annotated[int, typer.Option(metavar="N", min=1, help="Iterations at most.")] = 40,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+) -> None:
+    """Identify numbers of a robot, its sensors and inputs from logs, and write its file anew with them: comments stay,
+    intervals stand behind the numbers. What is odd of logs and fit is said on stderr. Ctrl-C keeps the best so far.
+    """
+    from ..identification.identify import identify as identified
+    from ..model import derive
+    from ..progress import told
+    from ..simulation.runs import check_output, outputs
+    from .output import load_robot, notes, say
+
+    check_output(output, (".toml",))
+    if report is not None:
+        check_output(report, (".html",))
+    quiet = quiet or context.obj
+    model = derive(load_robot(robot, quiet))
+    more: dict[str, Any] = {"sensors": sensors, "held_out": check or (), "window": window, "substeps": substeps}
+    more |= {"integrator": integrator, "robust": robust, "iterations": iterations}
+    with told("identifying", quiet) as progress:
+        found = identified(model, logs, free=free, progress=progress, **more)
+    texts = {output: found.robot_text(robot)}
+    if report is not None:
+        texts |= {report: found.report(), str(Path(report).with_suffix(".json")): found.to_json()}
+    with outputs(*texts) as streams:
+        for stream, text in zip(streams, texts.values(), strict=True):
+            stream.write(text.encode())
+    notes(robot, (*(f"undetermined: {line}" for line in found.undetermined), *found.notes), quiet=False)
+    say("\n".join([*texts, found.summary(notes=False)]), quiet)
+    sys.stdout.flush()

@@ -1,0 +1,98 @@
+"""Logs beside a model: what it reads in their motions, in one run and window by window."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..arguments import seconds, whole
+from ..integrators.methods import method_of
+from ..robot_model import RobotModel
+from ..runtime.differentiated import NO_METHOD
+from ..spec.columns import Columns
+from .identification import Explained
+from .logs import Log, checked
+from .problem import How, Problem, Windows, windows_of
+from .signals import Signals
+from .smoothing import LEAST, SHARE
+from .solve import Fit
+from .sources import Source, columns_of, log_of, some
+from .unknowns import Unknowns
+from .windows import Experiment
+
+
+def compare(
+    model: RobotModel,
+    logs: Source | Sequence[Source],
+    *,
+    sensors: str | os.PathLike[str] | Columns | None = None,
+    window: float = 1.0,
+    integrator: str = "modal_midpoint",
+    substeps: int = 1,
+    threads: int = 1,
+) -> tuple[Explained, ...]:
+    """Logs beside a model as it is; arguments as of :func:`screwgen.identify`, of which nothing is free."""
+    sources = some(logs)
+    how, nothing = how_of(integrator, substeps, threads), Unknowns()
+    columns = columns_of(model, sensors, sources[0])
+    settings = seconds(window, "window"), False
+    read = [checked(log_of(x, columns), columns) for x in sources]
+    return tuple(explained(model, log, columns, nothing, np.zeros(0), how, settings, True) for log in read)
+
+
+def how_of(integrator: str, substeps: int, threads: int) -> How:
+    """How motions are made; raises UsageError where there is no such way."""
+    method_of(integrator, missing=NO_METHOD)
+    return How(integrator, whole(substeps, "substeps", 1), whole(threads, "threads", 1))
+
+
+def _experiment(model: RobotModel, log: Log, columns: Columns, window: float) -> Experiment:
+    return Experiment(model, log, columns, max(LEAST, round(SHARE * min(window, log.t[-1] - log.t[0]) / log.step)))
+
+
+def windows_of_log(model: RobotModel, log: Log, columns: Columns, window: float, p: np.ndarray) -> Windows:
+    """The windows of a log, whose starts follow from its readings at parameters (n,)."""
+    return windows_of(_experiment(model, log, columns, window), Signals(model, columns.sensors), window, p)
+
+
+def vector(model: RobotModel, asked: Unknowns, values: np.ndarray) -> np.ndarray:
+    """All parameters (n,) with the identified ones (k,) in place."""
+    out = model.chain.parameters.values.copy()
+    for one, x in zip(asked, values, strict=True):
+        if one.place >= 0:
+            out[one.place] = x
+    return out
+
+
+def explained(
+    model: RobotModel,
+    log: Log,
+    own: Columns,
+    asked: Unknowns,
+    sought: np.ndarray,
+    how: How,
+    settings: tuple[float, bool],
+    held_out: bool,
+) -> Explained:
+    """A log beside the model of what was found, in one run and over windows, and beside the model of the start.
+
+    The run begins as the first window does.
+    """
+    p, (window, robust) = vector(model, asked, asked.values(sought)), settings
+    experiment, signals = _experiment(model, log, own, window), Signals(model, own.sensors)
+    cut, run = (windows_of(experiment, signals, x, p) for x in (window, log.t[-1] - log.t[0]))
+    unstated = np.full(len(experiment.compared), np.nan)
+    found = Fit(Problem(model, [cut], asked, how, fixed=True), unstated, robust).begun(sought)
+    problem = Problem(model, [run], asked, how)
+    both = np.vstack([sought, np.zeros_like(sought)])
+    begun = np.tile(found.shift[0][0] * cut.begin[0].deviation[cut.states] / run.begin[0].deviation[run.states], (2, 1))
+    whole, before = problem.differences(run, np.zeros(2, int), both, begun)
+    readings = run.compared[0]
+    windows = np.full_like(readings, np.nan)
+    for first, part in zip(cut.first, found.differences[0], strict=True):
+        windows[first : first + cut.size] = readings[first : first + cut.size] - part
+    names = tuple(own.sensors[k].name for k in run.experiment.compared)
+    t = log.t[: len(readings)]
+    return Explained(log.name, held_out, t, names, readings, readings - whole, readings - before, windows, cut.first)

@@ -1,0 +1,169 @@
+"""The result of `identify`: numbers with intervals, how much they explain, what the data leave open, what is odd."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+
+import numpy as np
+
+from ..errors import UsageError
+from ..spec.columns import Columns
+from ..spec.load import decode, one_line, read
+from .robot_text import folder_of, with_values
+
+NARROW = 0.05
+"""Intervals of a smaller half, over the number, are written with ±."""
+
+
+@dataclass(frozen=True)
+class Estimated:
+    """A number that was free: where it started, where it ended, and the interval that holds it in 95 of 100 cases."""
+
+    name: str
+    unit: str
+    kind: str
+    """``parameter``, ``sensor`` or ``input``."""
+    start: float
+    value: float
+    low: float
+    high: float
+    determined: bool
+    """Whether the data determine it."""
+    bound: str = ""
+    """``low`` or ``high`` where it ended at a bound."""
+
+    @property
+    def interval(self) -> str:
+        """The interval in words."""
+        if not self.determined:
+            return "not determined by the data"
+        half = (self.high - self.low) / 2
+        narrow = half < NARROW * abs(self.value)
+        known = f"± {half:.2g}" if narrow else f"{self.low:.3g} to {self.high:.3g}"
+        return f"at its bound; {known}" if self.bound else known
+
+
+@dataclass(frozen=True, eq=False)
+class Explained:
+    """A log beside the model: readings, what the model reads, and the shares of variance that it explains.
+
+    `windows`: over windows whose starts are fitted, be the log held out or not; `whole`: the log in one run from its
+    first readings on, driven by its inputs alone; `before`: that with the numbers from which the fit started. Arrays
+    (N, sensors) in the columns' units.
+    """
+
+    log: str
+    held_out: bool
+    t: np.ndarray
+    sensors: tuple[str, ...]
+    readings: np.ndarray
+    whole: np.ndarray
+    before: np.ndarray
+    windows: np.ndarray
+    first: np.ndarray
+    """The first samples of the windows."""
+
+    def share(self, of: str) -> dict[str, float]:
+        """The share of variance that ``windows``, ``whole`` or ``before`` explains of each sensor."""
+        return dict(zip(self.sensors, shares(self.readings, getattr(self, of)), strict=True))
+
+
+def shares(readings: np.ndarray, model: np.ndarray) -> list[float]:
+    """1 less the mean square of the difference over the variance, of each column; NaN are left out."""
+    out = []
+    for y, z in zip(readings.T, model.T, strict=True):
+        there = np.isfinite(y) & np.isfinite(z)
+        spread = np.sum((y[there] - y[there].mean()) ** 2) if there.any() else 0.0
+        out.append(float(1 - np.sum((y[there] - z[there]) ** 2) / spread) if spread > 0 else float("nan"))
+    return out
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Identification:
+    """What was identified."""
+
+    robot: str
+    estimates: tuple[Estimated, ...]
+    parameters: Mapping[str, float]
+    """The parameters that were free, by name: what `parameters=` of runs takes."""
+    columns: Columns
+    """The columns of the logs with their identified numbers."""
+    explained: tuple[Explained, ...]
+    undetermined: tuple[str, ...]
+    """Of each direction that the data do not determine a sentence."""
+    notes: tuple[str, ...]
+    """What is odd, a sentence each."""
+    whiteness: Mapping[str, float] = field(default_factory=dict)
+    """Of each sensor the correlation of a residual with the next."""
+    frequencies: tuple[float, ...] = ()
+    """The natural frequencies of the identified robot in its first posture, Hz."""
+    tried: Mapping[str, float | int | str] = field(default_factory=dict)
+    """How the fit went: iterations, rollouts, seconds, why it stopped."""
+
+    def __getitem__(self, name: str) -> Estimated:
+        for one in self.estimates:
+            if one.name == name:
+                return one
+        raise UsageError(f"'{name}' was not free; choose {' or '.join(one.name for one in self.estimates[:8])}")
+
+    def __repr__(self) -> str:
+        return f"<Identification of {self.robot}: {len(self.estimates)} numbers from {len(self.explained)} logs>"
+
+    def summary(self, notes: bool = True) -> str:
+        """Numbers, shares, and unless they are said elsewhere notes, as text, a line each."""
+        lines = [
+            f"{one.name}: {one.start:.4g} -> {one.value:.4g} {one.unit}".rstrip() + f"  ({one.interval})"
+            for one in self.estimates
+        ]
+        for log in self.explained:
+            kind = "held out" if log.held_out else "fitted"
+            told = ", ".join(f"{name} {100 * x:.2f} %" for name, x in log.share("whole").items())
+            lines.append(f"{log.log} ({kind}), variance explained in one run: {told}")
+        if notes:
+            lines += [f"undetermined: {line}" for line in self.undetermined]
+            lines += [f"note: {line}" for line in self.notes]
+        return "\n".join(lines)
+
+    def to_json(self) -> str:
+        """All but the curves."""
+        table = {
+            "robot": self.robot,
+            "estimates": [asdict(one) for one in self.estimates],
+            "explained": [
+                {"log": x.log, "held_out": x.held_out} | {of: x.share(of) for of in ("windows", "whole", "before")}
+                for x in self.explained
+            ],
+            "undetermined": list(self.undetermined),
+            "notes": list(self.notes),
+            "whiteness": dict(self.whiteness),
+            "frequencies": list(self.frequencies),
+            "fit": dict(self.tried),
+        }
+        return json.dumps(_finite(table), indent=1)
+
+    def report(self) -> str:
+        """One HTML page: measured against model, numbers with intervals, what is odd and what is left open."""
+        from .report import report_html
+
+        return report_html(self)
+
+    def robot_text(self, robot_file: str | os.PathLike[str]) -> str:
+        """The text of a robot file with the identified parameters in it, intervals as comments, all else as it is."""
+        file = one_line(os.fsdecode(robot_file))
+        own = {one.name: one for one in self.estimates if one.kind == "parameter"}
+        notes = {name: one.interval if one.determined else "undetermined" for name, one in own.items()}
+        text = decode(read(robot_file, file), file)
+        values = {name: one.value for name, one in own.items()}
+        return with_values(text, values, notes, file, folder_of(robot_file))
+
+
+def _finite(value: object) -> object:
+    """Numbers that JSON cannot state become null."""
+    if isinstance(value, dict):
+        return {key: _finite(x) for key, x in value.items()}
+    if isinstance(value, list):
+        return [_finite(x) for x in value]
+    return None if isinstance(value, float) and not np.isfinite(value) else value

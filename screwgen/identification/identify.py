@@ -1,0 +1,196 @@
+"""From logs to a model: the numbers of a robot, of its sensors and inputs, that explain what was measured."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable, Sequence
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from ..arguments import seconds, whole
+from ..errors import ScrewgenError
+from ..robot_model import RobotModel
+from ..spec.columns import Column, Columns
+from ..studies.modes import natural_frequencies
+from . import odd
+from .beside import explained, how_of, vector, windows_of_log
+from .identification import Estimated, Identification
+from .logs import Log, checked, faults
+from .problem import How, Problem, Windows
+from .solve import Estimate, Fit
+from .sources import Source, columns_of, log_of, several, some, varying
+from .uncertainty import LOST, Uncertainty, uncertainty
+from .unknowns import INPUT, SENSOR, Unknowns, unknowns
+from .words import direction_in_words
+
+ROUNDS = 2
+"""How often windows are begun anew, from readings that identified numbers of sensors make right."""
+
+
+def identify(
+    model: RobotModel,
+    logs: Source | Sequence[Source],
+    *,
+    free: str | Sequence[str],
+    sensors: str | os.PathLike[str] | Columns | None = None,
+    held_out: Source | Sequence[Source] = (),
+    window: float = 1.0,
+    integrator: str = "modal_midpoint",
+    substeps: int = 1,
+    robust: bool = False,
+    iterations: int = 40,
+    threads: int = 1,
+    progress: Callable[[str], None] | None = None,
+) -> Identification:
+    """Identify numbers of a robot, its sensors and its inputs from logs.
+
+    `logs`: CSV or npz files, ``log.csv@0:10`` for a part in seconds, runs of :func:`screwgen.simulate`, or
+    :class:`.logs.Log`. `free`: names, or patterns in which ``*`` is any text: of parameters as ``arm.EIz``, of columns
+    as ``gauge.offset``, ``scale``, ``delay``, ``cutoff``, of inputs ``current.gain``, ``bias``; ``"arm.EIz = 2 ± 0.3"``
+    states a prior, ``"arm.EIz in 1..3"`` bounds. `sensors`: a TOML table of what columns are, or :class:`.Columns`;
+    without it columns are named as in runs. `held_out`: logs that are not fitted but compared.
+
+    The logs are cut into windows of about `window` seconds, which begin near smoothed readings. `integrator` and
+    `substeps` as :func:`screwgen.rollout` has them, by the step of the log. `robust`: outliers count by their size.
+    `progress` is told a line after each iteration. An interruption ends the fit with the best so far.
+    Raises UsageError, a line that says what is wrong with a log, a name or a start.
+    """
+    began = perf_counter()
+    sources, others = some(logs), several(held_out)
+    how = how_of(integrator, substeps, threads)
+    whole(iterations, "iterations", 1)
+    columns = columns_of(model, sensors, sources[0])
+    read, compared = ([log_of(x, columns) for x in some] for some in (sources, others))
+    if sensors is None:
+        columns = varying(columns, read)
+    for log in (*read, *compared):
+        checked(log, columns)
+    window = seconds(window, "window")
+    asked = _unknowns(model, columns, free, read)
+    fit, at = _fitted(model, read, columns, asked, (window, robust, iterations, how), progress)
+    values = asked.values(at.sought)
+    known = uncertainty(fit, at)
+    own, p = with_numbers(columns, asked, values), vector(model, asked, values)
+    beside = [
+        explained(model, log, own, asked, at.sought, how, (window, robust), k >= len(read))
+        for k, log in enumerate([*read, *compared])
+    ]
+    told = [line for log in (*read, *compared) for line in faults(log, columns)]
+    white = odd.whiteness(fit, at)
+    told += (
+        odd.of_fit(fit, at)
+        + odd.of_whiteness(white)
+        + odd.of_shares(beside)
+        + odd.of_bounds(asked, at, fit)
+        + odd.of_units(beside)
+    )
+    posture = fit.problem.groups[0].begin[0].x[: model.nq]
+    frequencies = _frequencies(model, p, posture)
+    told += odd.of_filters(model, columns, asked, p, min(frequencies, default=0.0))
+    told += odd.of_repetition(read, compared, columns)
+    tried: dict[str, float | int | str] = {
+        "iterations": len(at.history),
+        "rollouts": fit.problem.rollouts,
+        "seconds": round(perf_counter() - began, 2),
+        "stopped": at.stopped or "converged",
+        "weights": "stated" if all(column.noise for column in columns.sensors) else "by the variation of each sensor",
+    }
+    return Identification(
+        model.robot.name,
+        tuple(_estimated(asked, at, known, fit)),
+        {one.name: float(x) for one, x in zip(asked, values, strict=True) if one.place >= 0},
+        own,
+        tuple(beside),
+        tuple(direction_in_words(asked, *direction) for direction in known.directions),
+        tuple(told),
+        white,
+        frequencies,
+        tried,
+    )
+
+
+# ------------------------------------------------------------------------------ what is given
+
+
+def _unknowns(model: RobotModel, columns: Columns, free: str | Sequence[str], logs: Sequence[Log]) -> Unknowns:
+    of = lambda name: float(np.nanstd(np.concatenate([log.columns[name] for log in logs])))  # noqa: E731
+    sizes = {column.name: max(of(column.name), 1e-12) for column in columns.columns}
+    return unknowns(model, columns, [free] if isinstance(free, str) else free, sizes)
+
+
+# ------------------------------------------------------------------------------ the fit
+
+
+def _fitted(
+    model: RobotModel,
+    logs: Sequence[Log],
+    columns: Columns,
+    asked: Unknowns,
+    settings: tuple[float, bool, int, How],
+    progress: Callable[[str], None] | None,
+) -> tuple[Fit, Estimate]:
+    """The fit and its estimate; where numbers of sensors changed, windows begin anew."""
+    window, robust, iterations, how = settings
+    noise = np.array([np.nan if c.noise is None else c.noise for c in columns.sensors])
+    sought, history, rollouts, groups = np.zeros(len(asked)), list[float](), 0, list[Windows]()
+    for _ in range(ROUNDS):
+        values = asked.values(sought)
+        own, p = with_numbers(columns, asked, values), vector(model, asked, values)
+        before, groups = groups, [windows_of_log(model, log, own, window, p) for log in logs]
+        if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
+            break
+        problem = Problem(model, groups, asked, how)
+        problem.rollouts = rollouts
+        fit = Fit(problem, noise[groups[0].experiment.compared], robust, progress)
+        at = fit.run(iterations - len(history), sought)
+        history += at.history
+        sought, rollouts = at.sought, problem.rollouts
+        if at.stopped:
+            break
+    at.history = history
+    return fit, at
+
+
+def with_numbers(columns: Columns, asked: Unknowns, values: np.ndarray) -> Columns:
+    """The columns with identified numbers (k,) of sensors and inputs."""
+    own: dict[str, dict[str, float]] = {}
+    for one, x in zip(asked, values, strict=True):
+        if one.kind in (SENSOR, INPUT):
+            column, number = one.owner
+            own.setdefault(column, {})[number] = float(x)
+    return columns.model_copy(update={"columns": tuple(_with(c, own.get(c.name, {})) for c in columns.columns)})
+
+
+def _with(column: Column, numbers: dict[str, float]) -> Column:
+    of_filter: dict[str, Any] = {name: numbers.pop(name) for name in ("cutoff", "damping") if name in numbers}
+    update: dict[str, Any] = dict(numbers)
+    if of_filter and column.filter is not None:
+        update["filter"] = column.filter.model_copy(update=of_filter)
+    return column.model_copy(update=update)
+
+
+# ------------------------------------------------------------------------------ the result
+
+
+def _frequencies(model: RobotModel, p: np.ndarray, q: np.ndarray) -> tuple[float, ...]:
+    """The natural frequencies at parameters (n,) in a posture, Hz; none where there are none to speak of."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            return tuple(x for x in natural_frequencies(model, q, parameters=p).tolist() if x > 0)
+        except ScrewgenError:  # loads that change with the motion, or a rigid robot
+            return ()
+
+
+def _estimated(asked: Unknowns, at: Estimate, known: Uncertainty, fit: Fit) -> list[Estimated]:
+    values, out = asked.values(at.sought), []
+    for k, one in enumerate(asked):
+        wide = known.quantile * known.deviation[k]
+        low, high = sorted(float(one.values(at.sought[k] + sign * wide)) for sign in (-1, 1))
+        bound = "low" if at.sought[k] <= fit.low[k] else "high" if at.sought[k] >= fit.high[k] else ""
+        sure = bool(known.deviation[k] <= LOST)
+        out.append(Estimated(one.name, one.unit, one.kind, one.value, float(values[k]), low, high, sure, bound))
+    return out

@@ -1,0 +1,195 @@
+"""Logs: tables of what was measured, from CSV and npz files, and what is wrong with them in one line each."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import BinaryIO
+
+import numpy as np
+
+from ..errors import UsageError
+from ..files import open_regular
+from ..simulation.runs import ARRAYS, NAMES, TIP_NAMES, run_arrays, suffix
+from ..spec.columns import Column, Columns
+from ..spec.load import one_line
+
+UNEVEN = 1e-2
+"""By how much of a sample the steps of time may differ."""
+GAPS = 0.2
+"""The share of readings of a sensor that may be missing."""
+STAY, SUDDEN, QUANTA = 5, 0.3, 3
+"""A sensor is saturated that stays so many samples at an end of its range, and comes there by steps that are more than
+this share of its usual ones, and more than so many of its least ones: an encoder that stops comes there by one."""
+LEAST = 20
+"""Samples that a log must have."""
+
+
+@dataclass(frozen=True, eq=False)
+class Log:
+    """A table of measurements: times `t` (N,), s, evenly spaced, and columns (N,) by name, NaN where none was made."""
+
+    name: str
+    t: np.ndarray
+    columns: Mapping[str, np.ndarray]
+
+    @property
+    def step(self) -> float:
+        """The time between samples, s."""
+        return float((self.t[-1] - self.t[0]) / (len(self.t) - 1))
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def part(self, start: float, end: float) -> Log:
+        """The samples from a time to another, s, the end excluded."""
+        chosen = (self.t >= start - self.step / 2) & (self.t < end - self.step / 2)
+        if chosen.sum() < LEAST:
+            raise UsageError(f"{self.name}: has {chosen.sum()} samples from {start:g} to {end:g} s; {LEAST} are needed")
+        return replace(self, t=self.t[chosen], columns={name: x[chosen] for name, x in self.columns.items()})
+
+
+def head_of(path: str | os.PathLike[str]) -> list[str]:
+    """The names of the columns of a log."""
+    if suffix(path) == ".npz":
+        return list(_npz_columns(path))
+    with _opened(path) as stream:
+        line = stream.readline(1 << 20)
+    return [x.strip() for x in next(csv.reader([line.decode("utf-8-sig", "replace")]), [])]
+
+
+def read_log(path: str | os.PathLike[str], columns: Columns) -> Log:
+    """The log in a file: CSV with a head, or npz with an array for each column, or as `simulate` writes.
+
+    Raises UsageError, `<file>: <fault>; <remedy>`, where it cannot be read or a column is missing.
+    """
+    file = one_line(os.fsdecode(path))
+    wanted = [columns.time, *(column.name for column in columns.columns)]
+    found = _npz_columns(path) if suffix(path) == ".npz" else _csv_columns(path, file, wanted)
+    for name in wanted:
+        if name not in found:
+            some = ", ".join(map(one_line, list(found)[:6]))
+            raise UsageError(f"{file}: has no column '{one_line(name)}'; it has {some or 'none'}")
+    return Log(file, found[columns.time], {name: found[name] for name in wanted[1:]})
+
+
+def checked(log: Log, columns: Columns) -> Log:
+    """The log, if its times are even and its columns can be used; raises UsageError."""
+    _check_times(log, columns.time)
+    for column in columns.columns:
+        if column.name not in log.columns:
+            raise UsageError(f"{log.name}: has no column '{column.name}'; it has {', '.join(log.columns)}")
+        if len(values := log.columns[column.name]) != len(log):
+            raise UsageError(f"{log.name}: {column.name} has {len(values)} entries; it must have {len(log)}, as t")
+        (_check_sensor if column.measures else _check_input)(log, column, values)
+    return log
+
+
+def _check_times(log: Log, name: str) -> None:
+    if len(log) < LEAST:
+        raise UsageError(f"{log.name}: has {len(log)} rows; {LEAST} at least are needed")
+    if (bad := np.flatnonzero(~np.isfinite(log.t))).size:
+        raise UsageError(f"{log.name}: row {bad[0] + 1}: {name} is no finite number; give every row its time")
+    steps = np.diff(log.t)
+    if (back := np.flatnonzero(steps <= 0)).size:
+        at = f"row {back[0] + 2}: {name} is {log.t[back[0] + 1]:g} s"
+        raise UsageError(f"{log.name}: {at}; it must be later than in the row before, cut the log there")
+    usual = float(np.median(steps))
+    if (uneven := np.flatnonzero(np.abs(steps - usual) > UNEVEN * usual)).size:
+        at = f"row {uneven[0] + 2}: the step is {steps[uneven[0]]:g} s, others are {usual:g} s"
+        raise UsageError(f"{log.name}: {at}; resample the log to even steps, or cut it at gaps")
+
+
+def _check_input(log: Log, column: Column, values: np.ndarray) -> None:
+    if (bad := np.flatnonzero(~np.isfinite(values))).size:
+        said = f"row {bad[0] + 1}: {column.name} is {values[bad[0]]}"
+        raise UsageError(f"{log.name}: {said}; an input must be known at every sample, cut the log there")
+
+
+def _check_sensor(log: Log, column: Column, values: np.ndarray) -> None:
+    there = values[np.isfinite(values)]
+    if len(there) < (1 - GAPS) * len(values):
+        missing = f"{len(values) - len(there)} of {len(values)} readings"
+        raise UsageError(f"{log.name}: {column.name} lacks {missing}; leave the column out, or cut the log")
+    if there.min() == there.max():
+        raise UsageError(f"{log.name}: {column.name} is {there[0]:g} throughout and says nothing; leave it out")
+
+
+def faults(log: Log, columns: Columns) -> list[str]:
+    """What is odd of a log that can be used all the same, a line each."""
+    out = []
+    for column in columns.sensors:
+        values = log.columns[column.name]
+        there = values[np.isfinite(values)]
+        if gone := len(values) - len(there):
+            out.append(f"{log.name}: {column.name} lacks {gone} of {len(values)} readings; the others are used")
+        out += [
+            f"{log.name}: {column.name} seems saturated at {end:g}, where it stops suddenly; cut these samples out"
+            for end in (there.min(), there.max())
+            if _saturated(there, end)
+        ]
+    return out
+
+
+def _saturated(values: np.ndarray, end: float) -> bool:
+    """Whether readings stay at an end of their range and come there suddenly; what comes to rest comes slowly."""
+    stays = np.convolve(values == end, np.ones(STAY), "valid") == STAY
+    begins = np.flatnonzero(stays[1:] & ~stays[:-1])
+    steps = np.abs(np.diff(values))
+    usual = max(SUDDEN * np.sqrt(np.mean(steps**2)), QUANTA * np.min(steps[steps > 0], initial=np.inf))
+    return bool(len(begins)) and bool(np.median(steps[begins]) > usual)
+
+
+# ------------------------------------------------------------------------------ files
+
+
+def _opened(path: str | os.PathLike[str]) -> BinaryIO:
+    try:
+        return open_regular(path)
+    except (OSError, ValueError) as error:
+        file, why = one_line(os.fsdecode(path)), getattr(error, "strerror", None) or str(error)
+        raise UsageError(f"{file}: cannot be read ({one_line(why)}); check path and permissions") from None
+
+
+def _csv_columns(path: str | os.PathLike[str], file: str, wanted: Sequence[str]) -> dict[str, np.ndarray]:
+    """The columns of a CSV file that are wanted; what is no number is NaN."""
+    head = head_of(path)
+    for name in wanted:
+        if head.count(name) > 1:
+            raise UsageError(f"{file}: column '{one_line(name)}' is there {head.count(name)} times; leave one")
+    there = [name for name in dict.fromkeys(wanted) if name in head]
+    if not there:
+        return {name: np.empty(0) for name in head}
+    with _opened(path) as stream:
+        try:
+            table = np.genfromtxt(
+                stream, delimiter=",", skip_header=1, usecols=[head.index(x) for x in there], ndmin=2, encoding="utf-8"
+            )
+        except (ValueError, UnicodeDecodeError) as error:
+            why = one_line(" ".join(str(error).split())[:120])
+            raise UsageError(
+                f"{file}: is no table ({why}); write a head, and numbers with commas between them"
+            ) from None
+    return dict(zip(there, table.reshape(-1, len(there)).T, strict=True)) | {
+        name: np.empty(0) for name in head if name not in there
+    }
+
+
+def _npz_columns(path: str | os.PathLike[str]) -> dict[str, np.ndarray]:
+    """The columns of an npz file: arrays (N,) by name, and the columns of arrays of a run by their names."""
+    out: dict[str, np.ndarray] = {}
+    with run_arrays(path) as arrays:
+        for key in arrays:
+            if key in NAMES or key in ("robot", "parameters", "ended", "quantity_names", "quantity_units"):
+                continue
+            values = arrays.numbers(key)
+            names = f"{key}_names"
+            if values.ndim == 1:
+                out[key] = values
+            elif names in arrays and key in ARRAYS:
+                out |= dict(zip(arrays.texts(names), values.reshape(len(values), -1).T, strict=False))
+            elif key == "tip_position":
+                out |= dict(zip(TIP_NAMES, values.T, strict=True))
+    return out

@@ -1,0 +1,234 @@
+"""Levenberg and Marquardt on the numbers that are free, the states in which windows begin eliminated by QR.
+
+Of each window the rows [J_x J_p r] are triangularised. What is left below the states' rows holds J_p and r without
+what states can make good; it is small, so that several dampings are tried, all as lanes of one rollout.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .problem import Problem, Windows
+
+DAMPINGS = (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0)
+"""The factors of the damping that are tried together."""
+MARQUARDT = 0.25
+"""Steps are damped by the size of columns to this power: 0 is Levenberg's way, which moves little what the data hardly
+feel, 1 Marquardt's, which heeds no scales. All is sought in logarithms or over its scale."""
+FIRST, LEAST, MOST = 1e-3, 1e-9, 1e9
+SMALL = 3e-3
+"""A step that lessens the cost by a smaller share ends the fit."""
+LONGEST = 1.5
+"""The longest step: a logarithm changes by no more, 4.5 times, nor another number by more of its scale."""
+SETTLED = 3
+"""How often the starts of windows alone are fitted."""
+HUBER = 1.345
+"""Beyond so many deviations a robust fit counts residuals by their size, no more by their square."""
+MEDIAN = 0.6745
+"""The median of normal deviates."""
+EXACT = 1e-6
+"""The least noise that is believed, over how much a column varies."""
+
+
+@dataclass
+class Estimate:
+    """Where a fit stands: what is sought (k,), the starts of windows (W, states) of each log, and residuals."""
+
+    sought: np.ndarray
+    shift: list[np.ndarray]
+    noise: np.ndarray
+    """(sensors,): standard deviations, in units of columns."""
+    differences: list[np.ndarray]
+    cost: float
+    history: list[float] = field(default_factory=list)
+    """Of every iteration the cost."""
+    stopped: str = ""
+    """Why the fit ended before it converged."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reduced:
+    """The linear least squares of a step: of each window the rows of its states, and what is left of all."""
+
+    states: list[list[tuple[np.ndarray, np.ndarray, np.ndarray]]]
+    """By log and window: R_xx, R_xp, r_x."""
+    R: np.ndarray
+    r: np.ndarray
+
+    def step(self, damping: float, free: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
+        """The step of what is sought (k,), and of the starts of windows."""
+        k = self.R.shape[1]
+        size = np.linalg.norm(self.R, axis=0)
+        most = np.max(size, initial=0.0) or 1.0
+        scale = np.sqrt(damping) * most * np.maximum(size / most, 1e-12) ** MARQUARDT
+        own = np.vstack([self.R, np.diag(scale)])[:, free]
+        found = np.zeros(k)
+        found[free] = -np.linalg.lstsq(own, np.concatenate([self.r, np.zeros(k)]), rcond=None)[0]
+        found *= min(1.0, LONGEST / np.max(np.abs(found), initial=LONGEST))
+        return found, [np.array([-np.linalg.solve(a, c + b @ found) for a, b, c in log]) for log in self.states]
+
+
+class Fit:
+    """The fit of a problem. ``noise``: of each sensor the deviation, NaN where it follows from residuals."""
+
+    def __init__(
+        self, problem: Problem, noise: np.ndarray, robust: bool, progress: Callable[[str], None] | None = None
+    ):
+        self.problem, self.stated, self.robust, self.progress = problem, noise, robust, progress
+        self.priors = problem.unknowns.priors
+        self.low, self.high = problem.unknowns.bounds
+        self.varies = _stacked_std([group.compared for group in problem.groups])
+
+    def run(self, iterations: int, sought: np.ndarray) -> Estimate:
+        """The estimate when it has converged, or where it is after so many iterations or an interruption."""
+        at = self._start(sought)
+        try:
+            for _ in self._improved(at, iterations):
+                if self.progress:
+                    self.progress(self._line(at))
+        except KeyboardInterrupt:
+            at.stopped = "interrupted"
+        return at
+
+    def begun(self, sought: np.ndarray) -> Estimate:
+        """The estimate with these numbers, in which the starts of windows alone are fitted."""
+        at, none = self._start(sought), np.zeros(len(sought), bool)
+        for _ in range(SETTLED):
+            found = self._linearised(at)
+            at.shift = [a + b for a, b in zip(at.shift, self._reduced(at, found).step(1.0, none)[1], strict=True)]
+        return self.at(sought, at.shift, at.noise)
+
+    def _linearised(self, at: Estimate) -> list[tuple[np.ndarray, ...]]:
+        """Differences and derivatives of every log, of which those and the noise become the estimate's."""
+        pairs = zip(self.problem.groups, at.shift, strict=True)
+        found: list[tuple[np.ndarray, ...]] = [self.problem.linearised(group, at.sought, own) for group, own in pairs]
+        at.differences = [difference for difference, *_ in found]
+        at.noise = self.noise(at.differences)
+        return found
+
+    def _start(self, sought: np.ndarray) -> Estimate:
+        groups = self.problem.groups
+        shift = [np.zeros((len(group.first), len(group.states))) for group in groups]
+        return Estimate(sought.copy(), shift, self.varies.copy(), [], np.inf)
+
+    def _improved(self, at: Estimate, iterations: int) -> Iterator[None]:
+        """Improve the estimate in place, step by step."""
+        damping = FIRST
+        for _ in range(iterations):
+            found = self._linearised(at)
+            at.cost = self._cost(at.sought, at.shift, at.differences, at.noise)
+            reduced = self._reduced(at, found)
+            better, damping = self._searched(at, reduced, damping)
+            if better is None:
+                return
+            share = (at.cost - better.cost) / at.cost
+            at.sought, at.shift, at.differences, at.cost = better.sought, better.shift, better.differences, better.cost
+            at.history.append(at.cost)
+            yield
+            if share < SMALL:
+                return
+        at.stopped = f"not converged in {iterations} iterations"
+
+    def _searched(self, at: Estimate, reduced: Reduced, damping: float) -> tuple[Estimate | None, float]:
+        """A better estimate and the damping to go on with; None where no step lessens the cost."""
+        gradient = reduced.R.T @ reduced.r
+        free = ~((at.sought <= self.low) & (gradient > 0) | (at.sought >= self.high) & (gradient < 0))
+        while LEAST <= damping <= MOST:
+            tried = [self._trial(at, reduced, factor * damping, free) for factor in DAMPINGS]
+            best = min(range(len(tried)), key=lambda k: tried[k].cost)
+            if tried[best].cost < at.cost:
+                return tried[best], max(LEAST, damping * DAMPINGS[best])
+            damping *= DAMPINGS[-1] / DAMPINGS[0]
+        return None, damping
+
+    def _trial(self, at: Estimate, reduced: Reduced, damping: float, free: np.ndarray) -> Estimate:
+        """The estimate after a step of some damping."""
+        step, begun = reduced.step(damping, free)
+        sought = np.clip(at.sought + step, self.low, self.high)
+        shift = [a + b for a, b in zip(at.shift, begun, strict=True)]
+        return self.at(sought, shift, at.noise)
+
+    def at(self, sought: np.ndarray, shift: list[np.ndarray], noise: np.ndarray) -> Estimate:
+        """The estimate with these numbers and starts."""
+        found = []
+        for group, own in zip(self.problem.groups, shift, strict=True):
+            lanes = np.arange(len(group.first))
+            found.append(self.problem.differences(group, lanes, np.tile(sought, (len(lanes), 1)), own))
+        return Estimate(sought, shift, noise, found, self._cost(sought, shift, found, noise))
+
+    # ------------------------------------------------------------------------------ cost
+
+    def noise(self, differences: list[np.ndarray]) -> np.ndarray:
+        """The deviation of each sensor: as stated, else one share of how much it varies, that of all residuals.
+
+        What limits a fit is rarely the noise. A weight of each sensor by its own residuals would have one that is
+        precise, such as an encoder, decide alone.
+        """
+        share = np.maximum(self.sizes(differences) / self.varies, EXACT)
+        common = np.sqrt(np.mean(share[np.isnan(self.stated)] ** 2)) if np.isnan(self.stated).any() else 1.0
+        return np.where(np.isnan(self.stated), common * self.varies, self.stated)
+
+    def sizes(self, differences: list[np.ndarray]) -> np.ndarray:
+        """The root mean square (sensors,) of residuals, of a robust fit what it would be without outliers."""
+        rows = np.concatenate([x.reshape(-1, x.shape[-1]) for x in differences])
+        rows = np.where(np.isfinite(rows), rows, np.nan)
+        return np.nanmedian(np.abs(rows), axis=0) / MEDIAN if self.robust else np.sqrt(np.nanmean(rows**2, axis=0))
+
+    def _cost(
+        self, sought: np.ndarray, shift: list[np.ndarray], differences: list[np.ndarray], noise: np.ndarray
+    ) -> float:
+        total = np.sum(((sought - self.priors[:, 0]) / self.priors[:, 1]) ** 2)
+        total += sum(np.sum(own**2) for own in shift)
+        for part in differences:
+            if np.isinf(part).any():
+                return np.inf
+            r = np.abs(np.nan_to_num(part / noise))
+            total += np.sum(np.where(r > HUBER, HUBER * (2 * r - HUBER), r**2) if self.robust else r**2)
+        return float(total) / 2
+
+    def weights(self, difference: np.ndarray, noise: np.ndarray) -> np.ndarray:
+        """The factors of rows of residuals: 0 where there is no reading, less than one where a robust fit doubts it."""
+        r = np.abs(difference / noise)
+        doubt = np.sqrt(np.minimum(1.0, HUBER / np.maximum(np.nan_to_num(r), 1e-300))) if self.robust else 1.0
+        return np.where(np.isnan(difference), 0.0, doubt / noise)
+
+    def rows(self, group: Windows, at: Estimate, found: tuple[np.ndarray, ...], k: int) -> tuple[np.ndarray, ...]:
+        """Residuals (rows,) of window k and their derivatives with states and with what is sought, weighted."""
+        difference, by_p, by_x = (x[k] for x in found)
+        weight = self.weights(difference, at.noise)
+        r, J_p, J_x = weight * np.nan_to_num(difference), weight[..., None] * by_p, weight[..., None] * by_x
+        return r.ravel(), np.nan_to_num(J_x.reshape(r.size, -1)), np.nan_to_num(J_p.reshape(r.size, -1))
+
+    def _reduced(self, at: Estimate, found: Sequence[tuple[np.ndarray, ...]]) -> Reduced:
+        k, states = len(at.sought), []
+        left = np.column_stack([np.diag(1 / self.priors[:, 1]), (at.sought - self.priors[:, 0]) / self.priors[:, 1]])
+        for group, shift, own in zip(self.problem.groups, at.shift, found, strict=True):
+            n, of_log = len(group.states), []
+            for w in range(len(group.first)):
+                r, J_x, J_p = self.rows(group, at, own, w)
+                prior = np.hstack([np.eye(n), np.zeros((n, k)), shift[w][:, None]])
+                R = _triangle(np.vstack([np.column_stack([J_x, J_p, r]), prior]))
+                of_log.append((R[:n, :n], R[:n, n:-1], R[:n, -1]))
+                left = _triangle(np.vstack([left, R[n:, n:]]))
+            states.append(of_log)
+        return Reduced(states, left[:, :-1], left[:, -1])
+
+    def _line(self, at: Estimate) -> str:
+        """Where a fit stands, with the sensor that it explains worst."""
+        names = self.problem.sensor_names
+        share = self.sizes(at.differences) / self.varies
+        worst = int(np.argmax(share))
+        return f"iteration {len(at.history)}: {names[worst]} is {100 * share[worst]:.3g} % of its variation off"
+
+
+def _triangle(rows: np.ndarray) -> np.ndarray:
+    """The upper triangle with the same products of columns."""
+    return np.asarray(np.linalg.qr(rows, mode="r"))
+
+
+def _stacked_std(parts: list[np.ndarray]) -> np.ndarray:
+    rows = np.concatenate([x.reshape(-1, x.shape[-1]) for x in parts])
+    return np.nanstd(rows, axis=0)

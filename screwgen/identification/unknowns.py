@@ -1,0 +1,215 @@
+"""The numbers that a fit may change: parameters of the robot, numbers of sensors, gains and biases of inputs."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..arguments import choice
+from ..errors import UsageError
+from ..robot_model import RobotModel
+from ..spec.columns import Column, Columns
+from ..spec.parameters import Parameter, parameters
+from .sensing import NUMBERS, numbers_of
+
+PARAMETER, SENSOR, INPUT = "parameter", "sensor", "input"
+FREE = re.compile(
+    r"\s*(?P<pattern>\S+?)\s*(?:=\s*(?P<value>[^\s±]+)\s*(?:±|\+-)\s*(?P<deviation>\S+))?"
+    r"(?:\s+in\s+(?P<low>\S+?)\s*\.\.\s*(?P<high>\S+))?\s*"
+)
+"""``PATTERN``, ``PATTERN = value ± deviation`` for a prior, ``PATTERN in low..high`` for bounds."""
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """A number that is free: where it starts, in which scale it is sought, and between which bounds."""
+
+    name: str
+    kind: str
+    value: float
+    unit: str
+    logarithmic: bool
+    scale: float
+    """Of one that is not logarithmic: the change that counts as large."""
+    low: float = -math.inf
+    high: float = math.inf
+    prior: tuple[float, float] | None = None
+    """What is known of it beforehand: a value and its standard deviation."""
+    place: int = -1
+    """Of a parameter its place among all."""
+
+    @property
+    def owner(self) -> tuple[str, str]:
+        """Of a number of a column that column and the number's name."""
+        column, _, number = self.name.rpartition(".")
+        return column, number
+
+    def sought(self, value: float) -> float:
+        """The number in the scale in which it is sought."""
+        return math.log(value / self.value) if self.logarithmic else (value - self.value) / self.scale
+
+    def values(self, sought: np.ndarray) -> np.ndarray:
+        """The numbers that these are."""
+        with np.errstate(over="ignore"):  # an interval without an end
+            return self.value * np.exp(sought) if self.logarithmic else self.value + self.scale * sought
+
+    def slope(self, value: float) -> float:
+        """How the number changes with what is sought."""
+        return abs(value) if self.logarithmic else self.scale
+
+
+class Unknowns(tuple[Unknown, ...]):
+    """All that are free, in their order."""
+
+    @property
+    def names(self) -> list[str]:
+        return [one.name for one in self]
+
+    def values(self, sought: np.ndarray) -> np.ndarray:
+        """The numbers (…, k) of what is sought (…, k)."""
+        out = np.empty(sought.shape)
+        for k, one in enumerate(self):
+            out[..., k] = one.values(sought[..., k])
+        return out
+
+    @cached_property
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
+        """The least and the largest (k,) of what is sought."""
+        return (
+            np.array([_sought_bound(one, one.low, -math.inf) for one in self], float),
+            np.array([_sought_bound(one, one.high, math.inf) for one in self], float),
+        )
+
+    @cached_property
+    def priors(self) -> np.ndarray:
+        """Of each the value that is known beforehand and its deviation, both as sought, (k, 2), infinite without."""
+        out = np.tile([0.0, np.inf], (len(self), 1))
+        for k, one in enumerate(self):
+            if one.prior:
+                out[k] = one.sought(one.prior[0]), one.prior[1] / one.slope(one.prior[0])
+        return out
+
+
+def _sought_bound(one: Unknown, value: float, without: float) -> float:
+    return without if not math.isfinite(value) else one.sought(value)
+
+
+# ------------------------------------------------------------------------------ which are free
+
+
+def unknowns(model: RobotModel, columns: Columns, free: Sequence[str], sizes: Mapping[str, float]) -> Unknowns:
+    """Those that patterns name, in which `*` is any text, with priors and bounds where they are stated.
+
+    `sizes`: how much each column varies. Raises UsageError where a pattern names none, or a start makes no sense.
+    """
+    known = _known(model, columns, sizes)
+    found: dict[str, Unknown] = {}
+    for said in [free] if isinstance(free, str) else free:
+        part = FREE.fullmatch(said)
+        if not part:
+            ways = "write PATTERN, 'PATTERN = 2.0 ± 0.3' or 'PATTERN in 1..3'"
+            raise UsageError(f"free: '{said}' is not understood; {ways}")
+        whole = re.compile(".*".join(map(re.escape, part["pattern"].split("*"))))
+        own = [name for name in known if whole.fullmatch(name)]
+        if not own:
+            choice(part["pattern"], known, "free: there is no")
+        for name in own:
+            found[name] = _restricted(known[name](), part)
+    if not found:
+        raise UsageError("free: nothing is free; name parameters, as free=['arm.EIz', 'arm.joint.*']")
+    return Unknowns(found[name] for name in known if name in found)
+
+
+def _restricted(one: Unknown, said: re.Match[str]) -> Unknown:
+    """The unknown with the prior and the bounds that are stated."""
+    try:
+        got = {key: float(x) for key, x in said.groupdict().items() if key != "pattern" and x is not None}
+    except ValueError:
+        raise UsageError(f"free: '{said[0].strip()}' states no number where one is due") from None
+    prior = (got["value"], got["deviation"]) if "value" in got else one.prior
+    low, high = max(got.get("low", one.low), one.low), min(got.get("high", one.high), one.high)
+    if prior and (prior[1] <= 0 or (one.logarithmic and prior[0] * one.value <= 0)):
+        wrong = f"{prior[0]:g} ± {prior[1]:g} is no prior"
+        raise UsageError(f"free: {one.name}: {wrong}; state its sign and a deviation > 0")
+    if one.logarithmic and math.isfinite(low) and low <= 0 < one.value:
+        low = -math.inf
+    if not (low <= one.value <= high and low < high):
+        raise UsageError(f"free: {one.name} starts at {one.value:g}; it must be within its bounds, {low:g} to {high:g}")
+    return replace(one, low=low, high=high, prior=prior)
+
+
+def _known(model: RobotModel, columns: Columns, sizes: Mapping[str, float]) -> dict[str, Callable[[], Unknown]]:
+    """What may be free, by name, made when it is asked for."""
+    out: dict[str, Callable[[], Unknown]] = {}
+    for k, one in enumerate(parameters(model.robot)):
+        out[one.name] = lambda k=k, one=one: _parameter(k, one)  # type: ignore[misc]
+    for column in columns.sensors:
+        for name, value in numbers_of(column).items():
+            out[f"{column.name}.{name}"] = lambda c=column, n=name, x=value: _of_sensor(c, n, x, sizes[c.name])  # type: ignore[misc]
+    for column in columns.inputs:
+        size = sizes[column.name]
+        out[f"{column.name}.gain"] = lambda c=column: _logarithmic(f"{c.name}.gain", INPUT, c.to_si, "")  # type: ignore[misc]
+        out[f"{column.name}.bias"] = lambda c=column, s=size: Unknown(  # type: ignore[misc]
+            f"{c.name}.bias", INPUT, c.bias, c.unit, False, s
+        )
+    return out
+
+
+def _parameter(place: int, one: Parameter) -> Unknown:
+    """A parameter: by its logarithm, unless it may have either sign."""
+    diagonal = one.field == "bodies.inertia" and one.index[-1] < 3
+    if one.sign != "any" or (diagonal and one.value > 0):
+        return _logarithmic(one.name, PARAMETER, one.value, one.unit, place)
+    scale = max(abs(one.value), SCALES.get(one.unit, 1.0))
+    return Unknown(one.name, PARAMETER, one.value, one.unit, False, scale, place=place)
+
+
+SCALES: Mapping[str, float] = {"m": 0.1, "m/s²": 1.0, "kg·m²": 0.01, "rad": 0.1}
+"""By unit, changes that count as large of numbers of either sign."""
+
+
+def _logarithmic(name: str, kind: str, value: float, unit: str, place: int = -1) -> Unknown:
+    if value == 0:
+        raise UsageError(f"free: {name} is 0, and its logarithm is sought; start from a number that is not")
+    return Unknown(name, kind, value, unit, True, 1.0, place=place)
+
+
+def _of_sensor(column: Column, number: str, value: float, size: float) -> Unknown:
+    name = f"{column.name}.{number}"
+    if number == "offset":
+        return Unknown(name, SENSOR, value, column.unit, False, size)
+    if number == "delay":
+        return Unknown(name, SENSOR, value, "s", False, 1e-2, low=0.0)
+    return _logarithmic(name, SENSOR, value, {"cutoff": "Hz"}.get(number, ""))
+
+
+def sensor_numbers(unknowns: Unknowns, column: Column, values: np.ndarray) -> dict[str, np.ndarray]:
+    """The numbers of a sensor (lanes,) each, of which values (lanes, k) may be free."""
+    out = {name: np.full(len(values), x) for name, x in numbers_of(column).items()}
+    for k, one in enumerate(unknowns):
+        if one.kind == SENSOR and one.owner[0] == column.name and one.owner[1] in NUMBERS:
+            out[one.owner[1]] = values[:, k]
+    return out
+
+
+def input_numbers(unknowns: Unknowns, column: Column, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Gain and bias of an input (lanes,) each."""
+    out = {"gain": np.full(len(values), column.to_si), "bias": np.full(len(values), column.bias)}
+    for k, one in enumerate(unknowns):
+        if one.kind == INPUT and one.owner[0] == column.name:
+            out[one.owner[1]] = values[:, k]
+    return out["gain"], out["bias"]
+
+
+def parameter_rows(model: RobotModel, unknowns: Unknowns, values: np.ndarray) -> np.ndarray:
+    """The parameter vectors (lanes, n) with free numbers (lanes, k)."""
+    out = np.tile(model.chain.parameters.values, (len(values), 1))
+    for k, one in enumerate(unknowns):
+        if one.kind == PARAMETER:
+            out[:, one.place] = values[:, k]
+    return out

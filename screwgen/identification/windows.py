@@ -1,0 +1,185 @@
+"""Logs in windows: the inputs over each, its readings, and where its motion begins, with how well that is known.
+
+An experiment is a log beside the robot. Over a window of about a second a motion stays near the readings although the
+numbers of the robot are still wrong; so windows begin where smoothed readings say, within their deviations.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..errors import UsageError
+from ..robot_model import RobotModel
+from ..spec.columns import UNITS, Columns
+from . import smoothing
+from .logs import Log
+from .signals import Signal, Signals
+
+WIDE = 3.0
+"""How many times more than its neighbours say a smoothed reading may be off."""
+FAR, QUICK, BENT, SLIPPED = 10.0, 10.0, 0.1, 1e-3
+"""What is known of a state that nothing measures: joints are within 10 rad (m) and their rates within 10 times that per
+second; the softest mode of a link is within 10 % of its length, others bend as under the same load, at their own
+frequencies; states of friction are within 1e-3 rad (m)."""
+ROUNDS = 6
+STEP = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """A log of a robot, with its columns in order."""
+
+    model: RobotModel
+    log: Log
+    columns: Columns
+    reach: int
+    """Samples to either side over which readings are smoothed."""
+
+    @cached_property
+    def readings(self) -> np.ndarray:
+        """(N, sensors)"""
+        return np.column_stack([self.log.columns[column.name] for column in self.columns.sensors])
+
+    @cached_property
+    def inputs(self) -> np.ndarray:
+        """The columns that drive, (N, inputs)."""
+        own = [self.log.columns[column.name] for column in self.columns.inputs]
+        return np.column_stack(own) if own else np.zeros((len(self.log), 0))
+
+    @cached_property
+    def driven(self) -> list[int]:
+        """The entry of `tau` that each of them drives."""
+        return [self.model.tau_names.index(str(column.drives)) for column in self.columns.inputs]
+
+    @cached_property
+    def moved(self) -> dict[int, tuple[int, int, int]]:
+        """Of axes whose motion the log gives: the entry of `tau`, then the places in q and v, and the sensor."""
+        chain, out = self.model.chain, {}
+        measured = {column.measures: k for k, column in enumerate(self.columns.sensors)}
+        for joint in chain.prescribed:
+            place = chain.held_places[joint]
+            at = chain.axis_places[joint] if place == chain.base_v + joint else place + chain.nq - chain.nv
+            if joint not in self.driven and (name := self.model.q_names[at]) in measured:
+                out[joint] = at, place, measured[name]
+        return out
+
+    @cached_property
+    def given(self) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+        """Values and rates (N,) of these axes in SI units, by the entry of `tau`."""
+        out = {}
+        for joint, (*_, sensor) in self.moved.items():
+            column = self.columns.sensors[sensor]
+            values = (self.readings[:, sensor] - column.offset) / column.scale * UNITS[column.unit]
+            if np.isnan(values).any():
+                raise UsageError(f"{self.log.name}: {column.name} moves an axis and lacks readings; cut the log there")
+            out[joint] = smoothing.motion(values, self.log.step, self.reach)
+        return out
+
+    @property
+    def compared(self) -> list[int]:
+        """The sensors whose readings are compared: those that move axes are not."""
+        moving = {sensor for *_, sensor in self.moved.values()}
+        return [k for k in range(len(self.columns.sensors)) if k not in moving]
+
+    def tau(self, first: np.ndarray, steps: int, gains: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
+        """Inputs (lanes, steps, n_tau) of lanes that begin at samples `first`, by gain and bias (lanes,) of columns."""
+        at = first[:, None] + np.arange(steps)
+        out = np.zeros((len(first), steps, self.model.n_tau))
+        for k, (place, (gain, bias)) in enumerate(zip(self.driven, gains, strict=True)):
+            out[..., place] += gain[:, None] * (self.inputs[at, k] + bias[:, None])
+        for joint, (_, rate) in self.given.items():
+            out[..., joint] = (rate[at + 1] - rate[at]) / self.log.step
+        return out
+
+    def cut(self, seconds: float, shortest: int) -> list[tuple[int, int]]:
+        """First sample and number of samples of windows of about so many seconds, of equal length."""
+        number = max(1, round((len(self.log) - 1) * self.log.step / seconds))
+        size = (len(self.log) - 1) // number
+        if size < shortest:
+            raise UsageError(f"{self.log.name}: windows of {seconds:g} s have {size} samples; {shortest} are needed")
+        return [(k * size, size) for k in range(number)]
+
+
+@dataclass(frozen=True, eq=False)
+class StartState:
+    """Where a motion begins: `x` = [q; v], and how well each of its entries is known, 0 of those that are given."""
+
+    x: np.ndarray
+    deviation: np.ndarray
+
+
+def starts(experiment: Experiment, signals: Signals, firsts: list[int], p: np.ndarray) -> list[StartState]:
+    """The states at these samples, by Gauss and Newton from smoothed readings, at parameters (n,)."""
+    return [_start(experiment, signals, first, p) for first in firsts]
+
+
+def _start(experiment: Experiment, signals: Signals, first: int, p: np.ndarray) -> StartState:
+    model, step = experiment.model, experiment.log.step
+    plain = [k for k in experiment.compared if not signals.signals[k].accelerates]
+    seen = smoothing.smoothed(experiment.readings[:, plain], first, step, experiment.reach)
+    columns = [experiment.columns.sensors[k] for k in plain]
+    scale, offset = np.array([c.scale for c in columns]), np.array([c.offset for c in columns])
+    value, rate = (seen.value - offset) / scale, seen.rate / scale
+    size = np.nanstd(experiment.readings[:, plain], axis=0) / np.abs(scale)
+    of_value = np.maximum(WIDE * seen.of_value / np.abs(scale), 1e-3 * size)
+    of_rate = np.maximum(WIDE * seen.of_rate / np.abs(scale), 1e-3 * size / (experiment.reach * step))
+    x, wide = _at_rest(model, p)
+    for k, sensor in enumerate(plain):
+        if (one := signals.signals[sensor]).kind in ("q", "v"):
+            x[one.place + model.nq * (one.kind == "v")] = value[k] * UNITS[one.column.unit]
+    held = np.zeros(len(x), bool)
+    for joint, (at_q, at_v, _) in experiment.moved.items():
+        x[at_q], x[model.nq + at_v] = (curve[first] for curve in experiment.given[joint])
+        held[[at_q, model.nq + at_v]] = True
+    middle, _ = _at_rest(model, p)
+    free, n = np.flatnonzero(~held), model.nq
+    by_q = [not _needs_rates(signals.signals[k]) for k in plain]
+    for _ in range(ROUNDS):
+        h, H = _slopes(signals, x, p, plain, n)
+        rows = [(value - h) / of_value]
+        slopes = [H / of_value[:, None]]
+        moving = np.flatnonzero(by_q)
+        rates = H[moving][:, :n][:, model.chain.flat_q] @ x[n + model.chain.flat_v]
+        by_rate = np.zeros((len(moving), len(x)))
+        by_rate[:, n + model.chain.flat_v] = H[moving][:, model.chain.flat_q]
+        rows += [(rate[moving] - rates) / of_rate[moving], (middle - x)[free] / wide[free]]
+        slopes += [by_rate / of_rate[moving, None], np.diag(1 / wide)[free]]
+        A, b = np.vstack(slopes)[:, free], np.concatenate(rows)
+        x[free] += np.linalg.lstsq(A, b, rcond=None)[0]
+    deviation = np.zeros(len(x))
+    deviation[free] = np.sqrt(np.diag(np.linalg.inv(A.T @ A)))
+    return StartState(x, deviation)
+
+
+def _needs_rates(one: Signal) -> bool:
+    return one.kind == "v" or (one.row is not None and "v" in one.row.inputs.split())
+
+
+def _at_rest(model: RobotModel, p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A state at rest, and how far from it a state may be that nothing measures."""
+    chain = model.chain
+    if chain.curved:
+        raise UsageError("identify: robots with a floating base or ball joints are not identified yet")
+    if chain.closing.rows:
+        raise UsageError("identify: robots with loops are not identified yet")
+    wide, rates = np.full(model.nq, FAR), np.full(chain.nvz, SLIPPED)
+    rates[chain.flat_v] = QUICK * FAR
+    for i, (segment, constants) in enumerate(zip(chain.segments, model.numpy(p).constants, strict=True)):
+        modes = slice(chain.eta_offset[i], chain.eta_offset[i + 1])
+        K, M = (np.asarray(constants[name], float)[: chain.keys[i].modes] for name in ("K", "M_eta"))
+        own = BENT * (model.robot.links[segment.link].length or 1.0) / segment.count * K.min(initial=np.inf) / K
+        wide[chain.eta_q :][modes], rates[chain.eta_v :][: chain.n_modes][modes] = own, np.sqrt(K / M) * own
+    return np.concatenate([np.array(chain.home, float), np.zeros(chain.nvz)]), np.concatenate([wide, rates])
+
+
+def _slopes(signals: Signals, x: np.ndarray, p: np.ndarray, fields: list[int], n: int) -> tuple[np.ndarray, np.ndarray]:
+    """Signals (fields,) at a state, and their derivatives (fields, states) by differences."""
+    points = x + np.vstack([np.zeros(len(x)), STEP * np.eye(len(x)), -STEP * np.eye(len(x))])
+    q, v = points[:, None, :n], points[:, None, n:]
+    tau = np.zeros((len(points), 1, signals.model.n_tau))
+    found = signals(q, v, tau, np.tile(p, (len(points), 1)), fields)[:, 0]
+    ahead, behind = np.split(found[1:], 2)
+    return found[0], (ahead - behind).T / (2 * STEP)

@@ -1,0 +1,73 @@
+"""What the data do not determine, in words, with what would determine it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .uncertainty import NAMED
+from .unknowns import Unknown
+
+EVEN = 0.1
+"""By how much two entries of a direction may differ and count as equal."""
+FEW = 4
+"""Numbers of a direction that are named."""
+SCALE = "forces and masses have no scale"
+REMEDIES = (
+    (".gain", "state the gain of the drive, or a mass that was weighed"),
+    (".scale", "load the arm with a known weight, and state the scale of the gauge"),
+    (".offset", "read the sensors at rest in two postures"),
+    (".bias", "log the drive at rest with both signs of the friction"),
+    (".delay", "log a sharp motion, or measure the delay of the logger"),
+    ("gravity", "level the base, or read the sensors at rest in two postures"),
+    ("friction.velocity", "log slow motions that turn round"),
+    ("friction", "log steady motions at several rates"),
+    ("damping", "log a free vibration"),
+    ("rotor_inertia", "take the rotor inertia from the data sheet of the motor"),
+    ("ratio", "take the ratio from the data sheet of the gear"),
+    ("mass", "weigh the part"),
+    ("inertia", "swing the part as a pendulum"),
+    ("com", "balance the part"),
+    ("EI", "load the link with a known weight"),
+    ("GJ", "twist the link with a known moment"),
+)
+"""By a piece of a name what determines such a number; the first that fits counts."""
+
+
+def direction_in_words(unknowns: Sequence[Unknown], direction: np.ndarray, size: float) -> str:
+    """A direction that the data do not determine: changes (k,) of what is sought, and their deviation."""
+    named = [k for k in np.argsort(-np.abs(direction), kind="stable") if abs(direction[k]) >= NAMED]
+    own = [unknowns[k] for k in named]
+    what = _what(own, direction[named])
+    return f"{what}; {remedy(own)}"
+
+
+def _what(own: Sequence[Unknown], entries: np.ndarray) -> str:
+    names = [one.name for one in own]
+    if len(own) == 1:
+        return f"{names[0]} leaves hardly a trace in the data"
+    logarithms = all(one.logarithmic for one in own)
+    if len(own) == 2 and logarithms and abs(abs(entries[1] / entries[0]) - 1) < EVEN:
+        kind = "ratio" if entries[0] * entries[1] > 0 else "product"
+        return f"{names[0]} and {names[1]} are known only as a {kind} ({entries[1] / entries[0]:+.2f})"
+    if len(own) > FEW and logarithms and (entries * entries[0] > 0).all() and abs(entries[FEW]) > abs(entries[0]) / 2:
+        return f"{_list([*names[:3], f'{len(names) - 3} more'])} can all grow together: {SCALE}"
+    more = f", and a little of {len(own) - FEW} more" if len(own) > FEW else ""
+    changes = ", ".join(f"{one.name} by {_change(one, x)}" for one, x in zip(own[:FEW], entries, strict=False))
+    return f"only together are known {_list(names[:FEW])}: the data hardly change with {changes}{more}"
+
+
+def _change(one: Unknown, x: float) -> str:
+    """A small change of a number along a direction: of 10 % of its logarithm or scale."""
+    return f"{10 * x:+.3g} %" if one.logarithmic else f"{0.1 * x * one.scale:+.3g} {one.unit}".rstrip()
+
+
+def _list(names: Sequence[str]) -> str:
+    return f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def remedy(own: Sequence[Unknown]) -> str:
+    """What would determine one of these numbers."""
+    found = [said for one in own for piece, said in REMEDIES if piece in one.name][:1]
+    return found[0] if found else "leave one of them out of what is free, or state what is known of it as a prior"

@@ -1,0 +1,80 @@
+"""Identification: numbers are found again from logs of a robot that has them."""
+
+import json
+
+import numpy as np
+import pytest
+from identified_arms import SENSORS, TRUE, elsewhere, pendulum, swing
+
+import screwgen
+from screwgen.cli.main import main
+from screwgen.identification.logs import Log
+
+
+@pytest.fixture(scope="module")
+def log() -> Log:
+    return swing()
+
+
+def test_numbers_thirty_percent_off_are_found_again(log):
+    """1 % of noise on all sensors: each within 1 %, damping within 5 %, and within its interval twice as wide."""
+    found = screwgen.identify(elsewhere(), log, free=list(TRUE), sensors=SENSORS)
+    assert found.tried["stopped"] == "converged" and found.tried["iterations"] <= 10
+    for name, true in TRUE.items():
+        one = found[name]
+        assert one.value == pytest.approx(true, rel=0.05 if "damping" in name else 0.01), name
+        assert one.determined and abs(one.value - true) < one.high - one.low < 0.2 * true, name
+    assert min(found.explained[0].share("whole").values()) > 0.99
+    assert max(abs(x) for x in found.whiteness.values()) < 0.1 and not found.undetermined and not found.notes
+
+
+def test_a_command_writes_the_robot_with_its_comments(tmp_path, capsys):
+    """From a run of `simulate` with other numbers; what the file says besides stays, intervals are added."""
+    text = screwgen.dump(elsewhere(["rod.EIz"]).robot)
+    robot, log, out, page = (tmp_path / x for x in ("robot.toml", "log.csv", "identified.toml", "report.html"))
+    robot.write_text(f"# of the sheet\n{text}")
+    run = screwgen.simulate(pendulum(), 2.0, 1e-3, q0=[-1.5, 0.0, 0.0])
+    run.save(log)
+    asked = ["-o", str(out), "--free", "rod.EIz", "--check", f"{log}@1.5:2", "--report", str(page)]
+    assert main(["identify", str(robot), f"{log}@0:1.5", *asked]) == 0
+    assert "rod.EIz: 26 -> 20" in capsys.readouterr().out
+    before, after = (path.read_text().splitlines() for path in (robot, out))
+    (changed,) = [new for old, new in zip(before, after, strict=True) if old != new]
+    assert "EIz = 20" in changed and "# ±" in changed
+    found = screwgen.load(out).links[0].section.EIz
+    assert found == pytest.approx(20.0, rel=1e-4)
+    text, numbers = page.read_text(), json.loads(page.with_suffix(".json").read_text())
+    assert text.count("<section>") == 7 and "rod.EIz" in text and "@1.5:2, held out" in text
+    assert text.count("data:image/png") == 4 and "://" not in text
+    assert numbers["estimates"][0]["value"] == pytest.approx(20.0, rel=1e-4)
+    assert [x["held_out"] for x in numbers["explained"]] == [False, True]
+
+
+def test_joints_that_are_given_move_the_links_alone(log):
+    """Driven by motion: the angle moves the axis, the gauge says what the link does, and no friction matters."""
+    model = elsewhere(["rod.EIz", "rod.damping.ratio"], actuation="motion")
+    columns = SENSORS.model_copy(update={"columns": SENSORS.columns[1:]})
+    clean = Log(log.name, log.t, swing(noise=1e-4).columns)
+    found = screwgen.identify(model, clean, free=["rod.EIz", "rod.damping.ratio"], sensors=columns)
+    assert found["rod.EIz"].value == pytest.approx(20.0, rel=0.01)
+    assert found["rod.damping.ratio"].value == pytest.approx(0.02, rel=0.05)
+    assert list(found.explained[0].share("whole")) == ["gauge"]
+
+
+def test_sensors_are_identified_with_the_robot(log):
+    """Offset, delay, filter and gain of a logger and a drive that do more than they say."""
+    from screwgen.identification.sensing import Start, readings
+
+    step, gauge = log.step, log.columns["gauge"]
+    numbers = {name: np.array([x]) for name, x in dict(scale=1.0, offset=30.0, delay=0.0, cutoff=8.0).items()}
+    filtered = readings(gauge[None], numbers, step, Start(gauge[:1] + 30.0, np.zeros(1)))[0]
+    other = Log(log.name, log.t, log.columns | {"gauge": filtered, "motor": log.columns["motor"] / 1.2})
+    told = [c.model_dump(exclude_unset=True) for c in SENSORS.columns]
+    told[0]["gain"], told[2]["filter"] = 1.0, {"cutoff": 11.0}
+    columns = type(SENSORS)(columns=told)
+    free = ["motor.gain", "gauge.offset", "gauge.cutoff", "rod.EIz"]
+    found = screwgen.identify(elsewhere(["rod.EIz"]), other, free=free, sensors=columns)
+    assert found["motor.gain"].value == pytest.approx(1.2, rel=0.01)
+    assert found["gauge.offset"].value == pytest.approx(30.0, abs=2.0)
+    assert found["gauge.cutoff"].value == pytest.approx(8.0, rel=0.02)
+    assert found["rod.EIz"].value == pytest.approx(20.0, rel=0.01)

@@ -1,0 +1,151 @@
+"""Identification says what the data do not determine, and what is wrong with a log, in a line each."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing
+
+import screwgen
+from screwgen.errors import UsageError
+from screwgen.identification.logs import Log
+from screwgen.spec.columns import Columns
+
+DRIVE = ("rotor_inertia", "friction.coulomb", "friction.viscous")
+ROTOR, COULOMB, VISCOUS = (f"rod.joint.drives[0].{x}" for x in DRIVE)
+HEAVY = TRUE | {ROTOR: 1000.0, COULOMB: 1e-6, VISCOUS: 1e-6}
+GIVEN = Columns(columns=SENSORS.columns[1:])
+LEVEL = (0.0, 0.0, 0.0)
+STEP, NOISE = 2e-3, 1e-3
+
+
+def driven(model, controller, q0=0.0, seconds=1.5, noise=NOISE) -> Log:
+    """A log of a pendulum that begins at rest."""
+    return logged(model, controller, seconds, STEP, noise, q0=screwgen.equilibrium(model, q=[q0]).q)
+
+
+def one_way():
+    """A joint that turns one way, faster and faster."""
+    model = pendulum(gravity=LEVEL)
+    return model, driven(model, lambda t, q, v: np.array([2.0 + t]), noise=0.05).part(0.3, 1.5)
+
+
+def steady():
+    """A joint that turns at one rate."""
+    model = pendulum(gravity=LEVEL)
+    log = driven(model, lambda t, q, v: np.array([0.7 + 20 * (2.0 - v[0])]), seconds=2.5, noise=0.05)
+    return model, log.part(1.5, 2.5)
+
+
+def heavy():
+    """A rotor beside which the rod is nothing."""
+    model = pendulum(HEAVY, gravity=LEVEL)
+    return model, driven(model, lambda t, q, v: np.array([600 * np.sin(4 * t) + 400 * np.sin(11 * t)]), noise=0.05)
+
+
+def hanging():
+    """A pendulum that swings about one posture, a little."""
+    model = pendulum(actuation="motion")
+    return model, driven(model, lambda t, q, v: np.array([0.16 * np.cos(4 * t)]), -0.6, noise=0.2)
+
+
+def swung():
+    """A pendulum that does all that it can."""
+    return pendulum(), swing(2.0, STEP, NOISE)
+
+
+UNDETERMINED = {
+    "ratio": (heavy, ["motor.gain", ROTOR], f"{ROTOR} and motor.gain are known only as a ratio (+1.00)"),
+    "scale": (swung, ["motor.gain", "*.EIz", ROTOR, COULOMB, VISCOUS, "*.mass", "rod.rhoA"], "can all grow together"),
+    "bias": (one_way, ["motor.bias", COULOMB], f"only together are known {COULOMB} and motor.bias"),
+    "trace": (swung, ["rod.EIz", "gravity[2]"], "gravity[2] leaves hardly a trace in the data; level the base"),
+    "friction": (steady, [COULOMB, VISCOUS], f"{COULOMB} and {VISCOUS}"),
+    "tilt": (hanging, ["gravity[0]", "gauge.offset"], "only together are known gauge.offset and gravity[0]"),
+}
+
+
+@pytest.mark.parametrize("case", UNDETERMINED)
+def test_what_the_data_do_not_determine_is_said(case):
+    """One sentence each, and not all intervals claim to know these numbers."""
+    make, free, words = UNDETERMINED[case]
+    model, log = make()
+    sensors = SENSORS if model.tau_names[0] == "rod.torque[0]" else GIVEN
+    found = screwgen.identify(model, log, free=free, sensors=sensors, window=0.5)
+    (said,) = found.undetermined
+    assert words in said
+    assert not all(one.determined for one in found.estimates)
+
+
+# ------------------------------------------------------------------------------ logs
+
+
+@pytest.fixture(scope="module")
+def log() -> Log:
+    return swing(1.0, STEP, NOISE)
+
+
+def with_column(log, name, change):
+    values = log.columns[name].copy()
+    return replace(log, columns=log.columns | {name: change(values)})
+
+
+def without_gauge(log):
+    return replace(log, columns={name: log.columns[name] for name in ("angle", "motor")})
+
+
+def put(at, value):
+    def change(values):
+        values[at] = value
+        return values
+
+    return change
+
+
+WRONG = {
+    "row 11: t is no finite number": lambda x: replace(x, t=put(10, np.nan)(x.t.copy())),
+    "row 11: t is 0.018 s; it must be later than in the row before": lambda x: replace(x, t=put(10, 0.018)(x.t.copy())),
+    "row 251: the step is 0.102 s, others are 0.002 s": lambda x: replace(x, t=x.t + 0.1 * (np.arange(len(x)) >= 250)),
+    "row 11: motor is nan; an input must be known": lambda x: with_column(x, "motor", put(10, np.nan)),
+    "gauge lacks 301 of 501 readings": lambda x: with_column(x, "gauge", put(slice(200, None), np.nan)),
+    "gauge is 3 throughout and says nothing": lambda x: with_column(x, "gauge", put(slice(None), 3.0)),
+    "has no column 'gauge'; it has angle, motor": without_gauge,
+    "has 10 rows; 20 at least are needed": lambda x: Log(x.name, x.t[:10], {k: y[:10] for k, y in x.columns.items()}),
+}
+
+
+@pytest.mark.parametrize("fault", WRONG)
+def test_a_log_that_cannot_be_used_gets_a_line(log, fault):
+    with pytest.raises(UsageError) as caught:
+        screwgen.identify(elsewhere(["rod.EIz"]), WRONG[fault](log), free=["rod.EIz"], sensors=SENSORS)
+    assert str(caught.value).startswith(f"swing.csv: {fault}") and "\n" not in str(caught.value)
+
+
+ODD = {
+    "gauge lacks 2 of 501 readings; the others are used": ("gauge", put([5, 99], np.nan)),
+    "readings of angle vary 0.0": ("angle", np.radians),
+    "readings of gauge vary 0.00": ("gauge", lambda y: y / 1000),
+    "gauge seems saturated at 1500": ("gauge", lambda y: np.minimum(y, 1500.0)),
+}
+
+
+@pytest.mark.parametrize("fault", ODD)
+def test_a_log_that_is_odd_is_used_and_it_is_said(log, fault):
+    """Missing readings, radians for degrees, a factor of 1000, a gauge at the end of its range."""
+    odd = with_column(log, *ODD[fault])
+    notes = screwgen.identify(pendulum(), odd, free=["rod.damping.ratio"], sensors=SENSORS, window=0.25).notes
+    assert sum(fault in note for note in notes) == 1, notes
+
+
+def test_a_file_without_a_column_is_named(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t,angle\n0,1\n")
+    with pytest.raises(UsageError, match=r"log.csv: has no column 'motor'; it has t, angle"):
+        screwgen.identify(pendulum(), path, free=["rod.EIz"], sensors=SENSORS)
+
+
+def test_a_model_that_lacks_the_friction_of_the_data_is_not_trusted(log):
+    """What is left is no noise, and that is said."""
+    frictionless = pendulum(TRUE | {COULOMB: 1e-9, VISCOUS: 1e-9})
+    found = screwgen.identify(frictionless, log, free=["rod.EIz", ROTOR], sensors=SENSORS, window=0.25)
+    (note,) = found.notes
+    assert "residuals of angle and gauge are no noise" in note and min(found.whiteness.values()) > 0.9

@@ -14,6 +14,11 @@ from .interchange.load import load as load
 from .joints.screw import Screw as Screw
 from .model import Model as Model
 from .model import derive as derive
+from .planning.make import plan as plan
+from .planning.plan import Plan as Plan
+from .planning.plan_files import read_plan as read_plan
+from .simulation.arrival import Arrival as Arrival
+from .simulation.arrival import play as play
 from .simulation.control_loop import ControlLoopWarning as ControlLoopWarning
 from .simulation.controllers import PD as PD
 from .simulation.controllers import Holding as Holding

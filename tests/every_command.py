@@ -8,7 +8,7 @@ import shutil
 import signal
 import subprocess
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -62,9 +62,9 @@ def limited() -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-def checked(folder: Path) -> Outcome:
-    """`make check`, in double and, unless the folder says that it is of no use, in float."""
-    make = ["make", "-s", "CC=gcc", "CFLAGS=-O0", "check"]
+def checked(folder: Path, compiler: str = "gcc", flags: Sequence[str] = ("-O0",)) -> Outcome:
+    """`make check`, in double and, unless the folder says that it is of no use, in float; it compiles every source."""
+    make = ["make", "-s", f"CC={compiler}", f"CFLAGS={' '.join(flags)}", "check"]
     done = subprocess.run(make, cwd=folder, capture_output=True, text=True, timeout=LONGEST)
     failed = [x for x in (*done.stdout.splitlines(), *done.stderr.splitlines()) if "FAILED" in x or "error" in x]
     if done.returncode == 0 and not failed and "all checks passed" in done.stdout:

@@ -27,7 +27,7 @@ EXAMPLES = (
     "flexible_arm",
     "gantry",
 )
-EXAMPLES += ("parallelogram", "ship_crane", "six_link", "soft_gripper", "space_arm", "tentacle")
+EXAMPLES += ("finger_on_wall", "parallelogram", "ship_crane", "six_link", "soft_gripper", "space_arm", "tentacle")
 BEYOND = (
     ("weld loop", "skew"),
     ("sliding loop", "tendons", "varying"),

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from conftest import package, require_tool
 from helpers import ROOT, arm, link, model_of
@@ -63,6 +64,18 @@ def test_a_soft_gripper_closes():
     apart = [float(x) for x in re.findall(r"tips +([\d.]+) mm apart", said)]
     assert apart == sorted(apart, reverse=True) and apart[0] > 150 and apart[-1] < 20
     assert (ROOT / "build" / "soft_gripper" / "soft_gripper.html").exists()
+
+
+@pytest.mark.examples
+def test_a_finger_presses_on_a_wall_as_a_cantilever_and_rubs_along_it():
+    """Friction holds the finger on the way up and pushes it on the way down, 0.6 of what the wall bears."""
+    said = run("finger_on_wall.py").stdout
+    found = np.array(
+        re.findall(r"bears ([\d.]+) N \(a cantilever ([\d.]+) N\), the hand lifts ([+-][\d.]+)", said), float
+    )
+    assert found[:, 0] == pytest.approx(found[:, 1], rel=0.03) and abs(found[0, 2]) < 0.002
+    assert found[1:, 2] / found[1:, 0] == pytest.approx([0.595, -0.595], abs=0.003)
+    assert (ROOT / "build" / "finger_on_wall" / "finger_on_wall.html").exists()
 
 
 @pytest.mark.examples

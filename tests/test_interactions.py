@@ -145,6 +145,15 @@ def test_a_body_slides_beyond_coulombs_angle(angle):
         assert rate == pytest.approx(g * (np.sin(angle) - mu * np.cos(angle)), rel=1e-4)
 
 
+def test_a_body_that_bounces_and_rubs_gains_nothing():
+    """Its energy, that of the contact included, falls at every step, but for what a step of 4e-6 s leaves."""
+    model = model_of(block(contact(stiffness=2e4, damping=0.3, friction=0.4, velocity=1e-2)))
+    run = screwgen.simulate(model, 0.6, 4e-6, q0=[0.0, 0.13], v0=[0.8, 0.0], integrator="rk4", every=50)
+    total = run.energy.sum(axis=1)
+    assert np.diff(total).max() < 1e-9 * np.ptp(total) and (run.q[:, 1] < 0.1).sum() > 10
+    assert run.v[-1, 0] < 0.3 and np.ptp(total) > 0.5
+
+
 def test_a_rope_catches_and_lets_go():
     """A mass that falls into a rope: the lowest point is where the energy says, and it flies free above."""
     k, rest, m, g = 5e3, 0.5, 2.0, 9.81

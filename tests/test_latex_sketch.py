@@ -25,8 +25,8 @@ from screwgen.backends.latex.sketch_pose import drawn_lengths, poses
 from screwgen.backends.latex.sketch_view import views
 from screwgen.spec.parameters import coordinate_names
 
-EXAMPLES = """balanced_arm bucket crane crane_loop elastic_joint ella flexible_arm gantry parallelogram six_link
-    ship_crane soft_gripper space_arm tentacle""".split()
+EXAMPLES = """balanced_arm bucket crane crane_loop elastic_joint ella finger_on_wall flexible_arm gantry parallelogram
+    six_link ship_crane soft_gripper space_arm tentacle""".split()
 GEAR = {"ratio": 50.0, "rotor_inertia": 1e-3, "stiffness": 90.0}
 CHANGES = {
     "ball": [joint(1, axes="ball")],

@@ -1,9 +1,9 @@
 """The signals that the phases exchange, with shape, unit, frame and meaning.
 
-The signals of a node are shared by a link and the links that it carries. Those of the store are kept by a link from one
-phase to the next. Others are those of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``a``
-torques, ``k`` brakes, ``t`` rotors, ``f`` rates that are given, ``r`` modes, ``b`` their coupled pairs, ``g`` their
-directions, ``c`` pieces of tendons, ``p`` points of an exact rod. Angular parts first; accelerations less free fall.
+Signals of a node are shared by a link and the links that it carries, those of the store are kept by a link between
+phases, others are of a call. In a shape ``q`` counts joint coordinates, ``m`` their rates, ``f`` given rates, ``a``
+torques, ``k`` brakes, ``t`` rotors, ``r`` modes, ``b`` their coupled pairs, ``g`` their directions, ``z`` internal
+states, ``c`` pieces of tendons, ``p`` points of exact rods. Angular parts first; accelerations less free fall.
 """
 
 from __future__ import annotations
@@ -14,10 +14,9 @@ from typing import Any, NamedTuple
 from ..ir.names import component
 from ..spec.link_class import LinkClass
 
-F_I, TIP, INERTIAL = "F_i", "tip frame", "inertial frame"
-CARRIER, NEXT = "F_i of the node's link", "F_i of the next link"
+F_I, TIP, INERTIAL, CARRIER = "F_i", "tip frame", "inertial frame", "F_i of the node's link"
 TWIST, ACCELERATION, WRENCH, INERTIA = "rad/s, m/s", "rad/s^2, m/s^2", "N*m, N", "kg*m^2, kg*m, kg"
-MODAL, MIXED = "m (torsion: rad)", "various units"
+MODAL, MIXED, NEXT = "m (torsion: rad)", "various units", "F_i of the next link"
 
 
 class Signal(NamedTuple):

@@ -304,7 +304,17 @@ def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
     return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, UNITS['q_des'])}", check))
 
 
-CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {"pd": read_pd, "csv": read_inputs}
+def _read_played(path: str | os.PathLike[str], model: RobotModel) -> Controller:
+    from .played import read_played
+
+    return read_played(path, model)
+
+
+CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {
+    "pd": read_pd,
+    "plan": _read_played,
+    "csv": read_inputs,
+}
 
 
 def read_controller(text: str, model: RobotModel) -> Controller:

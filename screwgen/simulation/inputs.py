@@ -15,11 +15,16 @@ if TYPE_CHECKING:
     from .prescribed_motion import GivenMotion
 
 
-def started(controller: Any, q0: np.ndarray, model: RobotModel | None = None, p: Any = None) -> Any:
+def started(
+    controller: Any, q0: np.ndarray, model: RobotModel | None = None, p: Any = None, step: float | None = None
+) -> Any:
     """The controller at the start of a run: the result of its `starting_at(q)` if it has that method.
 
-    One that has `through(chain, p)` learns before where the joints stand and of the gears that it works through.
+    One that has `through(chain, p)` learns before where the joints stand and of the gears that it works through. One
+    that has `sampled_every(step)` learns for how long its torques are held.
     """
+    if step is not None and hasattr(controller, "sampled_every"):
+        controller = controller.sampled_every(step)
     if model is not None and hasattr(controller, "through"):
         controller = controller.through(model.chain, model.parameter_values if p is None else p)
     return controller.starting_at(q0) if hasattr(controller, "starting_at") else controller

@@ -43,25 +43,33 @@ class GivenMotion:
         self.curves = {name: curve for name, curve in curves.items() if name != BASE}
         own, led = [known[name] for name in self.curves], 6 * (self.base is not None)
         self.axes = [*range(chain.n_tau)[chain.inputs[BASE_MOTION]], *own] if led else own
+        self._found: dict[float, tuple[np.ndarray, np.ndarray]] = {}
         self.of_q, self.of_v = [at[k] for k in own], [*range(led), *(places[k] for k in own)]
 
-    def rates(self, t: float) -> np.ndarray:
-        """(k,): the rates at a time, those of the base first."""
-        found = [_base(self.base, t)[1]] if self.base is not None else []
-        return np.concatenate([*found, *(_point(curve, t, name, (1,))[1] for name, curve in self.curves.items())])
+    def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
+        """Coordinates and rates at a time, those of the base first."""
+        if t not in self._found:
+            base = [_base(self.base, t)] if self.base is not None else []
+            points = [*base, *(_point(curve, t, name, (1,)) for name, curve in self.curves.items())]
+            q, v = (np.concatenate([np.zeros(0), *parts]) for parts in zip(*points, strict=True))
+            self._found = {t: (q, v)}
+        return self._found[t]
 
     def place(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
         """Put what is given of a state where it is at a time."""
+        given, v[self.of_v] = self.at(t)
         if self.base is not None:
-            pose, _ = _base(self.base, t)
+            pose, given = np.split(given, [7])
             q[:3], q[3:7] = pose[:3], pose[3:] if pose[3:] @ q[3:7] >= 0 else -pose[3:]
-        q[self.of_q] = [_point(curve, t, name, (1,))[0][0] for name, curve in self.curves.items()]
-        v[self.of_v] = self.rates(t)
+        q[self.of_q] = given
 
     def accelerations(self, t: float) -> np.ndarray:
         """(k,): those over the step that begins at a time."""
         end = min(t + self.step, self.duration)
-        return np.zeros(len(self.of_v)) if end <= t else (self.rates(end) - self.rates(t)) / (end - t)
+        if end <= t:
+            return np.zeros(len(self.of_v))
+        before = self.at(t)[1]
+        return (self.at(end)[1] - before) / (end - t)
 
 
 def _base(curve: Curve, t: float) -> tuple[np.ndarray, np.ndarray]:

@@ -110,7 +110,7 @@ def simulate(
     if moved is not None:
         moved.place(0.0, q0, v0)
     check_loops(model, p, q0, v0)
-    law = started(controller, q0, model, p)
+    law = started(controller, q0, model, p, step)
     if isinstance(law, PD):
         hits.warn_goals(model, p, law.set_points)
     given = Inputs(model, law, w_ext, moved)

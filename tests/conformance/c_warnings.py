@@ -26,6 +26,8 @@ OWN = {
 }
 """Warnings that only one of the compilers knows; the last of clang's lets older ones take those that they do not."""
 COMPILERS = tuple(OWN)
+STRICT = {compiler: ("-O0", *WARNINGS, *own) for compiler, own in OWN.items()}
+"""Flags of a folder's Makefile under which every warning is an error."""
 
 
 def compile_cleanly(folder: Path, compiler: str, level: str, defines: Sequence[str] = ()) -> list[str]:

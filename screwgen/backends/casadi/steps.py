@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import partial
+from functools import cache, partial
 
 import casadi as ca
 
@@ -15,6 +15,7 @@ from ...algorithms.schedule import COLUMNS
 from ...integrators.method import Method, Motion
 from ...integrators.methods import METHODS
 from ...integrators.space import replayed
+from ...ir.program import Program
 from ...topology.chain import Chain
 from .expressions import expressions
 from .functions import coordinate_rates, exerted, function, side_by_side, symbols
@@ -31,15 +32,16 @@ def motion_functions(chain: Chain) -> dict[str, Callable[[], ca.Function]]:
 
 def steps(chain: Chain, methods: Iterable[Method]) -> dict[str, Callable[[], ca.Function]]:
     """What makes ``step_<method>`` of methods, by name."""
-    return {f"step_{m}": partial(step, chain, m, f"step_{m}") for m in methods}
+    dynamics = cache(lambda: fused.modal_dynamics(chain))
+    return {f"step_{m}": partial(step, chain, m, f"step_{m}", dynamics) for m in methods}
 
 
 class CasadiAccelerations:
     """Accelerations in SX at held torques and wrenches: a :class:`~screwgen.integrators.method.Accelerations`."""
 
-    def __init__(self, chain: Chain, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
+    def __init__(self, chain: Chain, dynamics: Program, tau: ca.SX, w_ext: ca.SX, p: ca.SX):
         self.chain = chain
-        self.program, self.given = fused.modal_dynamics(chain), {"tau": tau, "w_ext": w_ext, "p": p}
+        self.program, self.given = dynamics, {"tau": tau, "w_ext": w_ext, "p": p}
         self.properties = expressions(fused.modal_properties(chain), {"p": p})
 
     def explicit(self, q: ca.SX, v: ca.SX) -> ca.SX:
@@ -77,14 +79,16 @@ class CasadiAccelerations:
         return [expressions(programs.force_rates(self.chain), self.given | given)["rate"]]
 
 
-def step(chain: Chain, method: Method, name: str) -> ca.Function:
+def step(chain: Chain, method: Method, name: str, dynamics: Callable[[], Program] | None = None) -> ca.Function:
     """``(q, v, tau, w_ext, p, dt) -> (q_next, v_next)``: the inputs held over dt seconds, efforts within their limits.
 
-    Quaternions are multiplied by unit quaternions and not scaled.
+    Quaternions are multiplied by unit quaternions and not scaled. ``dynamics``: what gives the program of modal
+    dynamics, which all methods share.
     """
     given = symbols(chain, "q v tau w_ext p dt")
     tau = expressions(programs.held_inputs(chain), given)["held"] if chain.holds else given["tau"]
-    held = CasadiAccelerations(chain, tau, given["w_ext"], given["p"])
+    program = dynamics() if dynamics else fused.modal_dynamics(chain)
+    held = CasadiAccelerations(chain, program, tau, given["w_ext"], given["p"])
     q, v = method.step(held, given["q"], given["v"], given["dt"], replayed(chain, expressions))
     return function(name, given, q_next=q, v_next=v)
 

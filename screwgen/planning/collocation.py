@@ -1,0 +1,172 @@
+"""A motion between two rests as a nonlinear programme: direct collocation on the residuals of inverse dynamics.
+
+Every interval has three points, its ends and its middle. Rates and coordinates follow from the accelerations at these
+by the Lobatto rule of order 4 (IIIA), which bears oscillations much faster than an interval. Torques of drives are
+linear over an interval. Several models share the motion of the first: what another one's joints lag behind, the joint
+law corrects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from .members import Member
+from .task import Task
+
+INNER, OUTER = np.array([5, 8, -1]) / 24, np.array([1, 4, 1]) / 6
+"""Weights of the Lobatto rule: the integral over the first half of an interval and over the whole, in intervals."""
+WEIGHT = 1e5
+"""Of the energy that is left at the end, over that of the motion: a hundred-thousandth costs one.
+
+As a cost it may be left where torques barely reach it; as a condition, nearly dependent ones would not let the search
+converge.
+"""
+Vector = Any
+"""A column of CasADi expressions."""
+
+
+@dataclass
+class Programme:
+    """Unknowns with bounds and first guesses, and constraints with bounds, as they are added."""
+
+    unknowns: list[Vector] = field(default_factory=list)
+    constraints: list[Vector] = field(default_factory=list)
+    cost: Vector = 0.0
+    start: list[np.ndarray] = field(default_factory=list)
+    bounds: list[tuple[np.ndarray, np.ndarray]] = field(default_factory=list)
+    ranges: list[tuple[np.ndarray, np.ndarray]] = field(default_factory=list)
+
+    def unknown(self, name: str, guess: np.ndarray, most: np.ndarray, least: np.ndarray) -> Vector:
+        """A matrix of unknowns with the shape of its first guess."""
+        made = ca.MX.sym(name, *guess.shape)
+        self.unknowns.append(ca.vec(made))
+        self.start.append(guess.ravel(order="F"))
+        wide = [np.broadcast_to(x, guess.shape).ravel(order="F") for x in (least, most)]
+        self.bounds.append((wide[0], wide[1]))
+        return made
+
+    def zero(self, expression: Vector) -> None:
+        """Ask that an expression is zero."""
+        self.within(expression, np.zeros(expression.shape), np.zeros(expression.shape))
+
+    def within(self, expression: Vector, least: np.ndarray, most: np.ndarray) -> None:
+        """Ask that an expression keeps bounds of its shape."""
+        self.constraints.append(ca.vec(expression))
+        wide = [np.broadcast_to(x, expression.shape).ravel(order="F") for x in (least, most)]
+        self.ranges.append((wide[0], wide[1]))
+
+    def problem(self) -> dict[str, Vector]:
+        """What `casadi.nlpsol` takes."""
+        return {"x": ca.vertcat(*self.unknowns), "f": self.cost, "g": ca.vertcat(*self.constraints)}
+
+    def numbers(self) -> dict[str, np.ndarray]:
+        """What the solver is called with."""
+        lower, upper = (np.concatenate([b[i] for b in self.bounds]) for i in (0, 1))
+        least, most = (np.concatenate([b[i] for b in self.ranges]) for i in (0, 1))
+        return {"x0": np.concatenate(self.start), "lbx": lower, "ubx": upper, "lbg": least, "ubg": most}
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Coordinates, rates and accelerations (n, points) of one model, at ends and middles of intervals in turn."""
+
+    q: Any
+    v: Any
+    a: Any
+
+    def joints(self, count: int) -> Motion:
+        """The part of the joints."""
+        return Motion(self.q[:count, :], self.v[:count, :], self.a[:count, :])
+
+
+@dataclass
+class Transcription:
+    """The programme of a task over models, and where in its unknowns the motions and the torques are."""
+
+    programme: Programme
+    motions: list[Motion]
+    torques: Any
+    unpack: ca.Function
+
+    def values(self, x: np.ndarray) -> tuple[list[Motion], np.ndarray]:
+        """The motions and the torques (n_joints, intervals + 1) of a solution."""
+        found = [np.array(part) for part in self.unpack(x)]
+        return [Motion(*found[i : i + 3]) for i in range(0, len(found) - 1, 3)], found[-1]
+
+
+def transcribed(task: Task, members: Sequence[Member], guesses: Sequence[Motion], torque: np.ndarray) -> Transcription:
+    """The programme of a task for models of which the first one is the one that is planned for."""
+    made, N, m = Programme(), task.intervals, len(task.start)
+    effort = task.limits.efforts
+    ends = [members[0].start.torque, members[0].goal.torque]
+    most, least = (np.repeat(s * effort[:, None], N + 1, axis=1) for s in (1.0, -1.0))
+    for bound in (most, least):
+        bound[:, 0], bound[:, -1] = ends
+    torques = made.unknown("torques", torque, most, least)
+    everywhere = at_points(torques, N)
+    motions = [
+        _motion(made, task, member, guess, i) for i, (member, guess) in enumerate(zip(members, guesses, strict=True))
+    ]
+    first = motions[0].joints(m)
+    for i, (member, motion) in enumerate(zip(members, motions, strict=True)):
+        own, applied = motion.joints(m), everywhere
+        if i:
+            applied = everywhere + task.law.kp_column * (first.q - own.q) + task.law.kd_column * (first.v - own.v)
+            if np.isfinite(effort).any():
+                limited = np.flatnonzero(np.isfinite(effort)).tolist()
+                made.within(applied[limited, 1:-1], -effort[limited, None], effort[limited, None])
+        residual = member.residual.map(2 * N + 1)(motion.q, motion.v, motion.a)
+        made.zero((residual[:m, :] - applied) / member.force_scale)
+        made.zero(residual[m:, :] / member.force_scale)
+    steps = (torques[:, 1:] - torques[:, :-1]) / members[0].force_scale
+    made.cost += ca.sumsqr(steps) * N
+    parts = [x for motion in motions for x in (motion.q, motion.v, motion.a)]
+    unpack = ca.Function("unpack", [ca.vertcat(*made.unknowns)], _sorted(made, parts, torques))
+    return Transcription(made, motions, torques, unpack)
+
+
+def _sorted(made: Programme, parts: Sequence[Vector], torques: Vector) -> list[Vector]:
+    """Motions and torques as functions of all unknowns in one column."""
+    return [*parts, torques]
+
+
+def at_points(torques: Any, N: int) -> Any:
+    """Torques at the ends and middles of intervals, of those at the ends."""
+    spread = np.zeros((N + 1, 2 * N + 1))
+    for k in range(N + 1):
+        spread[k, 2 * k] = 1.0
+    for k in range(N):
+        spread[k : k + 2, 2 * k + 1] = 0.5
+    return torques @ ca.DM(spread) if isinstance(torques, ca.MX) else torques @ spread
+
+
+def _motion(made: Programme, task: Task, member: Member, guess: Motion, i: int) -> Motion:
+    """The unknown motion of a model, from its rest at the start to what counts as rest at the goal."""
+    m, N, h = len(task.start), task.intervals, task.time / task.intervals
+    n, limits = len(member.start.q), task.limits
+    free = np.full((n, 2 * N + 1), np.inf)
+    q_most, q_least, v_most = free.copy(), -free, free.copy()
+    q_most[:m, 1:-1], q_least[:m, 1:-1] = limits.upper[:, None], limits.lower[:, None]
+    if not i:
+        q_most[:m, -1] = q_least[:m, -1] = member.goal.q[:m]
+        v_most[:m, -1] = 0.0
+    v_most[:m, 1:-1] = limits.rates[:, None]
+    v_least = -v_most
+    q_most[:, 0] = q_least[:, 0] = member.start.q
+    v_most[:, 0] = v_least[:, 0] = 0.0
+    q = made.unknown(f"q{i}", guess.q, q_most, q_least)
+    v = made.unknown(f"v{i}", guess.v, v_most, v_least)
+    a = made.unknown(f"a{i}", guess.a, free, -free)
+    for whole, slope in ((q, v), (v, a)):
+        before, middle, after = (slope[:, s] for s in (slice(0, -2, 2), slice(1, None, 2), slice(2, None, 2)))
+        for weights, columns in ((INNER, slice(1, None, 2)), (OUTER, slice(2, None, 2))):
+            share = weights[0] * before + weights[1] * middle + weights[2] * after
+            made.zero(whole[:, columns] - whole[:, slice(0, -2, 2)] - h * share)
+    left = ca.vertcat(q[:, -1] - ca.DM(member.goal.q), v[:, -1])
+    made.cost += WEIGHT / task.energy_scale * ca.bilin(ca.DM(member.energy), left, left)
+    return Motion(q, v, a)

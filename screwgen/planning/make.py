@@ -1,0 +1,142 @@
+"""Plans of a robot's motions: what a caller asks for, checked, sought, and explained where there is none."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..arguments import Given, Numbers, array, seconds, whole
+from ..errors import UsageError
+from ..robot_model import RobotModel
+from .collocation import at_points
+from .members import Member, Still, member
+from .plan import Plan
+from .refusals import check_ends, no_plan, refuse_robot
+from .shortest import shortest
+from .solve import Found, Progress, solve
+from .task import Law, Limits, Task
+
+INTERVALS, LEAST, LARGEST = 24, 4, 200
+HEADROOM = 0.97
+"""The share of the limits of efforts that is planned with; the rest is for the joint law."""
+SHORTEST = "shortest"
+
+
+def plan(
+    model: RobotModel,
+    start: Numbers,
+    goal: Numbers,
+    time: float | str,
+    *,
+    gains: Any = None,
+    models: Sequence[Mapping[str, float]] = (),
+    limits: Mapping[str, Numbers] | None = None,
+    intervals: int = INTERVALS,
+    parameters: Given = None,
+    progress: Progress | None = None,
+) -> Plan:
+    """A motion of the joints from rest to rest that leaves nothing vibrating, with its torques.
+
+    `start`, `goal` (n_joints,), rad, of slides m; `time`, s, or "shortest", which is fragile: nothing is left for what
+    the model does not know. Of all such motions it is the one with the least integral of squared rates of torques.
+
+    `gains`: a law with `kp`, `kd` and perhaps `tau_max`, such as a :class:`PD`, under which the plan is to be played.
+    `models`: factors of parameters of further models, by names or patterns as `{"*.bodies[0].mass": 1.3}`; with them
+    the same references and torques bring all models to rest, each under the law of the joints, and at its own sag.
+    `limits`: `lower`, `upper`, `rates` and `efforts` of the joints, tighter ones than those of the robot file.
+    `intervals`: of the time; torques are linear over each, so they do not reach modes faster than these.
+
+    Raises UsageError, which names the limit where one forbids the motion.
+    """
+    refuse_robot(model)
+    m, began = model.n_joints, clock.perf_counter()
+    bounds, law = _limits(model, limits or {}, gains), _law(gains, m, bool(models))
+    intervals = whole(intervals, "intervals", LEAST, LARGEST)
+    fixed = time != SHORTEST
+    task = Task(
+        array(start, "start:", (m,)),
+        array(goal, "goal:", (m,)),
+        seconds(time, "the time") if fixed else 1.0,
+        intervals,
+        law,
+        bounds,
+    )
+    values = model.chain.parameters.vector(parameters)
+    own, others = Still(model, values), [Still(model, _scaled(model, values, factors)) for factors in models]
+    first = check_ends(task, model, own, fixed)
+    task = task.measured_in(np.array(own.inertia(first.q))[:m, :m], first.torque)
+    search = lambda task, near: _found(task, own, others, near, progress)  # noqa: E731
+    if fixed:
+        found = search(task, None)
+        if not found.sound:
+            raise no_plan(task, model, search)
+    else:
+        task, found = shortest(task, model, own, search)
+    took = {"iterations": found.iterations, "seconds": clock.perf_counter() - began, "cost": found.cost}
+    return _planned(model, task, found, took | {"models": 1 + len(others)})
+
+
+def _planned(model: RobotModel, task: Task, found: Found, said: Mapping[str, Any]) -> Plan:
+    """What a search has found, as a plan."""
+    m, motion = model.n_joints, found.motions[0]
+    q, v, a = (np.ascontiguousarray(x[:m].T) for x in (motion.q, motion.v, motion.a))
+    torques = np.ascontiguousarray(at_points(found.torques, task.intervals).T)
+    t, names = np.linspace(0.0, task.time, len(q)), tuple(model.q_names[:m])
+    limits, law = task.limits.efforts / HEADROOM, task.law
+    return Plan(model.robot.name, names, t, q, v, a, torques, law.kp, law.kd, limits, said)
+
+
+def _found(task: Task, own: Still, others: Sequence[Still], near: Found | None, progress: Progress | None) -> Found:
+    """The plan for the first model, then for all, from it on."""
+    members: list[Member] = [member(own, task, None)]
+    alone = near or solve(task, members, None, progress)
+    if near is not None:
+        members += [member(x, task, members[0]) for x in others]
+        return solve(task, members, near, progress)
+    if not (alone.sound and others):
+        return alone
+    members += [member(x, task, members[0]) for x in others]
+    return solve(task, members, alone, progress)
+
+
+def _scaled(model: RobotModel, values: np.ndarray, factors: Mapping[str, float]) -> np.ndarray:
+    """Parameters of a further model."""
+    if not isinstance(factors, Mapping):
+        raise UsageError("models: each is a table of factors of parameters, as {'*.bodies[0].mass': 1.3}")
+    out = values.copy()
+    for pattern, factor in factors.items():
+        out[list(model.chain.parameters.chosen(pattern))] *= array(factor, f"models: {pattern}", ()).item()
+    return model.chain.parameters.vector(out)
+
+
+def _law(gains: Any, m: int, needed: bool) -> Law:
+    if gains is None:
+        if needed:
+            raise UsageError("models: several share a motion under the law of the joints alone; give gains")
+        return Law(np.zeros(m), np.zeros(m))
+    return Law(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
+
+
+def _limits(model: RobotModel, given: Mapping[str, Numbers], gains: Any) -> Limits:
+    """The tightest of the robot's limits, of those that are given, and of the law's."""
+    m = model.n_joints
+    known = ("lower", "upper", "rates", "efforts")
+    for name in given:
+        if name not in known:
+            raise UsageError(f"limits: there is no '{name}'; choose of {', '.join(known)}")
+    own = {key: array(value, f"limits: {key}:", (m,), finite=False) for key, value in given.items()}
+    for key in ("rates", "efforts"):
+        if key in own and not (own[key] > 0).all():
+            raise UsageError(f"limits: {key}: are not all positive; leave the key out where nothing limits them")
+    efforts = np.minimum(model.chain.efforts, own.get("efforts", np.inf))
+    if gains is not None and getattr(gains, "tau_max", None) is not None:
+        efforts = np.minimum(efforts, np.asarray(gains.tau_max, float))
+    return Limits(
+        np.maximum(model.chain.limits[:, 0], own.get("lower", -np.inf)),
+        np.minimum(model.chain.limits[:, 1], own.get("upper", np.inf)),
+        np.broadcast_to(own.get("rates", np.inf), (m,)).astype(float),
+        HEADROOM * efforts,
+    )

@@ -1,0 +1,103 @@
+"""A model as a plan sees it: residuals of its inverse dynamics at its parameters, its rests, its slow modes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from ..errors import UsageError
+from ..lazily import linalg
+from ..robot_model import RobotModel
+from .task import Law, Task
+
+STEPS, SETTLED = 50, 1e-11
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A model at rest: coordinates (n,), and the torques of the joints (n_joints,) that hold it, its law's included."""
+
+    q: np.ndarray
+    torque: np.ndarray
+
+
+class Still:
+    """The forces of a model that rests, and how it vibrates about a rest."""
+
+    def __init__(self, model: RobotModel, p: np.ndarray):
+        whole, n = model.casadi()["inverse_dynamics"], model.nq
+        q, v, a = (ca.SX.sym(name, n) for name in "qva")
+        force = whole(q, v, a, ca.DM.zeros(6, model.n_links), p)
+        still = ca.substitute(force, ca.vertcat(v, a), ca.DM.zeros(2 * n))
+        self.joints = model.n_joints
+        self.residual = ca.Function("residual", [q, v, a], [force], {"cse": True})
+        self.statics = ca.Function("statics", [q], [still, ca.jacobian(still, q)])
+        damping = ca.substitute(ca.jacobian(force, v), ca.vertcat(v, a), ca.DM.zeros(2 * n))
+        self.damping = ca.Function("damping", [q], [damping])
+        inertia = ca.substitute(ca.jacobian(force, a), ca.vertcat(v, a), ca.DM.zeros(2 * n))
+        self.inertia = ca.Function("inertia", [q], [inertia])
+
+    def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> Rest:
+        """The rest with the joints where they are said to be."""
+        q = np.zeros(self.residual.size1_in(0)) if near is None else near.copy()
+        q[: self.joints] = joints
+        q = self._newton(q, np.zeros(self.joints), np.full(self.joints, np.inf))
+        return Rest(q, np.array(self.statics(q)[0]).ravel()[: self.joints])
+
+    def under(self, law: Law, reference: np.ndarray, torque: np.ndarray, near: np.ndarray) -> Rest:
+        """The rest under a torque and a joint law about a reference."""
+        q = self._newton(near.copy(), torque + law.kp * reference, law.kp)
+        return Rest(q, torque + law.kp * (reference - q[: self.joints]))
+
+    def _newton(self, q: np.ndarray, load: np.ndarray, kp: np.ndarray) -> np.ndarray:
+        """The rest where joints bear `load − kp q`; those with an infinite `kp` stay."""
+        m, held = self.joints, np.isinf(kp)
+        free = np.append(~held, np.ones(len(q) - m, bool))
+        gain = np.where(held, 0.0, kp)
+        for _ in range(STEPS):
+            force, K = (np.array(x) for x in self.statics(q))
+            force = force.ravel()
+            force[:m] -= load - gain * q[:m]
+            K[range(m), range(m)] += gain
+            step = np.linalg.solve(K[np.ix_(free, free)], -force[free]) if free.any() else np.zeros(0)
+            q[free] += step
+            if np.abs(step).max(initial=0.0) <= SETTLED * (1.0 + np.abs(q).max()):
+                return q
+        raise UsageError("no rest was found at an end of the motion; choose another posture, or larger gains")
+
+    def matrices(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Inertia, damping and stiffness of small motions about a rest, joints free."""
+        return np.array(self.inertia(q)), np.array(self.damping(q)), np.array(self.statics(q)[1])
+
+    def energy(self, q: np.ndarray, kp: np.ndarray) -> np.ndarray:
+        """(2 n, 2 n): of displacements from a rest and rates, twice their energy; joints on springs `kp`."""
+        M, _, K = self.matrices(q)
+        K[range(self.joints), range(self.joints)] += kp
+        return linalg.block_diag((K + K.T) / 2, (M + M.T) / 2)
+
+
+@dataclass(frozen=True)
+class Member:
+    """One of the models that share a motion."""
+
+    residual: ca.Function
+    start: Rest
+    goal: Rest
+    energy: np.ndarray
+    """(2 n, 2 n): of displacements from the goal and rates, twice what the arm has left to vibrate with, J."""
+    force_scale: Any
+    """What residuals are measured in."""
+
+
+def member(still: Still, task: Task, first: Member | None) -> Member:
+    """A model in a task; `first` is the model that is planned for, None for itself."""
+    start, goal = still.held(task.start), still.held(task.goal)
+    if first is not None:
+        start, goal = (
+            still.under(task.law, reference, planned.torque, near.q)
+            for reference, planned, near in ((task.start, first.start, start), (task.goal, first.goal, goal))
+        )
+    return Member(still.residual, start, goal, still.energy(goal.q, task.law.kp), task.force_scale)

@@ -1,0 +1,119 @@
+"""A plan: references of the joints and the torques that belong to them, between two rests."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..arguments import seconds
+
+ARRAYS = ("t", "q", "v", "vdot", "tau", "kp", "kd", "tau_max")
+
+
+class Samples(NamedTuple):
+    """What a clock plays, a row per sample, the last one that of the rest at the goal."""
+
+    t: np.ndarray
+    q: np.ndarray
+    v: np.ndarray
+    tau: np.ndarray
+    """The means of the torques from each sample to the next."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Plan:
+    """A motion of the joints from rest to rest, with the torques that leave nothing vibrating at its end.
+
+    P points: the ends and the middles of intervals. Between two of them joints move along the polynomial of order 5
+    that has their coordinates, rates and accelerations; torques are linear over intervals, so over points too.
+    Before the first point and behind the last one everything rests. SI units, radians.
+    """
+
+    robot: str
+    joints: tuple[str, ...]
+    t: np.ndarray
+    """(P,), s, evenly spaced."""
+    q: np.ndarray
+    """(P, n_joints): joint coordinates, rad, of slides m."""
+    v: np.ndarray
+    """(P, n_joints): their rates."""
+    vdot: np.ndarray
+    """(P, n_joints): their accelerations."""
+    tau: np.ndarray
+    """(P, n_joints): torques, N·m, of slides N."""
+    kp: np.ndarray
+    """(n_joints,): the gains under which it is played."""
+    kd: np.ndarray
+    tau_max: np.ndarray
+    """(n_joints,): what the drives have; infinite where nothing limits them."""
+    said: Mapping[str, Any] = field(default_factory=dict)
+    """How it was found: iterations, seconds, cost; files do not store it."""
+
+    @property
+    def time(self) -> float:
+        """How long the motion takes, s."""
+        return float(self.t[-1])
+
+    @property
+    def effort(self) -> np.ndarray:
+        """(n_joints,): the largest torques that are planned, of either sign."""
+        return np.abs(self.tau).max(axis=0)
+
+    def __repr__(self) -> str:
+        count = f"{len(self.joints)} joint{'s' * (len(self.joints) != 1)}"
+        return f"<Plan of '{self.robot}': {count}, {self.time:.4g} s, torques up to {self.effort.max():.4g}>"
+
+    def reference(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Joint coordinates and rates (…, n_joints) at times (…), s."""
+        t = np.clip(np.asarray(t, float), 0.0, self.time)
+        h = self.time / (len(self.t) - 1)
+        k = np.minimum((t / h).astype(int), len(self.t) - 2)
+        s = (t / h - k)[..., None]
+        c = self.coefficients[k]
+        q, v = c[..., 5, :], np.zeros_like(c[..., 5, :])
+        for power in range(4, -1, -1):
+            q, v = q * s + c[..., power, :], v * s + (power + 1) * c[..., power + 1, :]
+        return q, v / h
+
+    @property
+    def coefficients(self) -> np.ndarray:
+        """(P − 1, 6, n_joints): of powers of the share of a stretch between two points."""
+        if "_coefficients" not in self.__dict__:
+            h = self.time / (len(self.t) - 1)
+            q, v, a = self.q, h * self.v, h * h * self.vdot
+            d, v0, v1, a0, a1 = np.diff(q, axis=0), v[:-1], v[1:], a[:-1], a[1:]
+            rows = [
+                q[:-1],
+                v0,
+                a0 / 2,
+                10 * d - 6 * v0 - 4 * v1 - 1.5 * a0 + 0.5 * a1,
+                -15 * d + 8 * v0 + 7 * v1 + 1.5 * a0 - a1,
+                6 * d - 3 * (v0 + v1) - 0.5 * (a0 - a1),
+            ]
+            self.__dict__["_coefficients"] = np.stack(rows, axis=1)
+        return self.__dict__["_coefficients"]
+
+    def mean_torque(self, begin: Any, end: Any) -> np.ndarray:
+        """(…, n_joints): the means of the torques from times to later ones, s."""
+        begin, end = np.asarray(begin, float), np.asarray(end, float)
+        return (self._impulse(end) - self._impulse(begin)) / (end - begin)[..., None]
+
+    def _impulse(self, t: np.ndarray) -> np.ndarray:
+        """The integrals of the torques from the start to times, which may lie outside of the motion."""
+        h = self.time / (len(self.t) - 1)
+        inside = np.clip(t, 0.0, self.time)
+        k = np.minimum((inside / h).astype(int), len(self.t) - 2)
+        s = (inside / h - k)[..., None]
+        areas = np.vstack([np.zeros(len(self.joints)), np.cumsum((self.tau[1:] + self.tau[:-1]) * h / 2, axis=0)])
+        own = areas[k] + h * s * (self.tau[k] + (self.tau[k + 1] - self.tau[k]) * s / 2)
+        outside = np.minimum(t, 0.0)[..., None] * self.tau[0] + np.maximum(t - self.time, 0.0)[..., None] * self.tau[-1]
+        return own + outside
+
+    def sampled(self, step: float) -> Samples:
+        """The references at every `step` seconds and the means of the torques until the next sample."""
+        step = seconds(step, "the step")
+        t = step * np.arange(int(np.ceil(self.time / step - 1e-9)) + 1)
+        return Samples(t, *self.reference(t), self.mean_torque(t, t + step))

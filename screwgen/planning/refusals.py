@@ -1,0 +1,102 @@
+"""What forbids a plan, in one line: the kind of robot, an end of the motion, or a limit, found by leaving it out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from ..errors import UsageError
+from ..robot_model import RobotModel
+from .members import Rest, Still
+from .solve import Found
+from .task import Limits, Task
+
+GROUPS = {"efforts": ("efforts",), "rates": ("rates",), "joint ranges": ("lower", "upper")}
+"""The limits that are left out together to see which of them forbids a motion."""
+ROUNDING = 1e-9
+
+
+def refuse_robot(model: RobotModel) -> None:
+    """Refuse robots whose coordinates are not joints with a drive each, and modes."""
+    chain, instead = model.chain, "give references of your own"
+    chain.refuse_quaternion_joints("plan", instead)
+    chain.refuse_floating_base("plan", instead)
+    chain.refuse_loops("plan", instead)
+    others = {
+        "elastic drives": chain.n_redundant != chain.n_joints or bool(chain.elastic_travels),
+        "transmissions": bool(chain.travels),
+        "axes whose motion is given": bool(len(chain.prescribed)),
+        "tendons or other inputs": chain.n_tau != chain.n_joints,
+        "internal states": bool(chain.n_internal or chain.n_force_states),
+        "no joints": not chain.n_joints,
+    }
+    for what, there in others.items():
+        if there:
+            raise UsageError(f"robot '{model.robot.name}' has {what}, for which there is no plan yet; {instead}")
+
+
+def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> Rest:
+    """The rest at the start; refuses ends beyond limits of joints, efforts that do not hold there, a way too far."""
+    limits, names = task.limits, model.q_names
+    for end, joints in (("start", task.start), ("goal", task.goal)):
+        for j, (x, low, high) in enumerate(zip(joints, limits.lower, limits.upper, strict=True)):
+            if not low - ROUNDING <= x <= high + ROUNDING:
+                raise UsageError(f"{end}: {names[j]} is {x:g}; its limits are {low:g} and {high:g}")
+    start, goal = own.held(task.start), own.held(task.goal)
+    for end, rest in (("start", start), ("goal", goal)):
+        for j, (effort, most) in enumerate(zip(np.abs(rest.torque), limits.efforts, strict=True)):
+            if effort > most:
+                raise UsageError(
+                    f"{end}: to rest there takes {effort:.4g} of {names[j]}; of its limit {most:.4g} is planned with"
+                )
+    way, rates = np.abs(task.goal - task.start), limits.rates
+    if fixed and (fast := np.flatnonzero(way > rates * task.time)).size:
+        j = int(fast[0])
+        said = f"{names[j]} goes {way[j]:.4g} in {task.time:g} s, with a rate of {rates[j]:g} at most"
+        raise UsageError(f"time: {said}; it takes more than {way[j] / rates[j]:.4g} s")
+    if not way.any():
+        raise UsageError("goal: is the start; give another one")
+    return start
+
+
+def no_plan(task: Task, model: RobotModel, search: Callable[[Task, Found | None], Found]) -> UsageError:
+    """The error of a task without a plan: which limit forbids it, found by seeking without it."""
+    said = f"no plan was found in {task.time:g} s"
+    there = [name for name, keys in GROUPS.items() if any(np.isfinite(getattr(task.limits, k)).any() for k in keys)]
+    if there:
+        free = search(without(task, there), None)
+        if free.sound:
+            passed = [what for name in there if (what := _passed(name, task, model, free))]
+            alone = [name for name in there if search(without(task, [name]), None).sound]
+            cause = f"the limits of {alone[0]} forbid it" if alone else f"the limits of {' and '.join(there)} forbid it"
+            return UsageError(f"{said}: {cause}; without limits {', '.join(passed)}; take more time, or raise limits")
+    remedy = "take more time, other intervals, or an order of the links that bears such bends"
+    return UsageError(f"{said}: the search did not converge{', even without limits' * bool(there)}; {remedy}")
+
+
+def without(task: Task, groups: list[str]) -> Task:
+    """The task with some limits left out."""
+    keys = [key for name in groups for key in GROUPS[name]]
+    free = {key: np.full(len(task.start), -np.inf if key == "lower" else np.inf) for key in keys}
+    return replace(task, limits=replace(task.limits, **free))
+
+
+def _passed(group: str, task: Task, model: RobotModel, found: Found) -> str:
+    """By how much a motion without limits passes those of a group, at the joint where it does so most."""
+    m, limits, motion = len(task.start), task.limits, found.motions[0]
+    reached, most, unit = {
+        "efforts": (np.abs(found.torques).max(axis=1), limits.efforts, ""),
+        "rates": (np.abs(motion.v[:m]).max(axis=1), limits.rates, " 1/s"),
+        "joint ranges": _beyond(motion.q[:m], limits),
+    }[group]
+    j = int(np.argmax(reached / most))
+    return f"{model.q_names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if reached[j] > most[j] else ""
+
+
+def _beyond(q: np.ndarray, limits: Limits) -> tuple[np.ndarray, np.ndarray, str]:
+    """The farthest coordinates, with the limits on their sides, counted from the middle of the range."""
+    with np.errstate(invalid="ignore"):
+        over, under = q.max(axis=1) - limits.upper, limits.lower - q.min(axis=1)
+    return 1.0 + np.maximum(over, under), np.ones(len(q)), " (1 is its limit)"

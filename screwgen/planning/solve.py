@@ -1,0 +1,123 @@
+"""The search for a plan: the programme of a task, first guesses, and the solver."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from .collocation import Motion, transcribed
+from .members import Member
+from .task import Task
+
+MOST = 80
+"""Iterations; a plan that there is takes a dozen or two."""
+PRECISION, PIVOTS = 1e-6, 1e-2
+"""The solver's tolerance, and the least pivots of its factors: smaller ones leave wrong signs of curvature."""
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Found:
+    """The motions of all models and the torques (n_joints, intervals + 1), and how the search went."""
+
+    motions: list[Motion]
+    torques: np.ndarray
+    time: float
+    iterations: int
+    cost: float
+    sound: bool
+    """Whether everything that was asked for holds."""
+
+    def within(self, time: float) -> Found:
+        """The same motions in another time, as a first guess."""
+        s = self.time / time
+        return Found([Motion(x.q, s * x.v, s * s * x.a) for x in self.motions], self.torques, time, 0, self.cost, False)
+
+
+def solve(task: Task, members: Sequence[Member], near: Found | None = None, progress: Progress | None = None) -> Found:
+    """The plan of a task, sought from one nearby on, or from joints of least jerk."""
+    near = (near or guess(task, members[0])).within(task.time)
+    motions = [*near.motions, *(_beside(near, members[0], x) for x in members[len(near.motions) :])]
+    made = transcribed(task, members, motions[: len(members)], near.torques)
+    options: dict[str, Any] = {
+        "print_time": False,
+        "ipopt": {"print_level": 0, "sb": "yes", "max_iter": MOST, "tol": PRECISION, "mumps_pivtol": PIVOTS},
+    }
+    problem, numbers = made.programme.problem(), made.programme.numbers()
+    options["hess_lag"] = curvature(problem)
+    if progress is not None:
+        options["iteration_callback"] = counter = Counter(problem, progress)
+    solver = ca.nlpsol("plan", "ipopt", problem, options)
+    result = solver(**numbers)
+    stats = solver.stats()
+    if progress is not None:
+        counter.end()
+    found, torques = made.values(result["x"])
+    sound = stats["return_status"] in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+    return Found(found, torques, task.time, int(stats["iter_count"]), float(result["f"]), bool(sound))
+
+
+def curvature(problem: dict[str, ca.MX]) -> ca.Function:
+    """The second derivatives of the cost, without those of constraints, so that no step ever has to be damped."""
+    x, p, weight, multipliers = (
+        ca.MX.sym(name, size)
+        for name, size in zip("xpwm", (problem["x"].numel(), 0, 1, problem["g"].numel()), strict=True)
+    )
+    cost = ca.Function("cost", [problem["x"]], [problem["f"]])
+    upper = ca.triu(weight * ca.hessian(cost(x), x)[0])
+    names = ["x", "p", "lam_f", "lam_g"], ["triu_hess_gamma_x_x"]
+    return ca.Function("curvature", [x, p, weight, multipliers], [upper], *names)
+
+
+def guess(task: Task, member: Member) -> Found:
+    """Coordinates that go from rest to rest along paths of least jerk, and torques that go evenly."""
+    s, N, T = np.linspace(0.0, 1.0, 2 * task.intervals + 1), task.intervals, task.time
+    way = (member.goal.q - member.start.q)[:, None]
+    place, rate = s**3 * (10 - 15 * s + 6 * s**2), 30 * (s * (1 - s)) ** 2 / T
+    motion = Motion(member.start.q[:, None] + way * place, way * rate, way * (60 * s - 180 * s**2 + 120 * s**3) / T**2)
+    ends = (member.goal.torque - member.start.torque)[:, None]
+    torques = member.start.torque[:, None] + ends * np.linspace(0.0, 1.0, N + 1)
+    return Found([motion], torques, T, 0, np.inf, False)
+
+
+def _beside(near: Found, first: Member, other: Member) -> Motion:
+    """The motion of the first model, moved to the rests of another one."""
+    motion = near.motions[0]
+    s = np.linspace(0.0, 1.0, motion.q.shape[1])
+    before, after = (x - y for x, y in ((other.start.q, first.start.q), (other.goal.q, first.goal.q)))
+    return Motion(motion.q + before[:, None] * (1 - s) + after[:, None] * s, motion.v, motion.a)
+
+
+class Counter(ca.Callback):
+    """Tells of every iteration."""
+
+    def __init__(self, problem: dict[str, ca.MX], progress: Progress):
+        super().__init__()
+        self.sizes = [problem["x"].numel(), 1, problem["g"].numel(), problem["x"].numel(), problem["g"].numel(), 0]
+        self.progress, self.count = progress, 0
+        self.construct("counter", {})
+
+    def get_n_in(self) -> int:
+        return ca.nlpsol_n_out()
+
+    def get_n_out(self) -> int:
+        return 1
+
+    def get_name_in(self, i: int) -> str:
+        return ca.nlpsol_out(i)
+
+    def get_sparsity_in(self, i: int) -> ca.Sparsity:
+        return ca.Sparsity.dense(self.sizes[i], 1) if self.sizes[i] else ca.Sparsity(0, 0)
+
+    def eval(self, arguments: Sequence[ca.DM]) -> list[int]:
+        self.count += 1
+        self.progress(min(self.count, MOST - 1), MOST)
+        return [0]
+
+    def end(self) -> None:
+        """The search is over."""
+        self.progress(MOST, MOST)

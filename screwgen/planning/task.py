@@ -1,0 +1,60 @@
+"""What is asked of a plan: from where to where, in which time, within which limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import casadi as ca
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Law:
+    """The gains under which a plan is played, N·m/rad and N·m·s/rad, one per joint."""
+
+    kp: np.ndarray
+    kd: np.ndarray
+
+    @property
+    def kp_column(self) -> ca.DM:
+        return ca.DM(self.kp)
+
+    @property
+    def kd_column(self) -> ca.DM:
+        return ca.DM(self.kd)
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Bounds of the joints (n_joints,) each, infinite where there is none."""
+
+    lower: np.ndarray
+    upper: np.ndarray
+    rates: np.ndarray
+    efforts: np.ndarray
+
+
+@dataclass(frozen=True)
+class Task:
+    """A motion of the joints from rest to rest."""
+
+    start: np.ndarray
+    goal: np.ndarray
+    time: float
+    intervals: int
+    law: Law
+    limits: Limits
+    force_scale: float = 1.0
+    """What torques are measured in, N·m."""
+    energy_scale: float = 1.0
+    """What energies are measured in, J."""
+
+    def within(self, time: float) -> Task:
+        """The same motion in another time."""
+        return replace(self, time=time)
+
+    def measured_in(self, inertia: np.ndarray, holding: np.ndarray) -> Task:
+        """The same with the sizes of its torques and energies, of an arm with an inertia (n_joints, n_joints)."""
+        rate = (self.goal - self.start) / self.time
+        force = np.abs(np.append(inertia @ rate * 6 / self.time, holding)).max()
+        return replace(self, force_scale=float(force), energy_scale=float(rate @ inertia @ rate))

@@ -154,7 +154,7 @@ class Model(RobotModel):
     @contextmanager
     def documents_beside(self) -> Iterator[None]:
         """Within it a second process makes the documents that :meth:`write` writes, see :mod:`.beside`."""
-        with beside(self._documents) as documents:
+        with beside(lambda: target_files.latex_files(self.robot, self._plugins)) as documents:
             self._kept[DOCUMENTS] = documents
             try:
                 yield

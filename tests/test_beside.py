@@ -7,6 +7,7 @@ import time
 import warnings
 
 import pytest
+from helpers import arm, link, model_of
 
 from screwgen import beside as besides
 from screwgen.beside import beside
@@ -75,3 +76,11 @@ def test_one_process_does_it_where_there_may_be_no_second(lacking, monkeypatch):
     with beside(os.getpid) as done:
         assert done() == os.getpid()
     other.set()
+
+
+def test_documents_are_made_where_no_second_process_may_be(monkeypatch, tmp_path):
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0})
+    model = model_of(arm(link("boom", axes="z", bodies=[{"at": "tip", "mass": 1.0}])))
+    with model.documents_beside():
+        model.write(tmp_path, targets=("latex",))
+    assert list((tmp_path / "latex").glob("*.tex"))

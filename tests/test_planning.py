@@ -151,3 +151,32 @@ def test_gains_are_stable_in_the_sampled_loop_of_the_arm():
     assert law.decay > 1 and law.spare >= 1.9
     late, early = (np.abs(run.q[s, 0]).max() for s in (slice(-50, None), slice(0, 50)))
     assert late < 1e-3 * early
+
+
+def ella(order, modes):
+    """The example with rotors, of another order and number of modes per plane."""
+    from helpers import example_dict
+
+    robot = {**example_dict("converged"), "order": order}
+    links = robot["links"]
+    for row, rotors in zip(links, ([0.2, 0.2], [0.1]), strict=True):
+        row["modes"] = {"bending_y": modes, "bending_z": modes, "torsion": 1}
+        row["joint"] = {**row["joint"], "armature": rotors}
+    return model_of(robot)
+
+
+@pytest.mark.long
+def test_a_plan_of_ella_leaves_an_exact_arm_at_rest():
+    design, plant = ella(1, 2), ella("exact", 4)
+    found = screwgen.gains(design, [[0.0, 0.0, 0.0], [-0.5, 0.7, 0.45]])
+    law = screwgen.PD(tuple(found.kp), tuple(found.kd), (0.0, 0.0, 0.0))
+    payloads = [{"forearm.bodies[0].mass": f} for f in (0.7, 1.3)]
+    own = dict(zip(plant.parameter_names, plant.parameter_values, strict=True))
+    off = [{name: f * x for name, x in own.items() if name.endswith(("EIy", "EIz"))} for f in (0.8, 1.2)]
+    off += [{"forearm.bodies[0].mass": f * own["forearm.bodies[0].mass"]} for f in (0.7, 1.3)]
+    goal = [-0.5, 0.7, 0.45]
+    nominal = screwgen.plan(design, [0.0] * 3, goal, 1.2, gains=law)
+    assert nominal.said["iterations"] <= 30
+    assert screwgen.play(plant, nominal).residual <= 2e-4
+    robust = screwgen.plan(design, [0.0] * 3, goal, 1.2, gains=law, models=payloads)
+    assert max(screwgen.play(plant, robust, parameters=p).residual for p in ({}, *off)) <= 3e-3

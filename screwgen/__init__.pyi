@@ -14,9 +14,13 @@ from .interchange.load import load as load
 from .joints.screw import Screw as Screw
 from .model import Model as Model
 from .model import derive as derive
+from .planning.joint_gains import JointGains as JointGains
+from .planning.joint_gains import gains as gains
 from .planning.make import plan as plan
-from .planning.plan import Plan as Plan
+from .planning.plan import MotionPlan as MotionPlan
 from .planning.plan_files import read_plan as read_plan
+from .planning.shapers import Shaper as Shaper
+from .planning.shapers import shaper as shaper
 from .simulation.arrival import Arrival as Arrival
 from .simulation.arrival import play as play
 from .simulation.control_loop import ControlLoopWarning as ControlLoopWarning

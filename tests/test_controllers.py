@@ -8,7 +8,8 @@ from helpers import model_of
 from test_simulate import soft_dict
 
 from screwgen import UsageError
-from screwgen.simulation.controllers import PD, Holding, read_controller
+from screwgen.simulation.controllers import PD, Holding
+from screwgen.simulation.named_controllers import read_controller
 from screwgen.simulation.simulate import simulate
 from screwgen.studies.equilibrium import equilibrium
 

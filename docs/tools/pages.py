@@ -38,7 +38,7 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = (
     "index robot forces functions notebook firmware estimator mpc realtime research modes elements urdf fmi models "
-    "viewer rollouts jax identification"
+    "viewer rollouts identification motions jax"
 )
 GUIDES = tuple(ROOT / "docs" / f"{name}.md" for name in PAGES.split())
 

@@ -196,8 +196,8 @@ def run_analyse(
     quiet: bool,
 ) -> None:
     """Print the report or the JSON, and draw the structure; of runs the limits of the model alone."""
-    from ..simulation.controllers import read_controller
     from ..simulation.linearised import check_step
+    from ..simulation.named_controllers import read_controller
     from ..simulation.runs import check_output, outputs, suffix
     from ..studies.analysis import SAMPLES, analyse, first_state, sample_states
 

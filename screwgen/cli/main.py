@@ -17,7 +17,7 @@ from typer.core import TyperGroup
 
 from ..errors import ScrewgenError, UsageError
 from ..plugins import declared, plugins
-from . import exchange, identifying
+from . import exchange, identifying, motions
 from .process import guarded, prepare
 from .viewing import ViewFile, view
 
@@ -125,7 +125,7 @@ def simulate(
         typer.Option(
             metavar="KIND:FILE",
             help="pd:gains.toml: kp, kd, q_des or waypoints, duration, tau_max, gravity. "
-            "csv:inputs.csv: t, torques and tensions by name, over time. Without: the state's tau.",
+            "plan:plan.npz. csv:inputs.csv: t, torques and tensions by name, over time. Without: the state's tau.",
         ),
     ] = None,
     form: Form = "joint",
@@ -314,8 +314,8 @@ def latex(
     run_latex(robot, output, scalar, about, documentclass, fragment, notation, at, whole, quiet=quiet or context.obj)
 
 
-exchange.register(app, EPILOG)
-identifying.register(app, EPILOG)
+for group in (exchange, identifying, motions):
+    group.register(app, EPILOG)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -34,8 +34,8 @@ def run_simulate(
     `drawn`: the files of --plot and --view, and the words of --panel. What a run that fails had until then is in
     `run.failed.npz`, and so on.
     """
-    from ..simulation.controllers import read_controller
     from ..simulation.hits import lines
+    from ..simulation.named_controllers import read_controller
     from ..simulation.runs import FORMATS, check_output, failed_name, outputs
     from ..simulation.simulate import FORMS as known_forms
     from ..simulation.simulate import simulate, step_count

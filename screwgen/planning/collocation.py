@@ -15,17 +15,11 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from .members import Member
+from .members import PlannedModel
 from .task import Task
 
 INNER, OUTER = np.array([5, 8, -1]) / 24, np.array([1, 4, 1]) / 6
 """Weights of the Lobatto rule: the integral over the first half of an interval and over the whole, in intervals."""
-WEIGHT = 1e5
-"""Of the energy that is left at the end, over that of the motion: a hundred-thousandth costs one.
-
-As a cost it may be left where torques barely reach it; as a condition, nearly dependent ones would not let the search
-converge.
-"""
 Vector = Any
 """A column of CasADi expressions."""
 
@@ -72,16 +66,16 @@ class Programme:
 
 
 @dataclass(frozen=True)
-class Motion:
+class Trajectory:
     """Coordinates, rates and accelerations (n, points) of one model, at ends and middles of intervals in turn."""
 
     q: Any
     v: Any
     a: Any
 
-    def joints(self, count: int) -> Motion:
+    def joints(self, count: int) -> Trajectory:
         """The part of the joints."""
-        return Motion(self.q[:count, :], self.v[:count, :], self.a[:count, :])
+        return Trajectory(self.q[:count, :], self.v[:count, :], self.a[:count, :])
 
 
 @dataclass
@@ -89,17 +83,19 @@ class Transcription:
     """The programme of a task over models, and where in its unknowns the motions and the torques are."""
 
     programme: Programme
-    motions: list[Motion]
+    motions: list[Trajectory]
     torques: Any
     unpack: ca.Function
 
-    def values(self, x: np.ndarray) -> tuple[list[Motion], np.ndarray]:
+    def values(self, x: np.ndarray) -> tuple[list[Trajectory], np.ndarray]:
         """The motions and the torques (n_joints, intervals + 1) of a solution."""
         found = [np.array(part) for part in self.unpack(x)]
-        return [Motion(*found[i : i + 3]) for i in range(0, len(found) - 1, 3)], found[-1]
+        return [Trajectory(*found[i : i + 3]) for i in range(0, len(found) - 1, 3)], found[-1]
 
 
-def transcribed(task: Task, members: Sequence[Member], guesses: Sequence[Motion], torque: np.ndarray) -> Transcription:
+def transcribed(
+    task: Task, members: Sequence[PlannedModel], guesses: Sequence[Trajectory], torque: np.ndarray
+) -> Transcription:
     """The programme of a task for models of which the first one is the one that is planned for."""
     made, N, m = Programme(), task.intervals, len(task.start)
     effort = task.limits.efforts
@@ -145,7 +141,7 @@ def at_points(torques: Any, N: int) -> Any:
     return torques @ ca.DM(spread) if isinstance(torques, ca.MX) else torques @ spread
 
 
-def _motion(made: Programme, task: Task, member: Member, guess: Motion, i: int) -> Motion:
+def _motion(made: Programme, task: Task, member: PlannedModel, guess: Trajectory, i: int) -> Trajectory:
     """The unknown motion of a model, from its rest at the start to what counts as rest at the goal."""
     m, N, h = len(task.start), task.intervals, task.time / task.intervals
     n, limits = len(member.start.q), task.limits
@@ -168,5 +164,5 @@ def _motion(made: Programme, task: Task, member: Member, guess: Motion, i: int) 
             share = weights[0] * before + weights[1] * middle + weights[2] * after
             made.zero(whole[:, columns] - whole[:, slice(0, -2, 2)] - h * share)
     left = ca.vertcat(q[:, -1] - ca.DM(member.goal.q), v[:, -1])
-    made.cost += WEIGHT / task.energy_scale * ca.bilin(ca.DM(member.energy), left, left)
-    return Motion(q, v, a)
+    made.cost += task.weight / task.energy_scale * ca.bilin(ca.DM(member.energy), left, left)
+    return Trajectory(q, v, a)

@@ -11,18 +11,17 @@ import numpy as np
 from ..arguments import Given, Numbers, array, seconds, whole
 from ..errors import UsageError
 from ..robot_model import RobotModel
+from ..spec.plan import INTERVALS, LARGEST, LEAST, SHORTEST
 from .collocation import at_points
-from .members import Member, Still, member
-from .plan import Plan
+from .members import PlannedModel, Still, member
+from .plan import MotionPlan
 from .refusals import check_ends, no_plan, refuse_robot
 from .shortest import shortest
 from .solve import Found, Progress, solve
-from .task import Law, Limits, Task
+from .task import JointLaw, JointLimits, Task
 
-INTERVALS, LEAST, LARGEST = 24, 4, 200
 HEADROOM = 0.97
 """The share of the limits of efforts that is planned with; the rest is for the joint law."""
-SHORTEST = "shortest"
 
 
 def plan(
@@ -37,7 +36,7 @@ def plan(
     intervals: int = INTERVALS,
     parameters: Given = None,
     progress: Progress | None = None,
-) -> Plan:
+) -> MotionPlan:
     """A motion of the joints from rest to rest that leaves nothing vibrating, with its torques.
 
     `start`, `goal` (n_joints,), rad, of slides m; `time`, s, or "shortest", which is fragile: nothing is left for what
@@ -65,7 +64,7 @@ def plan(
         bounds,
     )
     values = model.chain.parameters.vector(parameters)
-    own, others = Still(model, values), [Still(model, _scaled(model, values, factors)) for factors in models]
+    own, others = Still(model, values), [Still(model, scaled(model, values, factors)) for factors in models]
     first = check_ends(task, model, own, fixed)
     task = task.measured_in(np.array(own.inertia(first.q))[:m, :m], first.torque)
     search = lambda task, near: _found(task, own, others, near, progress)  # noqa: E731
@@ -75,23 +74,28 @@ def plan(
             raise no_plan(task, model, search)
     else:
         task, found = shortest(task, model, own, search)
-    took = {"iterations": found.iterations, "seconds": clock.perf_counter() - began, "cost": found.cost}
+    took = {
+        "iterations": found.iterations,
+        "seconds": clock.perf_counter() - began,
+        "cost": found.cost,
+        "left": found.left,
+    }
     return _planned(model, task, found, took | {"models": 1 + len(others)})
 
 
-def _planned(model: RobotModel, task: Task, found: Found, said: Mapping[str, Any]) -> Plan:
+def _planned(model: RobotModel, task: Task, found: Found, said: Mapping[str, Any]) -> MotionPlan:
     """What a search has found, as a plan."""
     m, motion = model.n_joints, found.motions[0]
     q, v, a = (np.ascontiguousarray(x[:m].T) for x in (motion.q, motion.v, motion.a))
     torques = np.ascontiguousarray(at_points(found.torques, task.intervals).T)
     t, names = np.linspace(0.0, task.time, len(q)), tuple(model.q_names[:m])
     limits, law = task.limits.efforts / HEADROOM, task.law
-    return Plan(model.robot.name, names, t, q, v, a, torques, law.kp, law.kd, limits, said)
+    return MotionPlan(model.robot.name, names, t, q, v, a, torques, law.kp, law.kd, limits, said)
 
 
 def _found(task: Task, own: Still, others: Sequence[Still], near: Found | None, progress: Progress | None) -> Found:
     """The plan for the first model, then for all, from it on."""
-    members: list[Member] = [member(own, task, None)]
+    members: list[PlannedModel] = [member(own, task, None)]
     alone = near or solve(task, members, None, progress)
     if near is not None:
         members += [member(x, task, members[0]) for x in others]
@@ -102,7 +106,7 @@ def _found(task: Task, own: Still, others: Sequence[Still], near: Found | None, 
     return solve(task, members, alone, progress)
 
 
-def _scaled(model: RobotModel, values: np.ndarray, factors: Mapping[str, float]) -> np.ndarray:
+def scaled(model: RobotModel, values: np.ndarray, factors: Mapping[str, float]) -> np.ndarray:
     """Parameters of a further model."""
     if not isinstance(factors, Mapping):
         raise UsageError("models: each is a table of factors of parameters, as {'*.bodies[0].mass': 1.3}")
@@ -112,15 +116,15 @@ def _scaled(model: RobotModel, values: np.ndarray, factors: Mapping[str, float])
     return model.chain.parameters.vector(out)
 
 
-def _law(gains: Any, m: int, needed: bool) -> Law:
+def _law(gains: Any, m: int, needed: bool) -> JointLaw:
     if gains is None:
         if needed:
             raise UsageError("models: several share a motion under the law of the joints alone; give gains")
-        return Law(np.zeros(m), np.zeros(m))
-    return Law(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
+        return JointLaw(np.zeros(m), np.zeros(m))
+    return JointLaw(*(array(getattr(gains, name), f"gains: {name}:", (m,)) for name in ("kp", "kd")))
 
 
-def _limits(model: RobotModel, given: Mapping[str, Numbers], gains: Any) -> Limits:
+def _limits(model: RobotModel, given: Mapping[str, Numbers], gains: Any) -> JointLimits:
     """The tightest of the robot's limits, of those that are given, and of the law's."""
     m = model.n_joints
     known = ("lower", "upper", "rates", "efforts")
@@ -134,7 +138,7 @@ def _limits(model: RobotModel, given: Mapping[str, Numbers], gains: Any) -> Limi
     efforts = np.minimum(model.chain.efforts, own.get("efforts", np.inf))
     if gains is not None and getattr(gains, "tau_max", None) is not None:
         efforts = np.minimum(efforts, np.asarray(gains.tau_max, float))
-    return Limits(
+    return JointLimits(
         np.maximum(model.chain.limits[:, 0], own.get("lower", -np.inf)),
         np.minimum(model.chain.limits[:, 1], own.get("upper", np.inf)),
         np.broadcast_to(own.get("rates", np.inf), (m,)).astype(float),

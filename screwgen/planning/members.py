@@ -11,13 +11,13 @@ import numpy as np
 from ..errors import UsageError
 from ..lazily import linalg
 from ..robot_model import RobotModel
-from .task import Law, Task
+from .task import JointLaw, Task
 
 STEPS, SETTLED = 50, 1e-11
 
 
 @dataclass(frozen=True)
-class Rest:
+class AtRest:
     """A model at rest: coordinates (n,), and the torques of the joints (n_joints,) that hold it, its law's included."""
 
     q: np.ndarray
@@ -40,17 +40,17 @@ class Still:
         inertia = ca.substitute(ca.jacobian(force, a), ca.vertcat(v, a), ca.DM.zeros(2 * n))
         self.inertia = ca.Function("inertia", [q], [inertia])
 
-    def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> Rest:
+    def held(self, joints: np.ndarray, near: np.ndarray | None = None) -> AtRest:
         """The rest with the joints where they are said to be."""
         q = np.zeros(self.residual.size1_in(0)) if near is None else near.copy()
         q[: self.joints] = joints
         q = self._newton(q, np.zeros(self.joints), np.full(self.joints, np.inf))
-        return Rest(q, np.array(self.statics(q)[0]).ravel()[: self.joints])
+        return AtRest(q, np.array(self.statics(q)[0]).ravel()[: self.joints])
 
-    def under(self, law: Law, reference: np.ndarray, torque: np.ndarray, near: np.ndarray) -> Rest:
+    def under(self, law: JointLaw, reference: np.ndarray, torque: np.ndarray, near: np.ndarray) -> AtRest:
         """The rest under a torque and a joint law about a reference."""
         q = self._newton(near.copy(), torque + law.kp * reference, law.kp)
-        return Rest(q, torque + law.kp * (reference - q[: self.joints]))
+        return AtRest(q, torque + law.kp * (reference - q[: self.joints]))
 
     def _newton(self, q: np.ndarray, load: np.ndarray, kp: np.ndarray) -> np.ndarray:
         """The rest where joints bear `load − kp q`; those with an infinite `kp` stay."""
@@ -80,19 +80,19 @@ class Still:
 
 
 @dataclass(frozen=True)
-class Member:
+class PlannedModel:
     """One of the models that share a motion."""
 
     residual: ca.Function
-    start: Rest
-    goal: Rest
+    start: AtRest
+    goal: AtRest
     energy: np.ndarray
     """(2 n, 2 n): of displacements from the goal and rates, twice what the arm has left to vibrate with, J."""
     force_scale: Any
     """What residuals are measured in."""
 
 
-def member(still: Still, task: Task, first: Member | None) -> Member:
+def member(still: Still, task: Task, first: PlannedModel | None) -> PlannedModel:
     """A model in a task; `first` is the model that is planned for, None for itself."""
     start, goal = still.held(task.start), still.held(task.goal)
     if first is not None:
@@ -100,4 +100,4 @@ def member(still: Still, task: Task, first: Member | None) -> Member:
             still.under(task.law, reference, planned.torque, near.q)
             for reference, planned, near in ((task.start, first.start, start), (task.goal, first.goal, goal))
         )
-    return Member(still.residual, start, goal, still.energy(goal.q, task.law.kp), task.force_scale)
+    return PlannedModel(still.residual, start, goal, still.energy(goal.q, task.law.kp), task.force_scale)

@@ -24,7 +24,7 @@ class Samples(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Plan:
+class MotionPlan:
     """A motion of the joints from rest to rest, with the torques that leave nothing vibrating at its end.
 
     P points: the ends and the middles of intervals. Between two of them joints move along the polynomial of order 5
@@ -64,7 +64,7 @@ class Plan:
 
     def __repr__(self) -> str:
         count = f"{len(self.joints)} joint{'s' * (len(self.joints) != 1)}"
-        return f"<Plan of '{self.robot}': {count}, {self.time:.4g} s, torques up to {self.effort.max():.4g}>"
+        return f"<MotionPlan of '{self.robot}': {count}, {self.time:.4g} s, torques up to {self.effort.max():.4g}>"
 
     def reference(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
         """Joint coordinates and rates (…, n_joints) at times (…), s."""

@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import UsageError
 from ..files import open_arrays, sound
 from ..spec.load import one_line
-from .plan import ARRAYS, Plan
+from .plan import ARRAYS, MotionPlan
 
 FORMATS = (".npz", ".csv")
 STEP = 1e-3
@@ -18,13 +18,13 @@ STEP = 1e-3
 SPACING = 1e-9
 
 
-def write_npz(plan: Plan, stream: BinaryIO) -> None:
+def write_npz(plan: MotionPlan, stream: BinaryIO) -> None:
     """All of a plan but how it was found."""
     arrays = {name: getattr(plan, name) for name in ARRAYS}
     np.savez(stream, allow_pickle=False, robot=np.array(plan.robot), joints=np.array(plan.joints), **arrays)
 
 
-def write_csv(plan: Plan, stream: BinaryIO, step: float = STEP) -> None:
+def write_csv(plan: MotionPlan, stream: BinaryIO, step: float = STEP) -> None:
     """References and means of torques at every step: a head of names, then a row for every sample."""
     head = ["t", *(f"{name}{end}" for end in ("", ".rate", ".torque") for name in plan.joints)]
     stream.write((",".join(head) + "\n").encode())
@@ -33,7 +33,7 @@ def write_csv(plan: Plan, stream: BinaryIO, step: float = STEP) -> None:
         stream.write((",".join(f"{x:.17g}" for x in row) + "\n").encode())
 
 
-def read_plan(path: str | os.PathLike[str]) -> Plan:
+def read_plan(path: str | os.PathLike[str]) -> MotionPlan:
     """The plan in a .npz file; raises UsageError, one line."""
     file = one_line(os.fsdecode(path))
     wrong = lambda why: UsageError(f"{file}: cannot be read as a plan ({why}); give a .npz of plan")  # noqa: E731
@@ -55,5 +55,5 @@ def read_plan(path: str | os.PathLike[str]) -> Plan:
     t = found["t"]
     if points < 2 or t[0] != 0 or not np.allclose(np.diff(t), t[-1] / (points - 1), rtol=SPACING, atol=0) or t[-1] <= 0:
         raise wrong("t does not grow evenly from 0")
-    values: list[Any] = [found[name] for name in ARRAYS]
-    return Plan(robot, joints, *values)
+    arrays_found: list[Any] = [found[name] for name in ARRAYS]
+    return MotionPlan(robot, joints, *arrays_found)

@@ -9,9 +9,9 @@ import numpy as np
 
 from ..errors import UsageError
 from ..robot_model import RobotModel
-from .members import Rest, Still
+from .members import AtRest, Still
 from .solve import Found
-from .task import Limits, Task
+from .task import JointLimits, Task
 
 GROUPS = {"efforts": ("efforts",), "rates": ("rates",), "joint ranges": ("lower", "upper")}
 """The limits that are left out together to see which of them forbids a motion."""
@@ -37,7 +37,7 @@ def refuse_robot(model: RobotModel) -> None:
             raise UsageError(f"robot '{model.robot.name}' has {what}, for which there is no plan yet; {instead}")
 
 
-def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> Rest:
+def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest:
     """The rest at the start; refuses ends beyond limits of joints, efforts that do not hold there, a way too far."""
     limits, names = task.limits, model.q_names
     for end, joints in (("start", task.start), ("goal", task.goal)):
@@ -95,7 +95,7 @@ def _passed(group: str, task: Task, model: RobotModel, found: Found) -> str:
     return f"{model.q_names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if reached[j] > most[j] else ""
 
 
-def _beyond(q: np.ndarray, limits: Limits) -> tuple[np.ndarray, np.ndarray, str]:
+def _beyond(q: np.ndarray, limits: JointLimits) -> tuple[np.ndarray, np.ndarray, str]:
     """The farthest coordinates, with the limits on their sides, counted from the middle of the range."""
     with np.errstate(invalid="ignore"):
         over, under = q.max(axis=1) - limits.upper, limits.lower - q.min(axis=1)

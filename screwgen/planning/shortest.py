@@ -12,7 +12,7 @@ from .members import Still
 from .solve import Found
 from .task import Task
 
-CLOSE = 1.005
+CLOSE = 1.002
 """The ratio of a time with a plan and of one without at which the search ends."""
 DOUBLINGS = 8
 

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from .collocation import Motion, transcribed
-from .members import Member
+from .collocation import Trajectory, transcribed
+from .members import PlannedModel
 from .task import Task
 
 MOST = 80
 """Iterations; a plan that there is takes a dozen or two."""
 PRECISION, PIVOTS = 1e-6, 1e-2
 """The solver's tolerance, and the least pivots of its factors: smaller ones leave wrong signs of curvature."""
+LEFT, MOST_STRICT = 2e-5, 1e9
+"""What may be left of the energy of a motion, and the largest weight of it."""
 Progress = Callable[[int, int], None]
 
 
@@ -24,22 +26,34 @@ Progress = Callable[[int, int], None]
 class Found:
     """The motions of all models and the torques (n_joints, intervals + 1), and how the search went."""
 
-    motions: list[Motion]
+    motions: list[Trajectory]
     torques: np.ndarray
     time: float
     iterations: int
     cost: float
+    left: float
+    """What the first model has left to vibrate with at the end, over the energy of the motion."""
     sound: bool
     """Whether everything that was asked for holds."""
 
     def within(self, time: float) -> Found:
         """The same motions in another time, as a first guess."""
         s = self.time / time
-        return Found([Motion(x.q, s * x.v, s * s * x.a) for x in self.motions], self.torques, time, 0, self.cost, False)
+        motions = [Trajectory(x.q, s * x.v, s * s * x.a) for x in self.motions]
+        return Found(motions, self.torques, time, 0, self.cost, np.inf, False)
 
 
-def solve(task: Task, members: Sequence[Member], near: Found | None = None, progress: Progress | None = None) -> Found:
-    """The plan of a task, sought from one nearby on, or from joints of least jerk."""
+def solve(
+    task: Task,
+    members: Sequence[PlannedModel],
+    near: Found | None = None,
+    progress: Progress | None = None,
+    exact: bool = False,
+) -> Found:
+    """The plan of a task, sought from one nearby on, or from joints of least jerk.
+
+    `exact`: with the curvature of constraints too, which takes longer; it is what ends where much remains at the end.
+    """
     near = (near or guess(task, members[0])).within(task.time)
     motions = [*near.motions, *(_beside(near, members[0], x) for x in members[len(near.motions) :])]
     made = transcribed(task, members, motions[: len(members)], near.torques)
@@ -48,7 +62,8 @@ def solve(task: Task, members: Sequence[Member], near: Found | None = None, prog
         "ipopt": {"print_level": 0, "sb": "yes", "max_iter": MOST, "tol": PRECISION, "mumps_pivtol": PIVOTS},
     }
     problem, numbers = made.programme.problem(), made.programme.numbers()
-    options["hess_lag"] = curvature(problem)
+    if not exact:
+        options["hess_lag"] = curvature(problem)
     if progress is not None:
         options["iteration_callback"] = counter = Counter(problem, progress)
     solver = ca.nlpsol("plan", "ipopt", problem, options)
@@ -57,8 +72,18 @@ def solve(task: Task, members: Sequence[Member], near: Found | None = None, prog
     if progress is not None:
         counter.end()
     found, torques = made.values(result["x"])
-    sound = stats["return_status"] in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
-    return Found(found, torques, task.time, int(stats["iter_count"]), float(result["f"]), bool(sound))
+    converged = stats["return_status"] in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+    end = np.append(found[0].q[:, -1] - members[0].goal.q, found[0].v[:, -1])
+    left = float(end @ members[0].energy @ end / task.energy_scale)
+    there = Found(found, torques, task.time, int(stats["iter_count"]), float(result["f"]), left, False)
+    if not (converged or exact):
+        again = solve(task, members, there, progress, exact=True)
+        return replace(again, iterations=again.iterations + there.iterations)
+    sound = converged and (len(members) > 1 or left <= LEFT)
+    if converged and not sound and task.weight < MOST_STRICT:
+        again = solve(task.stricter(), members, there, progress)
+        return replace(again, iterations=again.iterations + there.iterations)
+    return replace(there, sound=sound)
 
 
 def curvature(problem: dict[str, ca.MX]) -> ca.Function:
@@ -73,23 +98,25 @@ def curvature(problem: dict[str, ca.MX]) -> ca.Function:
     return ca.Function("curvature", [x, p, weight, multipliers], [upper], *names)
 
 
-def guess(task: Task, member: Member) -> Found:
+def guess(task: Task, member: PlannedModel) -> Found:
     """Coordinates that go from rest to rest along paths of least jerk, and torques that go evenly."""
     s, N, T = np.linspace(0.0, 1.0, 2 * task.intervals + 1), task.intervals, task.time
     way = (member.goal.q - member.start.q)[:, None]
     place, rate = s**3 * (10 - 15 * s + 6 * s**2), 30 * (s * (1 - s)) ** 2 / T
-    motion = Motion(member.start.q[:, None] + way * place, way * rate, way * (60 * s - 180 * s**2 + 120 * s**3) / T**2)
+    motion = Trajectory(
+        member.start.q[:, None] + way * place, way * rate, way * (60 * s - 180 * s**2 + 120 * s**3) / T**2
+    )
     ends = (member.goal.torque - member.start.torque)[:, None]
     torques = member.start.torque[:, None] + ends * np.linspace(0.0, 1.0, N + 1)
-    return Found([motion], torques, T, 0, np.inf, False)
+    return Found([motion], torques, T, 0, np.inf, np.inf, False)
 
 
-def _beside(near: Found, first: Member, other: Member) -> Motion:
+def _beside(near: Found, first: PlannedModel, other: PlannedModel) -> Trajectory:
     """The motion of the first model, moved to the rests of another one."""
     motion = near.motions[0]
     s = np.linspace(0.0, 1.0, motion.q.shape[1])
     before, after = (x - y for x, y in ((other.start.q, first.start.q), (other.goal.q, first.goal.q)))
-    return Motion(motion.q + before[:, None] * (1 - s) + after[:, None] * s, motion.v, motion.a)
+    return Trajectory(motion.q + before[:, None] * (1 - s) + after[:, None] * s, motion.v, motion.a)
 
 
 class Counter(ca.Callback):

@@ -7,9 +7,17 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
+WEIGHT, STRICTER = 1e5, 100.0
+"""Of the energy that is left at the end, over that of the motion: a hundred-thousandth costs one. By a factor more
+where that does not bring it to rest.
+
+As a cost it may be left where torques barely reach it; as a condition, nearly dependent ones would not let the search
+converge.
+"""
+
 
 @dataclass(frozen=True)
-class Law:
+class JointLaw:
     """The gains under which a plan is played, N·m/rad and N·m·s/rad, one per joint."""
 
     kp: np.ndarray
@@ -25,7 +33,7 @@ class Law:
 
 
 @dataclass(frozen=True)
-class Limits:
+class JointLimits:
     """Bounds of the joints (n_joints,) each, infinite where there is none."""
 
     lower: np.ndarray
@@ -42,16 +50,22 @@ class Task:
     goal: np.ndarray
     time: float
     intervals: int
-    law: Law
-    limits: Limits
+    law: JointLaw
+    limits: JointLimits
     force_scale: float = 1.0
     """What torques are measured in, N·m."""
+    weight: float = WEIGHT
+    """Of the energy that is left at the end, over that of the motion."""
     energy_scale: float = 1.0
     """What energies are measured in, J."""
 
     def within(self, time: float) -> Task:
         """The same motion in another time."""
-        return replace(self, time=time)
+        return replace(self, time=time, energy_scale=self.energy_scale * (self.time / time) ** 2)
+
+    def stricter(self) -> Task:
+        """The same where what is left at the end costs more."""
+        return replace(self, weight=STRICTER * self.weight)
 
     def measured_in(self, inertia: np.ndarray, holding: np.ndarray) -> Task:
         """The same with the sizes of its torques and energies, of an arm with an inertia (n_joints, n_joints)."""

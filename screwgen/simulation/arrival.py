@@ -9,8 +9,8 @@ import numpy as np
 
 from ..arguments import Given, seconds
 from ..planning.members import Still
-from ..planning.plan import Plan
-from ..planning.task import Law
+from ..planning.plan import MotionPlan
+from ..planning.task import JointLaw
 from ..robot_model import RobotModel
 from .played import Played
 from .runs import Run
@@ -46,7 +46,13 @@ class Arrival:
 
 
 def play(
-    model: RobotModel, plan: Plan, *, step: float = STEP, after: float = AFTER, parameters: Given = None, **ways: Any
+    model: RobotModel,
+    plan: MotionPlan,
+    *,
+    step: float = STEP,
+    after: float = AFTER,
+    parameters: Given = None,
+    **ways: Any,
 ) -> Arrival:
     """Play a plan under its joint law, from rest on, and look at the arm for `after` seconds behind its end.
 
@@ -68,9 +74,9 @@ def play(
     )
 
 
-def resting(model: RobotModel, plan: Plan, p: np.ndarray) -> np.ndarray:
+def resting(model: RobotModel, plan: MotionPlan, p: np.ndarray) -> np.ndarray:
     """The coordinates (nq,) in which a model rests under the law of a plan before it begins."""
     still = Still(model, p)
     if not plan.kp.all():
         return still.held(plan.q[0]).q
-    return still.under(Law(plan.kp, plan.kd), plan.q[0], plan.tau[0], still.held(plan.q[0]).q).q
+    return still.under(JointLaw(plan.kp, plan.kd), plan.q[0], plan.tau[0], still.held(plan.q[0]).q).q

@@ -18,7 +18,6 @@ from ..spec.load import one_line, parse
 from ..spec.messages import unknown
 from ..spec.ranges import within
 from ..spec.values import array, refuse, shown
-from .input_table import read_inputs
 from .mobility import closing, stated_joints
 from .state import read_text, refusals, sized
 
@@ -302,27 +301,3 @@ def _angles(key: str, value: Any, n: int, at: tuple) -> tuple[float, ...]:
     """One number for each joint, of the unit and the range of a key."""
     check = within("q" if key.startswith("q_") else key)
     return tuple(sized(value, at, n, f"numbers, one per joint, {UNITS.get(key, UNITS['q_des'])}", check))
-
-
-def _read_played(path: str | os.PathLike[str], model: RobotModel) -> Controller:
-    from .played import read_played
-
-    return read_played(path, model)
-
-
-CONTROLLERS: dict[str, Callable[[Any, RobotModel], Controller]] = {
-    "pd": read_pd,
-    "plan": _read_played,
-    "csv": read_inputs,
-}
-
-
-def read_controller(text: str, model: RobotModel) -> Controller:
-    """The controller that `KIND:FILE` names, such as `pd:gains.toml`; raises UsageError."""
-    kind, colon, path = text.partition(":")
-    known = ", ".join(f"{name}:FILE" for name in CONTROLLERS)
-    if kind not in CONTROLLERS:
-        raise UsageError(f"there is no controller '{one_line(kind)}'; known: {known}")
-    if not (colon and path):
-        raise UsageError(f"the controller '{one_line(text)}' names no file; write {known}")
-    return CONTROLLERS[kind](path, model)

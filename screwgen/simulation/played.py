@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import UsageError
-from ..planning.plan import Plan
+from ..planning.plan import MotionPlan
 from ..planning.plan_files import read_plan
 from ..robot_model import RobotModel
 from .controllers import PD
@@ -22,11 +22,11 @@ class Played(PD):
     the next sample: one that is an eighth of a millisecond early costs a factor of ten in what vibrates.
     """
 
-    plan: Plan | None = None
+    plan: MotionPlan | None = None
     step: float = 1e-3
 
     @classmethod
-    def of(cls, plan: Plan) -> Played:
+    def of(cls, plan: MotionPlan) -> Played:
         """The law of a plan with its own gains and limits."""
         most = None if np.isinf(plan.tau_max).any() else tuple(plan.tau_max.tolist())
         kp, kd, goal, start = (tuple(x.tolist()) for x in (plan.kp, plan.kd, plan.q[-1], plan.q[0]))

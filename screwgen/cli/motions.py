@@ -1,0 +1,87 @@
+"""Commands for motions that end at rest: gains and plan."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
+
+
+def register(app: typer.Typer, epilog: str) -> None:
+    """Add the commands to the command line."""
+    app.command("gains", short_help="Find gains of the joints.", epilog=epilog)(gains)
+    app.command("plan", short_help="Plan a motion that ends at rest.", epilog=epilog)(plan)
+
+
+def gains(
+    context: typer.Context,
+    robot: RobotFile,
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="The file of the law, gains.toml.")],
+    at: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="Q,...", help="A posture of the joints, rad or m; may be given again. Zero, if not given."
+        ),
+    ] = None,
+    step: Annotated[float, typer.Option(metavar="S", help="Between the samples of the clock.")] = 1e-3,
+    quiet: Quiet = False,
+) -> None:
+    """Write joint gains under which what is slowest decays fastest, and print the figures of the sampled loop."""
+    from ..model import derive
+    from ..planning.joint_gains import gains as found_gains
+    from ..progress import busy
+    from ..simulation.runs import check_output, outputs
+    from .linear import numbers
+    from .output import load_robot, say, stoppable
+
+    quiet = quiet or context.obj
+    check_output(output, (".toml",))
+    model = derive(load_robot(robot, quiet))
+    m = model.n_joints
+    postures = [numbers("q", text, m, "joint coordinates", "at") for text in at or ["0 " * m]]
+    with outputs(output) as (stream,):
+        with busy("seeking gains", quiet), stoppable():
+            law = found_gains(model, postures, step=step)
+        rows = [("kp", law.kp.tolist()), ("kd", law.kd.tolist()), ("q_des", postures[0].tolist())]
+        text = f"# {law.line}\n" + "".join(f"{name} = {values}\n" for name, values in rows)
+        stream.write(text.encode())
+    say(f"{output}\n{law.line}", quiet)
+
+
+def plan(
+    context: typer.Context,
+    robot: RobotFile,
+    task: Annotated[str, typer.Argument(metavar="PLAN", help="What is to be planned, TOML.")],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="plan.npz, or samples as plan.csv.")],
+    step: Annotated[float, typer.Option(metavar="S", help="Between the rows of a .csv file.")] = 1e-3,
+    quiet: Quiet = False,
+) -> None:
+    """Plan a motion of the joints from rest to rest that leaves nothing vibrating, with its torques."""
+    from ..model import derive
+    from ..planning.make import plan as made
+    from ..planning.plan_files import FORMATS, write_csv, write_npz
+    from ..progress import bar
+    from ..simulation.controllers import read_pd
+    from ..simulation.runs import check_output, outputs, suffix
+    from ..spec.plan import read_task
+    from .output import load_robot, say, stoppable
+
+    quiet = quiet or context.obj
+    check_output(output, FORMATS)
+    model = derive(load_robot(robot, quiet))
+    asked, law = read_task(task)
+    ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models}
+    ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
+    ways["gains"] = None if law is None else read_pd(law, model)
+    with outputs(output) as (stream,):
+        with bar("planning", 80, quiet) as progress, stoppable():
+            found = made(model, asked.start, asked.goal, asked.time, **ways, progress=progress)
+        if suffix(output) == ".csv":
+            write_csv(found, stream, step)
+        else:
+            write_npz(found, stream)
+    figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
+    say(f"{output}\n{figures}", quiet)

@@ -1,0 +1,80 @@
+"""The file of a motion that is to be planned (TOML). Every fault is one line."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import Field, PlainValidator, ValidationError
+
+from ..errors import RobotFileError
+from .load import decode, one_line, parse, read
+from .messages import explain
+from .mpc import whole
+from .part import Part
+from .values import array, number, positive, refuse, shown
+
+INTERVALS, LEAST, LARGEST = 24, 4, 200
+"""Of the time of a plan: as many as are taken, the fewest and the most."""
+SHORTEST = "shortest"
+
+
+def _numbers(value: Any) -> tuple[float, ...]:
+    return tuple(number(x, at=(i,)) for i, x in enumerate(array(value, "an array of numbers, one per joint")))
+
+
+def _positives(value: Any) -> tuple[float, ...]:
+    return tuple(positive(x, at=(i,)) for i, x in enumerate(array(value, "an array of numbers > 0, one per joint")))
+
+
+def _time(value: Any) -> float | str:
+    return SHORTEST if value == SHORTEST else positive(value)
+
+
+def _models(value: Any) -> tuple[dict[str, float], ...]:
+    return tuple(_factors(x, i) for i, x in enumerate(array(value, "an array of tables of factors")))
+
+
+def _factors(value: Any, i: int) -> dict[str, float]:
+    if not isinstance(value, dict):
+        raise refuse(f'is {shown(value)}; it must be a table of factors, as {{ "*.bodies[0].mass" = 1.3 }}', (i,))
+    return {name: number(x, at=(i, name)) for name, x in value.items()}
+
+
+Joints = Annotated[tuple[float, ...], PlainValidator(_numbers)]
+Sizes = Annotated[tuple[float, ...], PlainValidator(_positives)]
+
+
+class PlanLimits(Part):
+    """Limits of the joints beside those of the robot file."""
+
+    lower: Joints | None = Field(None, description="least joint coordinates, rad, of slides m")
+    upper: Joints | None = Field(None, description="largest joint coordinates")
+    rates: Sizes | None = Field(None, description="largest joint rates, rad/s or m/s, of either sign")
+    efforts: Sizes | None = Field(None, description="largest efforts of drives, N·m or N, of either sign")
+
+
+class PlanFile(Part):
+    """A motion from rest to rest."""
+
+    start: Joints = Field(description="joint coordinates at the start, rad, of slides m")
+    goal: Joints = Field(description="joint coordinates at the goal")
+    time: Annotated[float | str, PlainValidator(_time)] = Field(description='s, or "shortest"')
+    gains: str | None = Field(None, description="the file of the joint law under which the plan is played")
+    intervals: Annotated[int, PlainValidator(whole(LEAST, LARGEST))] = Field(INTERVALS, description="of the time")
+    limits: PlanLimits = Field(PlanLimits(), description="limits of the joints")
+    models: Annotated[tuple[dict[str, float], ...], PlainValidator(_models)] = Field(
+        (), description="factors of parameters, by names or patterns, of further models that are to rest too"
+    )
+
+
+def read_task(path: str | os.PathLike[str]) -> tuple[PlanFile, str | None]:
+    """What a file asks for, and where its law is, relative to the file; raises RobotFileError, one line."""
+    file = one_line(os.fsdecode(path))
+    data = parse(decode(read(path, file), file), file)
+    try:
+        found = PlanFile.model_validate(data)
+    except ValidationError as error:
+        raise RobotFileError(f"{file}: {explain(error, PlanFile, data)}") from None
+    return found, None if found.gains is None else str(Path(path).parent / found.gains)

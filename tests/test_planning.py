@@ -1,0 +1,182 @@
+"""Plans of motions that end at rest: judged by bang-bang's closed form, by the arm itself, by what forbids them."""
+
+import numpy as np
+import pytest
+from helpers import arm, link, model_of
+
+import screwgen
+from screwgen import UsageError
+
+ROTOR, LOAD, EI, LENGTH = 0.4, 1.0, 40.0, 1.0
+LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
+
+
+def one_mode(**joint):
+    """A light rod in a plane without gravity that carries a load: a rotor, a spring and a mass."""
+    rod = link(
+        "rod",
+        axes=["z"],
+        length=LENGTH,
+        section={"rhoA": 1e-6, "EIy": EI, "EIz": EI},
+        modes={"bending_y": 1},
+        bodies=[{"at": "tip", "mass": LOAD}],
+        joint={"armature": [ROTOR], **joint},
+    )
+    return model_of({**arm(rod), "gravity": [0.0, 0.0, 0.0]})
+
+
+def bang_bang(way, effort, inertia, frequency):
+    """The shortest time of a rest-to-rest motion of one undamped mode: bang-bang with three switches.
+
+    The switches at ±s and 0 about the middle leave the rigid motion and the mode at rest: with half the time h the
+    rigid one goes (h² − 2 s²) effort / inertia, and the mode rests where 1 + cos(w h) = 2 cos(w s).
+    """
+    w = 2 * np.pi * frequency
+    h = np.linspace(np.sqrt(way * inertia / effort), 3 * np.sqrt(way * inertia / effort), 400001)
+    s = np.sqrt((h**2 - way * inertia / effort) / 2)
+    open_by = 1 + np.cos(w * h) - 2 * np.cos(w * s)
+    k = int(np.flatnonzero(np.diff(np.sign(open_by)) != 0)[0])
+    return 2 * h[k]
+
+
+def test_the_shortest_time_of_one_mode_is_that_of_bang_bang():
+    model, way, effort = one_mode(), 1.0, 20.0
+    free = float(np.abs(model.linearise([0.0, 0.0]).eigenvalues().imag).max()) / (2 * np.pi)
+    plan = screwgen.plan(model, [0.0], [way], "shortest", limits={"efforts": [effort / 0.97]}, intervals=140)
+    inertia = ROTOR + LOAD * LENGTH**2
+    best = bang_bang(way, effort, inertia, free)
+    assert best * 0.998 <= plan.time <= 1.015 * best
+
+
+def test_a_plan_leaves_its_model_at_rest_and_keeps_limits():
+    model = one_mode()
+    plan = screwgen.plan(model, [0.0], [1.0], 0.9, gains=LAW)
+    arrived = screwgen.play(model, plan, step=5e-4)
+    jerk = screwgen.play(model, smooth(plan), step=5e-4)
+    assert arrived.residual < 2e-3 * jerk.residual
+    most = 0.9 * plan.effort
+    tight = screwgen.plan(model, [0.0], [1.0], 0.9, gains=LAW, limits={"efforts": most})
+    assert (tight.effort <= 0.97 * most * (1 + 1e-6)).all() and tight.said["cost"] > plan.said["cost"]
+    assert screwgen.play(model, tight, step=5e-4).saturated == 0
+
+
+def smooth(plan):
+    """The same way along a path of least jerk, with the torques of a rigid arm."""
+    s, T = (plan.t / plan.time)[:, None], plan.time
+    way = plan.q[-1] - plan.q[0]
+    q = plan.q[0] + way * s**3 * (10 - 15 * s + 6 * s**2)
+    v, a = way * 30 * (s * (1 - s)) ** 2 / T, way * (60 * s - 180 * s**2 + 120 * s**3) / T**2
+    rigid = (ROTOR + LOAD * LENGTH**2) * a
+    return screwgen.MotionPlan(plan.robot, plan.joints, plan.t, q, v, a, rigid, plan.kp, plan.kd, plan.tau_max)
+
+
+def test_a_robust_plan_brings_other_loads_to_rest():
+    model = one_mode()
+    loads = [{"*.mass": 0.7}, {"*.mass": 1.3}]
+    plans = [screwgen.plan(model, [0.0], [1.0], 1.2, gains=LAW, models=m, intervals=30) for m in ((), loads)]
+    left = [
+        max(screwgen.play(model, p, parameters={"rod.bodies[0].mass": x * LOAD}).residual for x in (0.7, 1.3))
+        for p in plans
+    ]
+    assert left[1] < 0.12 * left[0]
+
+
+def test_references_and_means_of_torques_are_those_of_the_polynomials():
+    plan = screwgen.plan(one_mode(), [0.0], [1.0], 0.9)
+    q, v = plan.reference(plan.t)
+    assert np.abs(q - plan.q).max() < 1e-13 and np.abs(v - plan.v).max() < 1e-12
+    t = np.linspace(0.0, 0.9, 20001)
+    fine = plan.reference(t)
+    assert np.abs(np.gradient(fine[0], t, axis=0) - fine[1])[1:-1].max() < 1e-5
+    own = np.array([np.interp(t, plan.t, column) for column in plan.tau.T]).T
+    mean = np.trapezoid(own[4000:9001], t[4000:9001], axis=0) / (t[9000] - t[4000])
+    assert np.abs(plan.mean_torque(t[4000], t[9000]) - mean).max() < 1e-5
+    assert plan.mean_torque(2.0, 3.0) == plan.tau[-1] and plan.mean_torque(-2.0, -1.0) == plan.tau[0]
+
+
+def test_a_plan_is_the_same_from_its_file(tmp_path):
+    from screwgen.planning.plan_files import write_csv, write_npz
+
+    plan = screwgen.plan(one_mode(), [0.0], [1.0], 0.9, gains=LAW, intervals=8)
+    with open(tmp_path / "plan.npz", "wb") as stream:
+        write_npz(plan, stream)
+    read = screwgen.read_plan(tmp_path / "plan.npz")
+    assert all(np.array_equal(getattr(read, n), getattr(plan, n)) for n in ("t", "q", "v", "vdot", "tau", "kp", "kd"))
+    with open(tmp_path / "plan.csv", "wb") as stream:
+        write_csv(plan, stream, 1e-2)
+    rows = np.loadtxt(tmp_path / "plan.csv", delimiter=",", skiprows=1)
+    s = plan.sampled(1e-2)
+    assert np.array_equal(rows, np.column_stack([s.t, s.q, s.v, s.tau])) and len(rows) == 91
+    np.savez(tmp_path / "bad.npz", t=np.zeros(3))
+    with pytest.raises(UsageError, match=r"bad\.npz: cannot be read as a plan"):
+        screwgen.read_plan(tmp_path / "bad.npz")
+
+
+@pytest.mark.parametrize(
+    ("said", "goal", "time", "more"),
+    [
+        (r"goal: rod\.joint\[0\] is 1; its limits are -inf and 0\.5", 1.0, 1.0, {"limits": {"upper": [0.5]}}),
+        (r"time: rod\.joint\[0\] goes 1 in 0\.5 s.* more than 1 s", 1.0, 0.5, {"limits": {"rates": [1.0]}}),
+        (r"the limits of efforts forbid it; without limits rod\.joint\[0\]", 1.0, 0.8, {"limits": {"efforts": [5.0]}}),
+        (r"nothing limits efforts or rates", 1.0, "shortest", {}),
+        (r"goal: is the start", 0.0, 1.0, {}),
+        (r"models: several share .* give gains", 1.0, 1.0, {"models": [{"*.mass": 0.7}]}),
+        (r"limits: there is no 'speed'", 1.0, 1.0, {"limits": {"speed": [1.0]}}),
+    ],
+)
+def test_what_forbids_a_plan_is_one_line(said, goal, time, more):
+    with pytest.raises(UsageError, match=said) as caught:
+        screwgen.plan(one_mode(), [0.0], [goal], time, intervals=12, **more)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("kind", ["zv", "zvd", "ei"])
+@pytest.mark.parametrize("damping", [0.0, 0.1])
+def test_shapers_leave_what_theory_says(kind, damping):
+    shaper = screwgen.shaper(2.0, damping, kind)
+    assert abs(shaper.amplitudes.sum() - 1) < 1e-15
+    assert shaper.delay == pytest.approx((1 if kind == "zv" else 2) * 0.25 / np.sqrt(1 - damping**2))
+    assert abs(shaper.residual(2.0, damping) - (0.05 if kind == "ei" else 0.0)) < 1e-14
+    if not damping:
+        x = np.cos(np.pi / 2 * np.linspace(0.6, 1.4, 9))
+        expected = {"zv": np.abs(x), "zvd": x**2, "ei": np.abs(x**2 * 0.95 + 0.05 * (2 * x**2 - 1))}[kind]
+        assert np.abs(shaper.residual(2.0 * np.linspace(0.6, 1.4, 9)) - expected).max() < 1e-3
+
+
+def test_gains_are_stable_in_the_sampled_loop_of_the_arm():
+    model = one_mode()
+    law = screwgen.gains(model, [[0.0]])
+    pd = screwgen.PD(tuple(law.kp), tuple(law.kd), (0.0,))
+    run = screwgen.simulate(model, 12.0 / law.decay, 1e-3, q0=[0.05, 0.0], controller=pd)
+    assert law.decay > 1 and law.spare >= 1.9
+    late, early = (np.abs(run.q[s, 0]).max() for s in (slice(-50, None), slice(0, 50)))
+    assert late < 1e-3 * early
+
+
+def ella(order, modes):
+    """The example with rotors, of another order and number of modes per plane."""
+    from helpers import example_dict
+
+    robot = {**example_dict("converged"), "order": order}
+    links = robot["links"]
+    for row, rotors in zip(links, ([0.2, 0.2], [0.1]), strict=True):
+        row["modes"] = {"bending_y": modes, "bending_z": modes, "torsion": 1}
+        row["joint"] = {**row["joint"], "armature": rotors}
+    return model_of(robot)
+
+
+@pytest.mark.long
+def test_a_plan_of_ella_leaves_an_exact_arm_at_rest():
+    design, plant = ella(1, 2), ella("exact", 4)
+    found = screwgen.gains(design, [[0.0, 0.0, 0.0], [-0.5, 0.7, 0.45]])
+    law = screwgen.PD(tuple(found.kp), tuple(found.kd), (0.0, 0.0, 0.0))
+    payloads = [{"forearm.bodies[0].mass": f} for f in (0.7, 1.3)]
+    own = dict(zip(plant.parameter_names, plant.parameter_values, strict=True))
+    off = [{name: f * x for name, x in own.items() if name.endswith(("EIy", "EIz"))} for f in (0.8, 1.2)]
+    off += [{"forearm.bodies[0].mass": f * own["forearm.bodies[0].mass"]} for f in (0.7, 1.3)]
+    goal = [-0.5, 0.7, 0.45]
+    nominal = screwgen.plan(design, [0.0] * 3, goal, 1.2, gains=law)
+    assert nominal.said["iterations"] <= 30
+    assert screwgen.play(plant, nominal).residual <= 2e-4
+    robust = screwgen.plan(design, [0.0] * 3, goal, 1.2, gains=law, models=payloads)
+    assert max(screwgen.play(plant, robust, parameters=p).residual for p in ({}, *off)) <= 3e-3

@@ -148,4 +148,4 @@ def test_a_model_that_lacks_the_friction_of_the_data_is_not_trusted(log):
     frictionless = pendulum(TRUE | {COULOMB: 1e-9, VISCOUS: 1e-9})
     found = screwgen.identify(frictionless, log, free=["rod.EIz", ROTOR], sensors=SENSORS, window=0.25)
     (note,) = found.notes
-    assert "residuals of angle and gauge are no noise" in note and min(found.whiteness.values()) > 0.9
+    assert "residuals of angle, gauge are no noise" in note and min(found.whiteness.values()) > 0.9

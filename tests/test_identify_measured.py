@@ -36,7 +36,7 @@ def test_currents_alone_predict_the_held_out_half(arm):
     assert found["blade1.EIz"].value == pytest.approx(1.6, rel=0.1)
     assert found["blade2.EIz"].value == pytest.approx(0.29, rel=0.1)
     assert "@10:20, held out, repeats the fit: 100.0 %" in found.notes[-1] and len(found.notes) == 2
-    assert found.notes[0].startswith("residuals of theta_1 and theta_2 and gauge_1 and gauge_2 are no noise")
+    assert found.notes[0].startswith("residuals of theta_1, theta_2, gauge_1, gauge_2 are no noise")
 
 
 def test_joints_that_are_given_judge_the_blades_alone():

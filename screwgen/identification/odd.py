@@ -53,7 +53,7 @@ def of_whiteness(correlations: Mapping[str, float]) -> list[str]:
     """Sensors whose residuals have a cause that the model lacks."""
     found = [name for name, x in correlations.items() if x > COLOURED]
     said = "neighbours have much in common, so the model lacks something, and numbers may be off by more"
-    return [f"residuals of {' and '.join(found)} are no noise: {said}"] if found else []
+    return [f"residuals of {', '.join(found)} are no noise: {said}"] if found else []
 
 
 def of_bounds(asked: Unknowns, at: Estimate, fit: Fit) -> list[str]:

@@ -163,10 +163,11 @@ def _known(model: RobotModel, columns: Columns, sizes: Mapping[str, float]) -> d
 def _parameter(place: int, one: Parameter) -> FreeNumber:
     """A parameter: by its logarithm, unless it may have either sign."""
     diagonal = one.field == "bodies.inertia" and one.index[-1] < 3
+    unit = "" if one.unit == "1" else one.unit
     if one.sign != "any" or (diagonal and one.value > 0):
-        return _logarithmic(one.name, PARAMETER, one.value, one.unit, place)
-    scale = max(abs(one.value), SCALES.get(one.unit, 1.0))
-    return FreeNumber(one.name, PARAMETER, one.value, one.unit, False, scale, place=place)
+        return _logarithmic(one.name, PARAMETER, one.value, unit, place)
+    scale = max(abs(one.value), SCALES.get(unit, 1.0))
+    return FreeNumber(one.name, PARAMETER, one.value, unit, False, scale, place=place)
 
 
 SCALES: Mapping[str, float] = {"m": 0.1, "m/s²": 1.0, "kg·m²": 0.01, "rad": 0.1}

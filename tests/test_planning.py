@@ -81,6 +81,16 @@ def test_a_robust_plan_brings_other_loads_to_rest():
     assert left[1] < 0.12 * left[0]
 
 
+def test_a_cart_leaves_the_load_on_its_rope_at_rest():
+    cart = link("cart", axes=[{"slide": "y"}], length=0.1, modes={}, section={"rhoA": 0.1})
+    rope = link("rope", axes=["z"], length=1.0, modes={}, section={"rhoA": 0.05}, bodies=[{"at": "tip", "mass": 2.0}])
+    model = model_of({**arm({**cart, "bodies": [{"at": "tip", "mass": 5.0}]}, rope), "gravity": [9.81, 0.0, 0.0]})
+    plan = screwgen.plan(model, [0.0, 0.0], [0.8, 0.0], 1.6, limits={"efforts": [200.0, 0.0]})
+    assert plan.effort[1] == 0 and np.abs(plan.q[:, 1]).max() > 0.1
+    arrived = screwgen.play(model, plan)
+    assert arrived.residual < 5e-5 and arrived.saturated == 0
+
+
 def test_references_and_means_of_torques_are_those_of_the_polynomials():
     plan = screwgen.plan(one_mode(), [0.0], [1.0], 0.9)
     q, v = plan.reference(plan.t)

@@ -47,7 +47,7 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
     start, goal = own.held(task.start), own.held(task.goal)
     for end, rest in (("start", start), ("goal", goal)):
         for j, (effort, most) in enumerate(zip(np.abs(rest.torque), limits.efforts, strict=True)):
-            if effort > most:
+            if effort > most + ROUNDING * (1.0 + np.abs(rest.torque).max()):
                 raise UsageError(
                     f"{end}: to rest there takes {effort:.4g} of {names[j]}; of its limit {most:.4g} is planned with"
                 )
@@ -91,7 +91,7 @@ def _passed(group: str, task: Task, model: RobotModel, found: Found) -> str:
         "rates": (np.abs(motion.v[:m]).max(axis=1), limits.rates, " 1/s"),
         "joint ranges": _beyond(motion.q[:m], limits),
     }[group]
-    j = int(np.argmax(reached / most))
+    j = int(np.argmax(reached / np.maximum(most, 1e-12)))
     return f"{model.q_names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if reached[j] > most[j] else ""
 
 

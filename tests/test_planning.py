@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of
+from helpers import arm, example, link, model_of
 
 import screwgen
 from screwgen import UsageError
@@ -138,6 +138,23 @@ def test_what_forbids_a_plan_is_one_line(said, goal, time, more):
     with pytest.raises(UsageError, match=said) as caught:
         screwgen.plan(one_mode(), [0.0], [goal], time, intervals=12, **more)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "what"),
+    [
+        ("elastic_joint", "elastic drives"),
+        ("crane", "transmissions"),
+        ("parallelogram", "loops"),
+        ("tentacle", "tendons"),
+        ("space_arm", "floating base"),
+        ("ship_crane", "motion is given"),
+    ],
+)
+def test_robots_without_a_plan_are_refused(name, what):
+    model = example(name)
+    with pytest.raises(UsageError, match=what):
+        screwgen.plan(model, [0.0] * model.n_joints, [0.1] * model.n_joints, 1.0)
 
 
 @pytest.mark.parametrize("kind", ["zv", "zvd", "ei"])

@@ -25,7 +25,7 @@ def refuse_robot(model: RobotModel) -> None:
     chain.refuse_floating_base("plan", instead)
     chain.refuse_loops("plan", instead)
     others = {
-        "elastic drives": chain.n_redundant != chain.n_joints or bool(chain.elastic_travels),
+        "elastic drives": chain.eta_q != chain.n_joints or bool(chain.elastic_travels),
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(len(chain.prescribed)),
         "tendons or other inputs": chain.n_tau != chain.n_joints,

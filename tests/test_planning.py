@@ -99,7 +99,7 @@ def test_references_and_means_of_torques_are_those_of_the_polynomials():
     fine = plan.reference(t)
     assert np.abs(np.gradient(fine[0], t, axis=0) - fine[1])[1:-1].max() < 1e-5
     own = np.array([np.interp(t, plan.t, column) for column in plan.tau.T]).T
-    mean = np.trapezoid(own[4000:9001], t[4000:9001], axis=0) / (t[9000] - t[4000])
+    mean = (own[4000:9000] + own[4001:9001]).mean(axis=0) / 2
     assert np.abs(plan.mean_torque(t[4000], t[9000]) - mean).max() < 1e-5
     assert plan.mean_torque(2.0, 3.0) == plan.tau[-1] and plan.mean_torque(-2.0, -1.0) == plan.tau[0]
 

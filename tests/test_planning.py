@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import arm, link, model_of
+from helpers import arm, example, link, model_of
 
 import screwgen
 from screwgen import UsageError
@@ -81,6 +81,16 @@ def test_a_robust_plan_brings_other_loads_to_rest():
     assert left[1] < 0.12 * left[0]
 
 
+def test_a_cart_leaves_the_load_on_its_rope_at_rest():
+    cart = link("cart", axes=[{"slide": "y"}], length=0.1, modes={}, section={"rhoA": 0.1})
+    rope = link("rope", axes=["z"], length=1.0, modes={}, section={"rhoA": 0.05}, bodies=[{"at": "tip", "mass": 2.0}])
+    model = model_of({**arm({**cart, "bodies": [{"at": "tip", "mass": 5.0}]}, rope), "gravity": [9.81, 0.0, 0.0]})
+    plan = screwgen.plan(model, [0.0, 0.0], [0.8, 0.0], 1.6, limits={"efforts": [200.0, 0.0]})
+    assert plan.effort[1] == 0 and np.abs(plan.q[:, 1]).max() > 0.1
+    arrived = screwgen.play(model, plan)
+    assert arrived.residual < 5e-5 and arrived.saturated == 0
+
+
 def test_references_and_means_of_torques_are_those_of_the_polynomials():
     plan = screwgen.plan(one_mode(), [0.0], [1.0], 0.9)
     q, v = plan.reference(plan.t)
@@ -89,7 +99,7 @@ def test_references_and_means_of_torques_are_those_of_the_polynomials():
     fine = plan.reference(t)
     assert np.abs(np.gradient(fine[0], t, axis=0) - fine[1])[1:-1].max() < 1e-5
     own = np.array([np.interp(t, plan.t, column) for column in plan.tau.T]).T
-    mean = np.trapezoid(own[4000:9001], t[4000:9001], axis=0) / (t[9000] - t[4000])
+    mean = (own[4000:9000] + own[4001:9001]).mean(axis=0) / 2
     assert np.abs(plan.mean_torque(t[4000], t[9000]) - mean).max() < 1e-5
     assert plan.mean_torque(2.0, 3.0) == plan.tau[-1] and plan.mean_torque(-2.0, -1.0) == plan.tau[0]
 
@@ -128,6 +138,23 @@ def test_what_forbids_a_plan_is_one_line(said, goal, time, more):
     with pytest.raises(UsageError, match=said) as caught:
         screwgen.plan(one_mode(), [0.0], [goal], time, intervals=12, **more)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "what"),
+    [
+        ("elastic_joint", "elastic drives"),
+        ("crane", "transmissions"),
+        ("parallelogram", "loops"),
+        ("tentacle", "tendons"),
+        ("space_arm", "floating base"),
+        ("ship_crane", "motion is given"),
+    ],
+)
+def test_robots_without_a_plan_are_refused(name, what):
+    model = example(name)
+    with pytest.raises(UsageError, match=what):
+        screwgen.plan(model, [0.0] * model.n_joints, [0.1] * model.n_joints, 1.0)
 
 
 @pytest.mark.parametrize("kind", ["zv", "zvd", "ei"])

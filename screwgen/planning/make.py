@@ -45,7 +45,8 @@ def plan(
     `gains`: a law with `kp`, `kd` and perhaps `tau_max`, such as a :class:`PD`, under which the plan is to be played.
     `models`: factors of parameters of further models, by names or patterns as `{"*.bodies[0].mass": 1.3}`; with them
     the same references and torques bring all models to rest, each under the law of the joints, and at its own sag.
-    `limits`: `lower`, `upper`, `rates` and `efforts` of the joints, tighter ones than those of the robot file.
+    `limits`: `lower`, `upper`, `rates` and `efforts` of the joints, tighter ones than those of the robot file. A joint
+    that no drive moves, as a rope's, has the effort 0.
     `intervals`: of the time; torques are linear over each, so they do not reach modes faster than these.
 
     Raises UsageError, which names the limit where one forbids the motion.
@@ -133,8 +134,8 @@ def _limits(model: RobotModel, given: Mapping[str, Numbers], gains: Any) -> Join
             raise UsageError(f"limits: there is no '{name}'; choose of {', '.join(known)}")
     own = {key: array(value, f"limits: {key}:", (m,), finite=False) for key, value in given.items()}
     for key in ("rates", "efforts"):
-        if key in own and not (own[key] > 0).all():
-            raise UsageError(f"limits: {key}: are not all positive; leave the key out where nothing limits them")
+        if key in own and not (own[key] > 0 if key == "rates" else own[key] >= 0).all():
+            raise UsageError(f"limits: {key}: must be positive, efforts of joints without a drive zero")
     efforts = np.minimum(model.chain.efforts, own.get("efforts", np.inf))
     if gains is not None and getattr(gains, "tau_max", None) is not None:
         efforts = np.minimum(efforts, np.asarray(gains.tau_max, float))

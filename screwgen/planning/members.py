@@ -33,7 +33,7 @@ class Still:
         force = whole(q, v, a, ca.DM.zeros(6, model.n_links), p)
         still = ca.substitute(force, ca.vertcat(v, a), ca.DM.zeros(2 * n))
         self.joints = model.n_joints
-        self.residual = ca.Function("residual", [q, v, a], [force], {"cse": True})
+        self.residual = ca.Function("residual", [q, v, a], [force])
         self.statics = ca.Function("statics", [q], [still, ca.jacobian(still, q)])
         damping = ca.substitute(ca.jacobian(force, v), ca.vertcat(v, a), ca.DM.zeros(2 * n))
         self.damping = ca.Function("damping", [q], [damping])

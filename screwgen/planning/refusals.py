@@ -25,7 +25,7 @@ def refuse_robot(model: RobotModel) -> None:
     chain.refuse_floating_base("plan", instead)
     chain.refuse_loops("plan", instead)
     others = {
-        "elastic drives": chain.n_redundant != chain.n_joints or bool(chain.elastic_travels),
+        "elastic drives": chain.eta_q != chain.n_joints or bool(chain.elastic_travels),
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(len(chain.prescribed)),
         "tendons or other inputs": chain.n_tau != chain.n_joints,
@@ -47,7 +47,7 @@ def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest
     start, goal = own.held(task.start), own.held(task.goal)
     for end, rest in (("start", start), ("goal", goal)):
         for j, (effort, most) in enumerate(zip(np.abs(rest.torque), limits.efforts, strict=True)):
-            if effort > most:
+            if effort > most + ROUNDING * (1.0 + np.abs(rest.torque).max()):
                 raise UsageError(
                     f"{end}: to rest there takes {effort:.4g} of {names[j]}; of its limit {most:.4g} is planned with"
                 )
@@ -91,7 +91,7 @@ def _passed(group: str, task: Task, model: RobotModel, found: Found) -> str:
         "rates": (np.abs(motion.v[:m]).max(axis=1), limits.rates, " 1/s"),
         "joint ranges": _beyond(motion.q[:m], limits),
     }[group]
-    j = int(np.argmax(reached / most))
+    j = int(np.argmax(reached / np.maximum(most, 1e-12)))
     return f"{model.q_names[j]} would take {reached[j]:.4g}{unit} of {most[j]:.4g}" if reached[j] > most[j] else ""
 
 

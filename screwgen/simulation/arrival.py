@@ -69,7 +69,7 @@ def play(
         run,
         float(np.linalg.norm(np.ptp(behind, axis=0))),
         applied.max(axis=0),
-        int((applied >= FULL * plan.tau_max).any(axis=1).sum()),
+        int(((applied >= FULL * plan.tau_max) & (plan.tau_max > 0)).any(axis=1).sum()),
         run.q[-1, :m] - plan.q[-1],
     )
 

@@ -28,9 +28,8 @@ class Played(PD):
     @classmethod
     def of(cls, plan: MotionPlan) -> Played:
         """The law of a plan with its own gains and limits."""
-        most = None if np.isinf(plan.tau_max).any() else tuple(plan.tau_max.tolist())
         kp, kd, goal, start = (tuple(x.tolist()) for x in (plan.kp, plan.kd, plan.q[-1], plan.q[0]))
-        return cls(kp, kd, goal, duration=plan.time, tau_max=most, q_start=start, plan=plan)
+        return cls(kp, kd, goal, duration=plan.time, q_start=start, plan=plan)
 
     def sampled_every(self, step: float) -> Played:
         """The same for a run of steps of so many seconds."""

@@ -13,7 +13,7 @@ from .load import decode, one_line, parse, read
 from .messages import explain
 from .mpc import whole
 from .part import Part
-from .values import array, number, positive, refuse, shown
+from .values import array, non_negative, number, positive, refuse, shown
 
 INTERVALS, LEAST, LARGEST = 24, 4, 200
 """Of the time of a plan: as many as are taken, the fewest and the most."""
@@ -26,6 +26,12 @@ def _numbers(value: Any) -> tuple[float, ...]:
 
 def _positives(value: Any) -> tuple[float, ...]:
     return tuple(positive(x, at=(i,)) for i, x in enumerate(array(value, "an array of numbers > 0, one per joint")))
+
+
+def _efforts(value: Any) -> tuple[float, ...]:
+    return tuple(
+        non_negative(x, at=(i,)) for i, x in enumerate(array(value, "an array of numbers >= 0, one per joint"))
+    )
 
 
 def _time(value: Any) -> float | str:
@@ -43,6 +49,7 @@ def _factors(value: Any, i: int) -> dict[str, float]:
 
 
 Joints = Annotated[tuple[float, ...], PlainValidator(_numbers)]
+Efforts = Annotated[tuple[float, ...], PlainValidator(_efforts)]
 Sizes = Annotated[tuple[float, ...], PlainValidator(_positives)]
 
 
@@ -52,7 +59,7 @@ class PlanLimits(Part):
     lower: Joints | None = Field(None, description="least joint coordinates, rad, of slides m")
     upper: Joints | None = Field(None, description="largest joint coordinates")
     rates: Sizes | None = Field(None, description="largest joint rates, rad/s or m/s, of either sign")
-    efforts: Sizes | None = Field(None, description="largest efforts of drives, N·m or N, of either sign")
+    efforts: Efforts | None = Field(None, description="largest efforts of drives, N·m or N; 0 where there is no drive")
 
 
 class PlanFile(Part):

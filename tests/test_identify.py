@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from helpers import example_file
 from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing, torque
 
 import screwgen
@@ -105,3 +106,15 @@ def test_shorter_windows_lead_to_numbers_that_long_ones_miss():
     found = screwgen.identify(start, log, free=["rod.EIz", "*.mass", "*.rotor_inertia"], sensors=SENSORS, window=2.0)
     assert found["rod.EIz"].value == pytest.approx(400.0, rel=1e-3)
     assert found["rod.bodies[0].mass"].value == pytest.approx(0.4, rel=1e-3)
+
+
+def test_a_number_that_the_file_states_with_others_is_refused_before_the_fit(tmp_path, capsys):
+    """A tube states all that follows from its radii."""
+    robot, log = str(example_file("ella_paper")), tmp_path / "log.csv"
+    log.write_text("t,upper_arm.joint[0]\n" + "".join(f"{1e-3 * k},0.0\n" for k in range(3)))
+    assert (
+        main(["identify", robot, str(log), "-o", str(tmp_path / "out.toml"), "--free", "forearm.EIz", "--quiet"]) == 2
+    )
+    told = capsys.readouterr().err
+    assert "forearm.EIz is stated together with others; state it by a number of its own" in told
+    assert not (tmp_path / "out.toml").exists()

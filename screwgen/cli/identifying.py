@@ -54,6 +54,8 @@ def identify(
     intervals stand behind the numbers. What is odd of logs and fit is said on stderr. Ctrl-C keeps the best so far.
     """
     from ..identification.identify import identify as identified
+    from ..identification.robot_text import check_stated
+    from ..identification.unknowns import free_parameters
     from ..model import derive
     from ..progress import told
     from ..simulation.runs import check_output, outputs
@@ -66,6 +68,7 @@ def identify(
         check_output(report, (".html",))
     quiet = quiet or context.obj
     model = derive(load_robot(robot, quiet))
+    check_stated(robot, free_parameters(model, free))
     more: dict[str, Any] = {"sensors": sensors, "held_out": check or (), "window": window, "substeps": substeps}
     more |= {"integrator": integrator, "robust": robust, "iterations": iterations}
     with told("identifying", quiet) as progress:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import ScrewgenError, UsageError
-from ..spec.load import loads
+from ..spec.load import decode, loads, one_line, read
 from ..spec.parameters import parameters
 
 TOKEN = re.compile(
@@ -59,6 +59,12 @@ def with_values(text: str, values: Mapping[str, float], notes: Mapping[str, str]
         joint = "; " if re.search(r"#[^\"']*$", there) else " # "
         lines[line] = there + joint + "; ".join(comments)
     return "\n".join(lines)
+
+
+def check_stated(path: str | os.PathLike[str], names: list[str]) -> None:
+    """Raises UsageError where no number of a robot file states one of these parameters by itself."""
+    file = one_line(os.fsdecode(path))
+    _places(decode(read(path, file), file), names, file, folder_of(path))
 
 
 def _as_float(number: str) -> str:

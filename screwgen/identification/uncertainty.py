@@ -103,7 +103,7 @@ def _directions(A: np.ndarray, B: np.ndarray) -> list[tuple[np.ndarray, float]]:
     out = []
     for direction in _sparse(lost):
         shares = lost.T @ direction
-        size = np.sqrt(np.sum((shares * sizes[sizes > LOST]) ** 2)) / np.linalg.norm(shares)
+        size = sizes.max() * np.linalg.norm(shares * sizes[sizes > LOST] / sizes.max()) / np.linalg.norm(shares)
         out.append((direction, float(size / np.linalg.norm(direction))))
     return sorted(out, key=lambda x: -x[1])
 

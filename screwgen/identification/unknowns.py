@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -110,12 +110,7 @@ def unknowns(model: RobotModel, columns: Columns, free: Sequence[str], sizes: Ma
     known = _known(model, columns, sizes)
     found: dict[str, FreeNumber] = {}
     for said in [free] if isinstance(free, str) else free:
-        part = FREE.fullmatch(said)
-        if not part:
-            ways = "write PATTERN, 'PATTERN = 2.0 ± 0.3' or 'PATTERN in 1..3'"
-            raise UsageError(f"free: '{said}' is not understood; {ways}")
-        whole = re.compile(".*".join(map(re.escape, part["pattern"].split("*"))))
-        own = [name for name in known if whole.fullmatch(name)]
+        part, own = _named(said, known)
         if not own:
             choice(part["pattern"], known, "free: there is no")
         for name in own:
@@ -123,6 +118,22 @@ def unknowns(model: RobotModel, columns: Columns, free: Sequence[str], sizes: Ma
     if not found:
         raise UsageError("free: nothing is free; name parameters, as free=['arm.EIz', 'arm.joint.*']")
     return Unknowns(found[name] for name in known if name in found)
+
+
+def free_parameters(model: RobotModel, free: Sequence[str]) -> list[str]:
+    """The parameters of the robot among those that patterns name; see :func:`unknowns`."""
+    known = [one.name for one in parameters(model.robot)]
+    return list(dict.fromkeys(name for said in free for name in _named(said, known)[1]))
+
+
+def _named(said: str, known: Iterable[str]) -> tuple[re.Match[str], list[str]]:
+    """What is said of free numbers, in parts, and their names."""
+    part = FREE.fullmatch(said)
+    if not part:
+        ways = "write PATTERN, 'PATTERN = 2.0 ± 0.3' or 'PATTERN in 1..3'"
+        raise UsageError(f"free: '{said}' is not understood; {ways}")
+    whole = re.compile(".*".join(map(re.escape, part["pattern"].split("*"))))
+    return part, [name for name in known if whole.fullmatch(name)]
 
 
 def _restricted(one: FreeNumber, said: re.Match[str]) -> FreeNumber:

@@ -25,11 +25,15 @@ COMMANDS = (
     f"simulate {ROBOT} --duration 0.02 --step 1e-3 -o run.csv --plot run.png",
     f"simulate {ROBOT} --duration 0.005 --step 1e-3 -o run.npz --form dae",
     "view run.npz -o run.html --frames run.gif --size 64x64",
+    f"identify {ROBOT} run.csv -o identified.toml --report report.html --free *.bodies*.mass",
+    f"gains {ROBOT} -o gains.toml --at 0.1,0.2,0.3",
+    f"plan {ROBOT} plan.toml -o plan.npz",
     f"analyse {ROBOT} --samples 1 --plot structure.png",
     f"generate {ROBOT} -o out --batch --derivatives --estimator",
     f"latex {ROBOT} -o equations.html",
     "paper -o paper.tex",
 )
+PLAN = "start = [0.0, 0.2, 0.3]\ngoal = [0.1, 0.3, 0.2]\ntime = 1.0\n"
 
 
 def minima() -> list[str]:
@@ -96,6 +100,7 @@ def check_commands() -> None:
     here = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
+        Path("plan.toml").write_text(PLAN, encoding="utf-8")
         try:
             for command in COMMANDS:
                 print(f"screwgen {command}".replace(str(ROOT), "."), file=sys.stderr, flush=True)

@@ -21,7 +21,7 @@ from screwgen.backends.latex.code_lines import CodeLines, found
 from screwgen.backends.latex.content import Document
 from screwgen.backends.latex.diagram import diagram
 from screwgen.backends.latex.marks import Marks
-from screwgen.backends.latex.page import Extras
+from screwgen.backends.latex.page import Extras, symbols_of
 from screwgen.topology.chain import Chain
 from screwgen.version import __version__
 
@@ -69,6 +69,17 @@ def test_every_link_leads_to_one_place(name):
     assert {goal for goals in data["defined"].values() for goal in goals} <= set(ids)
     marked = {e.get("data-s") for e in tree.iter() if e.get("data-s")}
     assert len(marked) > 40 and {f"y{number}" for number in marked} <= set(ids)
+
+
+def test_what_the_lines_compute_is_defined_by_them():
+    """Twist, inertia and bias of a link; what a step of a class defines is found in its section."""
+    data = json.loads(re.search(r"const DATA = (.*);\n", shown("ella"))[1])["defined"]
+    number = {row: k for k, row in enumerate(symbols_of(content("ella")))}
+    title = {f"s{k}": section.title for k, section in enumerate(content("ella").sections, 1)}
+    for symbol in (r"\mathbf{V}_i", r"\mathbf{M}_i", r"\mathbf{h}_i", r"\mathbf{M}_T", r"\mathbf{g}_i"):
+        place = data[str(number[symbol])][0]
+        assert title[place.partition("-")[0]] == "Algorithm", (symbol, place)
+    assert title[data[str(number[r"\mathbf{s}_0"])][0].partition("-")[0]] == "Link class 1"
 
 
 def test_numbers_are_those_of_the_robot():
@@ -302,6 +313,11 @@ def test_a_reader_finds_a_way(program, tmp_path):
         browser.go(f"{file.as_uri()}#2n/{first}-S")
         browser.until("window.screwgen")
         assert browser.run("document.documentElement.dataset.level + state.n + state.c") == "2truefalse"
+        browser.run("matchMedia = () => ({ matches: false }); window.one = document.querySelector('main .formula [data-s]')")
+        for shown_card, there in ((True, False), (False, True)):  # the first tap tells, the second leads on
+            browser.run("one.dispatchEvent(new MouseEvent('click', { bubbles: true }))")
+            assert browser.run("!card.hidden") is shown_card
+            assert (browser.run("location.hash") != f"#2n/{first}-S") is there
         for wide in (1000, 390):
             browser.resize(wide, 844, True)
             assert browser.run("document.documentElement.scrollWidth") <= wide

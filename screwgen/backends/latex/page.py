@@ -17,6 +17,7 @@ from typing import Any
 from ...topology.chain import Chain
 from ..templates import folder, markup, render
 from . import code_lines, diagram, numbers, text
+from .algorithm import defined, plain
 from .code_lines import CodeLines, GeneratedC
 from .content import (
     SYMBOLS,
@@ -25,6 +26,7 @@ from .content import (
     DocumentSection,
     DocumentTable,
     Heading,
+    Item,
     Paragraph,
     StepEquation,
 )
@@ -126,7 +128,7 @@ def extras(chain: Chain, at: Sequence[float] | None = None) -> Extras:
 
 def page(shown: Document, more: Extras | None = None) -> str:
     """The document in HTML."""
-    symbols = _symbols(shown)
+    symbols = symbols_of(shown)
     sections = list(_sections(shown, symbols, more))
     name_rows(sections)
     values = {"text": text.in_html, "rows": text.html_rows, "document": shown, "sections": sections, "more": more}
@@ -176,7 +178,7 @@ def _instances(symbols: Sequence[str], more: Extras | None) -> dict[str, tuple[s
     return {instance(symbol, n): (symbol, name) for n, name in links for symbol in bold}
 
 
-def _symbols(shown: Document) -> list[str]:
+def symbols_of(shown: Document) -> list[str]:
     """The LaTeX of the symbols, in the order of their tables."""
     tables = (item for s in shown.sections for item in s.items if isinstance(item, DocumentTable))
     return [row[0].strip("$") for table in tables if table.head[:3] == SYMBOL_HEAD for row in table.rows]
@@ -295,10 +297,19 @@ def _guides(sections: Sequence[PageSection], more: Extras) -> Iterator[Guide]:
         yield Guide(name, i + 1, *known)
 
 
+def _numbers_of(item: Item, number_of: Mapping[str, int]) -> list[int]:
+    """The symbols that the lines of a formula define, that of link i also where its symbol has no index."""
+    found = sorted(defined([item])) if isinstance(item, Display) else []
+    ways = ((name, plain(re.sub(",i}$", "}", name))) for name in found)
+    return [number_of[name] for name in (next((x for x in way if x in number_of), "") for way in ways) if name]
+
+
 def _data(sections: Sequence[PageSection], symbols: Sequence[str], more: Extras | None) -> dict[str, Any]:
     """What the page's script reads: by the number of a symbol its numbers, and the anchors of its definitions."""
-    defined: dict[int, list[str]] = {}
-    for item in (item for s in sections for item in s.items if item.symbol >= 0):
-        defined.setdefault(item.symbol, []).append(item.anchor)
+    places: dict[int, list[str]] = {}
+    number_of = {plain(symbol): number for number, symbol in enumerate(symbols)}
+    for item in (item for s in sections for item in s.items):
+        for number in [item.symbol] if item.symbol >= 0 else _numbers_of(item.item, number_of):
+            places.setdefault(number, []).append(item.anchor)
     known = more.numbers if more else {}
-    return {"numbers": {k: known[s] for k, s in enumerate(symbols) if s in known}, "defined": defined}
+    return {"numbers": {k: known[s] for k, s in enumerate(symbols) if s in known}, "defined": places}

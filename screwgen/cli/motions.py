@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+if TYPE_CHECKING:
+    from ..planning.plan import MotionPlan
+
 RobotFile = Annotated[str, typer.Argument(metavar="ROBOT", help="The robot file, TOML.")]
+C = "c"
+"""The target of a plan beside files."""
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")]
 
 
@@ -55,33 +63,75 @@ def plan(
     context: typer.Context,
     robot: RobotFile,
     task: Annotated[str, typer.Argument(metavar="PLAN", help="What is to be planned, TOML.")],
-    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="plan.npz, or samples as plan.csv.")],
+    output: Annotated[str, typer.Option("-o", "--output", metavar="FILE", help="plan.npz, plan.csv, or a folder.")],
+    target: Annotated[
+        str | None, typer.Option(metavar="c", help="Write the plan as C, into the folder after -o.")
+    ] = None,
     step: Annotated[float, typer.Option(metavar="S", help="Between the rows of a .csv file.")] = 1e-3,
     quiet: Quiet = False,
 ) -> None:
     """Plan a motion of the joints from rest to rest that leaves nothing vibrating, with its torques."""
     from ..model import derive
     from ..planning.make import plan as made
-    from ..planning.plan_files import FORMATS, write_csv, write_npz
     from ..progress import bar
     from ..simulation.controllers import read_pd
-    from ..simulation.runs import check_output, outputs, suffix
     from ..spec.plan import read_task
     from .output import load_robot, say, stoppable
 
     quiet = quiet or context.obj
-    check_output(output, FORMATS)
+    check_destination(output, target)
     model = derive(load_robot(robot, quiet))
     asked, law = read_task(task)
     ways: dict[str, Any] = {"intervals": asked.intervals, "models": asked.models}
     ways["limits"] = {key: x for key, x in asked.limits.model_dump().items() if x is not None}
     ways["gains"] = None if law is None else read_pd(law, model)
-    with outputs(output) as (stream,):
-        with bar("planning", 80, quiet) as progress, stoppable():
+    with destination(output, target, step) as write, stoppable():
+        with bar("planning", 80, quiet) as progress:
             found = made(model, asked.start, asked.goal, asked.time, **ways, progress=progress)
-        if suffix(output) == ".csv":
-            write_csv(found, stream, step)
-        else:
-            write_npz(found, stream)
+        files = write(found)
     figures = f"{found.time:.4g} s, {found.said['iterations']} iterations, torques up to {found.effort.max():.4g}"
-    say(f"{output}\n{figures}", quiet)
+    say("\n".join([*files, figures]), quiet)
+
+
+def check_destination(output: str, target: str | None) -> None:
+    """Refuse, before any work is done, a file or a folder that a plan cannot be written to."""
+    from ..errors import UsageError
+    from ..folder import check_folder
+    from ..planning.plan_files import FORMATS
+    from ..simulation.runs import check_output, suffix
+    from ..spec.load import one_line
+
+    if target is None:
+        check_output(output, FORMATS)
+    elif target != C:
+        raise UsageError(f"--target: there is no '{one_line(target)}'; a plan is written as {C}, or without --target")
+    elif not output or suffix(output) in FORMATS:
+        raise UsageError(f"{one_line(output) or 'the output'}: is no name of a folder, which --target {C} writes")
+    else:
+        check_folder(Path(output))
+
+
+@contextmanager
+def destination(output: str, target: str | None, step: float) -> Iterator[Callable[[MotionPlan], list[str]]]:
+    """What writes a plan and names the files; a file is opened before the plan is sought."""
+    from ..folder import MANIFEST, write_folder
+    from ..planning.plan_files import write_csv, write_npz
+    from ..simulation.runs import outputs, suffix
+
+    def folder(plan: MotionPlan) -> list[str]:
+        files = {name: text.encode() for name, text in plan.c().items()}
+        write_folder(output, files, tuple(files))
+        return [str(Path(output) / name) for name in (MANIFEST, *sorted(files))]
+
+    def file(plan: MotionPlan) -> list[str]:
+        if suffix(output) == ".csv":
+            write_csv(plan, stream, step)
+        else:
+            write_npz(plan, stream)
+        return [output]
+
+    if target == C:
+        yield folder
+    else:
+        with outputs(output) as (stream,):
+            yield file

@@ -68,11 +68,8 @@ class MotionPlan:
 
     def reference(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
         """Joint coordinates and rates (…, n_joints) at times (…), s."""
-        t = np.clip(np.asarray(t, float), 0.0, self.time)
-        h = self.time / (len(self.t) - 1)
-        k = np.minimum((t / h).astype(int), len(self.t) - 2)
-        s = (t / h - k)[..., None]
-        c = self.coefficients[k]
+        k, s = self._place(np.asarray(t, float))
+        s, c, h = s[..., None], self.coefficients[k], self.time / (len(self.t) - 1)
         q, v = c[..., 5, :], np.zeros_like(c[..., 5, :])
         for power in range(4, -1, -1):
             q, v = q * s + c[..., power, :], v * s + (power + 1) * c[..., power + 1, :]
@@ -97,23 +94,47 @@ class MotionPlan:
         return self.__dict__["_coefficients"]
 
     def mean_torque(self, begin: Any, end: Any) -> np.ndarray:
-        """(…, n_joints): the means of the torques from times to later ones, s."""
-        begin, end = np.asarray(begin, float), np.asarray(end, float)
-        return (self._impulse(end) - self._impulse(begin)) / (end - begin)[..., None]
+        """(…, n_joints): the means of the torques from times to later ones, s, which may lie outside of the motion.
 
-    def _impulse(self, t: np.ndarray) -> np.ndarray:
-        """The integrals of the torques from the start to times, which may lie outside of the motion."""
-        h = self.time / (len(self.t) - 1)
-        inside = np.clip(t, 0.0, self.time)
-        k = np.minimum((inside / h).astype(int), len(self.t) - 2)
-        s = (inside / h - k)[..., None]
-        areas = np.vstack([np.zeros(len(self.joints)), np.cumsum((self.tau[1:] + self.tau[:-1]) * h / 2, axis=0)])
-        own = areas[k] + h * s * (self.tau[k] + (self.tau[k + 1] - self.tau[k]) * s / 2)
-        outside = np.minimum(t, 0.0)[..., None] * self.tau[0] + np.maximum(t - self.time, 0.0)[..., None] * self.tau[-1]
-        return own + outside
+        They are sums of parts with their shares, no differences of integrals: these lose digits over short steps.
+        """
+        begin, end = np.broadcast_arrays(np.asarray(begin, float), np.asarray(end, float))
+        h, tau, (k, s), (k1, s1) = self.time / (len(self.t) - 1), self.tau, self._place(begin), self._place(end)
+        alone, after = k == k1, np.minimum(k + 1, k1)
+        sums = np.vstack([np.zeros(len(self.joints)), np.cumsum((tau[1:] + tau[:-1]) / 2, axis=0)])
+        until = np.where(alone, s1, 1.0)
+        lengths = np.stack(
+            [
+                np.minimum(end, 0.0) - np.minimum(begin, 0.0),
+                h * (until - s),
+                np.where(alone, 0.0, h * s1),
+                np.maximum(end - self.time, 0.0) - np.maximum(begin - self.time, 0.0),
+                h * (k1 - after),
+            ]
+        )
+        shares = lengths / lengths.sum(axis=0)
+        at = lambda k, s: tau[k] + (tau[k + 1] - tau[k]) * s[..., None]  # noqa: E731
+        between = (sums[k1] - sums[after]) / np.maximum(k1 - after, 1)[..., None]
+        parts = tau[0], at(k, (s + until) / 2), at(k1, s1 / 2), tau[-1], between
+        return sum(share[..., None] * part for share, part in zip(shares, parts, strict=True))
+
+    def _place(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The stretches between two points that times are in, and the shares of these that have passed."""
+        along = np.clip(t, 0.0, self.time) / (self.time / (len(self.t) - 1))
+        k = np.minimum(along.astype(int), len(self.t) - 2)
+        return k, along - k
 
     def sampled(self, step: float) -> Samples:
         """The references at every `step` seconds and the means of the torques until the next sample."""
         step = seconds(step, "the step")
         t = step * np.arange(int(np.ceil(self.time / step - 1e-9)) + 1)
         return Samples(t, *self.reference(t), self.mean_torque(t, t + step))
+
+    def c(self) -> dict[str, str]:
+        """The plan as C99, texts by names of files: `<robot>_plan.h` and `<robot>_plan.c`, which need no others.
+
+        `<robot>_plan_sample` gives what :meth:`sampled` gives, to rounding. Raises UsageError.
+        """
+        from .plan_c import plan_files
+
+        return plan_files(self)

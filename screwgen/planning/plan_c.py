@@ -1,0 +1,65 @@
+"""A plan as C: tables of its polynomials and torques, and the functions that a clock calls."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..backends.c.code import literal
+from ..backends.c.columns import rendered
+from ..errors import UsageError
+from ..files import sound
+from ..spec.names import robot_name
+from ..version import __version__ as VERSION
+
+if TYPE_CHECKING:
+    from .plan import MotionPlan
+
+FILES = ("plan.h", "plan.c")
+"""The files without the robot's name; their templates have the same names."""
+JOINT = re.compile(r"[\w.\[\]]+", re.ASCII)
+"""What a comment may hold of a name."""
+LEAST = float(np.finfo(np.float32).tiny)
+"""What float does not hold is zero in tables of either precision."""
+
+
+def plan_files(plan: MotionPlan) -> dict[str, str]:
+    """Header and source of a plan, by names of files; raises UsageError where C cannot have the plan."""
+    _check(plan)
+    path = plan.coefficients.transpose(0, 2, 1)
+    values = {
+        "version": VERSION,
+        "name": plan.robot,
+        "joints": plan.joints,
+        "points": len(plan.t),
+        "stretches": len(path),
+        "time": repr(plan.time),
+        "stretch": repr(plan.time / len(path)),
+        "path": _numbers(path),
+        "torques": _numbers(plan.tau),
+        "kp": _numbers(plan.kp),
+        "kd": _numbers(plan.kd),
+    }
+    return {f"{plan.robot}_{file}": rendered(file, **values) for file in FILES}
+
+
+def _numbers(values: np.ndarray) -> Any:
+    """Nested lists of literals, in the precision that the source is compiled in."""
+    if values.ndim:
+        return [_numbers(x) for x in values]
+    number = float(values)
+    return literal(number if abs(number) >= LEAST else 0.0)
+
+
+def _check(plan: MotionPlan) -> None:
+    """Refuse what a plan out of a file, or made by hand, may have that is no C."""
+    try:
+        robot_name(plan.robot)
+    except ValueError as error:
+        raise UsageError(f"the plan's robot: {error}") from None
+    if not plan.joints or not all(map(JOINT.fullmatch, plan.joints)):
+        raise UsageError("the plan's joints: C needs one at least, with names of letters, digits and _ . [ ] alone")
+    if not all(map(sound, (plan.coefficients, plan.tau, plan.kp, plan.kd))):
+        raise UsageError("the plan holds something else than measured numbers; C is made of finite ones alone")

@@ -313,7 +313,7 @@ def test_a_reader_finds_a_way(program, tmp_path):
         browser.go(f"{file.as_uri()}#2n/{first}-S")
         browser.until("window.screwgen")
         assert browser.run("document.documentElement.dataset.level + state.n + state.c") == "2truefalse"
-        browser.run("matchMedia = () => ({ matches: false }); window.one = document.querySelector('main .formula [data-s]')")
+        browser.run("matchMedia = () => ({ matches: false }); one = document.querySelector('main .formula [data-s]')")
         for shown_card, there in ((True, False), (False, True)):  # the first tap tells, the second leads on
             browser.run("one.dispatchEvent(new MouseEvent('click', { bubbles: true }))")
             assert browser.run("!card.hidden") is shown_card

@@ -53,6 +53,7 @@ CHECKS: dict[str, Check] = {
     "estimator": Check(
         filtered.estimator, "the filter in C equals that in Python with every sensor, a prediction equals a step"
     ),
+    "identification": Check(uses.identification, "a mass is found again from what a run records"),
     "equilibrium": Check(uses.equilibrium, "where it is found nothing accelerates"),
     "modes": Check(uses.modes, "frequencies and shapes with the joints locked and free"),
     "document": Check(uses.document, "a program that reads its steps alone computes accelerations and wrenches"),

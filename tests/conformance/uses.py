@@ -13,6 +13,7 @@ from conformance.numbers import flat, near
 from screwgen.algorithms.robot_functions import reported
 from screwgen.backends.numpy.closing import moving
 from screwgen.plotting.run_panels import panels
+from screwgen.spec.parameters import parameters
 from screwgen.studies.modes import loaded_motion, movable
 from screwgen.studies.standing import StandingBase
 
@@ -125,6 +126,18 @@ def paid_out(case: Case, dt: float) -> np.ndarray:
     tau, winches = case.acting.copy(), case.judge.outer.winches
     tau[len(tau) - winches.size :] += dt * (winches[:, [1]] * [1.0, 0.0]).ravel()
     return tau
+
+
+def identification(case: Case) -> None:
+    """A mass that is a tenth larger than in the file is found again from what a run records."""
+    model, duration = case.model, 24 * STEP
+    q, v, tau, _ = case.given
+    known = next(x for x in parameters(model.robot) if x.field == "bodies.mass" and x.value)
+    quick_batch(model)
+    more = {"integrator": "modal_midpoint", "parameters": {known.name: 1.1 * known.value}}
+    run = screwgen.simulate(model, duration, STEP, q0=q, v0=v, controller=tau, **more)
+    found = screwgen.identify(model, run, free=[known.name], window=duration, iterations=6)
+    near(found[known.name].value, 1.1 * known.value, 1e-3, known.name)
 
 
 def equilibrium(case: Case) -> None:

@@ -194,3 +194,19 @@ def test_a_linkage_whose_brakes_are_all_closed():
     assert np.abs(accelerate(0.0, 1.0, 0.0)).max() < 1e-13
     with pytest.raises(screwgen.SingularError, match="open a brake"):
         accelerate(1.0, 1.0, 1.0)
+
+
+def test_an_arm_at_rest_on_its_brakes():
+    """What is held has its effort; without it no search finds where a closed brake holds."""
+    model, q = model_of(three(held="brake")), [0.1, 0.2, 0.3, 0.4]
+    tau = [0.0, 0.0, 0.0, 0.0, 1.0]
+    held, open_ = (screwgen.equilibrium(model, tau=x, q=q, hold="all") for x in (tau, None))
+    assert np.array_equal(held.q, open_.q) and np.array_equal(held.tau[:4], open_.tau[:4])
+    with pytest.raises(screwgen.UsageError, match=r"fore\.brake\[0\] is closed and holds its axis anywhere; hold fore"):
+        screwgen.equilibrium(model, tau=tau)
+
+
+def test_a_step_too_long_for_a_brake_is_told():
+    model = model_of(three(held="brake"))
+    with pytest.warns(UserWarning, match=r"fore\.joint\.brake\[0\]\.time = 0\.02 s: .* needs steps below 0\.04 s"):
+        screwgen.simulate(model, 0.05, 0.05)

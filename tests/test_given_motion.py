@@ -140,6 +140,10 @@ def test_what_a_file_may_not_say(joint, said):
         ({"bob.joint[0]": CURVE}, "there is no coordinate 'bob.joint[0]'"),
         ({"cart.slide[0]": lambda t: [t, t, t]}, "cart.slide[0] gives 3 numbers"),
         ({"cart.slide[0]": lambda t: [np.nan, t]}, "gives a NaN"),
+        ({"cart.slide[0]": lambda t: [np.sin(9 * t), 0.0]}, "gives the rate 0 at t = 0.0011 s, its coordinate has 9"),
+        ({"cart.slide[0]": lambda t: [t]}, "cart.slide[0] gives 1 number"),
+        ({"cart.slide[0]": 0.3}, "is no function of t"),
+        ({"cart.slide[0]": CubicSpline([0.0, 0.05], [0.0, 1.0])}, "from 0 to 0.05 s; the run goes from 0 to 0.1 s"),
     ],
 )
 def test_what_a_run_may_not_be_told(motion, said):

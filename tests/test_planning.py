@@ -6,6 +6,7 @@ from helpers import arm, example, link, model_of
 
 import screwgen
 from screwgen import UsageError
+from screwgen.simulation.played import PlanWarning, Played
 
 ROTOR, LOAD, EI, LENGTH = 0.4, 1.0, 40.0, 1.0
 LAW = screwgen.PD((60.0,), (12.0,), (0.0,))
@@ -68,6 +69,16 @@ def smooth(plan):
     v, a = way * 30 * (s * (1 - s)) ** 2 / T, way * (60 * s - 180 * s**2 + 120 * s**3) / T**2
     rigid = (ROTOR + LOAD * LENGTH**2) * a
     return screwgen.MotionPlan(plan.robot, plan.joints, plan.t, q, v, a, rigid, plan.kp, plan.kd, plan.tau_max)
+
+
+def test_a_plan_is_played_from_its_start(recwarn):
+    """Without a state; from another one it is told."""
+    model = one_mode()
+    plan = screwgen.plan(model, [0.4], [1.0], 0.9, gains=LAW)
+    played = screwgen.simulate(model, 0.1, 1e-3, controller=Played.of(plan))
+    assert played.q[0] == pytest.approx([0.4, 0.0], abs=1e-12) and not [x for x in recwarn if x.category is PlanWarning]
+    with pytest.warns(PlanWarning, match=r"the plan starts at 0\.4 of rod\.joint\[0\], the run at 0:"):
+        screwgen.simulate(model, 0.1, 1e-3, [0.0, 0.0], controller=Played.of(plan))
 
 
 def test_a_robust_plan_brings_other_loads_to_rest():

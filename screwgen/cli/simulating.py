@@ -59,7 +59,8 @@ def run_simulate(
     try:
         with outputs(*filter(None, wanted)) as streams:
             with bar("simulating", steps, quiet) as progress, stoppable():
-                run = simulate(model, duration, step, start.q, start.v, torque, start.w_ext, progress=progress, **ways)
+                q0 = start.q if state is not None else None
+                run = simulate(model, duration, step, q0, start.v, torque, start.w_ext, progress=progress, **ways)
             with busy("drawing", quiet):
                 _write((run, model, torque, output), wanted, streams, only)
     except ScrewgenError as error:

@@ -160,11 +160,17 @@ class Identification:
 
         return report_html(self)
 
+    @property
+    def explains(self) -> bool:
+        """Whether the model explains something of every sensor of the fitted logs."""
+        return all(x > 0 for log in self.explained if not log.held_out for x in log.share("windows").values())
+
     def robot_text(self, robot_file: str | os.PathLike[str]) -> str:
         """The text of a robot file with the identified parameters in it, intervals as comments, all else as it is."""
         file = one_line(os.fsdecode(robot_file))
         own = {one.name: one for one in self.estimates if one.kind == "parameter"}
-        notes = {name: one.interval if one.determined else "undetermined" for name, one in own.items()}
+        doubt = "" if self.explains else "; not to be trusted: the model does not explain the log"
+        notes = {name: (one.interval if one.determined else "undetermined") + doubt for name, one in own.items()}
         text = decode(read(robot_file, file), file)
         values = {name: one.value for name, one in own.items()}
         return with_values(text, values, notes, file, folder_of(robot_file))

@@ -81,7 +81,7 @@ def identify(
         explained(model, log, own, asked, at.sought, how, (window, robust), k >= len(read))
         for k, log in enumerate([*read, *compared])
     ]
-    told = [line for log in (*read, *compared) for line in faults(log, columns)]
+    told = odd.of_inputs(model, columns) + [line for log in (*read, *compared) for line in faults(log, columns)]
     white = odd.whiteness(fit, at)
     told += (
         odd.of_fit(fit, at)

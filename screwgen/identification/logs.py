@@ -20,6 +20,8 @@ UNEVEN = 1e-2
 """By how much of a sample the steps of time may differ."""
 GAPS = 0.2
 """The share of readings of a sensor that may be missing."""
+MOST_TURNED = 12.0
+"""rad: a joint that reads more may be meant in degrees."""
 STAY, SUDDEN, QUANTA = 5, 0.3, 3
 """A sensor is saturated that stays so many samples at an end of its range, and comes there by steps that are more than
 this share of its usual ones, and more than so many of its least ones: an encoder that stops comes there by one."""
@@ -123,6 +125,9 @@ def faults(log: Log, columns: Columns) -> list[str]:
     for column in columns.sensors:
         values = log.columns[column.name]
         there = values[np.isfinite(values)]
+        far, turns = np.abs(there).max(), column.unit in ("SI", "rad") and ".joint[" in str(column.measures)
+        if turns and far > MOST_TURNED:
+            out.append(f"{log.name}: {column.name} reads up to {far:.4g} rad: degrees? state its unit")
         if gone := len(values) - len(there):
             out.append(f"{log.name}: {column.name} lacks {gone} of {len(values)} readings; the others are used")
         out += [

@@ -43,10 +43,22 @@ def of_shares(explained: Sequence[Explained]) -> list[str]:
         (log.log, name, 100 * share)
         for log in explained
         for name, share in log.share("windows").items()
-        if not log.held_out and share < POOR
+        if not log.held_out and not share >= POOR
     ]
     said = "the model lacks what it measures, so numbers and intervals are not to be trusted"
-    return [f"{log}: of the variance of {name} windows explain {max(x, 0):.0f} %: {said}" for log, name, x in low]
+    return [f"{log}: of the variance of {name} windows explain {_percent(x)}: {said}" for log, name, x in low]
+
+
+def _percent(x: float) -> str:
+    return "nothing" if not x > 0 else f"{x:.0f} %"
+
+
+def of_inputs(model: RobotModel, columns: Columns) -> list[str]:
+    """Inputs that act on the robot, and that no column drives."""
+    driven = {column.drives for column in columns.inputs}
+    given = set(model.chain.prescribed)
+    silent = [name for k, name in enumerate(model.tau_names) if k not in given and name not in driven]
+    return [f"no column drives {', '.join(silent)}: taken as zero"] if silent else []
 
 
 def of_whiteness(correlations: Mapping[str, float]) -> list[str]:

@@ -112,6 +112,10 @@ class _Writer:
             self.notes.append(f"{link.name}.joint.drives: gears are written as rigid, cylinders are left out")
         if any(joint.elements or ()):
             self.notes.append(f"{link.name}.joint.elements: are left out; URDF has no such elements")
+        if joint.braked:
+            self.notes.append(f"{link.name}.joint.brake: is left out; URDF has no brakes")
+        if joint.prescribed:
+            self.notes.append(f"{link.name}.joint.actuation: is left out; in a URDF efforts move the axes")
         if any(limit.stiffness is not None for limit in joint.limits or ()):
             self.notes.append(f"{link.name}.joint.limits: are written without the stiffness of their stops")
         for k, drive in enumerate(joint.driven):

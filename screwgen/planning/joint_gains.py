@@ -72,7 +72,7 @@ def gains(
 
     Raises UsageError where no gains are stable.
     """
-    refuse_robot(model)
+    refuse_robot(model, "search for gains", "state gains of your own")
     m, step = model.n_joints, seconds(step, "the step")
     values = model.chain.parameters.vector(parameters)
     stills = [Still(model, p) for p in (values, *(scaled(model, values, f) for f in models))]

@@ -18,23 +18,24 @@ GROUPS = {"efforts": ("efforts",), "rates": ("rates",), "joint ranges": ("lower"
 ROUNDING = 1e-9
 
 
-def refuse_robot(model: RobotModel) -> None:
-    """Refuse robots whose coordinates are not joints with a drive each, and modes."""
-    chain, instead = model.chain, "give references of your own"
-    chain.refuse_quaternion_joints("plan", instead)
-    chain.refuse_floating_base("plan", instead)
-    chain.refuse_loops("plan", instead)
+def refuse_robot(model: RobotModel, what: str = "plan", instead: str = "give references of your own") -> None:
+    """Refuse robots whose coordinates are not joints with a drive each, and modes; ``what``: there is none for them."""
+    chain = model.chain
+    chain.refuse_quaternion_joints(what, instead)
+    chain.refuse_floating_base(what, instead)
+    chain.refuse_loops(what, instead)
     others = {
         "elastic drives": chain.eta_q != chain.n_joints or bool(chain.elastic_travels),
         "transmissions": bool(chain.travels),
         "axes whose motion is given": bool(len(chain.prescribed)),
+        "brakes": bool(chain.braked),
         "tendons or other inputs": chain.n_tau != chain.n_joints,
         "internal states": bool(chain.n_internal or chain.n_force_states),
         "no joints": not chain.n_joints,
     }
-    for what, there in others.items():
+    for feature, there in others.items():
         if there:
-            raise UsageError(f"robot '{model.robot.name}' has {what}, for which there is no plan yet; {instead}")
+            raise UsageError(f"robot '{model.robot.name}' has {feature}, for which there is no {what} yet; {instead}")
 
 
 def check_ends(task: Task, model: RobotModel, own: Still, fixed: bool) -> AtRest:

@@ -8,9 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import Given, seconds
-from ..planning.members import Still
 from ..planning.plan import MotionPlan
-from ..planning.task import JointLaw
 from ..robot_model import RobotModel
 from .played import Played
 from .runs import Run
@@ -60,9 +58,8 @@ def play(
     `ways`: what else :func:`simulate` takes. Raises UsageError.
     """
     p = model.chain.parameters.vector(parameters)
-    q0 = resting(model, plan, p)
     duration = step * np.ceil((plan.time + seconds(after, "the time after")) / seconds(step, "the step") - 1e-9)
-    run = simulate(model, duration, step, q0, None, Played.of(plan), parameters=p, **ways)
+    run = simulate(model, duration, step, None, None, Played.of(plan), parameters=p, **ways)
     behind = run.tip_position[run.t >= plan.time * (1 - 1e-12)]
     applied, m = np.abs(run.tau[:-1, : model.n_joints]), model.n_joints
     return Arrival(
@@ -72,11 +69,3 @@ def play(
         int(((applied >= FULL * plan.tau_max) & (plan.tau_max > 0)).any(axis=1).sum()),
         run.q[-1, :m] - plan.q[-1],
     )
-
-
-def resting(model: RobotModel, plan: MotionPlan, p: np.ndarray) -> np.ndarray:
-    """The coordinates (nq,) in which a model rests under the law of a plan before it begins."""
-    still = Still(model, p)
-    if not plan.kp.all():
-        return still.held(plan.q[0]).q
-    return still.under(JointLaw(plan.kp, plan.kd), plan.q[0], plan.tau[0], still.held(plan.q[0]).q).q

@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 import os
+import warnings
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from ..errors import UsageError
+from ..planning.members import Still
 from ..planning.plan import MotionPlan
 from ..planning.plan_files import read_plan
+from ..planning.task import JointLaw
 from ..robot_model import RobotModel
 from .controllers import PD
+
+AWAY = 1e-6
+"""How far from its start, rad or m, a plan may be played without a word."""
+
+
+class PlanWarning(UserWarning):
+    """A plan that is played from another state than its own; the text is one line meant for a user."""
 
 
 @dataclass(frozen=True)
@@ -35,8 +46,21 @@ class Played(PD):
         """The same for a run of steps of so many seconds."""
         return replace(self, step=step)
 
-    def starting_at(self, q: object) -> Played:
-        """The law itself: a plan has a start of its own."""
+    def rest(self, model: RobotModel, p: np.ndarray) -> np.ndarray:
+        """The coordinates (nq,) in which a model rests under the law before the plan begins."""
+        assert self.plan is not None
+        plan, still = self.plan, Still(model, p)
+        held = still.held(plan.q[0]).q
+        return still.under(JointLaw(plan.kp, plan.kd), plan.q[0], plan.tau[0], held).q if plan.kp.all() else held
+
+    def starting_at(self, q: Any) -> Played:
+        """The law itself: a plan has a start of its own. A run that starts elsewhere is warned."""
+        assert self.plan is not None
+        start = self.plan.q[0]
+        if (off := np.abs(q[: len(start)] - start)).max() > AWAY:
+            j = int(off.argmax())
+            said = f"the plan starts at {start[j]:.4g} of {self.plan.joints[j]}, the run at {q[j]:.4g}"
+            warnings.warn(f"{said}: its torques are those of the plan's start", PlanWarning, stacklevel=2)
         return self
 
     def reference(self, t: float) -> tuple[np.ndarray, np.ndarray]:
@@ -56,7 +80,8 @@ class Played(PD):
 def read_played(path: str | os.PathLike[str], model: RobotModel) -> Played:
     """The law of the plan in the file at `path`, .npz; raises UsageError."""
     plan = read_plan(path)
-    if len(plan.joints) != model.n_joints:
-        said = f"is a plan for {len(plan.joints)} joint coordinates; the robot has {model.n_joints}"
+    if plan.joints != tuple(model.q_names[: model.n_joints]):
+        own = ", ".join(model.q_names[: model.n_joints]) or "no joints"
+        said = f"is a plan for {', '.join(plan.joints)}; the robot has {own}"
         raise UsageError(f"{os.fsdecode(path)}: {said}; plan for this robot")
     return Played.of(plan)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,10 @@ Of a base the coordinates are six, its place and its rotation vector, or seven, 
 BASE = "base"
 """The name of a base among the curves."""
 
+WHOLE = 1 - 1e-9
+AT, NEAR, ALIKE = np.linspace(0.011, 0.989, 41), 1e-5, 0.05
+"""Where in a run rates of functions are looked at, over what share of it, and how far off they may be at most."""
+
 
 class GivenMotion:
     """The coordinates of axes whose motion is given, by name, in a run of a `step` that ends at a `duration`.
@@ -39,6 +44,8 @@ class GivenMotion:
         known = {model.q_names[at[k]]: k for k in places}
         for name in curves:
             choice(name, [BASE] * chain.moving + [*known], "motion: of what moves as is given there is no coordinate")
+        for name, curve in curves.items():
+            _check(curve, name, (6, 7) if name == BASE else (1,), duration)
         self.base, self.step, self.duration = curves.get(BASE), step, duration
         self.curves = {name: curve for name, curve in curves.items() if name != BASE}
         own, led = [known[name] for name in self.curves], 6 * (self.base is not None)
@@ -70,6 +77,29 @@ class GivenMotion:
             return np.zeros(len(self.of_v))
         before = self.at(t)[1]
         return (self.at(end)[1] - before) / (end - t)
+
+
+def _check(curve: Curve, name: str, sizes: tuple[int, ...], duration: float) -> None:
+    """Refuse a spline that ends before the run, and a function whose rates are not those of its coordinates."""
+    if not callable(curve):
+        raise UsageError(f"motion: {name} is no function of t; give a spline, or f(t) -> (coordinate, rate)")
+    known = getattr(curve, "x", None)
+    if known is not None:
+        ends = float(np.min(known)), float(np.max(known))
+        if getattr(curve, "extrapolate", None) != "periodic" and not (ends[0] <= 0 and ends[1] >= duration * WHOLE):
+            said = f"is a spline from {ends[0]:g} to {ends[1]:g} s"
+            raise UsageError(f"motion: {name} {said}; the run goes from 0 to {duration:g} s")
+        return
+    near = NEAR * duration
+    points = [[_point(curve, t + k * near, name, sizes) for k in (-1, 0, 1)] for t in duration * AT]
+    slopes = np.array([(after[0] - before[0]) / (2 * near) for before, _, after in points])
+    rates = np.array([there[1] for _, there, _ in points])
+    off, size = np.abs(slopes - rates).max(axis=1), max(np.abs(slopes).max(), np.abs(rates).max())
+    if (off > ALIKE * size).sum() > len(AT) // 8:
+        k = int(off.argmax())
+        j = int(np.abs(slopes[k] - rates[k]).argmax())
+        said = f"gives the rate {rates[k][j]:.4g} at t = {duration * AT[k]:.3g} s"
+        raise UsageError(f"motion: {name} {said}, its coordinate has {slopes[k][j]:.4g}; give the coordinate's rate")
 
 
 def _base(curve: Curve, t: float) -> tuple[np.ndarray, np.ndarray]:
@@ -104,7 +134,8 @@ def _point(curve: Curve, t: float, name: str, sizes: tuple[int, ...]) -> tuple[n
     """Coordinates and rates, as many as one of the `sizes` says."""
     found = np.ravel(floats(curve(t), f"motion: {name}"))
     if len(found) in sizes:
-        found = np.append(found, np.ravel(floats(curve(t, 1), f"motion: {name}")))
+        with suppress(TypeError):  # a function of t alone
+            found = np.append(found, np.ravel(floats(curve(t, 1), f"motion: {name}")))
     if len(found) not in [2 * n for n in sizes]:
         said = f"motion: {name} gives {len(found)} numbers"
         what = "coordinate and rate" if sizes == (1,) else "place and rotation vector, or quaternion, with their rates"

@@ -15,7 +15,7 @@ from ..errors import ScrewgenError, UsageError
 from ..integrators.method import Method
 from ..integrators.methods import method_of
 from ..robot_model import RobotModel
-from . import collocated, compiled_runs, hits
+from . import braked_steps, collocated, compiled_runs, hits
 from .control_loop import Sampled
 from .controllers import PD, Controller
 from .dae import DaeStepper
@@ -61,7 +61,8 @@ def simulate(
 ) -> Run:
     """The motion over `duration` seconds in steps of `step` seconds, sampled at every step or every `every`-th.
 
-    `q0` (nq,), `v0` (nv,) or the joints alone, zero by default, a floating base at the inertial frame;
+    `q0` (nq,), `v0` (nv,) or the joints alone, zero by default or at rest where a plan begins, a floating base at the
+    inertial frame;
     `controller(t, q, v)` gives the joint torques
     (n_tau,), `w_ext(t, q, v)` the tip wrenches (n, 6), both once a step and held over it; arrays stand for
     constants. `integrator`: the name of one of :data:`screwgen.integrators.METHODS`, or a
@@ -105,11 +106,14 @@ def simulate(
     every = whole(every, "every", 1)
     check_size(model, -(-steps // every) + 1)
     walk = (_c_walk if _in_c(backend, form, model, integrator) else _numpy_walk)(model, integrator, form, p)
+    if q0 is None and (rest := getattr(controller, "rest", None)):
+        q0 = rest(model, p)
     q0, v0 = coordinates(q0, "q0", model, p), coordinates(v0, "v0", model, p)
     moved = GivenMotion(model, motion, step, duration) if motion else None
     if moved is not None:
         moved.place(0.0, q0, v0)
     check_loops(model, p, q0, v0)
+    braked_steps.warn(model, p, step)
     law = started(controller, q0, model, p, step)
     if isinstance(law, PD):
         hits.warn_goals(model, p, law.set_points)

@@ -20,6 +20,7 @@ from ..simulation.limited_inputs import warn_at_rest
 from ..simulation.mobility import stated_joints
 from ..simulation.motion import displacements
 from ..simulation.validity import Validity, validity_at_rest
+from ..spec.brake import BRAKES
 from ..spec.robot import Robot
 from .equilibrium_of_floating_bases import floating_equilibrium
 from .held_joints import Asked, Hold, asked, efforts_beside, refuse_followers
@@ -142,6 +143,7 @@ def equilibrium(
     refuse_followers(model, wanted, stated)
     held = wanted.held & stated
     torques = efforts_beside(model, tau, held, wanted.at_all)
+    _refuse_brakes(model, torques, held)
     values = model.chain.fallen(values, torques)
     w_ext = model.chain.tip_wrenches(w_ext, "w_ext:")
     statics, b = rest(model, values, torques, w_ext, held, start)
@@ -149,6 +151,15 @@ def equilibrium(
     found.validity.warn()
     warn_at_rest(model, found.q, found.tau, values)
     return found
+
+
+def _refuse_brakes(model: RobotModel, tau: np.ndarray, held: np.ndarray) -> None:
+    """A closed brake holds its axis wherever it is: no search, but what the caller holds, finds where."""
+    chain = model.chain
+    for k, place in zip(chain.braked, range(model.n_tau)[chain.inputs[BRAKES]] if chain.braked else (), strict=True):
+        if tau[place] and not held[k]:
+            axis = model.q_names[chain.held_places[k]]
+            raise UsageError(f"tau: {model.tau_names[place]} is closed and holds its axis anywhere; hold {axis} too")
 
 
 def rest(

@@ -68,8 +68,9 @@ def largest_loads(model: RobotModel, p: np.ndarray, w_ext: np.ndarray, others: n
     force = of.mass * np.linalg.norm(p[:3]) + of.links @ forces
     out = force * of.lever + (of.links @ moments) * of.turn
     straight = np.zeros(model.nq)
-    for k in np.flatnonzero(others):
-        alone = np.where(np.arange(len(others)) == k, others, 0.0)
+    tensions = others[: model.chain.n_tensions]
+    for k in np.flatnonzero(tensions):
+        alone = np.where(np.arange(len(tensions)) == k, tensions, 0.0)
         out = out + np.abs(np.array(model.tendon_work(straight, alone, p)[1])[:, 0])
     return out
 

@@ -103,8 +103,9 @@ class Statics:
         The effort of a transmission does work along its travel, and what it exerts on its joint depends on the posture.
         Behind an elastic gear it acts on the rotor's travel, see :meth:`_from_travels`.
         """
-        if self.others[: self.model.chain.n_tensions].any():  # other inputs stand in the parameters
-            work, force, own = (x.full() for x in self.model.tendon_work(q, self.others, self.p))
+        tensions = self.others[: self.model.chain.n_tensions]  # other inputs stand in the parameters
+        if tensions.any():
+            work, force, own = (x.full() for x in self.model.tendon_work(q, tensions, self.p))
             rest = self._by_drives(q)
             return rest[0] + work.item(), rest[1] + force[:, 0], rest[2] + own
         return self._by_drives(q)

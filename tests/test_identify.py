@@ -10,7 +10,8 @@ from identified_arms import SENSORS, TRUE, elsewhere, logged, pendulum, swing, t
 import screwgen
 from screwgen.cli.main import main
 from screwgen.identification.logs import Log
-from screwgen.spec.columns import load_columns
+from screwgen.identification.signals import signal
+from screwgen.spec.columns import Column, load_columns
 
 
 @pytest.fixture(scope="module")
@@ -96,6 +97,18 @@ def test_sensors_are_identified_with_the_robot(log, tmp_path):
     path = tmp_path / "sensors.toml"
     path.write_text(found.sensors_text())
     assert load_columns(path) == found.columns and found.columns.inputs[0].gain == found["motor.gain"].value
+
+
+def test_a_gauge_by_its_name_is_the_entry_of_that_link(log):
+    """Also where other strains stand between them in the list of all."""
+    model = screwgen.derive(screwgen.load(example_file("ella")))
+    named = [name for name in model.strain_names if ".base_strain.bending" in name]
+    assert 0 < len(named) < len(model.strain_names)
+    for k, name in enumerate(named):
+        entry, word = (
+            signal(model, Column(name="a", measures=x, numbers={"fibre": (0.01,)})) for x in (f"strain[{k}]", name)
+        )
+        assert (entry.place, entry.row) == (word.place, word.row)
 
 
 def test_shorter_windows_lead_to_numbers_that_long_ones_miss():

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..algorithms import fused
+from ..algorithms.gauges import gauges
 from ..algorithms.measurement import Attitude, Measurement
 from ..algorithms.measurement_names import measurement
 from ..arguments import choice
@@ -53,9 +54,11 @@ def signal(model: RobotModel, column: Column) -> SensorSignal:
             if column.numbers:
                 raise UsageError(f"{column.name}: numbers: '{said}' has none; leave them out")
             return SensorSignal(column, kind, names.index(said))
+    bases = [f"{model.robot.links[gauge.link].name}.base_strain.{gauge.direction}" for gauge in gauges(model.chain)]
+    said = f"strain[{bases.index(said)}]" if said in bases else said
     found = ENTRY.fullmatch(said)
     if not found or "." in found["row"].partition("@")[0]:
-        choice(said, (*model.q_names, *model.v_names, *TIP_NAMES), f"{column.name}: nothing measures")
+        choice(said, (*model.q_names, *model.v_names, *TIP_NAMES, *bases), f"{column.name}: nothing measures")
     assert found
     row = measurement(model.chain, found["row"])
     if isinstance(row, Attitude):

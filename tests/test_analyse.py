@@ -174,10 +174,12 @@ def test_a_fast_state_is_judged_by_what_is_faster_than_it():
 
 
 def test_dampers_of_joints_bound_explicit_methods_only():
+    """Beyond its limit the factor of rk4 is real and above 1: what dies away by itself grows without swinging."""
     robot = arm(link(axes=["z"], joint={"damping": [50.0]}), gravity=(0, 0, 0))
     found = {limit.method: limit.limit for limit in screwgen.analyse(model_of(robot), [{}]).states[0].limits}
     for method in ("euler", "semi_implicit"):
         assert found[method] == pytest.approx(2 / 3 / 50.0, rel=1e-3)
+    assert found["rk4"] == pytest.approx(2.7853 / 3 / 50.0, rel=1e-3)
     assert found["modal_implicit"] is None and found["modal_midpoint"] is None
 
 

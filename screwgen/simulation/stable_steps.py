@@ -74,7 +74,8 @@ class LinearisedMotions:
         alike = np.abs(self.vectors.conj().T @ unit(self.scale @ vectors))
         own = self.eigenvalues[alike.argmax(axis=0)]
         z = exponents(mu)
-        turning = (np.abs(z) > self.noise(h)) & (np.abs(z.imag) > NOISE) & (np.abs(own) >= self.slowest)
+        dying = own.real < -np.abs(own) / 2  # whose factor may leave the circle at 1, without turning
+        turning = (np.abs(z) > self.noise(h)) & ((np.abs(z.imag) > NOISE) | dying) & (np.abs(own) >= self.slowest)
         allowed = np.where(
             own.real > TOLERANCE * np.abs(own), 2 * h * own.real + OWN * np.abs(z), TOLERANCE * np.abs(z)
         )

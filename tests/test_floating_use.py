@@ -79,7 +79,7 @@ WRONG = [  # the place of what is stated otherwise, what is stated there, and wh
     ("base", "", 'base: is ""; it must be "fixed" or "floating"'),
     ("base", {"kind": "floating"}, 'base: is a table; it must be "fixed" or "floating"'),
     ("base", 0, 'base: is 0; it must be "fixed" or "floating"'),
-    ("0.joint", {"axes": ["z"]}, f"{JOINT}.axes: is stated for the first link, which a floating base leaves free"),
+    ("0.joint", {"axes": ["z"]}, f"{JOINT}.axes: is stated for the first link, which a floating base leaves without"),
     ("0.joint", {"axes": [{"slide": "x"}]}, f"{JOINT}.axes: is stated"),
     ("0.joint", MORE | {"mount": {"xyz": [0.0, 0.0, 1.0]}}, f"{JOINT}.mount: is stated for the first link"),
     ("0.joint", MORE | {"armature": [1.0]}, f"{JOINT}.armature"),

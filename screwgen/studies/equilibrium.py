@@ -157,7 +157,7 @@ def _refuse_brakes(model: RobotModel, tau: np.ndarray, held: np.ndarray) -> None
     """A closed brake holds its axis wherever it is: no search, but what the caller holds, finds where."""
     chain = model.chain
     for k, place in zip(chain.braked, range(model.n_tau)[chain.inputs[BRAKES]] if chain.braked else (), strict=True):
-        if tau[place] and not held[k]:
+        if tau[place] >= 1 and not held[k]:
             axis = model.q_names[chain.held_places[k]]
             raise UsageError(f"tau: {model.tau_names[place]} is closed and holds its axis anywhere; hold {axis} too")
 

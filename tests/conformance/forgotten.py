@@ -303,7 +303,7 @@ TABLE: list[Mutant] = [
     M("ball", "estimator", C + "estimator_prediction.jinja", "    turn_slopes(work);\n", "    (void)turn_slopes;\n"),
     M("markers", "estimator", C + "estimator_update.jinja",
       "    through_accelerations({{ row.n }}, work);\n", "    (void)through_accelerations;\n"),
-    M("tendon", "equilibrium", "screwgen/studies/statics.py", "if self.others[: self.model.chain.n_tensions].any():",
+    M("tendon", "equilibrium", "screwgen/studies/statics.py", "if tensions.any():",
       "if False:"),
     M("four-bar", "equilibrium", "screwgen/studies/equilibrium.py",
       "at_joints = chain.n_joints, tau / chain.at_efforts(np.ones(chain.n_tau), p)", "at_joints = chain.n_joints, tau"),

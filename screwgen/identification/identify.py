@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
 
@@ -73,7 +74,7 @@ def identify(
         checked(log, columns)
     window = seconds(window, "window")
     asked = _unknowns(model, columns, free, read)
-    fit, at = _fitted(model, read, columns, asked, (window, robust, iterations, how), progress)
+    fit, at = NumberSearch(model, read, columns, asked, window, robust, iterations, how, progress).best()
     values = asked.values(at.sought)
     known = uncertainty(fit, at)
     own, p = with_numbers(columns, asked, values), vector(model, asked, values)
@@ -127,63 +128,58 @@ def _unknowns(model: RobotModel, columns: Columns, free: str | Sequence[str], lo
 # ------------------------------------------------------------------------------ the fit
 
 
-def _fitted(
-    model: RobotModel,
-    logs: Sequence[Log],
-    columns: Columns,
-    asked: Unknowns,
-    settings: tuple[float, bool, int, MotionMethod],
-    progress: Callable[[str], None] | None,
-) -> tuple[Fit, Estimate]:
-    """The fit and its estimate; where it explains little, that to which shorter windows lead if it explains more."""
-    window, robust, iterations, how = settings
-    make = lambda seconds, sought: _begun_anew(  # noqa: E731
-        model, logs, columns, asked, (seconds, robust, iterations, how), progress, sought
-    )
-    first = make(window, np.zeros(len(asked)))
-    if first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
-        return first
-    sought, history = np.zeros(len(asked)), first[1].history
-    try:
-        for shorter in SHORTER:
-            other = make(window / shorter, sought)
-            sought, history = other[1].sought, history + other[1].history
-    except UsageError:  # so few samples are no window, or what they lead to diverges
-        return first
-    best = min(first, other, key=lambda x: x[0].worst(x[1]))
-    best[1].history = history
-    return best
+@dataclass(frozen=True)
+class NumberSearch:
+    """What is fitted to which logs, and how."""
 
+    model: RobotModel
+    logs: Sequence[Log]
+    columns: Columns
+    asked: Unknowns
+    window: float
+    robust: bool
+    iterations: int
+    how: MotionMethod
+    progress: Callable[[str], None] | None
 
-def _begun_anew(
-    model: RobotModel,
-    logs: Sequence[Log],
-    columns: Columns,
-    asked: Unknowns,
-    settings: tuple[float, bool, int, MotionMethod],
-    progress: Callable[[str], None] | None,
-    sought: np.ndarray,
-) -> tuple[Fit, Estimate]:
-    """The fit from some numbers on; where numbers of sensors changed, windows begin anew."""
-    window, robust, iterations, how = settings
-    noise = np.array([np.nan if c.noise is None else c.noise for c in columns.sensors])
-    history, rollouts, groups = list[float](), 0, list[Windows]()
-    for _ in range(ROUNDS):
-        values = asked.values(sought)
-        own, p = with_numbers(columns, asked, values), vector(model, asked, values)
-        before, groups = groups, [windows_of_log(model, log, own, window, p) for log in logs]
-        if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
-            break
-        problem = Problem(model, groups, asked, how)
-        problem.rollouts = rollouts
-        fit = Fit(problem, noise[groups[0].experiment.compared], robust, progress)
-        at = fit.run(iterations - len(history), sought)
-        history += at.history
-        sought, rollouts = at.sought, problem.rollouts
-        if at.stopped:
-            break
-    at.history = history
-    return fit, at
+    def best(self) -> tuple[Fit, Estimate]:
+        """The fit and its estimate; where it explains little, that to which shorter windows lead if it is better."""
+        start = np.zeros(len(self.asked))
+        first = self.begun_anew(self.window, start)
+        if first[0].worst(first[1]) < OFF or first[1].stopped == INTERRUPTED:
+            return first
+        sought, history = start, first[1].history
+        try:
+            for shorter in SHORTER:
+                other = self.begun_anew(self.window / shorter, sought)
+                sought, history = other[1].sought, history + other[1].history
+        except UsageError:  # so few samples are no window, or what they lead to diverges
+            return first
+        best = min(first, other, key=lambda x: x[0].worst(x[1]))
+        best[1].history = history
+        return best
+
+    def begun_anew(self, window: float, sought: np.ndarray) -> tuple[Fit, Estimate]:
+        """The fit from some numbers on; where numbers of sensors changed, windows begin anew."""
+        model, asked = self.model, self.asked
+        noise = np.array([np.nan if c.noise is None else c.noise for c in self.columns.sensors])
+        history, rollouts, groups = list[float](), 0, list[Windows]()
+        for _ in range(ROUNDS):
+            values = asked.values(sought)
+            own, p = with_numbers(self.columns, asked, values), vector(model, asked, values)
+            before, groups = groups, [windows_of_log(model, log, own, window, p) for log in self.logs]
+            if before and all(x.near(y) for x, y in zip(groups, before, strict=True)):
+                break
+            problem = Problem(model, groups, asked, self.how)
+            problem.rollouts = rollouts
+            fit = Fit(problem, noise[groups[0].experiment.compared], self.robust, self.progress)
+            at = fit.run(self.iterations - len(history), sought)
+            history += at.history
+            sought, rollouts = at.sought, problem.rollouts
+            if at.stopped:
+                break
+        at.history = history
+        return fit, at
 
 
 def with_numbers(columns: Columns, asked: Unknowns, values: np.ndarray) -> Columns:

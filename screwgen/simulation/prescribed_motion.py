@@ -25,8 +25,11 @@ BASE = "base"
 """The name of a base among the curves."""
 
 WHOLE = 1 - 1e-9
-AT, NEAR, ALIKE = np.linspace(0.011, 0.989, 41), 1e-5, 0.05
-"""Where in a run rates of functions are looked at, over what share of it, and how far off they may be at most."""
+"""The share of a run that a spline must reach."""
+LOOKED_AT = np.linspace(0.011, 0.989, 41)
+"""The shares of a run at which the rates of a function are compared with differences of its coordinates."""
+APART, MISSED = 1e-5, 0.05
+"""How far apart these are taken, by the duration, and how far a rate may miss them, by the largest."""
 
 
 class GivenMotion:
@@ -45,7 +48,7 @@ class GivenMotion:
         for name in curves:
             choice(name, [BASE] * chain.moving + [*known], "motion: of what moves as is given there is no coordinate")
         for name, curve in curves.items():
-            _check(curve, name, (6, 7) if name == BASE else (1,), duration)
+            _check_curve(curve, name, (6, 7) if name == BASE else (1,), duration)
         self.base, self.step, self.duration = curves.get(BASE), step, duration
         self.curves = {name: curve for name, curve in curves.items() if name != BASE}
         own, led = [known[name] for name in self.curves], 6 * (self.base is not None)
@@ -79,7 +82,7 @@ class GivenMotion:
         return (self.at(end)[1] - before) / (end - t)
 
 
-def _check(curve: Curve, name: str, sizes: tuple[int, ...], duration: float) -> None:
+def _check_curve(curve: Curve, name: str, sizes: tuple[int, ...], duration: float) -> None:
     """Refuse a spline that ends before the run, and a function whose rates are not those of its coordinates."""
     if not callable(curve):
         raise UsageError(f"motion: {name} is no function of t; give a spline, or f(t) -> (coordinate, rate)")
@@ -90,15 +93,15 @@ def _check(curve: Curve, name: str, sizes: tuple[int, ...], duration: float) -> 
             said = f"is a spline from {ends[0]:g} to {ends[1]:g} s"
             raise UsageError(f"motion: {name} {said}; the run goes from 0 to {duration:g} s")
         return
-    near = NEAR * duration
-    points = [[_point(curve, t + k * near, name, sizes) for k in (-1, 0, 1)] for t in duration * AT]
-    slopes = np.array([(after[0] - before[0]) / (2 * near) for before, _, after in points])
+    apart = APART * duration
+    points = [[_point(curve, t + k * apart, name, sizes) for k in (-1, 0, 1)] for t in duration * LOOKED_AT]
+    slopes = np.array([(after[0] - before[0]) / (2 * apart) for before, _, after in points])
     rates = np.array([there[1] for _, there, _ in points])
     off, size = np.abs(slopes - rates).max(axis=1), max(np.abs(slopes).max(), np.abs(rates).max())
-    if (off > ALIKE * size).sum() > len(AT) // 8:
+    if (off > MISSED * size).sum() > len(LOOKED_AT) // 8:
         k = int(off.argmax())
         j = int(np.abs(slopes[k] - rates[k]).argmax())
-        said = f"gives the rate {rates[k][j]:.4g} at t = {duration * AT[k]:.3g} s"
+        said = f"gives the rate {rates[k][j]:.4g} at t = {duration * LOOKED_AT[k]:.3g} s"
         raise UsageError(f"motion: {name} {said}, its coordinate has {slopes[k][j]:.4g}; give the coordinate's rate")
 
 

@@ -14,7 +14,7 @@ from screwgen.backends.latex.content import SYMBOLS, Display, Document
 from screwgen.backends.latex.document import extras
 from screwgen.backends.latex.joint_words import called, sought
 from screwgen.backends.latex.joints import JOINTS, instance
-from screwgen.backends.latex.page import _instances, _symbols
+from screwgen.backends.latex.page import _instances, symbols_of
 from screwgen.topology.chain import Chain
 
 
@@ -122,7 +122,7 @@ def test_a_symbol_of_one_link_has_its_number(symbol, of_link):
 def test_symbols_of_a_link_mean_what_the_torques_equation_means():
     """No other quantity of the document has the letters of the link's inertia, bias or tip load."""
     document = content("ella")
-    found = _instances(_symbols(document), extras(Chain(robot("ella"))))
+    found = _instances(symbols_of(document), extras(Chain(robot("ella"))))
     (table,) = (item for s in document.sections if s.title == SYMBOLS for item in s.items)
     meanings = {row[0].strip("$"): row[1] for row in table.rows}
     means = {

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeGuard
 
-from ..ir.program import Node, Program, Value, live
+from ..ir.program import Node, Program, Value
 from ..ir.replay import bind
 from ..topology.chain import Chain
 from .functions import nodes
@@ -158,6 +158,6 @@ def _with_outputs(program: Program, wanted: frozenset[tuple[str, int]]) -> Progr
     names = [n for n in program.outputs if any(n == name for name, _ in wanted)]
     outputs = {n: [v if (n, k) in wanted else 0.0 for k, v in enumerate(program.outputs[n])] for n in names}
     kept = Program(program.name, {}, outputs, program.guards, program.sections, program.origins)
-    read = {n.args[0] for n in live([*kept.nodes]) if n.op == "input"}
+    read = {n.args[0] for n in kept.nodes if n.op == "input"}
     kept.inputs = {n: size for n, size in program.inputs.items() if n in read}
     return kept

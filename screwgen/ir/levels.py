@@ -46,7 +46,8 @@ class Levels:
 def levels(program: Program, epsilon: float) -> Levels:
     """The rows of a program; ``epsilon``: the spacing of the numbers that it is run on."""
     operations = [n for n in program.nodes if n.op not in ("input", "epsilon")]
-    rows = min((_rows(operations, width) for width in WIDTHS), key=_cost)
+    order = _Order(operations)
+    rows = min((order.rows(width) for width in WIDTHS), key=_cost)
     return _table(program, epsilon, *rows)
 
 
@@ -59,33 +60,40 @@ def _kind(node: Node) -> str:
     return "" if node.op in ARITHMETIC or node.op == "neg" else node.op
 
 
-def _rows(operations: list[Node], width: int) -> tuple[list[list[Node]], int]:
-    """Rows of operations of one kind whose operands stand in rows before; those on the longest way to the end first."""
-    ahead = _ahead(operations)
-    users: dict[int, list[Node]] = {n.id: [] for n in operations}
-    missing = {n.id: 0 for n in operations}
-    for node in operations:
-        for before in {a.id for a in node.args if isinstance(a, Node) and a.id in missing}:
-            users[before].append(node)
-            missing[node.id] += 1
-    ready: dict[str, list[Node]] = {}
-    _sort_in(ready, [n for n in operations if not missing[n.id]])
-    rows = []
-    while ready:
-        for waiting in ready.values():
-            waiting.sort(key=lambda n: (-ahead[n.id], n.id))
-        kind = max(ready, key=lambda kind: (ahead[ready[kind][0].id], kind))
-        row, rest = ready[kind][:width], ready[kind][width:]
-        ready[kind] = rest
-        if not rest:
-            del ready[kind]
-        rows.append(row)
-        for node in row:
-            for user in users[node.id]:
-                missing[user.id] -= 1
-        later = {user.id: user for node in row for user in users[node.id] if not missing[user.id]}
-        _sort_in(ready, list(later.values()))
-    return rows, width
+class _Order:
+    """Which operations use which, and how many each waits for."""
+
+    def __init__(self, operations: list[Node]):
+        self._operations, self._ahead = operations, _ahead(operations)
+        self._users: dict[int, list[Node]] = {n.id: [] for n in operations}
+        self._missing = {n.id: 0 for n in operations}
+        for node in operations:
+            for before in {a.id for a in node.args if isinstance(a, Node) and a.id in self._missing}:
+                self._users[before].append(node)
+                self._missing[node.id] += 1
+        self._rank = {n.id: (-self._ahead[n.id], n.id) for n in operations}
+
+    def rows(self, width: int) -> tuple[list[list[Node]], int]:
+        """Rows of operations of one kind whose operands stand in rows before; the longest way to the end first."""
+        ahead, users, missing, rank = self._ahead, self._users, self._missing.copy(), self._rank
+        ready: dict[str, list[Node]] = {}
+        grown = _sort_in(ready, [n for n in self._operations if not missing[n.id]])
+        rows = []
+        while ready:
+            for kind in grown:
+                ready[kind].sort(key=lambda n: rank[n.id])
+            kind = max(ready, key=lambda kind: (ahead[ready[kind][0].id], kind))
+            row, rest = ready[kind][:width], ready[kind][width:]
+            ready[kind] = rest
+            if not rest:
+                del ready[kind]
+            rows.append(row)
+            for node in row:
+                for user in users[node.id]:
+                    missing[user.id] -= 1
+            later = {user.id: user for node in row for user in users[node.id] if not missing[user.id]}
+            grown = _sort_in(ready, list(later.values()))
+        return rows, width
 
 
 def _ahead(operations: list[Node]) -> dict[int, int]:
@@ -98,9 +106,11 @@ def _ahead(operations: list[Node]) -> dict[int, int]:
     return ahead
 
 
-def _sort_in(ready: dict[str, list[Node]], nodes: list[Node]) -> None:
+def _sort_in(ready: dict[str, list[Node]], nodes: list[Node]) -> set[str]:
+    """Adds nodes to those of their kinds, and says which kinds these are."""
     for node in nodes:
         ready.setdefault(_kind(node), []).append(node)
+    return {_kind(node) for node in nodes}
 
 
 def _table(program: Program, epsilon: float, rows: list[list[Node]], width: int) -> Levels:

@@ -7,7 +7,7 @@ operation more; rounding is symmetric, so results stay.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import count
 from typing import Any
 
@@ -49,27 +49,30 @@ class _Signs:
         """Flip a value, and others with it, unless that takes operations."""
         self._left = STEPS
         if self._free(node):
-            self._extended([node])
+            self._extended({}, node)
 
-    def _extended(self, group: list[Node]) -> bool:
-        """Whether a group of flips, or a larger one, takes no operation; if not, the flips are undone."""
+    def _extended(self, costs: Mapping[Node, int], new: Node) -> bool:
+        """Whether a group of flips with one more, or a larger one, takes no operation; if not, that is undone.
+
+        `costs`: of the values that the group is or that use it.
+        """
         self._left -= 1
-        new = group[-1]
         self.flipped.add(new.id)
-        around = {u.id: u for g in group for u in (g, *self._users[g.id])}
-        costs = {u.id: self._cost(u) for u in around.values()}
+        costs = {**costs, **{u: self._cost(u) for u in (new, *self._users[new.id])}}
         if sum(costs.values()) <= 0:
             return True
-        worst = around[max(costs, key=lambda k: costs[k])]
+        worst = max(costs, key=costs.__getitem__)
         for candidate in (worst, *worst.args):
-            if self._left > 0 and self._free(candidate) and self._extended([*group, candidate]):
+            if self._left > 0 and self._free(candidate) and self._extended(costs, candidate):
                 return True
         self.flipped.discard(new.id)
         return False
 
     def _free(self, value: Value) -> bool:
         """Whether a value may be flipped: no input, function or guard, and not one that has its name already."""
-        if not isinstance(value, Node) or value.op not in BINARY or value.id in self.flipped | self._guards:
+        if not isinstance(value, Node) or value.op not in BINARY:
+            return False
+        if value.id in self.flipped or value.id in self._guards:
             return False
         return value.label is None or value.label.negative
 

@@ -8,14 +8,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..backends.numpy.rest_shape import line_at_rest
 from ..bodies.collocation import points
 from ..robot_model import RobotModel
 from ..spec.link_class import EXACT, LinkClass
 from ..spec.markers import TIP
 from ..spec.values import MAX_POINTS
-from .motion import bent_rod, own_length, own_rest
-from .rod_inertia import inertia_error
+from .motion import own_length, own_rest
+from .rod_inertia import centreline, inertia_error
 from .validity import ModelValidityWarning
 
 TOLERANCE = 1e-4
@@ -96,11 +95,11 @@ def _of_segment(model: RobotModel, q: np.ndarray, i: int, key: LinkClass) -> Lef
     eta, few = _most_bent(every, MOST_STATES), _most_bent(every, FEWER)
     length, count, named = own_length(model, i), points(key), _sections(model, i)
     scale = np.array([1.0 if direction == "torsion" else 1.0 / length for direction, _ in key.directions])
-    rod, places = (length, own_rest(model, i)), tuple(named)
+    kappa_0 = length * np.array(own_rest(model, i))
+    zeta = np.hstack([scale * eta, np.tile(kappa_0, (len(eta), 1))])
     finer = lambda n: replace(key, points=n)  # noqa: E731
-    lines = lambda n: line_at_rest(finer(n), *rod, places) + bent_rod(finer(n), *rod, eta, places)  # noqa: E731
-    errors = lambda n: np.linalg.norm(lines(2 * n) - lines(n), axis=2).max(axis=0, initial=0.0) / length  # noqa: E731
-    kappa_0 = length * np.array(rod[1])
+    lines = lambda n: centreline(finer(n), zeta, tuple(named))  # noqa: E731
+    errors = lambda n: np.linalg.norm(lines(2 * n) - lines(n), axis=2).max(axis=0, initial=0.0)  # noqa: E731
     inertia = lambda n: inertia_error(finer(n), scale * few, kappa_0)  # noqa: E731
     first, off = errors(count), inertia(count)
     enough = (n for n in range(count, MAX_POINTS + 1) if errors(n).max() <= TOLERANCE and inertia(n) <= INERTIA)

@@ -6,7 +6,7 @@ All is of a uniform rod of unit length and unit mass, with modal coordinates of 
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 
 import numpy as np
@@ -41,17 +41,17 @@ def inertia(key: LinkClass, zeta: np.ndarray) -> np.ndarray:
     `zeta` (N, r + p): modal coordinates of unit length, then the numbers of the curvature at rest.
     """
     moving = [m for m, (direction, _) in enumerate(key.directions) if direction != "torsion"]
-    r, unit = centreline(key, zeta), STEP * np.eye(zeta.shape[1])
-    by_modes = [(centreline(key, zeta + unit[m]) - centreline(key, zeta - unit[m])) / (2 * STEP) for m in moving]
+    line, unit = partial(centreline, key, places=tuple(PLACES.tolist())), STEP * np.eye(zeta.shape[1])
+    r, by_modes = line(zeta), [(line(zeta + unit[m]) - line(zeta - unit[m])) / (2 * STEP) for m in moving]
     turned = [np.cross(axis, r) for axis in np.eye(3)]
     moved = [np.broadcast_to(axis, r.shape) for axis in np.eye(3)]
     columns = np.stack([*turned, *moved, *by_modes])
     return np.einsum("s,ansi,bnsi->nab", WEIGHTS, columns, columns)
 
 
-def centreline(key: LinkClass, zeta: np.ndarray) -> np.ndarray:
-    """Those (N, places, 3) at ``PLACES``, from the tangents at the points of the rod."""
-    turns, stretches, reach = _numbers(key)
+def centreline(key: LinkClass, zeta: np.ndarray, places: tuple[float, ...]) -> np.ndarray:
+    """That of a rod of unit length (N, places, 3) in states (N, r + p), from the tangents at the points of the rod."""
+    turns, stretches, reach = _numbers(key, places)
     R, tangents = transform.Rotation.from_quat(np.tile([0.0, 0.0, 0.0, 1.0], (len(zeta), 1))), []
     for turn, stretch in zip(turns, stretches, strict=True):
         crossed = sum((np.cross(zeta @ a.T, zeta @ b.T) for a, b in turn.crossed), np.zeros(3))
@@ -61,12 +61,12 @@ def centreline(key: LinkClass, zeta: np.ndarray) -> np.ndarray:
 
 
 @cache
-def _numbers(key: LinkClass) -> tuple[list[RodTurn], list[np.ndarray], np.ndarray]:
-    """The turns from point to point of a rod, the stretches there by its modes, and what integrates to ``PLACES``."""
+def _numbers(key: LinkClass, places: tuple[float, ...]) -> tuple[list[RodTurn], list[np.ndarray], np.ndarray]:
+    """The turns from point to point of a rod, the stretches there by its modes, and what integrates to ``places``."""
     rod = collocation(key)
     at = rod.places.tolist()
     turns = [rod.turn(a, b) for a, b in pairwise([0.0, *at])]
-    return turns, [rod.stretch(s) for s in at], np.array([rod.reach(x) for x in PLACES.tolist()])
+    return turns, [rod.stretch(s) for s in at], np.array([rod.reach(x) for x in places])
 
 
 def _apart(coarse: np.ndarray, fine: np.ndarray) -> float:

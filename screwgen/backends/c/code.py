@@ -112,6 +112,8 @@ class Writer:
     def _groups(self) -> tuple[list[Node], dict[str, list[Node]]]:
         """The nodes that are always needed, and for every condition those that only its outputs need."""
         p, conditions = self.program, dict.fromkeys(c for n, c in self.optional.items() if n in self.program.outputs)
+        if not conditions:
+            return p.nodes, {}
         values = lambda c: [v for n, e in p.outputs.items() if self.optional.get(n, "") == c for v in e]  # noqa: E731
         common = {n.id for n in live([*values(""), *p.guards])}
         needs = {c: {n.id for n in live(values(c))} for c in conditions}
@@ -301,7 +303,8 @@ def trimmed(lines: list[str]) -> list[str]:
 def with_unused(names: Iterable[str], lines: list[str]) -> list[str]:
     """The body of a function, with its unused pointers marked as such."""
     text = "\n".join(lines)
-    return [f"(void){x};" for x in names if not re.search(rf"\b{x}(->|\[)", text)] + lines
+    used = lambda x: any(f"{x}{mark}" in text for mark in ("->", "[")) and re.search(rf"\b{x}(->|\[)", text)  # noqa: E731
+    return [f"(void){x};" for x in names if not used(x)] + lines
 
 
 def pairs(nodes: Iterable[Node]) -> dict[int, tuple[Node, Node]]:

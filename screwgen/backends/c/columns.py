@@ -38,7 +38,7 @@ def _twice(text: str, name: str) -> str | None:
         (f"{name}_", r"(?<!\$)\$_", {"kinematics"}),
         (f"{name.upper()}_", r"\$\$_", IN_HEADERS),
     ):
-        if not re.search(rf"(?<![\w$]){prefix}", text):
+        if prefix not in text or not re.search(rf"(?<![\w$]){prefix}", text):
             continue
         code = COMMENTS_AND_STRINGS.sub(" ", text)
         own = always.union(re.findall(rf"{mark}(\w+)", code))

@@ -134,7 +134,8 @@ def plain(formula: str) -> str:
 
 def occurs(symbol: str, formula: str) -> bool:
     """Whether a formula uses a symbol."""
-    return re.search(ALONE + re.escape(plain(symbol)) + r"(?!\}?[\w{]|\}_)", plain(formula)) is not None
+    own, text = plain(symbol), plain(formula)
+    return own in text and re.search(ALONE + re.escape(own) + r"(?!\}?[\w{]|\}_)", text) is not None
 
 
 def parted(

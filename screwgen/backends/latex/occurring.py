@@ -33,7 +33,8 @@ def occurring(entries: Iterable[Entry], sections: Iterable[DocumentSection]) -> 
     """The entries whose symbols stand in a formula of the sections."""
     found = (formula for section in sections for item in section.items for formula in formulas(item))
     text = " ".join(dict.fromkeys(found))
-    return [entry for entry in entries if pattern(entry.display).search(text)]
+    stands = lambda symbol: symbol[: _scripts(symbol)] in text and pattern(symbol).search(text)  # noqa: E731
+    return [entry for entry in entries if stands(entry.display)]
 
 
 def pattern(symbol: str) -> re.Pattern[str]:

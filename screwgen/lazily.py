@@ -4,6 +4,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    import scipy.interpolate as interpolate
     import scipy.linalg as linalg
     import scipy.spatial.transform as transform
     import sympy as sp
@@ -20,5 +21,6 @@ else:
             return found
 
     sp, linalg, transform = _Lazy("sympy"), _Lazy("scipy.linalg"), _Lazy("scipy.spatial.transform")
+    interpolate = _Lazy("scipy.interpolate")
 
-__all__ = ["linalg", "sp", "transform"]
+__all__ = ["interpolate", "linalg", "sp", "transform"]

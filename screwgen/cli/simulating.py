@@ -20,8 +20,7 @@ def run_simulate(
     duration: float,
     step: float,
     output: str,
-    state: str | None,
-    controller: str | None,
+    acting: tuple[str | None, str | None, str | None],
     form: str,
     integrator: str | None,
     drawn: tuple[str | None, str | None, Sequence[str]],
@@ -31,16 +30,17 @@ def run_simulate(
 ) -> None:
     """Simulate and store; the run and its pictures appear together or not at all, unless a stopped run is kept.
 
-    `drawn`: the files of --plot and --view, and the words of --panel. What a run that fails had until then is in
-    `run.failed.npz`, and so on.
+    `acting`: the files of --state, --controller and --motion; `drawn`: those of --plot and --view, and the words of
+    --panel. What a run that fails had until then is in `run.failed.npz`, and so on.
     """
     from ..simulation.hits import lines
+    from ..simulation.motion_table import read_motion
     from ..simulation.named_controllers import read_controller
     from ..simulation.runs import FORMATS, check_output, failed_name, outputs
     from ..simulation.simulate import FORMS as known_forms
     from ..simulation.simulate import simulate, step_count
 
-    *pictures, only = drawn
+    (state, controller, motion), (*pictures, only) = acting, drawn
     if only and pictures[0] is None:
         raise UsageError("--panel: is given without --plot, whose panels it chooses; give both, or none")
     check_output(output, FORMATS)
@@ -55,6 +55,7 @@ def run_simulate(
     if controller is not None and start.tau.any():
         raise UsageError(f"{state}: tau: is given beside --controller; leave one of them out")
     ways: dict[str, Any] = {"integrator": integrator, "form": form, "every": every, "store": output if keep else None}
+    ways["motion"] = read_motion(motion, model) if motion is not None else None
     wanted = (None if keep else output, *pictures)
     try:
         with outputs(*filter(None, wanted)) as streams:

@@ -1,4 +1,4 @@
-"""Torques, forces and tensions over time from a table: a CSV file of `t` and of inputs by their names."""
+"""Tables over time: CSV files of `t` and of numbers by their names; as inputs torques, forces and tensions."""
 
 from __future__ import annotations
 
@@ -34,9 +34,18 @@ class InputTable:
 def read_inputs(path: str | os.PathLike[str], model: RobotModel) -> InputTable:
     """The inputs in the CSV file at `path`, whose head names `t`, s, and some of `model.tau_names`; others are zero.
 
+    Raises UsageError, as :func:`read_table`.
+    """
+    t, columns = read_table(path, model.tau_names)
+    return InputTable(t, np.transpose([columns.get(name, np.zeros(len(t))) for name in model.tau_names]))
+
+
+def read_table(path: str | os.PathLike[str], names: Sequence[str]) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Times (k,), s, rising, and columns (k,) by their names in the CSV file at `path`, which has `t` and some `names`.
+
     Raises UsageError, `<file>: line <number>: <fault>; <what is allowed>`.
     """
-    file, known = one_line(os.fsdecode(path)), (TIME, *model.tau_names)
+    file, known = one_line(os.fsdecode(path)), (TIME, *names)
     try:
         rows = list(csv.reader(read_text(path, "a CSV file").splitlines(), strict=True))
     except csv.Error as error:
@@ -53,13 +62,11 @@ def read_inputs(path: str | os.PathLike[str], model: RobotModel) -> InputTable:
     if TIME not in head:
         raise UsageError(f"{file}: has no column '{TIME}'; state the times in s")
     table = np.array([_numbers(file, number, head, row) for number, row in lines])
-    t, values = table[:, head.index(TIME)], np.zeros((len(table), model.n_tau))
+    columns = dict(zip(head, table.T, strict=True))
+    t = columns.pop(TIME)
     if (wrong := np.flatnonzero(np.diff(t) <= 0)).size:
         _refuse(file, lines[wrong[0] + 1][0], f"t is {t[wrong[0] + 1]:g} s; it must be later than in the row before")
-    for k, name in enumerate(model.tau_names):
-        if name in head:
-            values[:, k] = table[:, head.index(name)]
-    return InputTable(t, values)
+    return t, columns
 
 
 def _numbers(file: str, number: int, head: Sequence[str], row: Sequence[str]) -> list[float]:

@@ -41,10 +41,8 @@ class GivenMotion:
     """
 
     def __init__(self, model: RobotModel, curves: Mapping[str, Curve], step: float, duration: float):
-        chain = model.chain
-        places = {k: chain.held_places[k] for k in chain.prescribed}
-        at = {k: chain.axis_places[k] if v == chain.base_v + k else v + chain.nq - chain.nv for k, v in places.items()}
-        known = {model.q_names[at[k]]: k for k in places}
+        chain, at = model.chain, _places(model)
+        known = {model.q_names[place]: k for k, place in at.items()}
         for name in curves:
             choice(name, [BASE] * chain.moving + [*known], "motion: of what moves as is given there is no coordinate")
         for name, curve in curves.items():
@@ -54,7 +52,7 @@ class GivenMotion:
         own, led = [known[name] for name in self.curves], 6 * (self.base is not None)
         self.axes = [*range(chain.n_tau)[chain.inputs[BASE_MOTION]], *own] if led else own
         self._found: dict[float, tuple[np.ndarray, np.ndarray]] = {}
-        self.of_q, self.of_v = [at[k] for k in own], [*range(led), *(places[k] for k in own)]
+        self.of_q, self.of_v = [at[k] for k in own], [*range(led), *(chain.held_places[k] for k in own)]
 
     def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
         """Coordinates and rates at a time, those of the base first."""
@@ -80,6 +78,18 @@ class GivenMotion:
             return np.zeros(len(self.of_v))
         before = self.at(t)[1]
         return (self.at(end)[1] - before) / (end - t)
+
+
+def given_axes(model: RobotModel) -> list[str]:
+    """The names of the coordinates of axes whose motion is given."""
+    return [model.q_names[place] for place in _places(model).values()]
+
+
+def _places(model: RobotModel) -> dict[int, int]:
+    """The places in `q` of these coordinates, by the numbers of their axes; of an elastic drive that of its rotor."""
+    chain, held = model.chain, model.chain.held_places
+    own = lambda k: chain.axis_places[k] if held[k] == chain.base_v + k else held[k] + chain.nq - chain.nv  # noqa: E731
+    return {k: own(k) for k in chain.prescribed}
 
 
 def _check_curve(curve: Curve, name: str, sizes: tuple[int, ...], duration: float) -> None:
